@@ -65,14 +65,14 @@ EXPLANATIONS: dict[Fault, Explanation] = {
     ),
     Fault.CHANNELS_BAD: Explanation(
         "Sensors of two gestures gave impossible values.",
-        "See the lamps on the Shirt page; repeat the calibration without the bad channels.",
+        "See the lamps on the Shirt page; repeat the calibration without the bad sensors.",
     ),
     Fault.WEB_SILENT: Explanation(
-        "The control process heard nothing from the application.",
+        "The application sent nothing to the control process.",
         "Wait for the page to return, then start again.",
     ),
     Fault.SCREEN_LOST: Explanation(
-        "The screen that started the drive was not heard for 0.3 s: "
+        "The screen that started the drive sent nothing for 0.3 s: "
         "it was out of reach or overloaded, or its page was closed.",
         "See that this screen is connected and shows the page, then tap Continue.",
     ),
@@ -116,7 +116,7 @@ EXPLANATIONS: dict[Fault, Explanation] = {
     ),
     Fault.BRAKE_BAD: Explanation(
         "A sensor of the movement that brakes or stops gave impossible values.",
-        "See the lamps on the Shirt page; repeat the calibration without the bad channels.",
+        "See the lamps on the Shirt page; repeat the calibration without the bad sensors.",
     ),
     Fault.PICTURE_LOST: Explanation(
         "A screen lost the picture that the patient drives by.",

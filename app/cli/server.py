@@ -12,9 +12,9 @@ from typing import Literal
 
 import typer
 import uvicorn
-from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api.app import WebApp, create_app, say_goodbye
+from app.api.failed_start import KeepsFailure
 from app.api.tablet_page import TabletPage
 from app.api.view.view_keeper import ServedScene
 from app.cli.errors import InputError
@@ -39,22 +39,18 @@ class WebServer(uvicorn.Server):
     """uvicorn on a socket that is bound already; ends in order on Ctrl-C and SIGTERM, without output of its own."""
 
     def __init__(self, app: WebApp, listening: socket.socket, words: str, lan: Lan | None = None) -> None:
-        super().__init__(_config(self._application, "on"))
+        self._kept = KeepsFailure(app)
+        super().__init__(_config(self._kept, "on"))
         self._app = app
-        self.failure: Exception | None = None  # that ended the start
         self._listening = listening
         self._words = words
         self._lan = lan
         self._following: asyncio.Task[None] | None = None
 
-    async def _application(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Run the application, and keep the exception that ends its start: uvicorn only logs it."""
-        try:
-            await self._app(scope, receive, send)
-        except Exception as error:
-            if scope["type"] == "lifespan":
-                self.failure = error
-            raise
+    @property
+    def failure(self) -> Exception | None:
+        """Return what ended the start."""
+        return self._kept.failure
 
     async def run_until_signal(self) -> bool:
         """Serve until a signal; return whether the server had started."""
@@ -128,7 +124,7 @@ class WebServer(uvicorn.Server):
             self.should_exit = True
 
 
-def _config(app: ASGIApp, lifespan: Literal["on", "off"]) -> uvicorn.Config:
+def _config(app: KeepsFailure | TabletPage, lifespan: Literal["on", "off"]) -> uvicorn.Config:
     return uvicorn.Config(
         app,
         interface="asgi3",

@@ -45,6 +45,8 @@ class Scene:
         self._drawing = NOTHING
         self._state = SceneState()
         self._pose = Pose(0.0, 0.0, 0.0)
+        self._start: Pose | None = None  # of the path, until the chair first moves in this plan
+        self._left_at: Pose | None = None  # where the control loop has the chair until then
         self._head, self._head_age = NO_HEAD, math.inf
         self._t = math.nan
 
@@ -81,7 +83,8 @@ class Scene:
                 view.draw(drawing)
             self._clear_trajectories()
             self._plots.show_path(plan, path_name)
-            self._place(Pose(0.0, 0.0, 0.0) if path is None else path.start, 0.0)
+            self._start, self._left_at = None if path is None else path.start, None
+            self._place(self._start or Pose(0.0, 0.0, 0.0), 0.0)
             self._flush()
 
     def set_view(self, role: Role, view: View, settings: EyeSettings | None = None) -> None:
@@ -151,13 +154,30 @@ class Scene:
     def follow(self, tick: np.void) -> None:
         """Update the scene to a tick of the control loop."""
         self.update(
-            Pose(float(tick["x"]), float(tick["y"]), float(tick["theta"])),
+            self._placed(Pose(float(tick["x"]), float(tick["y"]), float(tick["theta"]))),
             float(tick["t"]),
             v=float(tick["v"]),
             scene_t=float(tick["scene_t"]),
             head=Angles(float(tick["head_yaw"]), float(tick["head_pitch"]), float(tick["head_roll"])),
             head_age=float(tick["head_age"]),
         )
+
+    def _placed(self, pose: Pose) -> Pose:
+        """Return where the pictures show the chair: at the start of the path until it first moves in this plan.
+
+        Before a trial the control loop has the chair where it stood last, in another plan or in none; there may be a
+        wall in this one.
+        """
+        with self._lock:
+            if self._start is None or not all(map(math.isfinite, pose)):
+                return pose
+            if self._left_at is None:
+                self._left_at = pose
+            if pose == self._left_at:
+                return self._start
+            self._start = None
+            self._clear_trajectories()  # the line begins where the chair is
+            return pose
 
     def tell_time(self, now: float, tick_age: float) -> None:
         """Send a time stamp, by which a page knows the age of its picture, and fit the views to the pages' sizes.

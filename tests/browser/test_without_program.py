@@ -109,7 +109,7 @@ def a_page_that_does_not_hear_the_chair_does_not_keep_it_driving(driven, other):
     is_cut = True
     passed[-1].close()
     expect(driven.locator(".notes")).to_contain_text(SINCE)
-    expect(other.locator(".notes")).to_contain_text(re.compile("was not heard for 0.3 s|lost the picture"))
+    expect(other.locator(".notes")).to_contain_text(re.compile("sent nothing for 0.3 s|lost the picture"))
     is_cut = False
     expect(driven.locator(".notes")).to_be_empty()
 

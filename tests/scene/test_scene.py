@@ -19,6 +19,7 @@ def test_the_world_is_moved_and_the_camera_is_not(servers):
     scene = Scene(servers)
     scene.set_floorplan(PLAN, "main")
     scene.set_view("patient", "chase")
+    scene.follow(tick(0, 1.0, 2.0, 0.0))
     scene.follow(tick(1, 3.0, 2.0, 0.5))
     found = everything(servers.port("patient"))
     placed = world_placement(chase_camera(Pose(3.0, 2.0, 0.5)))
@@ -27,6 +28,23 @@ def test_the_world_is_moved_and_the_camera_is_not(servers):
     assert of_node(found, "SetPositionMessage", "/world/chair")[-1]["position"] == pytest.approx((3.0, 2.0, 0.0))
     cameras = [message for message in found if message["type"] == "SetCameraPositionMessage"]
     assert {tuple(message["position"]) for message in cameras} == {(0.0, 0.0, 0.0)}
+
+
+def test_before_it_moves_the_chair_is_shown_at_the_start_of_the_path(servers):
+    """The control loop begins at 0, 0, where the corridors have a wall, and keeps the place of the last trial."""
+    scene = Scene(servers)
+    start = PLAN.path_named("main").start
+    driven = [(0.0, 0.0), (0.0, 0.0), (float("nan"), 0.0), (0.0, 0.0), (4.0, 2.0), (0.0, 0.0)]
+    shown = []
+    scene.set_floorplan(PLAN, "main")
+    for number, (x, y) in enumerate(driven):
+        scene.follow(tick(number, x, y, 0.0))
+        shown.append((scene._pose.x, scene._pose.y))
+    assert shown == [(start.x, start.y)] * 4 + [(4.0, 2.0), (0.0, 0.0)]
+    scene.set_floorplan(load_floorplan(bundled_floorplans()["clinic"]), "main")
+    scene.follow(tick(9, 0.0, 0.0, 0.0))
+    other = load_floorplan(bundled_floorplans()["clinic"]).path_named("main").start
+    assert scene._pose == other
 
 
 def test_roles_look_from_where_they_want(servers):

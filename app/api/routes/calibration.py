@@ -231,7 +231,7 @@ async def _accept(who: SignedInPerson, parts: People, web: WebParts, session: Pa
     if profile is None:
         raise Conflict("There is no result yet: do every step first.")
     if progress.accepted:
-        raise Conflict("This result is accepted already: go on to the gestures, or repeat a step.")
+        raise Conflict("This result is accepted already: go on to the controls, or repeat a step.")
 
     def _save() -> None:
         with parts.database.transaction() as db:

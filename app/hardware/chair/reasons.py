@@ -19,7 +19,7 @@ class Reason(IntEnum):
 
 WORDS = {
     Reason.NONE: "Nothing is wrong.",
-    Reason.SILENT: "The chair heard no new command for too long.",
+    Reason.SILENT: "No new command reached the chair for too long.",
     Reason.TOLD_TO_STOP: "The chair was told to stop.",
     Reason.WITHDRAWN: "The sender withdrew its permission to drive.",
     Reason.STOP_INPUT: "The chair was stopped by its own switch.",

@@ -121,7 +121,7 @@ class Equipment(ClinicChoice):
         known = self.layout.channel_names if self.layout else []
         for name in channels:
             if name not in known:
-                raise NotFound(f"This shirt has no channel '{name}': choose one of its lamps.")
+                raise NotFound(f"This shirt has no sensor '{name}': choose one of its lamps.")
         self.unused = [name for name in known if name in channels]
         await self._store()
 

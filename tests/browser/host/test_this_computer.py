@@ -1,6 +1,7 @@
 """The page "This computer" in a real browser: measured by its owner, with the pictures a second of two pages."""
 
 import re
+from functools import partial
 
 import pytest
 from browser.served.clinic_app import ClinicApp, assert_quiet, go
@@ -80,6 +81,11 @@ def test_the_owner_measures_this_computer_and_the_open_screens(opened, served):
     photograph(page, "found")
 
 
+def fulfil(found, route):
+    """Answer a request with what was found."""
+    route.fulfill(json=found)
+
+
 def test_the_headline_counts_the_screens_that_will_not_do(opened, served):
     page = opened()
     go(page, "computer")
@@ -90,7 +96,7 @@ def test_the_headline_counts_the_screens_that_will_not_do(opened, served):
     for screens in ([fluent], [slow, fluent], [slow, slow]):
         page.unroute_all()
         found = {"machine": machine, "screens": screens}
-        page.route("**/computer/measurement", lambda route, found=found: route.fulfill(json=found))
+        page.route("**/computer/measurement", partial(fulfil, found))
         page.get_by_role("button", name=re.compile("Measure")).click()
         expect(page.locator(".findings li")).to_have_count(len(screens))
         headlines[screens.count(slow)] = page.locator(".findings").first.locator(".summary").inner_text()

@@ -15,6 +15,7 @@ const LOOK_EVERY = 1000; // ms
 export function madeCard(app, first, signal) {
   const warning = h("p", { class: "backup-warning" });
   const last = h("p", { role: "status" });
+  const title = h("h3", {}, t("backup.list"));
   const go = h("button", { type: "button", class: "btn go" }, t("backup.now"));
   const step = h("p", { class: "number", "aria-hidden": "true" });
   const bar = h("progress", { max: 1, value: 0, "aria-label": t("backup.progress") });
@@ -31,6 +32,7 @@ export function madeCard(app, first, signal) {
     if (!isMaking && wasMaking) app.toasts.show(t(view.made[0]?.good ? "backup.done" : "backup.failed"));
     write(last, view.last_good ? t("backup.last", { when: moment(view.last_good) }) : "");
     list.show(view.made.slice(0, 8).map(row));
+    title.hidden = !view.made.length;
     go.disabled = isMaking || view.folder === null;
     course.hidden = !isMaking;
     if (view.course) {
@@ -66,7 +68,7 @@ export function madeCard(app, first, signal) {
     h("div", {}, go),
     course,
     problem,
-    h("h3", {}, t("backup.list")),
+    title,
     list,
   );
   return { element, draw };

@@ -28,7 +28,7 @@ export default {
   "drive.place.chair.wheelchair": "Virtual, like a real chair",
   "drive.place.chair.lead": "Practise with the virtual chair, or drive a real one.",
   "drive.place.screen": "The patient's screen",
-  "drive.place.screen.lead": "A second screen for the patient: the view from the chair, and nothing else.",
+  "drive.place.screen.lead": "A second screen for the patient: the view, large cues and the speed. Nothing on it can be changed.",
   "drive.place.plans": "Floor plans",
   "drive.place.plans.state": "Draw or import one",
   "drive.screens": { one: "{count} paired", other: "{count} paired" },

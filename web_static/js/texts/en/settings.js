@@ -34,7 +34,7 @@ export default {
   "pair.host": "Address",
   "pair.host.hint": "The chair's computer on this network, for example 192.168.1.40.",
   "pair.port": "Port",
-  "pair.port.hint": "Its receiver listens there; 5354 unless it was told otherwise.",
+  "pair.port.hint": "Its receiver listens there; 5354 unless another one was set there.",
   "pair.speeds": "What this chair may do",
   "pair.speeds.hint": "The smallest limit of the set, the clinic and the chair applies.",
   "pair.go": "Make the key",
