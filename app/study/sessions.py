@@ -18,6 +18,7 @@ from app.calibration.script import calibration_script
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.hardware.body.person import Person
 from app.hardware.body.person_parameters import DETERIORATING, IMPROVING, PRACTISED, PersonParameters
+from app.scoring.map_losses.trial_history import PastTrial, TrialHistory
 from app.study.experiment import SAMPLE_RATE, SEEDS_APART, shirt_layout
 from app.study.participant import Participant
 from app.study.simulated_calibration import calibrate, record_step
@@ -26,9 +27,10 @@ from app.world.floorplan import FloorPlan, PrescribedPath
 
 Rows = TypeVar("Rows")
 Mode = Literal["off", "suggest", "auto"]
-PersonKind = Literal["improving", "deteriorating", "redonned"]
+PersonKind = Literal["steady", "improving", "deteriorating", "redonned"]
 
 PERSONS: dict[PersonKind, PersonParameters] = {
+    "steady": PRACTISED,
     "improving": IMPROVING,
     "deteriorating": DETERIORATING,
     "redonned": PRACTISED,  # only the position of the shirt changes from session to session
@@ -48,6 +50,7 @@ class SessionTrial:
     time: float  # s
     reached: bool
     faults: int
+    proposed: int  # joints that would change, because their map loses something
     felt_change: float  # of the applied step; in mode `suggest`, of the proposed one
     angle_deg: float  # largest turn of a joint in that step
     flips: int  # joints whose direction that step reverses
@@ -87,12 +90,13 @@ def run_sessions(
 
     `redonned` puts the shirt on again before each session but the first. The channel ranges of safety rule S5 are then
     moved to the present signals, in every mode: otherwise sound channels would count as broken and the chair would not
-    move. An adapted map is proposed after each trial from the session's trials; mode `auto` applies it before the next
-    trial.
+    move. After each trial a change is proposed where the trials so far show that the present map loses something; mode
+    `auto` applies it before the next trial.
     """
     participant, calibrated = first.participant, first.profile
     parameters = standard_parameters(calibrated)
     rows: list[SessionTrial] = []
+    history, past = TrialHistory(), list[PastTrial]()
     for session in range(1, sessions + 1):
         parameters = begin_session(first, session, parameters)
         movements: list[Movement] = []
@@ -101,7 +105,11 @@ def run_sessions(
             driven = drive_trial(number, participant, parameters, floorplan, path, frames)
             trial = score_trial(floorplan, path, driven)
             movements.append(_movement(frames))
-            proposal = None if mode == "off" else propose(parameters, movements, calibrated=calibrated, fresh=1)
+            past.append(_past_trial(len(past), movements[-1], parameters))
+            proposal = None
+            if mode != "off":
+                losses = history.losses(parameters, calibrated, past)
+                proposal = propose(parameters, movements, losses, calibrated=calibrated, fresh=1)
             rows.append(_row(mode, first, session, trial, parameters, proposal))
             if mode == "auto" and proposal is not None and proposal.parameters is not None:
                 parameters = proposal.parameters
@@ -174,6 +182,10 @@ def _movement(frames: FrameLog) -> Movement:
     return Movement(values, SAMPLE_RATE, np.array([permitted for _, permitted in frames], dtype=np.bool_))
 
 
+def _past_trial(number: int, movement: Movement, parameters: DriveParameters) -> PastTrial:
+    return PastTrial(str(number), lambda: movement, {gesture.name: gesture.full for gesture in parameters.gestures})
+
+
 def _row(
     mode: Mode,
     first: CalibratedParticipant,
@@ -195,6 +207,7 @@ def _row(
         time=measures["time"],
         reached=bool(measures["reached"]),
         faults=trial.faults,
+        proposed=sum(joint.status == "applied" for joint in proposal.joints) if proposal else 0,
         felt_change=proposal.felt_change if proposal else 0.0,
         angle_deg=max(_angles(parameters, after)) if proposal else 0.0,
         flips=sum(angle > 90.0 for angle in _angles(parameters, after)),

@@ -6,7 +6,7 @@ sound channels for broken ones. Therefore the range of a channel is shifted, nev
 still moves with its joint. A loose channel does not, keeps its calibrated range and is detected by S5.
 """
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 
@@ -23,11 +23,15 @@ SOUND_CONDITIONS = {"good", "near", "noisy"}
 
 
 def shift_ranges(
-    profile: CalibrationProfile, movements: Sequence[Movement], calibrated: CalibrationProfile | None = None
+    profile: CalibrationProfile,
+    movements: Sequence[Movement],
+    calibrated: CalibrationProfile | None = None,
+    joints: Collection[str] | None = None,
 ) -> CalibrationProfile:
     """Return the profile with ranges and means shifted to the present levels; `profile` itself when all ranges fit.
 
     `calibrated` is the calibration that `profile` descends from: no range is shifted further from it than its width.
+    `joints` are those whose channels may be shifted; all when not given.
     """
     trials = [fill_forward(np.asarray(one.values, dtype=np.float64)) for one in movements if len(one.values)]
     if not trials:
@@ -35,7 +39,7 @@ def shift_ranges(
     origin = calibrated or profile
     values = np.concatenate(trials)
     shifts = np.zeros(values.shape[1])
-    for joint in profile.joints:
+    for joint in profile.joints if joints is None else [one for one in profile.joints if one.name in joints]:
         for channel in sound_channels(profile, joint, movements):
             shift = _shift(profile, origin, channel, values[:, channel])
             if shift and _agreement(joint, channel, values) >= LEAST_AGREEMENT:

@@ -1,6 +1,6 @@
-"""Assesses one joint after the last trials: the change of its direction and thresholds, or why there is none."""
+"""Assesses one joint: how its direction and thresholds would follow what its map loses, or why they do not."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -16,22 +16,25 @@ from app.calibration.adaptation.direction import (
     share_along,
     turn_towards,
 )
+from app.calibration.adaptation.joint_loss import JointLoss
 from app.calibration.adaptation.movement import MappedTrial, Movement, Numbers, gesture_of, movement_rows, rate_along
-from app.calibration.adaptation.proposal_document import JointChange, Part, Status
-from app.calibration.adaptation.thresholds import Thresholds, step_thresholds, wanted_dead_zone, wanted_full
-from app.calibration.fit.joint_fit import LEAST_RANGE
+from app.calibration.adaptation.proposal_document import JointChange, Status
+from app.calibration.adaptation.thresholds import Thresholds, full_for, step_thresholds
 from app.calibration.profile import JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
+
+AT_ITS_END = "It cannot follow any further: calibrate this joint again."
 
 
 @dataclass(frozen=True, slots=True)
 class AdaptationInput:
-    """The parameters, trials and limits by which every joint is assessed."""
+    """The parameters, trials, losses and limits by which every joint is assessed."""
 
     parameters: DriveParameters
     movements: Sequence[Movement]
     trials: list[MappedTrial]
-    parts: Collection[Part]
+    losses: Mapping[str, JointLoss]
+    shifted: Collection[str]  # joints of which the range that S5 checks follows the shirt
     limits: ChangeLimits
     fresh: int
     calibrated: dict[str, JointMap]
@@ -47,8 +50,11 @@ class JointAssessment:
 
 
 def assess_joint(evidence: AdaptationInput, joint: JointMap, gesture: Gesture) -> JointAssessment:
-    """Return the change of one joint, first of its direction, then of its thresholds; refused when it would be felt."""
-    limits, parts, old = evidence.limits, evidence.parts, np.array(joint.weights)
+    """Return the change of one joint, first of its direction, then of its thresholds; refused when it would be felt.
+
+    A joint that loses nothing stays as it is.
+    """
+    limits, old = evidence.limits, np.array(joint.weights)
     now = Thresholds(gesture.dead_zone, gesture.full)
     values: dict[str, Any] = {
         "name": joint.name,
@@ -56,54 +62,44 @@ def assess_joint(evidence: AdaptationInput, joint: JointMap, gesture: Gesture) -
         "full_before": now.full,
         "dead_zone_after": now.dead_zone,
         "full_after": now.full,
+        "range_moved": joint.name in evidence.shifted,
     }
-    if stop := _reason_to_skip(evidence, joint):
+    loss = evidence.losses.get(joint.name)
+    if stop := _reason_to_skip(evidence, joint, loss):
         return JointAssessment(JointChange(**values, status=stop[0], reason=stop[1]), old, now)
+    assert loss is not None
     moved = movement_rows(evidence.trials, joint)
-    turn = _turn(evidence, joint, moved)
+    turn = _turn(evidence, joint, moved) if loss.turns and joint.map == "pca" else _Turn(old, {}, {}, "")
     values |= turn.values
-    weights = turn.weights if "map" in parts else old
-    wanted = _thresholds(evidence, joint, gesture, weights)
-    thresholds = Thresholds(
-        wanted.dead_zone if "dead_zones" in parts else now.dead_zone, wanted.full if "full" in parts else now.full
-    )
-    if thresholds.full < thresholds.dead_zone + LEAST_RANGE:
-        thresholds = now
+    thresholds = _thresholds(evidence, joint, gesture, loss)
     sample_rate = evidence.trials[-1].sample_rate
-    felt = felt_change(old / now.full, weights / thresholds.full, moved, sample_rate) if len(moved) else 0.0
-    turns = not np.array_equal(weights, old)
+    felt = felt_change(old / now.full, turn.weights / thresholds.full, moved, sample_rate) if len(moved) else 0.0
+    turns = not np.array_equal(turn.weights, old)
     if felt >= limits.refuse:
         words = f"It would be felt as a change of {min(felt, 9.99):.0%}, more than {limits.refuse:.0%}: refused."
         values |= turn.values_unturned
         return JointAssessment(
-            JointChange(**values, felt_change=min(felt, 1e6), status="refused", reason=words), old, now
+            JointChange(**values, felt_change=min(felt, 1e6), status="refused", reason=f"{loss.words} {words}"),
+            old,
+            now,
         )
     values |= {"dead_zone_after": thresholds.dead_zone, "full_after": thresholds.full}
-    if turns or thresholds != now:
-        values |= {"felt_change": felt, "angle_applied_deg": angle(old, weights) if turns else 0.0}
+    if turns or thresholds != now or values["range_moved"]:
+        values |= {"felt_change": felt, "angle_applied_deg": angle(old, turn.weights) if turns else 0.0}
         change = JointChange(**values, status="applied", reason="")
-        return JointAssessment(change.model_copy(update={"reason": _reason(change, turn.refusal)}), weights, thresholds)
-    if turn.refusal:
-        return JointAssessment(JointChange(**values, status="refused", reason=turn.refusal), old, now)
-    if not np.array_equal(turn.weights, old) or wanted != now:
-        values |= {"dead_zone_after": wanted.dead_zone, "full_after": wanted.full}
-        words = "The last trials ask for a change, but this part is not to be adapted: shown only."
-        return JointAssessment(JointChange(**values, status="shown", reason=words), old, now)
-    words = "The last trials ask for no change."
-    return JointAssessment(JointChange(**values, status="unchanged", reason=words), old, now)
+        reason = f"{loss.words} {_reason(change, turn.refusal)}"
+        return JointAssessment(change.model_copy(update={"reason": reason}), turn.weights, thresholds)
+    return JointAssessment(
+        JointChange(**values, status="refused", reason=f"{loss.words} {turn.refusal or AT_ITS_END}"), old, now
+    )
 
 
-def _reason_to_skip(evidence: AdaptationInput, joint: JointMap) -> tuple[Status, str] | None:
+def _reason_to_skip(evidence: AdaptationInput, joint: JointMap, loss: JointLoss | None) -> tuple[Status, str] | None:
     """Return status and reason of a joint that is not to be adapted, None for one that is."""
     if not evidence.trials or not evidence.fresh:
         return "unchanged", "No trial was driven since the calibration last changed."
-    if joint.map == "guided":
-        return (
-            "unchanged",
-            "What was learnt from the cues drives it, and is not adapted: calibrate again to renew it.",
-        )
-    if joint.map == "prior":
-        return "unchanged", "What was learnt from other people drives it, and is not adapted: prompt it to renew it."
+    if loss is None:
+        return "unchanged", "Nothing is lost with it."
     weighed = {channel for channel, weight in zip(joint.channels, joint.weights, strict=True) if weight != 0.0}
     broken = sorted(weighed - set(sound_channels(evidence.parameters.profile, joint, evidence.movements)))
     if broken:
@@ -172,13 +168,12 @@ def _rates(evidence: AdaptationInput, joint: JointMap, gesture: Gesture, weights
     ]
 
 
-def _thresholds(evidence: AdaptationInput, joint: JointMap, gesture: Gesture, weights: Numbers) -> Thresholds:
-    """Return the thresholds after one limited step towards those for rest noise and strokes of the last trials."""
-    rates = _rates(evidence, joint, gesture, weights)
-    dead_zone = wanted_dead_zone(joint, evidence.trials, rates)
-    full = wanted_full(joint, evidence.trials, rates, gesture)
-    wanted = Thresholds(gesture.dead_zone if dead_zone is None else dead_zone, gesture.full if full is None else full)
-    return step_thresholds(gesture, wanted, evidence.fresh)
+def _thresholds(evidence: AdaptationInput, joint: JointMap, gesture: Gesture, loss: JointLoss) -> Thresholds:
+    """Return the thresholds after one limited step towards those that answer the loss."""
+    dead_zone = gesture.dead_zone if loss.dead_zone is None else loss.dead_zone
+    calibrated = evidence.calibrated.get(joint.name, joint)
+    full = gesture.full if loss.growth is None else full_for(calibrated, gesture.full, loss.growth)
+    return step_thresholds(gesture, Thresholds(dead_zone, full))
 
 
 def _cross_talk(evidence: AdaptationInput, joint: JointMap, gesture: Gesture, weights: Numbers) -> float | None:
@@ -202,7 +197,7 @@ def _cross_talk(evidence: AdaptationInput, joint: JointMap, gesture: Gesture, we
 
 def _reason(change: JointChange, refusal: str) -> str:
     """Return one sentence on what is applied to a joint, and why its direction is not turned."""
-    words = []
+    words = ["the range that its channels are watched by follows the shirt"] if change.range_moved else []
     if change.angle_applied_deg:
         asked = change.angle_proposed_deg or 0.0
         part = "" if asked - change.angle_applied_deg < 0.05 else f" of the {asked:.1f} that its movements ask for"

@@ -1,4 +1,4 @@
-"""Movements of each joint in the last trials: when it moved, its strokes, and its noise at rest."""
+"""Movements of each joint in the last trials: when it moved, and its noise at rest."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -95,15 +95,6 @@ def movement_rows(trials: Sequence[MappedTrial], joint: JointMap) -> Numbers:
         pieces = stretches(trial.own[joint.name], LONGEST_BREAK, SHORTEST_PIECE, trial.sample_rate)
         rows.extend(signals[piece] - signals[piece].mean(axis=0) for piece in pieces)
     return np.concatenate(rows)
-
-
-def strokes(trials: Sequence[MappedTrial], joint: str, rates: Sequence[Numbers], dead_zone: float) -> list[Numbers]:
-    """Return the rates (FS/s) of each of the joint's strokes above the dead-zone; `rates` (n,) one per trial."""
-    found = []
-    for trial, rate in zip(trials, rates, strict=True):
-        above = trial.own[joint] & (rate > dead_zone)
-        found += [rate[piece] for piece in stretches(above, 0.0, SHORTEST_STROKE, trial.sample_rate)]
-    return found
 
 
 def rest_noise(rates: Sequence[Numbers], sample_rates: Sequence[float]) -> float | None:

@@ -1,12 +1,13 @@
 """Proposes an adapted parameter set after the last trials, beside the one that drives (signal-chain.md, section 6)."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Mapping, Sequence
 
 from app.calibration.adaptation.change_limits import STANDARD_LIMITS, ChangeLimits
 from app.calibration.adaptation.channel_range import shift_ranges
+from app.calibration.adaptation.joint_loss import JointLoss
 from app.calibration.adaptation.joint_proposal import AdaptationInput, JointAssessment, assess_joint
 from app.calibration.adaptation.movement import Movement, gesture_of, map_trials
-from app.calibration.adaptation.proposal_document import ALL_PARTS, JointChange, Part, Proposal, Status
+from app.calibration.adaptation.proposal_document import JointChange, Proposal
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
 
@@ -14,13 +15,13 @@ from app.calibration.vocabulary import DriveParameters, Gesture
 def propose(
     parameters: DriveParameters,
     movements: Sequence[Movement],
-    parts: Collection[Part] = ALL_PARTS,
+    losses: Mapping[str, JointLoss],
     limits: ChangeLimits = STANDARD_LIMITS,
     *,
     calibrated: CalibrationProfile | None = None,
     fresh: int | None = None,
 ) -> Proposal:
-    """Return the proposed changes of map, dead-zones and fulls.
+    """Return the proposed changes of map, dead-zones and fulls, for those joints whose present map loses something.
 
     Parameters
     ----------
@@ -29,8 +30,8 @@ def propose(
     movements
         The last trials with these parameters or their parents, oldest first, all recorded since the shirt was last put
         on.
-    parts
-        What may change.
+    losses
+        Joint -> what its present map loses, with the evidence in words. A joint that is not named stays as it is.
     limits
         How far it may change.
     calibrated
@@ -41,14 +42,19 @@ def propose(
         for each, and by 5 at once.
     """
     count = len(movements)
-    origin = calibrated or parameters.profile
+    new_trials = count if fresh is None else max(0, min(count, fresh))
+    origin, profile = calibrated or parameters.profile, parameters.profile
+    silenced = [name for name, loss in losses.items() if loss.silenced]
+    if silenced and new_trials:
+        profile = shift_ranges(profile, movements, calibrated, silenced)
     evidence = AdaptationInput(
         parameters,
         movements,
         map_trials(parameters, movements),
-        parts,
+        losses,
+        _joints_moved(parameters.profile, profile),
         limits,
-        count if fresh is None else max(0, min(count, fresh)),
+        new_trials,
         {joint.name: joint for joint in origin.joints},
     )
     found = [
@@ -56,11 +62,7 @@ def propose(
         for joint in parameters.profile.joints
         if (gesture := gesture_of(parameters, joint.name)) is not None
     ]
-    profile = parameters.profile
-    if "map" in parts and evidence.fresh:
-        profile = shift_ranges(profile, movements, calibrated)
-    moved = _joints_moved(parameters.profile, profile)
-    changes = tuple(_with_range(one.change, one.change.name in moved) for one in found)
+    changes = tuple(one.change for one in found)
     new = _new_parameters(parameters, profile, found)
     applied = [one for one in changes if one.status == "applied"]
     felt = max((one.felt_change for one in applied), default=0.0)
@@ -85,16 +87,6 @@ def _joints_moved(before: CalibrationProfile, after: CalibrationProfile) -> set[
         for joint in before.joints
         if any(before.low[channel] != after.low[channel] for channel in joint.channels)
     }
-
-
-def _with_range(change: JointChange, moved: bool) -> JointChange:
-    if not moved:
-        return change
-    words = "The range that its channels are watched by follows where the shirt sits now."
-    alone = change.status in ("unchanged", "shown")
-    reason = words if change.status == "unchanged" else f"{change.reason} {words}"
-    status: Status = "applied" if alone else change.status
-    return change.model_copy(update={"range_moved": True, "status": status, "reason": reason})
 
 
 def _new_parameters(
@@ -131,4 +123,4 @@ def _sentence(changes: Sequence[JointChange], trials: int) -> str:
         return f"{words}; {', '.join(refused)} may not." if refused else f"{words}."
     if refused:
         return f"After {after}, nothing changes: what {', '.join(refused)} would need may not be done."
-    return f"After {after}, the calibration fits: nothing changes." if trials else "No trial was driven yet."
+    return f"After {after}, nothing is lost: the calibration stays as it is." if trials else "No trial was driven yet."

@@ -5,10 +5,7 @@ from typing import Any, Literal
 from app.calibration.vocabulary import DriveParameters
 from app.quantities import Document
 
-Part = Literal["map", "dead_zones", "full"]
-Status = Literal["applied", "shown", "refused", "unchanged"]
-
-ALL_PARTS: tuple[Part, ...] = ("map", "dead_zones", "full")
+Status = Literal["applied", "refused", "unchanged"]
 
 
 class JointChange(Document):
@@ -35,9 +32,8 @@ class JointChange(Document):
 class Proposal(Document):
     """The parameter set proposed after the last trials, with the reasons; what drives now is not changed by it.
 
-    Status of a joint: `applied`, its change is in `parameters`; `shown`, the movements ask for a change, but that part
-    is not to be adapted; `refused`, a limit forbids the change, and the values after are those before. The range that
-    S5 checks may be shifted in each case.
+    Status of a joint: `applied`, its change is in `parameters`; `refused`, its map loses something, but a limit forbids
+    the change, and the values after are those before; `unchanged`, nothing is lost.
     """
 
     trials: int

@@ -1,17 +1,14 @@
 """Whether a person's sessions have become worse than their learning curve foretells: a cumulative sum (CUSUM)."""
 
-import math
 from collections.abc import Mapping
 
 import numpy as np
 
+from app.scoring.verdict.cusum import LIMIT, next_sum, normal_score
 from app.scoring.verdict.measure_comparison import COMPARISONS, least_spread
 from app.scoring.verdict.measure_verdict import Rows, series_of
 from app.scoring.verdict.spread import Series, Spread, fit_curve, own_spread, pool_spreads, weighted_sum
 
-ALLOWANCE = 0.5  # standard deviations of a session that are not counted
-LIMIT = 3.0  # standard deviations, added up
-MOST_OF_ONE = 3.0  # standard deviations that one session adds at most: one bad day is no deterioration
 EARLIER_SESSIONS = 2  # before the first session that is judged
 EARLIER_TRIALS = 5
 
@@ -37,7 +34,7 @@ def worse_since(series: Series, clinic: Spread | None, better: str, least: float
         worse = _surprise(before, series.where(series.session == session), clinic, least)
         if worse is not None:
             worse = worse if better == "low" else -worse
-            total = min(max(0.0, total + min(worse, MOST_OF_ONE) - ALLOWANCE), 2 * LIMIT)
+            total = next_sum(total, worse, most=2 * LIMIT)
             since = None if total == 0.0 else since or session
             is_worse = total > LIMIT or (is_worse and total > 0.0)
         found.append(since if is_worse else None)
@@ -46,8 +43,6 @@ def worse_since(series: Series, clinic: Spread | None, better: str, least: float
 
 def _surprise(before: Series, session: Series, clinic: Spread | None, least: float) -> float | None:
     """Return how far a session lies above what was foretold, in standard deviations; None with too few trials."""
-    from scipy.special import ndtri, stdtr
-
     earlier = len(np.unique(before.session))
     if earlier < EARLIER_SESSIONS or len(before.value) < EARLIER_TRIALS:
         return None
@@ -58,10 +53,7 @@ def _surprise(before: Series, session: Series, clinic: Spread | None, least: flo
         (1 / len(session.value) + parameters / len(before.value), spread.trial),
         (1 + parameters / earlier, spread.session),
     )
-    if total.df <= 0:
-        return None
-    surprise = float(session.value.mean() - foretold[0]) / math.sqrt(total.value)
-    return float(ndtri(stdtr(total.df, surprise)))
+    return normal_score(float(session.value.mean() - foretold[0]), total)
 
 
 def deteriorations(rows: Rows, clinic: Mapping[str, Spread]) -> dict[str, str]:

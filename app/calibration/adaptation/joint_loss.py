@@ -1,0 +1,13 @@
+"""What a joint's present map loses, as a proposal answers it; the evidence comes from `app/scoring/map_losses`."""
+
+from typing import NamedTuple
+
+
+class JointLoss(NamedTuple):
+    """What is to change of one joint because something is lost, and why."""
+
+    words: str  # sentences that say what is lost
+    dead_zone: float | None = None  # FS/s that the noise at rest asks for; None: the dead-zone stays
+    growth: float | None = None  # ln of the strokes' size over that of the first trials; None: full stays
+    turns: bool = False  # whether the direction of the map sees too little of the movement
+    silenced: bool = False  # whether safety rule S5 silenced the gesture, so that the range has to follow the shirt

@@ -1,0 +1,83 @@
+"""What one trial tells of a gesture, read with a parameter set: noise at rest, size of its strokes, what was missed.
+
+The figures are of the rate that the decoder gives, whatever kind of map the joint has.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.adaptation.movement import SHORTEST_STROKE, Movement, rest_noise, stretches
+from app.calibration.adaptation.thresholds import dead_zone_for, least_dead_zone
+from app.calibration.fit.pieces import fill_forward
+from app.calibration.vocabulary import DriveParameters
+from app.pipeline.channel_health import ChannelHealth
+from app.pipeline.decoder import channels_used
+from app.pipeline.replay.batch import decode_block
+from app.scoring.map_losses.map_blindness import blindness
+
+FEWEST_STROKES = 3  # of a gesture in a trial
+OWN_FACTOR = 2.0  # a stroke is this gesture's own while it is so many times as strong as any other (rate / full)
+MOST_SILENT = 0.2  # share of a trial; a gesture that was silent for longer says nothing of its movement
+
+Numbers = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+
+class GestureTrial(NamedTuple):
+    """The figures of one gesture in one trial; None where the trial has too little rest or too few strokes."""
+
+    noise: float | None  # ln of the rate's noise at rest (FS/s)
+    size: float | None  # ln of the 90th percentile of its strokes' rates (FS/s)
+    missed: float | None  # share of its strokes' time that the present dead-zone leaves unanswered
+    blind: float | None  # share of the joint's rate that the direction of a PCA map does not see
+    silent: float  # share of the trial in which safety rule S5 silenced it
+
+
+def gesture_trials(parameters: DriveParameters, movement: Movement) -> dict[str, GestureTrial]:
+    """Return the figures of each bound gesture that reads a rate, by its name, as `parameters` read the trial.
+
+    A stroke is a stretch of the rate above the dead-zone that the noise of this trial needs, not above the present one:
+    otherwise a dead-zone that is too large would hide what it costs.
+    """
+    bound = [i for i in parameters.bound_gestures if parameters.gestures[i].feature == "rate"]
+    if not len(movement.values) or not bound:
+        return {}
+    values, sample_rate = np.asarray(movement.values, dtype=np.float32), movement.sample_rate
+    uses = channels_used(parameters)
+    health = ChannelHealth(parameters.profile, np.asarray(uses.any(axis=0)), sample_rate)
+    bad = health.block(values.astype(np.float64), None)
+    rates = decode_block(parameters, sample_rate, np.arange(len(values)) / sample_rate, values).rate
+    strength = np.abs(rates) / np.array([gesture.full for gesture in parameters.gestures])
+    filled = fill_forward(values.astype(np.float64))
+    armed = np.asarray(movement.armed, dtype=np.bool_)
+    joints = {joint.name: joint for joint in parameters.profile.joints}
+    found = {}
+    for i in bound:
+        gesture, joint = parameters.gestures[i], joints[parameters.gestures[i].joint]
+        silenced = (bad & uses[i]).any(axis=1)
+        silent = float(silenced.mean())
+        if silent > MOST_SILENT:
+            found[gesture.name] = GestureTrial(None, None, None, None, silent)
+            continue
+        others = [other for other in bound if parameters.gestures[other].joint != joint.name]
+        own = armed & ~silenced & (strength[:, i] >= OWN_FACTOR * strength[:, others].max(axis=1, initial=0.0))
+        noise = rest_noise([rates[:, i]], [sample_rate])
+        needed = least_dead_zone(joint) if noise is None else dead_zone_for(joint, noise)
+        strokes = _strokes(rates[:, i], own, needed, sample_rate)
+        found[gesture.name] = GestureTrial(
+            noise=math.log(noise) if noise else None,
+            size=math.log(float(np.percentile(strokes, 90))) if strokes is not None else None,
+            missed=float(np.mean(strokes <= gesture.dead_zone)) if strokes is not None else None,
+            blind=blindness(joint, filled, own & (np.abs(rates[:, i]) > needed), sample_rate),
+            silent=silent,
+        )
+    return found
+
+
+def _strokes(rate: Numbers, own: Flags, above: float, sample_rate: float) -> Numbers | None:
+    """Return the rates (FS/s) of all strokes above a rate, one after the other; None for fewer than three strokes."""
+    found = [rate[piece] for piece in stretches(own & (rate > above), 0.0, SHORTEST_STROKE, sample_rate)]
+    return np.concatenate(found) if len(found) >= FEWEST_STROKES else None

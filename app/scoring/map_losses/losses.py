@@ -1,0 +1,157 @@
+"""Whether the present map loses something over a person's trials: evidence for a change, from the person's own noise.
+
+Four figures of each gesture are added up over the trials (CUSUM), each as its distance from what would be no loss, in
+standard deviations of this person: noise at rest, size of the strokes (both ways), time missed, and blindness of the
+direction. What S5 silences is counted, not estimated. A figure without a loss is left unsaid.
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from app.calibration.adaptation.joint_loss import JointLoss
+from app.calibration.adaptation.movement import gesture_of
+from app.calibration.adaptation.thresholds import dead_zone_for
+from app.calibration.profile import CalibrationProfile, JointMap
+from app.calibration.vocabulary import DriveParameters, Gesture
+from app.scoring.map_losses.gesture_trial import GestureTrial
+from app.scoring.verdict.cusum import LIMIT, cumulative_sum, normal_score
+from app.scoring.verdict.spread import CLINIC_WEIGHT, Series, Spread, Variance, own_spread, pool_spreads, weighted_sum
+
+# Dead-zone over noise. A calibration begins with 4; at 3.5, a gesture at rest acts once in three minutes (Rice's formula
+# with 2.5 upward crossings a second), at 3 nearly twice a minute.
+LEAST_MARGIN = 3.5
+MOST_MISSED = 0.10  # share of the strokes' time
+LEAST_GROWTH = 0.10  # of the logarithm of the strokes' size: a smaller change is relearnt within a trial
+MOST_BLIND = 0.10  # of the rate, more than with the first trials: a direction that is 18 degrees off costs 0.05
+MOST_SILENT = 0.05  # share of the last trial, as in the warning of a sensor
+FIRST_TRIALS = 5  # that later ones are compared with
+LAST_TRIALS = 3  # of which the mean is what a changed full follows
+
+# Standard deviations from trial to trial, until the person's own is known: of simulated people who stay as they are,
+# whether the shirt stays on (noise 0.06, size 0.07) or is put on again (0.08, 0.08), rounded up.
+USUAL = {"noise": 0.10, "size": 0.10, "missed": 0.05, "blind": 0.03}
+
+
+class TrialEvidence(NamedTuple):
+    """The figures of all gestures in one trial as the present set reads it, and with which fulls it was driven."""
+
+    gestures: Mapping[str, GestureTrial]
+    fulls: Mapping[str, float]  # gesture -> FS/s
+
+
+def joint_losses(
+    parameters: DriveParameters, calibrated: CalibrationProfile, trials: Sequence[TrialEvidence]
+) -> dict[str, JointLoss]:
+    """Return what the present map of each joint loses; joints that lose nothing are left out.
+
+    Parameters
+    ----------
+    parameters
+        The set that drives now.
+    calibrated
+        The calibration that it descends from.
+    trials
+        All trials with maps of this calibration, oldest first, those of earlier sessions too.
+    """
+    origins = {joint.name: joint for joint in calibrated.joints}
+    found = {}
+    for joint in parameters.profile.joints:
+        gesture = gesture_of(parameters, joint.name)
+        if gesture is None:
+            continue
+        driven = [one for one in trials if gesture.name in one.gestures]
+        figures = [one.gestures[gesture.name] for one in driven]
+        alike = [one.gestures[gesture.name] for one in driven if one.fulls.get(gesture.name) == gesture.full]
+        if figures:
+            loss = _joint_loss(joint, origins.get(joint.name, joint), gesture, figures, alike)
+            if loss is not None:
+                found[joint.name] = loss
+    return found
+
+
+def _joint_loss(
+    joint: JointMap, origin: JointMap, gesture: Gesture, trials: Sequence[GestureTrial], alike: Sequence[GestureTrial]
+) -> JointLoss | None:
+    """Return what one joint loses, None when that is nothing; `alike` are the trials with the present full."""
+    words: list[str] = []
+    dead_zone, growth = _dead_zone(origin, gesture, trials, words), _growth(alike, words)
+    turns = joint.map == "pca" and _is_blind(trials, words)
+    silenced = trials[-1].silent > MOST_SILENT
+    if silenced:
+        words.append(
+            f"A channel lay outside its range for {trials[-1].silent:.0%} of the last trial, and nothing counted then."
+        )
+    return JointLoss(" ".join(words), dead_zone, growth, turns, silenced) if words else None
+
+
+def _dead_zone(origin: JointMap, gesture: Gesture, trials: Sequence[GestureTrial], words: list[str]) -> float | None:
+    """Return the dead-zone (FS/s) that the noise asks for, None where the present one costs nothing."""
+    noises = [trial.noise for trial in trials if trial.noise is not None]
+    if not noises:
+        return None
+    needed = dead_zone_for(origin, math.exp(noises[-1]))
+    target = math.log(gesture.dead_zone / LEAST_MARGIN)
+    if needed > gesture.dead_zone and cumulative_sum(_surprises("noise", noises, target)) > LIMIT:
+        words.append("Its noise at rest has come near to what counts, so that it will act without being meant.")
+        return needed
+    missed = [trial.missed for trial in trials if trial.missed is not None]
+    if needed < gesture.dead_zone and cumulative_sum(_surprises("missed", missed, MOST_MISSED)) > LIMIT:
+        words.append(f"{missed[-1]:.0%} of the time of its movements does not count, though it is calm at rest.")
+        return needed
+    return None
+
+
+def _growth(trials: Sequence[GestureTrial], words: list[str]) -> float | None:
+    """Return ln(size of the strokes now / in the first trials with this full), None where that is noise."""
+    sizes = [trial.size for trial in trials if trial.size is not None]
+    if len(sizes) <= FIRST_TRIALS:
+        return None
+    first = float(np.mean(sizes[:FIRST_TRIALS]))
+    for way, said in ((-1.0, "weaker"), (1.0, "stronger")):
+        surprises = _surprises("size", [way * size for size in sizes], way * first + LEAST_GROWTH, FIRST_TRIALS)
+        if cumulative_sum(surprises) > LIMIT:
+            growth = float(np.mean(sizes[FIRST_TRIALS:][-LAST_TRIALS:])) - first
+            words.append(f"Its movements have become {said} by {abs(math.expm1(growth)):.0%} since the first trials.")
+            return growth
+    return None
+
+
+def _is_blind(trials: Sequence[GestureTrial], words: list[str]) -> bool:
+    """Return whether the direction sees less of the movement than in the first trials with this calibration."""
+    values = [trial.blind for trial in trials if trial.blind is not None]
+    if len(values) <= FIRST_TRIALS:
+        return False
+    target = float(np.mean(values[:FIRST_TRIALS])) + MOST_BLIND
+    if cumulative_sum(_surprises("blind", values, target, FIRST_TRIALS)) <= LIMIT:
+        return False
+    words.append(f"{values[-1]:.0%} of its movement passes beside the direction that is read.")
+    return True
+
+
+def _surprises(figure: str, values: Sequence[float], target: float, first: int = 0) -> list[float]:
+    """Return how far each value lies above `target`, in standard deviations as known before it.
+
+    `first`: how many values the target was computed from; they are not judged.
+    """
+    weight = 1.0 + (1.0 / first if first else 0.0)
+    scores = [
+        normal_score(values[i] - target, weighted_sum((weight, _spread(figure, values[:i]))))
+        for i in range(first, len(values))
+    ]
+    return [score for score in scores if score is not None]
+
+
+def _spread(figure: str, before: Sequence[float]) -> Variance:
+    """Return the variance from trial to trial, drawn towards the usual one as far as little is known of the person.
+
+    It is that of the differences of neighbouring trials over sqrt(2), around their mean: a trend does not count as
+    noise, otherwise a slow change would hide itself (von Neumann, Annals of Mathematical Statistics 12, 1941).
+    """
+    steps = np.diff(np.asarray(before, dtype=np.float64)) / math.sqrt(2.0)
+    place = np.arange(len(steps))
+    usual = Spread(Variance(0.0, CLINIC_WEIGHT), Variance(USUAL[figure] ** 2, CLINIC_WEIGHT))
+    own, share = own_spread(Series(place.astype(np.float64), place, steps))
+    return pool_spreads(own, share, usual).session
