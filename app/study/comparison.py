@@ -54,9 +54,10 @@ def compare(fixed: Sequence[SessionTrial], other: Sequence[SessionTrial]) -> dic
             "median_relative": median,
             "interval": interval,
         },
+        "proposals": _proposals(other, seeds),
         "last_session_in_which_most_drove_with_both": driving[-1] if driving else None,
         "applied": {
-            "steps": sum(row.felt_change > 0.0 or row.angle_deg > 0.0 for row in applied),
+            "steps": sum(row.proposed > 0 for row in applied),
             "largest_felt_change": felt,
             "largest_turn_deg": max((row.angle_deg for row in applied), default=0.0),
             "sign_flips": flips,
@@ -91,15 +92,22 @@ def table(comparison: dict[str, Any]) -> str:
         f"{one['reached_fixed']:13.0%}  {one['reached_adapted']:7.0%}"
         for one in last["per_seed"]
     ]
-    applied = comparison["applied"]
+    applied, proposals = comparison["applied"], comparison["proposals"]
     lines += [
         "",
         f"Median over {comparison['seeds']} seeds in the last session: {_percent(last['median_relative'], 0)} "
-        f"(95 % {_interval_words(last['interval'])}). Steps applied: {applied['steps']}; largest felt change "
+        f"(95 % {_interval_words(last['interval'])}). Proposals for a person: median {proposals['median']:g}, most "
+        f"{proposals['most']}. Steps applied: {applied['steps']}; largest felt change "
         f"{applied['largest_felt_change']:.1%}, largest turn {applied['largest_turn_deg']:.2f} degrees, "
         f"sign flips {applied['sign_flips']}.",
     ]
     return "\n".join(lines) + "\n"
+
+
+def _proposals(rows: Sequence[SessionTrial], seeds: list[int]) -> dict[str, Any]:
+    """Return after how many trials of each seed something was proposed."""
+    counts = [sum(row.proposed > 0 for row in rows if row.seed == seed) for seed in seeds]
+    return {"per_seed": counts, "median": float(np.median(counts)), "most": max(counts)}
 
 
 def _session(

@@ -78,11 +78,8 @@ def assess_joint(evidence: AdaptationInput, joint: JointMap, gesture: Gesture) -
     if felt >= limits.refuse:
         words = f"It would be felt as a change of {min(felt, 9.99):.0%}, more than {limits.refuse:.0%}: refused."
         values |= turn.values_unturned
-        return JointAssessment(
-            JointChange(**values, felt_change=min(felt, 1e6), status="refused", reason=f"{loss.words} {words}"),
-            old,
-            now,
-        )
+        refused = JointChange(**values, felt_change=min(felt, 1e6), status="refused", reason=f"{loss.words} {words}")
+        return JointAssessment(refused, old, now)
     values |= {"dead_zone_after": thresholds.dead_zone, "full_after": thresholds.full}
     if turns or thresholds != now or values["range_moved"]:
         values |= {"felt_change": felt, "angle_applied_deg": angle(old, turn.weights) if turns else 0.0}

@@ -11,10 +11,11 @@ from app.calibration.fit.joint_fit import LEAST_RANGE, REST_NOISE_FACTOR, SMALLE
 from app.calibration.profile import JointMap
 from app.calibration.vocabulary import Gesture
 
-# A dead-zone that noise has outgrown stops the whole chair: it may follow at once, where it would be felt least.
-DEAD_ZONE_RISE = 0.5  # largest relative change at once
+# Largest relative changes at once. A dead-zone that noise has outgrown keeps the whole chair from starting, so it may
+# follow far; that it makes small movements count less is hardly felt.
+DEAD_ZONE_RISE = 1.0
 DEAD_ZONE_FALL = 0.2
-FULL_UPDATE = 0.08  # largest relative change of full at once: felt, as the joint's command changes by it
+FULL_UPDATE = 0.08  # the command of every movement changes by as much: felt
 LARGEST_FACTOR = 2.5  # between full and the calibration's full, either way: beyond it, calibrate again
 LARGEST_DEAD_ZONE = 0.5  # as a share of the calibration's full: half of the movement is left to drive with
 LEAST_CHANGE = 0.01  # relative: smaller changes are chance and make no new version

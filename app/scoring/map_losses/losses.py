@@ -20,8 +20,8 @@ from app.scoring.map_losses.gesture_trial import GestureTrial
 from app.scoring.verdict.cusum import LIMIT, cumulative_sum, normal_score
 from app.scoring.verdict.spread import CLINIC_WEIGHT, Series, Spread, Variance, own_spread, pool_spreads, weighted_sum
 
-# Dead-zone over noise. A calibration begins with 4; at 3.5, a gesture at rest acts once in three minutes (Rice's formula
-# with 2.5 upward crossings a second), at 3 nearly twice a minute.
+# Dead-zone over noise. A calibration begins with 4; at 3.5, a gesture at rest acts once in three minutes (Rice's
+# formula with 2.5 upward crossings a second), at 3 nearly twice a minute.
 LEAST_MARGIN = 3.5
 MOST_MISSED = 0.10  # share of the strokes' time
 LEAST_GROWTH = 0.10  # of the logarithm of the strokes' size: a smaller change is relearnt within a trial
