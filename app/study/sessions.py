@@ -10,6 +10,7 @@ from typing import Literal, TypeVar
 import numpy as np
 
 from app.calibration.adaptation.channel_range import shift_ranges
+from app.calibration.adaptation.donning_range import fit_ranges
 from app.calibration.adaptation.movement import Movement
 from app.calibration.adaptation.proposal import propose
 from app.calibration.adaptation.proposal_document import Proposal
@@ -88,9 +89,9 @@ def run_sessions(
 
     The person tires and learns: `first` cannot begin another condition afterwards.
 
-    `redonned` puts the shirt on again before each session but the first. The channel ranges of safety rule S5 are then
-    moved to the present signals, in every mode: otherwise sound channels would count as broken and the chair would not
-    move. After each trial a change is proposed where the trials so far show that the present map loses something; mode
+    `redonned` puts the shirt on again before each session but the first. The channel ranges of safety rule S5 then
+    follow ten seconds of free movement, otherwise sound channels would count as broken and the chair would not move:
+    in mode `off` they are shifted, in the others fitted (`donning_range.py`). After each trial a change is proposed where the trials so far show that the present map loses something; mode
     `auto` applies it before the next trial.
     """
     participant, calibrated = first.participant, first.profile
@@ -98,7 +99,7 @@ def run_sessions(
     rows: list[SessionTrial] = []
     history, past = TrialHistory(), list[PastTrial]()
     for session in range(1, sessions + 1):
-        parameters = begin_session(first, session, parameters)
+        parameters = begin_session(first, session, parameters, fitted=mode != "off")
         movements: list[Movement] = []
         for number in range(1, trials + 1):
             frames: FrameLog = []
@@ -116,14 +117,21 @@ def run_sessions(
     return rows
 
 
-def begin_session(first: CalibratedParticipant, session: int, parameters: DriveParameters) -> DriveParameters:
-    """Bring the person to a session (from 1), and return the parameters with the channel ranges of that session."""
+def begin_session(
+    first: CalibratedParticipant, session: int, parameters: DriveParameters, *, fitted: bool = False
+) -> DriveParameters:
+    """Bring the person to a session (from 1), and return the parameters with the channel ranges of that session.
+
+    The ranges are shifted to the free movement of a shirt that was put on again, or `fitted` to it.
+    """
     participant = first.participant
     participant.person.begin_session(session)
     if first.who != "redonned" or session == 1:
         return parameters
     participant.don_again()
-    profile = shift_ranges(parameters.profile, [_free_movement(participant)], first.profile)
+    free = _free_movement(participant)
+    profile = parameters.profile
+    profile = fit_ranges(profile, free, first.profile) if fitted else shift_ranges(profile, [free], first.profile)
     return parameters.model_copy(update={"profile": profile})
 
 

@@ -2,7 +2,7 @@
 
 Safety rule S5 silences a gesture while one of its channels is outside 1.5 times its calibrated range. Putting the shirt
 on again moves the levels of the channels by up to two standard deviations of their movement, so that S5 would take
-sound channels for broken ones. Therefore the range of a channel is shifted, never widened, and only while the channel
+sound channels for broken ones. After a trial, therefore, the range of a channel is shifted, never widened, and only while the channel
 still moves with its joint. A loose channel does not, keeps its calibrated range and is detected by S5.
 """
 
@@ -42,17 +42,27 @@ def shift_ranges(
     for joint in profile.joints if joints is None else [one for one in profile.joints if one.name in joints]:
         for channel in sound_channels(profile, joint, movements):
             shift = _shift(profile, origin, channel, values[:, channel])
-            if shift and _agreement(joint, channel, values) >= LEAST_AGREEMENT:
+            if shift and agreement(joint, channel, values) >= LEAST_AGREEMENT:
                 shifts[channel] = shift
-    if not shifts.any():
+    return with_ranges(profile, np.array(profile.low) + shifts, np.array(profile.high) + shifts)
+
+
+def with_ranges(profile: CalibrationProfile, low: Numbers, high: Numbers) -> CalibrationProfile:
+    """Return the profile with other ranges (n_channels,), and the means moved as the middles of the ranges move.
+
+    `profile` itself when no range differs.
+    """
+    before = np.array(profile.low), np.array(profile.high)
+    if np.array_equal(before[0], low) and np.array_equal(before[1], high):
         return profile
+    moved = (low + high - before[0] - before[1]) / 2
     return profile.model_copy(
         update={
-            "low": tuple(float(value) for value in np.array(profile.low) + shifts),
-            "high": tuple(float(value) for value in np.array(profile.high) + shifts),
+            "low": tuple(float(value) for value in low),
+            "high": tuple(float(value) for value in high),
             "joints": tuple(
                 joint.model_copy(
-                    update={"mean": tuple(float(v) for v in np.array(joint.mean) + shifts[list(joint.channels)])}
+                    update={"mean": tuple(float(v) for v in np.array(joint.mean) + moved[list(joint.channels)])}
                 )
                 for joint in profile.joints
             ),
@@ -71,7 +81,7 @@ def sound_channels(profile: CalibrationProfile, joint: JointMap, movements: Sequ
     return sorted(sound)
 
 
-def _agreement(joint: JointMap, channel: int, values: Numbers) -> float:
+def agreement(joint: JointMap, channel: int, values: Numbers) -> float:
     """Return the multiple correlation (0..1) of a channel with the joint's other channels, 1 when there are none.
 
     The correlation with the map's score would not do: a sound channel may measure a second movement of the joint, which
