@@ -90,9 +90,9 @@ def run_sessions(
     The person tires and learns: `first` cannot begin another condition afterwards.
 
     `redonned` puts the shirt on again before each session but the first. The channel ranges of safety rule S5 then
-    follow ten seconds of free movement, otherwise sound channels would count as broken and the chair would not move:
-    in mode `off` they are shifted, in the others fitted (`donning_range.py`). After each trial a change is proposed where the trials so far show that the present map loses something; mode
-    `auto` applies it before the next trial.
+    follow ten seconds of free movement, otherwise sound channels would count as broken and the chair would not move: in
+    mode `off` they are shifted, in the others fitted (`donning_range.py`). After each trial a change is proposed where
+    the trials so far show that the present map loses something; mode `auto` applies it before the next trial.
     """
     participant, calibrated = first.participant, first.profile
     parameters = standard_parameters(calibrated)

@@ -2,8 +2,9 @@
 
 Safety rule S5 silences a gesture while one of its channels is outside 1.5 times its calibrated range. Putting the shirt
 on again moves the levels of the channels by up to two standard deviations of their movement, so that S5 would take
-sound channels for broken ones. After a trial, therefore, the range of a channel is shifted, never widened, and only while the channel
-still moves with its joint. A loose channel does not, keeps its calibrated range and is detected by S5.
+sound channels for broken ones. After a trial, therefore, the range of a channel is shifted, never widened, and only
+while the channel still moves with its joint. A loose channel does not, keeps its calibrated range and is detected by
+S5.
 """
 
 from collections.abc import Collection, Sequence

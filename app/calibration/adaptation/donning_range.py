@@ -2,15 +2,21 @@
 
 Putting a shirt on again changes how strongly each channel answers and where its level lies. Both can be told from free
 movement, without cues: how far each channel moves in comparison with the others of its joint. How far all of them move
-together says how large the movements were, not how the shirt sits, and changes nothing. Neither do the maps change: over
-the channels of a joint the changes cancel (docs/learning.md, "Does it help?").
+together says how large the movements were, not how the shirt sits, and changes nothing. Neither do the maps change:
+over the channels of a joint the changes cancel (docs/learning.md, "Does it help?").
 """
 
 from typing import NamedTuple
 
 import numpy as np
 
-from app.calibration.adaptation.channel_range import LARGEST_SHIFT, LEAST_AGREEMENT, agreement, sound_channels
+from app.calibration.adaptation.channel_range import (
+    LARGEST_SHIFT,
+    LEAST_AGREEMENT,
+    agreement,
+    sound_channels,
+    with_ranges,
+)
 from app.calibration.adaptation.movement import Movement, Numbers
 from app.calibration.fit.pieces import fill_forward
 from app.calibration.profile import CalibrationProfile, JointMap
