@@ -5935,7 +5935,7 @@ export interface components {
             /** @default false */
             range_moved: boolean;
             /** @enum {string} */
-            status: "applied" | "shown" | "refused" | "unchanged";
+            status: "applied" | "refused" | "unchanged";
             reason: string;
             label: string;
         };

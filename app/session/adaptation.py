@@ -12,7 +12,8 @@ from typing import Literal
 from app.computing_process import ComputingProcess
 from app.faults import State
 from app.refusals import Conflict, NotFound, Refusal, Unavailable
-from app.session.adaptation_reading import AdaptationResult, adapt_from_recordings
+from app.scoring.map_losses.trial_history import NOTHING_READ
+from app.session.adaptation_reading import AdaptationResult, PastRun, adapt_from_recordings
 from app.session.control_link import ControlLink
 from app.session.equipment.chairs import Chairs
 from app.session.open_session import SessionFlow
@@ -33,8 +34,8 @@ STANDSTILL = 0.01  # m/s and rad/s
 
 NOT_ASKED: dict[str, str] = {
     "off": "This patient's calibration stays as it is: look now, or choose that changes are suggested.",
-    "suggest": "What would change is shown here after the next trial on the virtual chair.",
-    "auto": "What changes is shown here after the next trial on the virtual chair.",
+    "suggest": "When a trial on the virtual chair shows that something is lost, what would change is shown here.",
+    "auto": "When a trial on the virtual chair shows that something is lost, what changes is shown here.",
 }
 NOT_NOW = "You left it as it is: it is looked at again after the next trial."
 NO_TRIALS = "Nothing was driven with this calibration yet: drive a trial on the virtual chair, then look again."
@@ -85,6 +86,7 @@ class AdaptationFlow:
         self._ending = threading.Event()
         self._tasks: set[asyncio.Task[None]] = set()
         self._newest: AdaptationProposal | None = None
+        self._read = NOTHING_READ
         self._reasons: dict[int, str] = {}  # patient id -> sentence: why there is no proposal
         self.practice = PracticeHistory()
         trials.on_finished = self.trial_over
@@ -220,11 +222,21 @@ class AdaptationFlow:
         folders = [self._runs.folder_of(run_id) for run_id in material.run_ids]
         self._newest, result = None, None
         if material.fresh:
-            question = partial(adapt_from_recordings, material.parameters, material.calibrated, folders, material.fresh)
+            past = [PastRun(self._runs.folder_of(one.run_id), one.fulls) for one in material.past]
+            question = partial(
+                adapt_from_recordings,
+                material.parameters,
+                material.calibrated,
+                folders,
+                material.fresh,
+                past,
+                self._read,
+            )
             result = self._computing.ask_unless(self._is_disturbed, question)
         if result is None:
             self._reasons[patient_id] = LEFT_OFF if material.fresh else NO_TRIALS
             return
+        self._read = result.read
         self._reasons.pop(patient_id, None)
         self._newest = AdaptationProposal(
             uuid.uuid4().hex, patient_id, material.trials, material.parameters.hash, result

@@ -1,11 +1,14 @@
 """Make a proposal to adapt a map from the recordings of the last trials."""
 
+from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
 from app.calibration.adaptation.change_limits import STANDARD_LIMITS
+from app.calibration.adaptation.joint_loss import JointLoss
 from app.calibration.adaptation.movement import Movement
 from app.calibration.adaptation.proposal import propose
 from app.calibration.adaptation.proposal_document import Proposal
@@ -13,6 +16,7 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
 from app.faults import State
 from app.recording.reader import read_run
+from app.scoring.map_losses.trial_history import NOTHING_READ, PastTrial, ReadTrials, losses_of, read_trials
 from app.scoring.trial_forecast import Effect, predicted_effect
 
 
@@ -21,16 +25,30 @@ class AdaptationResult(NamedTuple):
 
     proposal: Proposal
     effect: Effect | None  # None when nothing would change, or the trial cannot be decoded again
+    read: ReadTrials = NOTHING_READ  # figures of the past trials, which need not be read again for the next proposal
+
+
+class PastRun(NamedTuple):
+    """The recording of a trial of this or an earlier session, and the fulls it was driven with."""
+
+    folder: Path
+    fulls: Mapping[str, float]  # gesture -> FS/s
 
 
 def adapt_from_recordings(
-    parameters: DriveParameters, calibrated: CalibrationProfile, folders: list[Path], fresh: int
+    parameters: DriveParameters,
+    calibrated: CalibrationProfile,
+    folders: list[Path],
+    fresh: int,
+    past: Sequence[PastRun],
+    known: ReadTrials = NOTHING_READ,
 ) -> AdaptationResult:
     """Return what the recordings of trials (the newest last) propose to change.
 
     `parameters` is the set that drives, `calibrated` the calibration that its map goes back to. The newest `fresh`
     recordings were driven with the map of `parameters`: each allows one small turn of the map. Earlier trials allowed
-    theirs before. A recording that is gone, or of another shirt, is left out.
+    theirs before. `past` are all trials with a map of this calibration, oldest first: they tell what the map loses. A
+    recording that is gone, or of another shirt, is left out.
     """
     movements, fresh_read = [], 0
     for left, folder in zip(range(len(folders), 0, -1), folders, strict=True):
@@ -38,8 +56,11 @@ def adapt_from_recordings(
         if movement is not None:
             movements.append(movement)
             fresh_read += left <= fresh
-    proposal = _proposal(parameters, calibrated, movements, fresh_read)
-    return AdaptationResult(proposal, _effect(parameters, proposal, folders[-1]) if folders else None)
+    trials = [PastTrial(str(one.folder), partial(movement_of, one.folder, parameters), one.fulls) for one in past]
+    read = read_trials(parameters, trials, known)
+    losses = losses_of(parameters, calibrated, trials, read)
+    proposal = _proposal(parameters, calibrated, movements, losses, fresh_read)
+    return AdaptationResult(proposal, _effect(parameters, proposal, folders[-1]) if folders else None, read)
 
 
 def _effect(parameters: DriveParameters, proposal: Proposal, folder: Path) -> Effect | None:
@@ -53,7 +74,11 @@ def _effect(parameters: DriveParameters, proposal: Proposal, folder: Path) -> Ef
 
 
 def _proposal(
-    parameters: DriveParameters, calibrated: CalibrationProfile, movements: list[Movement], fresh: int
+    parameters: DriveParameters,
+    calibrated: CalibrationProfile,
+    movements: list[Movement],
+    losses: Mapping[str, JointLoss],
+    fresh: int,
 ) -> Proposal:
     """Return the proposal of the largest step of which no joint's change is felt too much.
 
@@ -61,7 +86,7 @@ def _proposal(
     trials before deciding would be refused.
     """
     while True:
-        proposal = propose(parameters, movements, calibrated=calibrated, fresh=fresh)
+        proposal = propose(parameters, movements, losses, calibrated=calibrated, fresh=fresh)
         if fresh <= 1 or all(joint.felt_change < STANDARD_LIMITS.refuse for joint in proposal.joints):
             return proposal
         fresh -= 1

@@ -1,19 +1,26 @@
 """The trials from which a proposal to adapt the map is made, and the check that it is still current."""
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
 
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
+from app.scoring.map_losses.trial_history import MOST_TRIALS
 from app.store.map_versions import family, version_row
 from app.store.parameters import as_document, current_parameters
-from app.store.practice import PRACTICE_ENDS
 from app.store.tables import Parameters, Patient, Profile, Run, Trial
 
 LAST_TRIALS = 6  # older trials say little about how the person moves today
+
+
+class PastTrialRow(NamedTuple):
+    """The recording of a trial, and the full of each gesture that it was driven with."""
+
+    run_id: str
+    fulls: dict[str, float]  # gesture -> FS/s
 
 
 class AdaptationMaterial(NamedTuple):
@@ -24,39 +31,47 @@ class AdaptationMaterial(NamedTuple):
     trials: tuple[int, ...]  # ids, the newest last
     run_ids: list[str]  # of their recordings
     fresh: int  # number of trials driven with the current map, the newest ones
+    past: list[PastTrialRow]  # all trials with a map of the same calibration, of earlier sessions too, the newest last
 
 
 def material_for(db: Session, patient_id: int, session_id: int, *, simulated: bool | None) -> AdaptationMaterial:
-    """Return the last kept trials of a session that were driven with a map of the same calibration.
+    """Return the last kept trials of a session that were driven with a map of the same calibration, and all of them.
 
-    Trials of earlier sessions are left out, because the shirt has been put on again since. `simulated`: nobody wears
-    the shirt in use. A simulated movement never changes the map of a person, nor the other way round.
+    How the person moves is told by this session's trials, because the shirt has been put on again since the earlier
+    ones; that something is lost, by all. A trial in which motion was never permitted counts as well: the noise that
+    kept the chair from starting is what a dead-zone has to follow. `simulated`: nobody wears the shirt in use. A
+    simulated movement never changes the map of a person, nor the other way round.
     """
     row, profile = current_parameters(db, patient_id)
     versions = family(db, patient_id, profile.version)
     found = db.execute(
-        select(Trial, Profile.version)
+        select(Trial, Profile.version, Parameters.settings)
         .join(Parameters, Parameters.id == Trial.parameters_id)
         .join(Profile, Profile.id == Parameters.profile_id)
         .join(Run, Run.id == Trial.run_id)
         .where(
             Run.simulated.is_(simulated),
-            Trial.session_id == session_id,
             Trial.kept.is_(True),
-            Trial.end.in_(PRACTICE_ENDS),
+            Trial.status == "done",
             Profile.patient_id == patient_id,
             Profile.version.in_(versions),
         )
         .order_by(Trial.id.desc())
     )
-    last = [(trial, version) for trial, version in found if trial.measures is not None][:LAST_TRIALS][::-1]
+    newest = list(found)
+    last = [(trial, version) for trial, version, _ in newest if trial.session_id == session_id][:LAST_TRIALS][::-1]
     return AdaptationMaterial(
         as_document(row, profile),
         CalibrationProfile.model_validate(version_row(db, patient_id, min(versions)).document),
         tuple(trial.id for trial, _ in last),
         [trial.run_id for trial, _ in last],
         sum(version == profile.version for _, version in last),
+        [PastTrialRow(trial.run_id, _fulls(settings)) for trial, _, settings in newest[:MOST_TRIALS][::-1]],
     )
+
+
+def _fulls(settings: Mapping[str, Any]) -> dict[str, float]:
+    return {gesture["name"]: float(gesture["full"]) for gesture in settings.get("gestures", ())}
 
 
 def is_current(db: Session, patient_id: int, base: str, trials: Sequence[int]) -> bool:

@@ -19,7 +19,7 @@ from app.calibration.script import calibration_script
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.hardware.body.person import Person
 from app.hardware.body.person_parameters import DETERIORATING, IMPROVING, PRACTISED, PersonParameters
-from app.scoring.map_losses.trial_history import PastTrial, TrialHistory
+from app.scoring.map_losses.trial_history import NOTHING_READ, PastTrial, losses_of, read_trials
 from app.study.experiment import SAMPLE_RATE, SEEDS_APART, shirt_layout
 from app.study.participant import Participant
 from app.study.simulated_calibration import calibrate, record_step
@@ -97,7 +97,7 @@ def run_sessions(
     participant, calibrated = first.participant, first.profile
     parameters = standard_parameters(calibrated)
     rows: list[SessionTrial] = []
-    history, past = TrialHistory(), list[PastTrial]()
+    past, read = list[PastTrial](), NOTHING_READ
     for session in range(1, sessions + 1):
         parameters = begin_session(first, session, parameters, fitted=mode != "off")
         movements: list[Movement] = []
@@ -109,7 +109,8 @@ def run_sessions(
             past.append(_past_trial(len(past), movements[-1], parameters))
             proposal = None
             if mode != "off":
-                losses = history.losses(parameters, calibrated, past)
+                read = read_trials(parameters, past, read)
+                losses = losses_of(parameters, calibrated, past, read)
                 proposal = propose(parameters, movements, losses, calibrated=calibrated, fresh=1)
             rows.append(_row(mode, first, session, trial, parameters, proposal))
             if mode == "auto" and proposal is not None and proposal.parameters is not None:

@@ -1,7 +1,7 @@
 """Proposals to adapt the map, made from recordings on disk."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -9,14 +9,15 @@ import numpy as np
 import pytest
 from session.test_recordings import JOINTS, LAYOUT, RATE, record
 
+from app.calibration.adaptation.joint_loss import JointLoss
 from app.calibration.adaptation.proposal import propose
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.faults import State
 from app.messages import Tick
-from app.session.adaptation_reading import adapt_from_recordings, movement_of
+from app.session.adaptation_reading import PastRun, adapt_from_recordings, movement_of
 
-AS_CALIBRATED, PUT_ON_AGAIN = (1.0, -0.6), (1.0, -0.3)  # how a joint's two channels answer to its angle
+AS_CALIBRATED, PUT_ON_AGAIN = (1.0, -0.6), (1.0, -0.05)  # how a joint's two channels answer to its angle
 SIZE = math.hypot(*AS_CALIBRATED)
 
 
@@ -73,43 +74,58 @@ def trial(tmp_path: Path) -> Callable[..., Path]:
     return _record
 
 
-def adapt(parameters: DriveParameters, folders: list[Path], fresh: int) -> Any:
-    return adapt_from_recordings(parameters, parameters.profile, folders, fresh).proposal
+@pytest.fixture
+def earlier(trial: Callable[..., Path]) -> list[Path]:
+    """Return the recordings of five trials of an earlier session, with the shirt as it was calibrated."""
+    return [trial("earlier", AS_CALIBRATED)] * 5
 
 
-def test_a_shirt_put_on_again_turns_the_map_two_degrees_for_each_new_trial(
-    parameters: DriveParameters, trial: Callable[..., Path]
+def answer(parameters: DriveParameters, folders: list[Path], fresh: int, earlier: Sequence[Path] = ()) -> Any:
+    fulls = {gesture.name: gesture.full for gesture in parameters.gestures}
+    past = [PastRun(folder, fulls) for folder in [*earlier, *folders]]
+    return adapt_from_recordings(parameters, parameters.profile, folders, fresh, past)
+
+
+def adapt(parameters: DriveParameters, folders: list[Path], fresh: int, earlier: Sequence[Path] = ()) -> Any:
+    return answer(parameters, folders, fresh, earlier).proposal
+
+
+def test_a_shirt_that_hides_the_movement_turns_the_map_two_degrees_for_each_new_trial(
+    parameters: DriveParameters, trial: Callable[..., Path], earlier: list[Path]
 ) -> None:
-    gestures = tuple(gesture.model_copy(update={"full": 2.6}) for gesture in parameters.gestures)
-    parameters = parameters.model_copy(update={"gestures": gestures})  # as they are asked for: only the map turns
-    folders = [trial("a"), trial("b")]
+    folders = [trial(name) for name in "abc"]
     for fresh in (1, 2):
-        for joint in adapt(parameters, folders, fresh).joints:
+        for joint in adapt(parameters, folders, fresh, earlier).joints:
             assert joint.status == "applied"
-            assert joint.angle_proposed_deg == pytest.approx(14.3, abs=1.0)
+            assert joint.angle_proposed_deg == pytest.approx(28.0, abs=1.0)
             assert joint.angle_applied_deg == pytest.approx(2.0 * fresh)
             assert joint.evr_after > joint.evr_before
+            assert "passes beside the direction" in joint.reason
+
+
+def test_one_trial_alone_turns_nothing(
+    parameters: DriveParameters, trial: Callable[..., Path], earlier: list[Path]
+) -> None:
+    assert adapt(parameters, [trial("a")], 1, earlier).parameters is None
 
 
 def test_who_waits_is_offered_a_smaller_step_instead_of_a_refusal(
-    parameters: DriveParameters, trial: Callable[..., Path]
+    parameters: DriveParameters, trial: Callable[..., Path], earlier: list[Path]
 ) -> None:
-    gestures = tuple(gesture.model_copy(update={"full": 4.0}) for gesture in parameters.gestures)
-    parameters = parameters.model_copy(update={"gestures": gestures})  # 2.6 is asked for: full falls as the map turns
-    folders = [trial(name) for name in "abc"]
-    movements = [movement_of(folder, parameters) for folder in folders]
-    asked = propose(parameters, [one for one in movements if one], fresh=3)
+    folders = [trial(name, (1.0, 0.5)) for name in "abc"]
+    movements = [one for folder in folders if (one := movement_of(folder, parameters))]
+    everything = {joint: JointLoss("It loses.", turns=True) for joint in JOINTS}
+    asked = propose(parameters, movements, everything, fresh=3)
     assert {joint.status for joint in asked.joints} == {"refused"}
-    for joint in adapt(parameters, folders, 3).joints:
+    for joint in adapt(parameters, folders, 3, earlier).joints:
         assert joint.status == "applied"
         assert 0.0 < joint.felt_change < 0.10
 
 
 def test_the_effect_is_what_the_last_trial_would_have_been(
-    parameters: DriveParameters, trial: Callable[..., Path]
+    parameters: DriveParameters, trial: Callable[..., Path], earlier: list[Path]
 ) -> None:
-    folder = trial("a")
-    effect = adapt_from_recordings(parameters, parameters.profile, [folder], 1).effect
+    effect = answer(parameters, [trial(name) for name in "abc"], 1, earlier).effect
     assert effect is not None
     assert effect.seconds == pytest.approx(30.0, abs=0.1)
     assert 18 <= effect.activations_before <= 22
@@ -119,19 +135,28 @@ def test_the_effect_is_what_the_last_trial_would_have_been(
 
 
 def test_a_map_that_fits_stays(parameters: DriveParameters, trial: Callable[..., Path]) -> None:
-    for joint in adapt(parameters, [trial("a", AS_CALIBRATED)], 1).joints:
-        assert joint.angle_applied_deg == 0.0
+    assert adapt(parameters, [trial("a", AS_CALIBRATED)] * 6, 1).parameters is None
+
+
+def test_what_was_read_for_one_proposal_is_known_for_the_next(
+    parameters: DriveParameters, trial: Callable[..., Path]
+) -> None:
+    folder = trial("a")
+    read = answer(parameters, [folder], 1).read
+    assert read.hash == parameters.hash
+    assert set(read.figures) == {str(folder)}
+    assert set(read.figures[str(folder)]) == set(JOINTS)
 
 
 def test_what_cannot_be_read_or_never_moved_says_nothing(
-    parameters: DriveParameters, trial: Callable[..., Path], tmp_path: Path
+    parameters: DriveParameters, trial: Callable[..., Path], earlier: list[Path], tmp_path: Path
 ) -> None:
     gone = tmp_path / "gone"
     assert adapt(parameters, [gone], 1).parameters is None
-    assert adapt(parameters, [trial("still", state=State.DISARMED)], 1).joints[0].angle_applied_deg == 0.0
-    # The new trial is gone: the one before has had its turn already.
-    assert adapt(parameters, [trial("old"), gone], 1).parameters is None
-    joints = adapt(parameters, [gone, trial("new")], 1).joints
+    assert adapt(parameters, [trial("still", state=State.DISARMED)] * 8, 1).parameters is None
+    # The new trial is gone: those before have had their turn already.
+    assert adapt(parameters, [*[trial("old")] * 3, gone], 1, earlier).parameters is None
+    joints = adapt(parameters, [gone, *[trial("new")] * 3], 1, earlier).joints
     assert joints[0].angle_applied_deg == pytest.approx(2.0)
     other = parameters.profile.model_copy(update={"sample_rate": 200.0})
     assert adapt(parameters.model_copy(update={"profile": other}), [tmp_path / "new"], 1).parameters is None

@@ -71,10 +71,10 @@ def assess_joint(evidence: AdaptationInput, joint: JointMap, gesture: Gesture) -
     moved = movement_rows(evidence.trials, joint)
     turn = _turn(evidence, joint, moved) if loss.turns and joint.map == "pca" else _Turn(old, {}, {}, "")
     values |= turn.values
-    thresholds = _thresholds(evidence, joint, gesture, loss)
+    turns = not np.array_equal(turn.weights, old)
+    thresholds = _thresholds(evidence, joint, gesture, loss, turns=turns)
     sample_rate = evidence.trials[-1].sample_rate
     felt = felt_change(old / now.full, turn.weights / thresholds.full, moved, sample_rate) if len(moved) else 0.0
-    turns = not np.array_equal(turn.weights, old)
     if felt >= limits.refuse:
         words = f"It would be felt as a change of {min(felt, 9.99):.0%}, more than {limits.refuse:.0%}: refused."
         values |= turn.values_unturned
@@ -165,11 +165,17 @@ def _rates(evidence: AdaptationInput, joint: JointMap, gesture: Gesture, weights
     ]
 
 
-def _thresholds(evidence: AdaptationInput, joint: JointMap, gesture: Gesture, loss: JointLoss) -> Thresholds:
-    """Return the thresholds after one limited step towards those that answer the loss."""
+def _thresholds(
+    evidence: AdaptationInput, joint: JointMap, gesture: Gesture, loss: JointLoss, *, turns: bool
+) -> Thresholds:
+    """Return the thresholds after one limited step towards those that answer the loss.
+
+    While the direction `turns`, full waits: a direction beside the movement also makes it look weaker, and both steps
+    at once could be felt too much.
+    """
     dead_zone = gesture.dead_zone if loss.dead_zone is None else loss.dead_zone
     calibrated = evidence.calibrated.get(joint.name, joint)
-    full = gesture.full if loss.growth is None else full_for(calibrated, gesture.full, loss.growth)
+    full = gesture.full if loss.growth is None or turns else full_for(calibrated, gesture.full, loss.growth)
     return step_thresholds(gesture, Thresholds(dead_zone, full))
 
 

@@ -25,7 +25,7 @@ from app.scoring.verdict.spread import CLINIC_WEIGHT, Series, Spread, Variance, 
 LEAST_MARGIN = 3.5
 MOST_MISSED = 0.10  # share of the strokes' time
 LEAST_GROWTH = 0.10  # of the logarithm of the strokes' size: a smaller change is relearnt within a trial
-MOST_BLIND = 0.10  # of the rate, more than with the first trials: a direction that is 18 degrees off costs 0.05
+MOST_BLIND = 0.05  # of the rate, more than in the first trials: a direction 18 degrees off costs as much
 MOST_SILENT = 0.05  # share of the last trial, as in the warning of a sensor
 FIRST_TRIALS = 5  # that later ones are compared with
 LAST_TRIALS = 3  # of which the mean is what a changed full follows

@@ -21,26 +21,32 @@ class PastTrial(NamedTuple):
     fulls: Mapping[str, float]  # gesture -> FS/s
 
 
-class TrialHistory:
-    """Reads trials with one set after the other; what was read with the present set is not read again."""
+class ReadTrials(NamedTuple):
+    """The figures of trials as one set reads them."""
 
-    def __init__(self) -> None:
-        self._hash = ""
-        self._read: dict[str, Mapping[str, GestureTrial]] = {}
+    hash: str  # of the set
+    figures: Mapping[str, Mapping[str, GestureTrial]]  # name of the trial -> gesture -> figures
 
-    def losses(
-        self, parameters: DriveParameters, calibrated: CalibrationProfile, trials: Sequence[PastTrial]
-    ) -> dict[str, JointLoss]:
-        """Return what each joint's present map loses, of the trials, oldest first (see `joint_losses`)."""
-        if parameters.hash != self._hash:
-            self._hash, self._read = parameters.hash, {}
-        read = {}
-        for trial in trials[-MOST_TRIALS:]:
-            found = self._read.get(trial.name)
-            if found is None:
-                movement = trial.movement()
-                found = gesture_trials(parameters, movement) if movement is not None else {}
-            read[trial.name] = found
-        self._read = read
-        evidence = [TrialEvidence(read[trial.name], trial.fulls) for trial in trials[-MOST_TRIALS:]]
-        return joint_losses(parameters, calibrated, evidence)
+
+NOTHING_READ = ReadTrials("", {})
+
+
+def read_trials(
+    parameters: DriveParameters, trials: Sequence[PastTrial], known: ReadTrials = NOTHING_READ
+) -> ReadTrials:
+    """Return the figures of the newest trials as `parameters` read them; those that are `known` are not read again."""
+    same = known.figures if known.hash == parameters.hash else {}
+    figures = dict(same)
+    for trial in trials[-MOST_TRIALS:]:
+        if trial.name not in figures:
+            movement = trial.movement()
+            figures[trial.name] = {} if movement is None else gesture_trials(parameters, movement)
+    return ReadTrials(parameters.hash, {trial.name: figures[trial.name] for trial in trials[-MOST_TRIALS:]})
+
+
+def losses_of(
+    parameters: DriveParameters, calibrated: CalibrationProfile, trials: Sequence[PastTrial], read: ReadTrials
+) -> dict[str, JointLoss]:
+    """Return what the present map of each joint loses, told from trials, oldest first (see `joint_losses`)."""
+    evidence = [TrialEvidence(read.figures[trial.name], trial.fulls) for trial in trials[-MOST_TRIALS:]]
+    return joint_losses(parameters, calibrated, evidence)

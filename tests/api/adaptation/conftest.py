@@ -9,7 +9,8 @@ from fake_clinic import WORD, Clinic
 
 from app.api.routes import drives
 from app.calibration.vocabulary import DriveParameters
-from app.session.adaptation_reading import AdaptationResult
+from app.scoring.map_losses.trial_history import ReadTrials
+from app.session.adaptation_reading import AdaptationResult, PastRun
 
 
 @pytest.fixture(autouse=True)
@@ -29,8 +30,15 @@ def ready(calibrated: Clinic) -> Any:
     calibrated.asked = []  # type: ignore[attr-defined]
 
     def adapt(
-        parameters: DriveParameters, _calibrated: Any, folders: list[Any], fresh: int, _leave_off: Callable[[], bool]
+        parameters: DriveParameters,
+        _calibrated: Any,
+        folders: list[Any],
+        fresh: int,
+        past: list[PastRun],
+        _known: ReadTrials,
+        _leave_off: Callable[[], bool],
     ) -> AdaptationResult:
+        calibrated.past = past  # type: ignore[attr-defined]
         calibrated.asked.append((len(folders), fresh))  # type: ignore[attr-defined]
         return change(parameters)
 

@@ -114,7 +114,13 @@ def test_by_itself_it_applies_only_between_trials(ready: Any, meanwhile: str) ->
     go_on, looks, left_off = threading.Event(), threading.Event(), []
 
     def adapt(
-        parameters: DriveParameters, _calibrated: Any, _folders: Any, _fresh: int, leave_off: Callable[[], bool]
+        parameters: DriveParameters,
+        _calibrated: Any,
+        _folders: Any,
+        _fresh: int,
+        _past: Any,
+        _known: Any,
+        leave_off: Callable[[], bool],
     ) -> AdaptationResult:
         looks.set()
         assert go_on.wait(20)

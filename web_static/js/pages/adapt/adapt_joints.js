@@ -7,7 +7,7 @@ import { h } from "../../widgets/dom.js";
 import { number, ofFull, percent } from "../../widgets/format.js";
 import { withLabels } from "../../widgets/gestures.js";
 
-const TONES = { applied: "", shown: "calm", refused: "bad", unchanged: "plain" };
+const TONES = { applied: "", refused: "bad", unchanged: "plain" };
 
 /** @param {ProposalView} proposal of GET /adaptation */
 export function jointCards({ joints, applied }) {

@@ -30,7 +30,6 @@ export default {
   },
   "adapt.joint.applied": "changes",
   "adapt.joint.changed": "changed",
-  "adapt.joint.shown": "shown, not applied",
   "adapt.joint.refused": "refused",
   "adapt.joint.unchanged": "stays",
   "adapt.row.turn": "Turns by",
@@ -50,7 +49,7 @@ export default {
   "adapt.mode.off": "Off",
   "adapt.mode.off.hint": "The calibration stays as it was recorded. You may look at any time what would change.",
   "adapt.mode.suggest": "Suggest",
-  "adapt.mode.suggest.hint": "After each trial on the virtual chair it is shown here what would change. You decide.",
+  "adapt.mode.suggest.hint": "When trials on the virtual chair show that something is lost, it is shown here what would change. You decide.",
   "adapt.mode.auto": "By itself",
   "adapt.mode.auto.hint":
     "Small changes, under 5 % felt, apply by themselves between trials on the virtual chair. Larger ones wait for you.",

@@ -42,7 +42,7 @@ export default {
   "plans.3": "Once saved it stands on the Drive page, under Own plans.",
   "adapt.title": "What would change",
   "adapt.1": "A body changes, and the calibration can follow it in small steps.",
-  "adapt.2": "Each proposal says what would change and how much of it the patient would feel.",
+  "adapt.2": "A change is proposed only when trials show that something is lost. It says what, what would change, and how much of it the patient would feel.",
   "adapt.3": "You apply it or leave it; every earlier version can be taken back into use.",
   "people.title": "People",
   "people.1": "An owner invites everybody who works here, each with a sign-in of their own.",

@@ -1,0 +1,41 @@
+"""Trials of the simulated person, a shirt that is put on again, and maps of other kinds."""
+
+import numpy as np
+from calibration.simulated_person import JOINTS
+
+from app.calibration.adaptation.movement import Movement
+from app.calibration.profile import GuidedMap, MapCheck
+
+
+def trial(person, size=1.0, noise=1.0, repetitions=4, joints=JOINTS):
+    """Return a trial in which each joint makes `repetitions` strokes, one joint after the other."""
+    person.noise, before = person.noise * noise, person.noise
+    pieces = [person.rest(3.0)]
+    for _ in range(repetitions):
+        for joint in joints:
+            pieces += [person.repetition(joint, size=size).values, person.rest(1.0)]
+    person.noise = before
+    values = np.concatenate(pieces)
+    return Movement(values, person.sample_rate, np.ones(len(values), dtype=bool))
+
+
+def put_on_again(person, share=0.25):
+    person.gains = person.gains * (1 + share * person.rng.normal(size=person.gains.shape))
+
+
+def with_map_of(joint, kind):
+    """Return the joint with a map of this kind, which reads it as its PCA map does."""
+    assert kind == "guided"
+    checked = MapCheck(in_phase=0.9, hit_rate=0.8, false_per_minute=0.0, false_count=0)
+    guided = GuidedMap(
+        rate=tuple(weight * joint.sign / joint.span for weight in joint.weights),
+        short=(0.0,) * len(joint.channels),
+        long=(0.0,) * len(joint.channels),
+        dead_zone=joint.dead_zone,
+        full=joint.full,
+        lag=0.3,
+        repetitions=3,
+        pca_check=checked,
+        guided_check=checked,
+    )
+    return joint.model_copy(update={"map": kind, "guided": guided})

@@ -1,0 +1,100 @@
+"""The figures of one trial: noise at rest, size of the strokes, time missed, blindness and silence."""
+
+import math
+
+import numpy as np
+import pytest
+from calibration.driven_trial import put_on_again, trial, with_map_of
+from calibration.simulated_person import JOINTS, SimulatedPerson, calibrate, layout_of
+
+from app.calibration.adaptation.movement import Movement
+from app.calibration.vocabulary import standard_parameters
+from app.scoring.map_losses.gesture_trial import gesture_trials
+from app.scoring.map_losses.trial_history import PastTrial, losses_of, read_trials
+
+
+@pytest.fixture
+def person():
+    return SimulatedPerson(layout_of(), seed=3)
+
+
+@pytest.fixture
+def parameters(person):
+    return standard_parameters(calibrate(person))
+
+
+def test_louder_rest_and_larger_strokes_are_measured(person, parameters) -> None:
+    usual = gesture_trials(parameters, trial(person))
+    larger = gesture_trials(parameters, trial(person, size=1.3))
+    louder = gesture_trials(parameters, trial(person, noise=3.0))
+    assert set(usual) == set(JOINTS)
+    for name, one in usual.items():
+        assert larger[name].size - one.size == pytest.approx(math.log(1.3), abs=0.08)
+        assert louder[name].noise - one.noise == pytest.approx(math.log(3.0), abs=0.2)
+        assert (one.missed, one.silent) == (0.0, 0.0)
+        assert one.blind < 0.02
+
+
+def test_the_figures_are_those_of_the_map_that_decodes(person, parameters) -> None:
+    driven = trial(person)
+    joints = tuple(with_map_of(joint, "guided") for joint in parameters.profile.joints)
+    guided = parameters.model_copy(update={"profile": parameters.profile.model_copy(update={"joints": joints})})
+    for name, one in gesture_trials(guided, driven).items():
+        usual = gesture_trials(parameters, driven)[name]
+        assert one.blind is None
+        assert (one.noise, one.size) == pytest.approx((usual.noise, usual.size), abs=1e-6)
+    doubled = tuple(
+        joint.model_copy(
+            update={"guided": joint.guided.model_copy(update={"rate": tuple(2 * rate for rate in joint.guided.rate)})}
+        )
+        for joint in joints
+    )
+    twice = guided.model_copy(update={"profile": guided.profile.model_copy(update={"joints": doubled})})
+    for name, one in gesture_trials(twice, driven).items():
+        assert one.noise - gesture_trials(guided, driven)[name].noise == pytest.approx(math.log(2.0), abs=1e-6)
+
+
+def test_a_dead_zone_above_the_noise_misses_a_part_of_the_strokes(person, parameters) -> None:
+    high = parameters.model_copy(
+        update={"gestures": tuple(one.model_copy(update={"dead_zone": 0.6 * one.full}) for one in parameters.gestures)}
+    )
+    assert all(one.missed > 0.2 for one in gesture_trials(high, trial(person)).values())
+
+
+def test_a_channel_out_of_its_range_silences_and_nothing_else_is_read(person, parameters) -> None:
+    driven = trial(person)
+    driven.values[:, 0] += 10 * (parameters.profile.high[0] - parameters.profile.low[0])
+    found = gesture_trials(parameters, driven)
+    assert found[JOINTS[0]] == (None, None, None, None, 1.0)
+    assert found[JOINTS[1]].silent == 0.0
+
+
+def test_a_trial_that_never_began_tells_the_noise_only(person, parameters) -> None:
+    resting = person.rest(10.0)
+    found = gesture_trials(parameters, Movement(resting, person.sample_rate, np.zeros(len(resting), dtype=bool)))
+    assert all(one.noise is not None and one.size is None and one.blind is None for one in found.values())
+    assert gesture_trials(parameters, Movement(resting[:0], person.sample_rate, np.zeros(0, dtype=bool))) == {}
+
+
+def test_a_shirt_that_sits_otherwise_is_seen_as_blindness(person, parameters) -> None:
+    before = gesture_trials(parameters, trial(person))
+    put_on_again(person, share=0.4)
+    after = gesture_trials(parameters, trial(person))
+    assert max(after[name].blind - before[name].blind for name in JOINTS if after[name].blind is not None) > 0.02
+
+
+def test_what_was_read_with_the_same_set_is_not_read_again(person, parameters) -> None:
+    driven = trial(person)
+    asked = []
+
+    def reading(name):
+        return PastTrial(name, lambda: asked.append(name) or driven, {})
+
+    first = read_trials(parameters, [reading("a")])
+    second = read_trials(parameters, [reading("a"), reading("b")], first)
+    assert asked == ["a", "b"]
+    other = parameters.model_copy(update={"cutoff": 2.0})
+    read_trials(other, [reading("a")], second)
+    assert asked == ["a", "b", "a"]
+    gone = [PastTrial("gone", lambda: None, {})]
+    assert losses_of(parameters, parameters.profile, gone, read_trials(parameters, gone)) == {}

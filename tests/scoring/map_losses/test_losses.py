@@ -1,0 +1,118 @@
+"""A loss is told from the person's own noise: small changes and single trials are left unsaid."""
+
+import math
+
+import numpy as np
+import pytest
+from calibration.simulated_person import SimulatedPerson, calibrate, layout_of
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from app.calibration.vocabulary import standard_parameters
+from app.scoring.map_losses.gesture_trial import GestureTrial
+from app.scoring.map_losses.losses import MOST_BLIND, TrialEvidence, joint_losses
+
+PROFILE = calibrate(SimulatedPerson(layout_of(), seed=3))
+PARAMETERS = standard_parameters(PROFILE)
+GESTURE = PARAMETERS.gestures[0]
+JOINT = GESTURE.joint
+CALM = math.log(GESTURE.dead_zone / 8)
+USUAL = math.log(GESTURE.full)
+
+
+def losses(trials, parameters=PARAMETERS, fulls=None):
+    """Return what the first joint loses after trials, each a dictionary of the figures that differ from usual ones."""
+    rows = []
+    for number, trial in enumerate(trials):
+        usual = {"noise": CALM, "size": USUAL, "missed": 0.0, "blind": 0.01, "silent": 0.0}
+        full = GESTURE.full if fulls is None else fulls[number]
+        rows.append(TrialEvidence({GESTURE.name: GestureTrial(**usual | trial)}, {GESTURE.name: full}))
+    return joint_losses(parameters, PROFILE, rows).get(JOINT)
+
+
+def of(figure, values):
+    return [{figure: value} for value in values]
+
+
+def test_a_steady_person_loses_nothing() -> None:
+    rng = np.random.default_rng(1)
+    for _ in range(20):
+        assert losses(of("size", USUAL + rng.normal(0, 0.1, 20))) is None
+        assert losses(of("noise", CALM + rng.normal(0, 0.2, 20))) is None
+        assert losses(of("blind", 0.05 + rng.normal(0, 0.02, 20))) is None
+
+
+def test_a_tremor_that_grows_from_session_to_session_raises_the_dead_zone_before_it_drives() -> None:
+    # Dead-zone over noise in ten sessions of one trial each, as in a simulated person who deteriorates.
+    margins = [10.8, 6.7, 4.1, 2.7, 2.15, 1.8, 1.55, 1.45, 1.3, 1.1]
+    noises = [math.log(GESTURE.dead_zone / margin) for margin in margins]
+    said = [losses(of("noise", noises[:count])) for count in range(1, 11)]
+    assert said[:3] == [None] * 3
+    first = next(number for number, loss in enumerate(said, start=1) if loss)
+    assert first <= 6
+    assert said[first - 1].dead_zone == pytest.approx(4 * math.exp(noises[first - 1]), rel=1e-6)
+    assert all(loss is not None for loss in said[first - 1 :])  # as long as nothing follows
+
+
+def test_one_restless_trial_changes_no_dead_zone() -> None:
+    wild = math.log(GESTURE.dead_zone / 1.5)
+    assert losses(of("noise", [CALM] * 5 + [wild])) is None
+    assert losses(of("noise", [CALM] * 5 + [wild] + [CALM] * 3)) is None
+
+
+def test_a_dead_zone_that_the_noise_does_not_need_falls_only_where_movements_are_missed() -> None:
+    gestures = (GESTURE.model_copy(update={"dead_zone": 3 * GESTURE.dead_zone}), *PARAMETERS.gestures[1:])
+    high = PARAMETERS.model_copy(update={"gestures": gestures})
+    assert losses(of("missed", [0.05] * 10), high) is None
+    loss = losses(of("missed", [0.3] * 6), high)
+    assert loss is not None
+    assert loss.dead_zone < 3 * GESTURE.dead_zone
+
+
+@pytest.mark.parametrize(("way", "word"), [(-1, "weaker"), (1, "stronger")])
+def test_strokes_that_change_by_more_than_a_tenth_change_full(way, word) -> None:
+    rng = np.random.default_rng(2)
+    sizes = USUAL + rng.normal(0, 0.05, 16) + way * np.repeat([0.0, 0.3], 8)
+    assert losses(of("size", sizes[:8])) is None
+    loss = losses(of("size", sizes))
+    assert loss is not None
+    assert loss.growth == pytest.approx(way * 0.3, abs=0.1)
+    assert word in loss.words
+    assert losses(of("size", USUAL + rng.normal(0, 0.05, 16) + way * np.repeat([0.0, 0.08], 8))) is None
+
+
+def test_strokes_are_compared_with_those_of_the_same_full() -> None:
+    sizes = [USUAL] * 6 + [USUAL - 0.4] * 6
+    assert losses(of("size", sizes)) is not None
+    assert losses(of("size", sizes), fulls=[2 * GESTURE.full] * 6 + [GESTURE.full] * 6) is None
+
+
+def test_the_direction_is_compared_with_the_first_trials() -> None:
+    assert losses(of("blind", [0.12] * 12)) is None
+    loss = losses(of("blind", [0.01] * 5 + [0.01 + MOST_BLIND + 0.1] * 4))
+    assert loss is not None
+    assert loss.turns
+
+
+def test_time_that_s5_took_is_a_loss_at_once() -> None:
+    loss = losses([{}, {"silent": 0.3, "noise": None, "size": None, "missed": None, "blind": None}])
+    assert loss is not None
+    assert loss.silenced
+    assert "30%" in loss.words
+    assert losses([{"silent": 0.3}, {}]) is None
+
+
+@given(
+    st.sampled_from(["noise", "size", "missed", "blind"]),
+    st.lists(st.floats(-3.0, 3.0), min_size=1, max_size=12),
+    st.lists(st.booleans(), min_size=12, max_size=12),
+)
+@settings(max_examples=60, deadline=None)
+def test_whatever_the_figures_are_a_loss_has_words_and_something_to_do(figure, values, seen) -> None:
+    trials = of(figure, [value if there else None for value, there in zip(values, seen, strict=False)])
+    loss = losses(trials)
+    if loss is not None:
+        assert loss.words.endswith(".")
+        assert loss.silenced or loss.turns or loss.dead_zone is not None or loss.growth is not None
+        assert loss.dead_zone is None or 0.0 < loss.dead_zone <= max(GESTURE.dead_zone, GESTURE.full / 2)
+    assert losses(trials) == loss
