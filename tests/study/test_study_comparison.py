@@ -17,6 +17,7 @@ def trial(seed, mode, session, e_diff, reached=True, felt=0.0, flips=0):
         time=30.0,
         reached=reached,
         faults=0,
+        proposed=int(felt > 0.0),
         felt_change=felt,
         angle_deg=2.0 if felt else 0.0,
         flips=flips,
