@@ -128,7 +128,7 @@ def test_a_loss_that_nothing_may_answer_is_said(person, parameters) -> None:
     assert all(one.reason == f"{WORDS} {AT_ITS_END}" for one in proposal.joints)
 
 
-@pytest.mark.parametrize("kind", ["guided"])
+@pytest.mark.parametrize("kind", ["guided", "prior"])
 def test_a_map_of_another_kind_is_never_turned_but_its_thresholds_follow(person, parameters, kind) -> None:
     put_on_again(person)
     joints = tuple(with_map_of(joint, kind) for joint in parameters.profile.joints)

@@ -35,23 +35,24 @@ def test_louder_rest_and_larger_strokes_are_measured(person, parameters) -> None
         assert one.blind < 0.02
 
 
-def test_the_figures_are_those_of_the_map_that_decodes(person, parameters) -> None:
+@pytest.mark.parametrize("kind", ["guided", "prior"])
+def test_the_figures_are_those_of_the_map_that_decodes(person, parameters, kind) -> None:
     driven = trial(person)
-    joints = tuple(with_map_of(joint, "guided") for joint in parameters.profile.joints)
-    guided = parameters.model_copy(update={"profile": parameters.profile.model_copy(update={"joints": joints})})
-    for name, one in gesture_trials(guided, driven).items():
+    joints = tuple(with_map_of(joint, kind) for joint in parameters.profile.joints)
+    linear = parameters.model_copy(update={"profile": parameters.profile.model_copy(update={"joints": joints})})
+    for name, one in gesture_trials(linear, driven).items():
         usual = gesture_trials(parameters, driven)[name]
         assert one.blind is None
         assert (one.noise, one.size) == pytest.approx((usual.noise, usual.size), abs=1e-6)
     doubled = tuple(
         joint.model_copy(
-            update={"guided": joint.guided.model_copy(update={"rate": tuple(2 * rate for rate in joint.guided.rate)})}
+            update={kind: joint.linear.model_copy(update={"rate": tuple(2 * rate for rate in joint.linear.rate)})}
         )
         for joint in joints
     )
-    twice = guided.model_copy(update={"profile": guided.profile.model_copy(update={"joints": doubled})})
+    twice = linear.model_copy(update={"profile": linear.profile.model_copy(update={"joints": doubled})})
     for name, one in gesture_trials(twice, driven).items():
-        assert one.noise - gesture_trials(guided, driven)[name].noise == pytest.approx(math.log(2.0), abs=1e-6)
+        assert one.noise - gesture_trials(linear, driven)[name].noise == pytest.approx(math.log(2.0), abs=1e-6)
 
 
 def test_a_dead_zone_above_the_noise_misses_a_part_of_the_strokes(person, parameters) -> None:
