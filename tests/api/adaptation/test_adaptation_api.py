@@ -57,6 +57,7 @@ def test_a_suggestion_waits_and_by_itself_does_not(ready: Any) -> None:
     drive(ready)
     assert settled(ready)["version"] == 3
     assert ready.asked == [(1, 1), (2, 2), (3, 1)]
+    assert [len(one.fulls) > 0 for one in ready.past] == [True] * 3  # what is lost is told from all of them
 
 
 def test_not_now_takes_a_suggestion_away_until_the_next_trial(ready: Any) -> None:
