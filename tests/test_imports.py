@@ -14,8 +14,8 @@ LEAVES = "leaf"
 PURE_CHAIN = tuple(
     f"pipeline.{name}"
     for name in (
-        *("chain", "channel_health", "controls", "decoder", "low_pass", "linear_rate", "person_brakes", "ramp"),
-        *("safety_gate", "shaping"),
+        *("chain", "channel_health", "controls", "decoder", "low_pass", "linear_rate", "person_brakes", "prior_rates"),
+        *("ramp", "safety_gate", "shaping"),
         *("replay.batch", "replay.linear_batch"),
     )
 )

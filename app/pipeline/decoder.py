@@ -8,8 +8,9 @@ from numpy.typing import NDArray
 from app.butterworth import low_pass
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.channel_health import ChannelHealth
-from app.pipeline.linear_rate import LinearRate, linear_projection
+from app.pipeline.linear_rate import PARTS, GuidedRate, linear_projection
 from app.pipeline.low_pass import LowPass
+from app.pipeline.prior_rates import PriorRates
 
 BASELINE_TIME = 30.0  # s: time constant of the baseline of a displacement gesture
 LONGEST_GAP = 1.0  # s: a longer gap between two frames counts as this long
@@ -53,7 +54,8 @@ class Decoder:
     def __init__(self, parameters: DriveParameters, sample_rate: float) -> None:
         weights, offsets = projection(parameters)
         rows, places = linear_projection(parameters)
-        self._weights = np.concatenate((weights, rows))
+        guided = {i: place for i, place in places.items() if place.stop - place.start == PARTS}
+        self._weights = np.concatenate((weights, *(rows[place] for place in guided.values())))
         self._offsets: list[float] = offsets.tolist()
         self._uses = channels_used(parameters)
         watched = np.asarray(self._uses.any(axis=0))
@@ -64,15 +66,20 @@ class Decoder:
         self._is_displacement = [gesture.feature == "displacement" for gesture in parameters.gestures]
         self._dead_zone = [gesture.dead_zone for gesture in parameters.gestures]
         self._per_range = [1.0 / (gesture.full - gesture.dead_zone) for gesture in parameters.gestures]
-        self._linear = {
-            i: (
-                LinearRate(coefficients, sample_rate, place.stop - place.start),
-                slice(count + place.start, count + place.stop),
-            )
-            for i, place in places.items()
+        self._guided = {
+            i: (GuidedRate(coefficients, sample_rate), slice(count + PARTS * k, count + PARTS * (k + 1)))
+            for k, i in enumerate(guided)
         }
-        self._is_plain = [not displaced and i not in self._linear for i, displaced in enumerate(self._is_displacement)]
+        self._by_prior = [i for i in places if i not in guided]  # the gestures that other people's maps decode
+        self._prior = None
+        if self._by_prior:
+            parts = np.stack([rows[places[i]] for i in self._by_prior])
+            self._prior = PriorRates(self._weights, parts, coefficients, sample_rate)
+        self._prior_place = {i: len(self._weights) + k for k, i in enumerate(self._by_prior)}
+        special = {*self._guided, *self._by_prior}
+        self._is_plain = [not displaced and i not in special for i, displaced in enumerate(self._is_displacement)]
         self._all_plain = all(self._is_plain)
+        self._all_prior = len(self._by_prior) == count
         self._health = ChannelHealth(parameters.profile, watched, sample_rate)
         self._indices = range(count)
         self._none_bad = [False] * count
@@ -83,8 +90,10 @@ class Decoder:
         count = len(self._filters)
         for low_pass_filter in self._filters:
             low_pass_filter.reset()
-        for linear, _ in self._linear.values():
-            linear.reset()
+        for guided, _ in self._guided.values():
+            guided.reset()
+        if self._prior is not None:
+            self._prior.reset()
         self._health.reset()
         self._fresh = True
         self._smooth = [0.0] * count
@@ -109,22 +118,39 @@ class Decoder:
         was_bad = self.bad
         bad_channels = self._health.step(values)
         frame = self._health.frame
+        periods = periods_between(time_step, self._sample_rate)
         if bad_channels is None:
             self.bad = self._none_bad
-            products = self._weights.dot(frame).tolist()
-            if not math.isfinite(sum(products)):  # a channel that no gesture reads is NaN or infinite
-                products = self._weights.dot(np.nan_to_num(frame, posinf=0.0, neginf=0.0)).tolist()
+            trusted = frame
         else:
             self.bad = np.asarray((self._uses & bad_channels).any(axis=1)).tolist()
             trusted = np.where(bad_channels | ~np.isfinite(frame), 0.0, frame)
+        if self._prior is not None:
+            if periods == 1.0 and self.bad is was_bad is self._none_bad and self._prior.is_even:
+                products = self._prior.step(trusted)
+            else:
+                products = self._prior.step_slowly(
+                    trusted, [self.bad[i] for i in self._by_prior], [was_bad[i] for i in self._by_prior], periods
+                )
+        else:
             products = self._weights.dot(trusted).tolist()
-        periods = periods_between(time_step, self._sample_rate)
-        per_second = self._sample_rate / periods
+            if not math.isfinite(sum(products)):  # a channel that no gesture reads is NaN or infinite
+                products = self._weights.dot(np.nan_to_num(trusted, posinf=0.0, neginf=0.0)).tolist()
         was_quiet = not self.is_active
         self.is_active = False
         if self._all_plain and self.bad is was_bad is self._none_bad and not self._fresh:
-            self._step_plain(products, per_second)
+            self._step_plain(products, self._sample_rate / periods)
             return
+        if self._all_prior and self.bad is was_bad is self._none_bad:
+            self._step_prior(products)
+            self._fresh = False
+            return
+        self._step_each(products, was_bad, periods, was_quiet)
+        self._fresh = False
+
+    def _step_each(self, products: list[float], was_bad: list[bool], periods: float, was_quiet: bool) -> None:
+        """Decode a frame gesture by gesture, each in its own way."""
+        per_second = self._sample_rate / periods
         for i in self._indices:
             if not self.bad[i]:  # a bad channel: the last score stays
                 score = products[i] - self._offsets[i]
@@ -139,9 +165,11 @@ class Decoder:
                 self._smooth[i] = smooth
             elif self._is_displacement[i]:
                 strength = self._displacement(i, per_second, was_quiet)
+            elif i in self._guided:
+                guided, place = self._guided[i]
+                strength = guided.step(products[place], self.bad[i], was_bad[i], periods, self._sample_rate)
             else:
-                linear, place = self._linear[i]
-                strength = linear.step(products[place], self.bad[i], was_bad[i], periods, self._sample_rate)
+                strength = products[self._prior_place[i]]
             self.rate[i] = strength
             above = strength - self._dead_zone[i]
             if above <= 0.0 or self.bad[i]:
@@ -150,7 +178,6 @@ class Decoder:
                 self.drive[i] = above
                 self.activation[i] = min(1.0, above * self._per_range[i])
                 self.is_active = True
-        self._fresh = False
 
     def _step_plain(self, products: list[float], per_second: float) -> None:
         """Decode a frame without a bad channel, when every gesture is plain: the usual case, in the shortest way."""
@@ -159,6 +186,21 @@ class Decoder:
             smooth = self._filters[i].step(score - self._unseen[i])
             self.rate[i] = rate = (smooth - self._smooth[i]) * per_second
             self._smooth[i] = smooth
+            above = rate - self._dead_zone[i]
+            if above <= 0.0:
+                self.drive[i] = self.activation[i] = 0.0
+            else:
+                self.drive[i] = above
+                activation = above * self._per_range[i]
+                self.activation[i] = activation if activation < 1.0 else 1.0
+                self.is_active = True
+
+    def _step_prior(self, products: list[float]) -> None:
+        """Decode a frame without a bad channel, when other people's maps decode every gesture."""
+        first = len(products) - len(self.score)
+        for i in self._indices:
+            self.score[i] = products[i] - self._offsets[i]
+            self.rate[i] = rate = products[first + i]
             above = rate - self._dead_zone[i]
             if above <= 0.0:
                 self.drive[i] = self.activation[i] = 0.0
