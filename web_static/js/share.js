@@ -5,6 +5,7 @@
 import { LANGUAGE, t, hasText } from "./texts.js";
 import { day, minuteOfDay, number } from "./widgets/format.js";
 import { h, put, s } from "./widgets/dom.js";
+import { followSystem } from "./shell/theme.js";
 
 const HERE = "/api/v1/shared";
 const main = /** @type {HTMLElement} */ (document.getElementById("main"));
@@ -29,7 +30,7 @@ function askPin(words) {
     put(main, h("h1", {}, t("share.heading")), h("p", { role: "alert" }, t("share.no_link")));
     return;
   }
-  const pin = h("input", { inputmode: "numeric", autocomplete: "off", maxlength: "12", required: true });
+  const pin = h("input", { type: "text", inputmode: "numeric", autocomplete: "off", maxlength: "12", required: true });
   /** @param {Event} event */
   const open = async (event) => {
     event.preventDefault();
@@ -52,8 +53,8 @@ function askPin(words) {
       h("form", { onsubmit: open },
         h("label", {}, t("share.pin"), pin),
         h("p", { class: "quiet" }, t("share.pin.words")),
-        h("p", { role: "alert" }, words),
-        h("button", { class: "main" }, t("share.open"))),
+        h("p", { class: "problem", role: "alert" }, words),
+        h("button", { class: "btn go large" }, t("share.open"))),
     ),
   );
   pin.focus();
@@ -141,4 +142,5 @@ function eventLine({ at, kind, person, words, facts }) {
 }
 
 document.documentElement.lang = LANGUAGE;
+followSystem();
 show();
