@@ -82,3 +82,18 @@ def test_a_handle_is_24_px_wide_and_taken_from_22_px_beside_it(page, clinic, siz
     assert min(one["width"] for one in handles) >= 24
     assert min(one["height"] for one in handles) >= 44
     assert all(one["isHit"] for one in handles)
+
+
+def test_on_a_telephone_each_step_of_the_rail_is_wide_enough(page, clinic):
+    look_as(page, ("390x844", "light"))
+    PLACES["patients"](page, clinic)
+    assert page.evaluate(SMALL) == []
+
+
+@pytest.mark.parametrize("size", [(320, 256), (640, 400)])  # 1280 px enlarged by 4 and by 2
+def test_enlarged_the_rail_covers_nothing_of_the_page(page, clinic, size):
+    page.set_viewport_size({"width": size[0], "height": size[1]})
+    PLACES["patients"](page, clinic)
+    foot, rail = (page.locator(one).bounding_box() for one in (".page > .body", ".rail"))
+    beside = rail["x"] + rail["width"] <= foot["x"]
+    assert beside or foot["y"] + foot["height"] <= rail["y"] + 1
