@@ -12,6 +12,7 @@ import discovery from "./texts/en/discovery.js";
 import drive from "./texts/en/drive.js";
 import editor from "./texts/en/editor.js";
 import record_export from "./texts/en/records/export.js";
+import interface_test from "./texts/en/interface_test.js";
 import measures from "./texts/en/measures.js";
 import patient_screen from "./texts/en/patient_screen.js";
 import patients from "./texts/en/patients.js";
@@ -49,6 +50,7 @@ const CATALOGUE = Object.freeze({
   ...editor,
   ...record_export,
   ...chair,
+  ...interface_test,
   ...measures,
   ...quality,
   ...records_session,

@@ -1,37 +1,18 @@
 """The two-minute test over the API: started, shown, ended, measured from its recording, and asked about."""
 
 import math
-import time
 from typing import Any
 
 import pytest
 from fake_clinic import WORD
+from stored_interface_test import MEASURES, store_interface_test
 
 from app.clock import utc_now
 from app.faults import State
-from app.source import Source
-from app.store.interface_tests import add_interface_test, close_interrupted_tests, finish_interface_test
-from app.store.parameters import current_parameters
-from app.store.runs import add_run
-from app.store.tables import InterfaceTest, PatientSession
-from app.world.cursor_task import CursorPlan
+from app.store.interface_tests import close_interrupted_tests
+from app.store.tables import InterfaceTest
 
 START = {"screen": WORD}
-MEASURES = {
-    "duration": 120.0,
-    "complete": True,
-    "acquired": 20,
-    "missed": 1,
-    "acquisitions_per_minute": 10.0,
-    "first_entry": 2.5,
-    "dial_in": 0.25,
-    "entries": 1.1,
-    "path_efficiency": 0.875,
-    "effective_width": 0.15,
-    "throughput": 0.75,
-    "directions": {},
-}
-SIMULATED = Source(shirt="simulator", body="person", chair="virtual", simulated=True)
 
 
 def of_patient(clinic: Any) -> Any:
@@ -42,15 +23,10 @@ def picture(clinic: Any) -> Any:
     return clinic.web.live._picture()
 
 
-def add_done(clinic: Any, *, end: str = "complete", plan: dict[str, Any] | None = None, **measures: Any) -> None:
-    """Store a test that was done."""
+def add_done(clinic: Any, **done: Any) -> None:
+    """Store a test of the open session that was done."""
     with clinic.client.app.state.people.database.transaction() as db:
-        session = db.get_one(PatientSession, clinic.web.session.session_id)
-        run = add_run(db, f"test-{time.monotonic_ns()}", session.id, "interface_test", "gone", SIMULATED)
-        row, _ = current_parameters(db, session.patient_id)
-        document = CursorPlan(seed=1, **(plan or {})).model_dump(mode="json")
-        test = add_interface_test(db, run=run, session=session, parameters_id=row.id, plan=document)
-        finish_interface_test(db, test.id, end, {**MEASURES, **measures})
+        store_interface_test(db, clinic.web.session.session_id, **done)
 
 
 def test_a_test_is_recorded_without_arming_shown_and_ended_by_hand(calibrated: Any) -> None:

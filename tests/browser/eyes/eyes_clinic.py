@@ -11,6 +11,7 @@ from api.fake_clinic import FakeProcess, profile_for
 from browser.served.review_app import furnish
 from browser.served.served_clinic import ServedClinic
 from processes.served_demo import SessionClient
+from stored_interface_test import store_interface_test
 
 from app.calibration.vocabulary import standard_parameters
 from app.faults import Fault, State
@@ -97,6 +98,15 @@ class EyesClinic(ServedClinic):
             for row in calibration_steps(db, session_id).values():
                 row.status = "done" if step == "result" else "waiting"
             session.result = profile_for(LAYOUT).model_dump(mode="json") if step == "result" else None
+        database.close()
+
+    def add_tests(self) -> None:
+        """Store six two-minute tests of the open session, the newest better than noise."""
+        session_id = self.good("GET", "/session")["session"]["id"]
+        database = Database(self._settings.database)
+        with database.transaction() as db:
+            for throughput in (0.7, 0.72, 0.69, 0.71, 0.7, 1.2):
+                store_interface_test(db, session_id, throughput=throughput)
         database.close()
 
     def fault(self, fault: Fault) -> None:

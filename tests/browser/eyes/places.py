@@ -6,6 +6,8 @@ from browser.eyes.eyes_clinic import EyesClinic
 from browser.eyes.opening import Open, answered, at, go, opened, start_with, tap
 from browser.eyes.session_places import (
     compared_sessions,
+    interface_test_over,
+    interface_test_runs,
     review,
     session_record,
     signed_session,
@@ -204,6 +206,9 @@ PLACES: dict[str, Open] = {
     "controls": at("controls"),
     "controls, open": opened("controls"),
     "adapt": opened("adapt"),
+    "interface_test": opened("interface_test"),
+    "interface_test, runs": interface_test_runs,
+    "interface_test, over": interface_test_over,
     "review": review(""),
     "review, trial": review("/trial/{first}"),
     "review, compare": review("/compare/{first}/{second}"),
@@ -258,6 +263,9 @@ def put_back(clinic: EyesClinic) -> None:
     clinic.set_calibration("rest")
     while running := clinic.good("GET", "/calibration")["running"]:  # a step may end by itself meanwhile
         clinic.client.request("POST", f"/calibration/steps/{running['step']}/cancel")
+    tests = clinic.good("GET", "/interface-tests?patient=1")["tests"]
+    if tests and tests[-1]["status"] == "running":
+        clinic.good("POST", "/interface-tests/current/end")
     if clinic.process.run:
         clinic.good("POST", "/trials/current/end", {"reason": "by hand"})
     if clinic.good("GET", "/chairs")["chosen"]:

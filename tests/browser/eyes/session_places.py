@@ -16,6 +16,20 @@ def trial_runs(page: Any, clinic: EyesClinic) -> None:
     expect(page.get_by_role("button", name="End trial").first).to_be_enabled(timeout=60_000)
 
 
+def interface_test_runs(page: Any, clinic: EyesClinic) -> None:
+    go(page, clinic, "interface_test")
+    tap(page, "Start the test")
+    clinic.process.run_t = 3.5
+    expect(page.get_by_text("Bring the dot into the target")).to_be_visible()
+
+
+def interface_test_over(page: Any, clinic: EyesClinic) -> None:
+    clinic.add_tests()
+    opened("interface_test")(page, clinic)
+    expect(page.get_by_role("heading", name="How demanding was it?")).to_be_visible()
+    page.wait_for_timeout(1500)  # until the chart is drawn
+
+
 def trial_stopped(page: Any, clinic: EyesClinic) -> None:
     trial_runs(page, clinic)
     clinic.fault(Fault.STOP_TABLET)

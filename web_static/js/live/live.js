@@ -23,6 +23,7 @@ const SIGNED_OUT = 4401; // close code
  * @property {number} contacts
  * @property {number} stops
  * @property {string | null} practice kind of the shirt in use when nobody wears it
+ * @property {TestMoment | null} test
  * @property {string} [event] what changed on the server
  * @property {string[]} [quality] condition of each channel; sent once a second, as is `noise`
  * @property {(number | null)[]} [noise] of each channel, in units of its signal
@@ -46,6 +47,19 @@ const SIGNED_OUT = 4401; // close code
  * @property {string} title
  * @property {string} instruction
  * @property {number[]} target where the path ends
+ */
+
+/**
+ * @typedef {object} TestMoment what a running two-minute test is doing; lengths in arms of its cross, ahead and to the left
+ * @property {number} id
+ * @property {"ready" | "running" | "over"} phase
+ * @property {number | null} remaining s until the first target, then until the end
+ * @property {(number | null)[]} cursor
+ * @property {(number | null)[] | null} target
+ * @property {number | null} radius of the target
+ * @property {number | null} dwell share of the time for which the cursor must stay in the target, 0..1
+ * @property {number} acquired
+ * @property {number} missed
  */
 
 /**

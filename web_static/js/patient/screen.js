@@ -7,6 +7,7 @@ import { cueLayer } from "./cue.js";
 import { momentCard } from "./moment.js";
 import { patientPicture } from "./picture.js";
 import { soundsBetween, Sounds } from "./sounds.js";
+import { testLayer } from "./test_layer.js";
 
 const BACKWARDS = -0.02; // m/s
 
@@ -19,7 +20,7 @@ const BACKWARDS = -0.02; // m/s
 export function showScreen(root, live, signal) {
   const sounds = new Sounds();
   const picture = patientPicture(live, signal);
-  const parts = [taskCard(), speedCard(), arrow(), momentCard(), cueLayer(live, signal), stopBand()];
+  const parts = [taskCard(), speedCard(), arrow(), momentCard(), testLayer(), cueLayer(live, signal), stopBand()];
   const lost = band("lost", h("div", {}, h("b", {}, t("patient.lost")), h("p", {}, t("patient.lost.why"))));
   const sound = h("button", { type: "button", class: "btn sound", hidden: true }, t("patient.sound"));
   sound.addEventListener("click", async () => {

@@ -7,7 +7,7 @@ const STEPS = /** @type {const} */ (["patients", "shirt", "calibrate", "controls
 const RAIL = /** @type {const} */ ([...STEPS, "settings"]);
 const IN_SETTINGS = ["plans", "people", "log", "computer", "backup"]; // opened from there: the rail marks the settings
 /** @type {string[]} */
-export const PAGES = [...RAIL, "session", "adapt", ...IN_SETTINGS]; // those that have an address of their own
+export const PAGES = [...RAIL, "session", "adapt", "interface_test", ...IN_SETTINGS]; // those that have an address of their own
 
 /** The steps that are done in the open session. @param {import("../main.js").App} app @returns {Set<string>} */
 export function stepsDone(app) {
@@ -37,7 +37,7 @@ export function rail(app) {
     const done = stepsDone(app);
     for (const { step, link, mark } of links) {
       mark.hidden = !done.has(step);
-      const isAbove = step === "settings" && IN_SETTINGS.includes(app.route.page);
+      const isAbove = step === "settings" ? IN_SETTINGS.includes(app.route.page) : step === "drive" && app.route.page === "interface_test";
       set(link, { "aria-current": step === app.route.page ? "page" : isAbove ? "true" : null });
     }
   };

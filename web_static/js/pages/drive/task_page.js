@@ -50,6 +50,7 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
       h(
         "nav",
         { class: "drive-places", "aria-label": t("drive.places") },
+        placeLink("test", "#/interface_test", h("span", {}, t("drive.place.test.state"))),
         placeLink("chair", taskLink("chairs", task), h("span", {}, t(`drive.place.chair.${chairs.dynamics}`))),
         screens && placeLink("screen", taskLink("screen", task), screenState(app, screens, signal)),
         mayDrive && placeLink("plans", "#/plans", h("span", {}, t("drive.place.plans.state"))),
@@ -92,7 +93,7 @@ function taskCard(app, task, signal) {
   );
 }
 
-/** @param {"chair" | "screen" | "plans"} name @param {string} href @param {HTMLElement} state */
+/** @param {"test" | "chair" | "screen" | "plans"} name @param {string} href @param {HTMLElement} state */
 function placeLink(name, href, state) {
   return h("a", { class: "card", href }, h("b", {}, t(`drive.place.${name}`)), state);
 }
