@@ -15,6 +15,7 @@ from app.refusals import Conflict
 from app.scoring.interface_test.interface_course import InterfaceCourse, interface_course
 from app.scoring.interface_test.interface_measures import InterfaceMeasures
 from app.scoring.interface_test.workload import Workload
+from app.scoring.verdict.measure_verdict import FEWEST
 from app.session.run_watch import Starter
 from app.source import SourceGroup
 from app.store.database import Transaction
@@ -111,7 +112,9 @@ def list_interface_tests(
         tests = [InterfaceTestView.of_row(test, session) for test, session in rows]
     group = source or (rows[-1][0].source.group if rows else None)
     counted = _counted([test for test, _ in rows if test.source.group == group])
-    return InterfaceTestsView(tests=tests, source=group, course=web.computing.ask(interface_course, counted))
+    # Few tests need no curve and no large library: a first page does not wait for the computing process.
+    course = interface_course(counted) if len(counted) < FEWEST else web.computing.ask(interface_course, counted)
+    return InterfaceTestsView(tests=tests, source=group, course=course)
 
 
 @router.put("/{test_id}/workload")

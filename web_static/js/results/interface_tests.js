@@ -16,6 +16,27 @@ const LARGE = NAMES.slice(0, 3);
 /** @type {Record<string, string>} */
 const TONES = { better: "good", worse: "bad" };
 
+/**
+ * A patient's two-minute tests, as a section of a page about the patient; empty while there is none.
+ * @param {import("../main.js").App} app @param {number} patient id @param {AbortSignal} signal
+ */
+export function testsPlace(app, patient, signal) {
+  const place = h("div", { class: "stack" });
+  let drawn = new AbortController();
+  signal.addEventListener("abort", () => drawn.abort());
+  const read = async () => {
+    const found = await app.api.get(`/interface-tests?patient=${patient}`);
+    const test = newestTest(found);
+    if (signal.aborted || !test) return;
+    drawn.abort();
+    drawn = new AbortController();
+    put(place, h("h2", {}, t("rail.interface_test")), testFigures(test), courseCard(found, drawn.signal));
+  };
+  app.live.addEventListener("changed", ({ detail }) => detail === "test" && app.toasts.attempt(read), { signal });
+  app.toasts.attempt(read);
+  return place;
+}
+
 /** The newest test that ended. @param {InterfaceTestsView} read */
 export function newestTest({ tests }) {
   return tests.findLast((test) => test.status === "done") ?? null;

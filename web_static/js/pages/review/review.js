@@ -13,6 +13,7 @@ import { field, selection } from "../../widgets/fields.js";
 import { measured, MEASURES, leadingMeasures } from "../../results/measures.js";
 import { emptyPage } from "../../shell/nobody.js";
 import { firstGroup, groupChoice, groupMark } from "../../results/source_group.js";
+import { testsPlace } from "../../results/interface_tests.js";
 import { reportCard } from "../../results/report_choice.js";
 import { qualitySection } from "./quality_section.js";
 import { sessionVerdicts } from "./session_verdicts.js";
@@ -47,7 +48,7 @@ export async function show(app, root, { signal, rest }) {
       (id) => app.go(`#/review/${id}`),
     ),
   );
-  if (!trials.length) return noTrials(app, root, patients.length > 1 ? who : null);
+  if (!trials.length) return noTrials(app, root, patients.length > 1 ? who : null, testsPlace(app, patient.id, signal));
   const plans = await app.api.get("/floorplans");
   if (signal.aborted) return;
   const paths = pathsOf(trials);
@@ -59,6 +60,7 @@ export async function show(app, root, { signal, rest }) {
   const pathPlace = h("div", {});
   const measurePlace = h("div", {});
   const groupPlace = h("div", {});
+  const testPlace = testsPlace(app, patient.id, signal);
   /** @type {SourceGroup} */
   let group = firstGroup(trials);
   let compare = compareChoice(patient.id);
@@ -104,6 +106,7 @@ export async function show(app, root, { signal, rest }) {
         new Set(learning.trials.filter(({ familiarisation }) => familiarisation).map(({ id }) => id)),
         compare,
       ),
+      testPlace,
       reportCard(app, patient),
     );
   };
@@ -167,9 +170,13 @@ export async function show(app, root, { signal, rest }) {
   await draw();
 }
 
-/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {Node | null} who to choose another patient by */
-function noTrials(app, root, who) {
+/**
+ * @param {import("../../main.js").App} app @param {HTMLElement} root @param {Node | null} who to choose another patient by
+ * @param {Node} tests before driving, which there may be without a trial
+ */
+function noTrials(app, root, who, tests) {
   const action = app.me?.role === "reviewer" ? undefined : t("review.none.go"); // a reviewer starts no trial
   emptyPage(root, t("review.none.title"), t("review.none.lead"), "#/drive", action);
   if (who) root.firstElementChild?.append(h("div", { class: "other-patient" }, who));
+  root.firstElementChild?.append(tests);
 }
