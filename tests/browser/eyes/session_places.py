@@ -19,6 +19,7 @@ def trial_runs(page: Any, clinic: EyesClinic) -> None:
 def interface_test_runs(page: Any, clinic: EyesClinic) -> None:
     go(page, clinic, "interface_test")
     tap(page, "Start the test")
+    expect(page.get_by_text("The first target comes in a moment")).to_be_visible()
     clinic.process.run_t = 3.5
     expect(page.get_by_text("Bring the dot into the target")).to_be_visible()
 
