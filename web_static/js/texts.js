@@ -12,7 +12,7 @@ import discovery from "./texts/en/discovery.js";
 import drive from "./texts/en/drive.js";
 import editor from "./texts/en/editor.js";
 import record_export from "./texts/en/records/export.js";
-import interface_test from "./texts/en/interface_test.js";
+import interface_test from "./texts/en/results/interface_test.js";
 import measures from "./texts/en/measures.js";
 import patient_screen from "./texts/en/patient_screen.js";
 import patients from "./texts/en/patients.js";
@@ -28,7 +28,7 @@ import shell from "./texts/en/shell.js";
 import shirt from "./texts/en/shirt.js";
 import stereo from "./texts/en/stereo.js";
 import uploads from "./texts/en/uploads.js";
-import verdict from "./texts/en/verdict.js";
+import verdict from "./texts/en/results/verdict.js";
 
 export const LANGUAGE = "en";
 

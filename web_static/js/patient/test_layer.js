@@ -1,6 +1,6 @@
 /** The two-minute test on the patient's screen: the cross, as large as the screen allows, and nothing else. */
 import { h, write } from "../widgets/dom.js";
-import { targetCross } from "../widgets/target_cross.js";
+import { targetCross } from "../interface_test/target_cross.js";
 import { t } from "../texts.js";
 
 export function testLayer() {

@@ -6,8 +6,8 @@
 import { h, put, write } from "../../widgets/dom.js";
 import { clock } from "../../widgets/format.js";
 import { pads } from "../../widgets/pads.js";
-import { targetCross } from "../../widgets/target_cross.js";
-import { courseCard, newestTest, testFigures } from "../../results/interface_tests.js";
+import { targetCross } from "../../interface_test/target_cross.js";
+import { courseCard, newestTest, testFigures } from "../../interface_test/interface_tests.js";
 import { emptyPage, patientHere } from "../../shell/nobody.js";
 import { t } from "../../texts.js";
 import { workloadCard } from "./workload_card.js";

@@ -13,7 +13,7 @@ import { field, selection } from "../../widgets/fields.js";
 import { measured, MEASURES, leadingMeasures } from "../../results/measures.js";
 import { emptyPage } from "../../shell/nobody.js";
 import { firstGroup, groupChoice, groupMark } from "../../results/source_group.js";
-import { testsPlace } from "../../results/interface_tests.js";
+import { testsPlace } from "../../interface_test/interface_tests.js";
 import { reportCard } from "../../results/report_choice.js";
 import { qualitySection } from "./quality_section.js";
 import { sessionVerdicts } from "./session_verdicts.js";

@@ -1,8 +1,8 @@
 /** A measure of the two-minute test over a patient's tests, with its fitted curve where there is one. */
 import { t } from "../texts.js";
-import { testMeasure, TEST_MEASURES } from "../results/test_measures.js";
-import { extent } from "./extent.js";
-import { chart, faint } from "./plotly.js";
+import { testMeasure, TEST_MEASURES } from "./test_measures.js";
+import { extent } from "../charts/extent.js";
+import { chart, faint } from "../charts/plotly.js";
 
 /** @typedef {import("types/api").InterfaceTestsView} InterfaceTestsView */
 

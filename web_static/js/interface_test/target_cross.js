@@ -1,6 +1,6 @@
 /** The cross of the two-minute test: the target, the dot that is moved into it, and how long it has been inside. */
 import { t } from "../texts.js";
-import { s, set } from "./dom.js";
+import { s, set } from "../widgets/dom.js";
 
 const ARM = 100; // length of an arm of the cross
 const DOT = 5;

@@ -1,5 +1,5 @@
 /** The measures of the two-minute test; directions are those of app/scoring/verdict/measure_comparison.py. */
-import { joined } from "./measures.js";
+import { joined } from "../results/measures.js";
 import { number } from "../widgets/format.js";
 
 /** @typedef {import("types/api").InterfaceTestView} InterfaceTestView */

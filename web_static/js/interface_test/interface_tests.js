@@ -7,8 +7,8 @@ import { h, put } from "../widgets/dom.js";
 import { field, selection } from "../widgets/fields.js";
 import { moment, number } from "../widgets/format.js";
 import { scrollTable } from "../widgets/scroll_table.js";
-import { testChart } from "../charts/test_chart.js";
-import { groupMark } from "./source_group.js";
+import { testChart } from "./test_chart.js";
+import { groupMark } from "../results/source_group.js";
 import { TEST_MEASURES, testFigure, testMeasure } from "./test_measures.js";
 
 const NAMES = Object.keys(TEST_MEASURES);
