@@ -8,7 +8,7 @@ INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --co
 # A module is compiled once, and not by each of the many processes that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile icons fonts safety compiled drills soak long-recording people-soak large-clinic pictures photographs promises worlds bench verdicts bench-compare clean
+.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile icons fonts safety compiled drills soak long-recording people-soak large-clinic pictures photographs promises worlds bench verdicts priors bench-compare clean
 
 $(VENV)/.installed: pyproject.toml constraints.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -118,6 +118,10 @@ bench: $(VENV)/.installed-test
 # Simulated people who are called better or worse than noise: the tables of docs/learning.md; about five minutes.
 verdicts: $(VENV)/.installed-test
 	$(BIN)/python -m bench.verdicts --people $(or $(PEOPLE),1000)
+
+# Maps from other people, on real people (../shared/data/knit_people) and simulated ones kept apart; about ten minutes.
+priors: $(VENV)/.installed-test
+	$(BIN)/python -m bench.prior --people $(or $(PEOPLE),20)
 
 bench-compare: $(VENV)/.installed-test
 	$(BIN)/python -m bench.compare $(or $(COMMIT),$(error name a commit, as in: make bench-compare COMMIT=main)) $(PART)

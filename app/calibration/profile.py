@@ -21,6 +21,7 @@ AVERAGING_TIMES = (1.5, 10.0)
 RATE_LAGS = (0.0, 0.05, 0.1, 0.15, 0.2)
 LEAST_GAIN = 0.01  # of in-phase share that a guided map must gain over the PCA map
 LARGEST_LOSS = 0.03  # of the hit rate that a guided map may lose
+FEWEST_JUDGED = 3  # repetitions: what one or two say of a map does not agree with how it does later
 LEAST_HITS = 0.25  # hit rate on a person's own repetitions below which a map from other people is not offered
 
 
@@ -123,7 +124,7 @@ class PriorMap(LinearMap):
         Few repetitions say little about hits: the dead-zone is other people's, and that of PCA is fitted to them.
         """
         prior, pca = self.prior_check, self.pca_check
-        if prior is None or pca is None:
+        if prior is None or pca is None or self.repetitions < FEWEST_JUDGED:
             return True
         return prior.in_phase >= pca.in_phase - LARGEST_LOSS and prior.hit_rate >= LEAST_HITS
 

@@ -16,6 +16,7 @@ from app.calibration.prior.strokes import EDGE
 from app.calibration.profile import Forecast
 
 LARGE = 0.3  # of the 95th percentile of the free movement's rate: what counts as a movement there
+LABELLED = 0.88  # of a real stroke's time above the dead-zone, by that of its labelled part: its slow edges are below
 WORTH_OF_FREE = 2.0  # repetitions that the free movement counts for
 # Standard deviations of the share of a stroke's time with activation, measured on the real knit: between what is
 # expected from many repetitions and what comes, and what one repetition more or less makes.
@@ -79,7 +80,7 @@ def expected_hits(free: Array, dead_zone: float, held_out: Array | None, frames:
     if not shares:
         return None
     deviation = math.sqrt(LASTING_DEVIATION**2 + FIRST_DEVIATION**2 / (1 + repetitions))
-    share = float(np.average(shares, weights=weights))
+    share = LABELLED * float(np.average(shares, weights=weights))
     return Forecast(value=round(100 * share, 1), uncertainty=round(100 * deviation, 1))
 
 

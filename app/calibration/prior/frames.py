@@ -13,7 +13,7 @@ from app.calibration.fit.repetitions import Stretch
 from app.calibration.guided.labels import CuedMovement, labels
 from app.calibration.prior.features import features
 from app.calibration.prior.moments import Moments
-from app.calibration.prior.solving import OwnFrames, solve
+from app.calibration.prior.solving import OwnFrames, solve_direction
 from app.calibration.prior.strokes import STILL, movement_lags, stroke_labels
 from app.signals.smoothing import smooth
 
@@ -36,7 +36,8 @@ def prompted_frames(
 ) -> OwnFrames | None:
     """Return the labelled frames of one joint; None without a prompted movement.
 
-    Labels are found twice: a first map that is learnt from rough labels says where each stroke begins and ends.
+    Labels are found twice: a first map that is learnt from rough labels says where each stroke begins and ends. It
+    reads the newest rates only, so that it ends with the movement when the cue was longer.
 
     Parameters
     ----------
@@ -66,14 +67,16 @@ def prompted_frames(
     if people is None:
         rates = _first_rates(pieces, cues, lags, sample_rate)
     else:
-        weights = solve(people, sample_rate)
+        weights = solve_direction(people, sample_rate)
         rates = [one @ weights for one in made]
     together = np.concatenate(made)
     rough = np.concatenate([labels(*one, sample_rate) for one in zip(rates, cues, lags, strict=True)])
     if people is None:
-        weights = solve(Moments.of(together, rough), sample_rate) if (rough > 0).any() else np.zeros(together.shape[1])
+        if not (rough > 0).any():
+            return None
+        weights = solve_direction(Moments.of(together, rough), sample_rate)
     else:
-        weights = solve(people, sample_rate, OwnFrames(together, rough, repetition))
+        weights = solve_direction(people, sample_rate, OwnFrames(together, rough, repetition))
     rates = [one @ weights for one in made]
     label = np.concatenate([stroke_labels(*one, sample_rate) for one in zip(rates, cues, lags, strict=True)])
     return OwnFrames(together, label, repetition) if (label > 0).any() else None

@@ -41,7 +41,8 @@ def decoded(profile, wearer, values=None):
     activation = decode_block(parameters, wearer.rate, wearer.t, values).activation[:, 0]
     late = wearer.t >= 10.0
     moving = np.roll(wearer.moving, round(0.1 * wearer.rate))
-    return activation[moving & late].sum() / activation[late].sum(), (activation[moving & late] > 0).mean()
+    total = max(activation[late].sum(), 1e-9)
+    return activation[moving & late].sum() / total, (activation[moving & late] > 0).mean()
 
 
 @pytest.mark.parametrize("seed", STRANGERS)
@@ -76,7 +77,7 @@ def test_a_layout_without_rings_has_no_test():
     wearer = Wearer(102)
     fit = fitted(wearer, prior, np.roll(wearer.values, 1, axis=1), layout=layout)
     assert fit.arrangement == {}
-    assert decoded(fit.profile, wearer, np.roll(wearer.values, 1, axis=1))[0] < 0.9
+    assert np.prod(decoded(fit.profile, wearer, np.roll(wearer.values, 1, axis=1))) < 0.5
 
 
 @pytest.mark.parametrize("seed", STRANGERS)

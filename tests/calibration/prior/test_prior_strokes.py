@@ -31,6 +31,17 @@ def test_labels_cover_the_strokes_and_nothing_at_rest(seed):
     assert frames.repetitions == len(stretch.moving)
 
 
+@pytest.mark.parametrize("longer", [0.1, 0.2, 0.3])
+def test_labels_end_with_the_movement_when_the_cue_was_longer(longer):
+    wearer = Wearer(3)
+    stretch = wearer.stretch()
+    cues = tuple(slice(one.start, one.stop + round(longer * RATE)) for one in stretch.moving)
+    frames = prompted_frames([type(stretch)(stretch.joint, stretch.values, cues)], range(5), np.ones(5), RATE)
+    truth = np.roll(wearer.moving, round(0.075 * RATE))[: len(frames.label)]
+    assert truth[frames.label > 0].mean() > 0.8
+    assert (frames.label[truth] > 0).mean() > 0.6
+
+
 def test_a_cue_longer_than_the_movement_does_not_teach_that_rest_is_movement():
     rate = np.zeros(400)
     rate[100:140] = np.sin(np.linspace(0, np.pi, 40))

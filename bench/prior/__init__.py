@@ -1,0 +1,1 @@
+"""The tables of docs/learning.md, "The prior": people kept apart, real and simulated."""
