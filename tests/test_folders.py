@@ -13,7 +13,6 @@ CODE = ("app/", "bench/", "tests/", "web_static/")
 SAME_SUBJECT = {
     "adaptation": "of a map: the flow, the routes",
     "attention": "which patients need it: found, the routes",
-    "calibration": "of a patient: the flow, the routes",
     "chairs": "real chairs: stored, chosen, the routes",
     "comments": "on a moment of a trial: kept, the routes",
     "controls": "from gestures to commands: the step of the chain, the routes",

@@ -1736,6 +1736,40 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/calibration/drive-now": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["CalibrationView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/calibration/accept": {
         parameters: {
             query?: never;
@@ -1764,6 +1798,62 @@ export interface paths {
                 };
             };
         };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/clinic-prior": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["PriorView"];
+                    };
+                };
+            };
+        };
+        put: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["PriorChoice"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["PriorView"];
+                    };
+                };
+            };
+        };
+        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -5178,6 +5268,8 @@ export interface components {
             result: {
                 [key: string]: unknown;
             } | null;
+            others: number;
+            may_drive_now: boolean;
         };
         CameraChoice: {
             view?: ("eye" | "chase" | "top" | "free") | null;
@@ -6330,6 +6422,9 @@ export interface components {
              */
             task: components["schemas"]["FollowPath"] | components["schemas"]["FollowLeader"] | components["schemas"]["Turn"] | components["schemas"]["Back"] | components["schemas"]["Course"];
         };
+        PriorChoice: {
+            on: boolean;
+        };
         PriorMap: {
             rate: number[];
             short: number[];
@@ -6348,6 +6443,11 @@ export interface components {
             false_per_minute?: components["schemas"]["Forecast"] | null;
             prior_check?: components["schemas"]["MapCheck"] | null;
             pca_check?: components["schemas"]["MapCheck"] | null;
+        };
+        PriorView: {
+            on: boolean;
+            people: number;
+            needed: number;
         };
         ProposalChoice: {
             proposal: string;
@@ -7134,7 +7234,9 @@ export type Practice = components['schemas']['Practice'];
 export type PracticeView = components['schemas']['PracticeView'];
 export type Prediction = components['schemas']['Prediction'];
 export type PrescribedPath = components['schemas']['PrescribedPath'];
+export type PriorChoice = components['schemas']['PriorChoice'];
 export type PriorMap = components['schemas']['PriorMap'];
+export type PriorView = components['schemas']['PriorView'];
 export type ProposalChoice = components['schemas']['ProposalChoice'];
 export type ProposalView = components['schemas']['ProposalView'];
 export type QualityRow = components['schemas']['QualityRow'];

@@ -33,6 +33,23 @@ export type GuidedMapResult = {
   guided_check: MapCheck;
 };
 
+/** An expected number with its uncertainty, one standard deviation. */
+export type Forecast = { value: number; uncertainty: number };
+
+/** How a ring of so many sensors sits otherwise than on other people. */
+export type Arrangement = { shift: number; mirrored: boolean; sensors: number };
+
+/** What a map learnt from other people comes from, and what is expected of it; null: not known. */
+export type PriorResult = {
+  offered: boolean;
+  people: number;
+  repetitions: number;
+  dropped: string[];
+  arrangement: Record<string, Arrangement>;
+  hits: Forecast | null;
+  false_per_minute: Forecast | null;
+};
+
 /** A joint of a calibration's result; what was not measured is null. */
 export type JointResult = {
   name: string;
@@ -43,8 +60,9 @@ export type JointResult = {
   evr: number | null;
   signal_to_noise: number | null;
   repeatability: number | null;
-  map: "pca" | "guided" | null;
+  map: "pca" | "guided" | "prior" | null;
   guided: GuidedMapResult | null;
+  prior: PriorResult | null;
 };
 
 export type CalibrationResult = {

@@ -24,6 +24,7 @@ from app.api.pages import Pages
 from app.api.parts import web_parts_of
 from app.api.patient_screen import patient_socket
 from app.api.patient_screen import routes as patient_screen
+from app.api.prior import prior_switch
 from app.api.proxy import BehindProxy
 from app.api.records import patient_consents, session_comparisons, session_records, sign_offs
 from app.api.refusals import install_refusals
@@ -83,6 +84,7 @@ ROUTES = (
     chairs,
     limits,
     calibration,
+    prior_switch,
     controls,
     adaptation,
     places,

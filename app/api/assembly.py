@@ -19,7 +19,8 @@ from app.api.replay.trajectories import Trajectories
 from app.api.view.view_keeper import OpenScene, ViewKeeper
 from app.computing_process import ComputingProcess
 from app.session.adaptation import AdaptationFlow
-from app.session.calibration import CalibrationFlow
+from app.session.calibration.calibration_flow import CalibrationFlow
+from app.session.calibration.clinic_prior import ClinicPrior
 from app.session.clinic_spread import ClinicSpread
 from app.session.control_link import ControlLink, LinkedProcess
 from app.session.equipment.chairs import Chairs
@@ -66,7 +67,8 @@ def make_parts(
     runs = SessionRuns(database, control, settings.runs, lambda: equipment.simulated)
     chairs = Chairs(database, control, settings.keys, tell)
     limits = ClinicLimits(database, control, tell)
-    calibration = CalibrationFlow(database, control, equipment, runs, tell, computing)
+    prior = ClinicPrior(database)
+    calibration = CalibrationFlow(database, control, equipment, runs, tell, computing, prior)
     trials = TrialFlow(database, control, runs, tell, computing)
     drives = RealDriveFlow(database, control, runs, tell, computing)
     tests = InterfaceTestFlow(database, control, runs, tell, computing)

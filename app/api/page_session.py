@@ -78,6 +78,7 @@ WITHOUT_SESSION = {
     "POST /chairs": _CLINIC,
     "DELETE /chairs/{chair_id}": _CLINIC,
     "PUT /limits": _CLINIC,
+    "PUT /clinic-prior": _CLINIC,
     "POST /computer/measurement": _CLINIC,
     "POST /backups": _CLINIC,
     "PUT /backups/settings": _CLINIC,

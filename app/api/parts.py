@@ -23,7 +23,7 @@ from app.api.view.view_keeper import ViewKeeper
 from app.clock import monotonic
 from app.computing_process import ComputingProcess
 from app.session.adaptation import AdaptationFlow
-from app.session.calibration import CalibrationFlow
+from app.session.calibration.calibration_flow import CalibrationFlow
 from app.session.clinic_spread import ClinicSpread
 from app.session.control_link import ControlLink, ScreenSign
 from app.session.equipment.chairs import Chairs

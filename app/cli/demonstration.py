@@ -1,4 +1,4 @@
-"""The demonstration clinic: one patient in an open session, calibrated in the simulated shirt and ready to drive."""
+"""The demonstration clinic: a patient in an open session, calibrated and ready to drive, and one never calibrated."""
 
 from pathlib import Path
 
@@ -12,6 +12,7 @@ from app.store.patients import add_patient, start_session
 from app.store.people import add_clinic
 
 PATIENT = ("DEMO-1", "Kingfisher", "A demonstration patient: nobody real. Calibrated in the simulated shirt.")
+NEWCOMER = ("DEMO-2", "Heron", "A demonstration patient: nobody real. Never calibrated: drives by what others taught.")
 
 
 def profile_file() -> Path:
@@ -20,12 +21,13 @@ def profile_file() -> Path:
 
 
 def furnish(database: Database) -> None:
-    """Make the clinic; its patient was calibrated by the application's own calibration."""
+    """Make the clinic; its first patient was calibrated by the application's own calibration."""
     shipped = CalibrationProfile.model_validate_json(profile_file().read_bytes())
     profile = shipped.model_copy(update={"created": utc_now().isoformat(timespec="seconds")})
     with database.transaction() as db:
         clinic = add_clinic(db, "Demonstration")
         patient = add_patient(db, clinic.id, *PATIENT)
+        add_patient(db, clinic.id, *NEWCOMER)
         session = start_session(db, clinic.id, patient.id)
         row = save_profile(db, patient.id, session.id, profile, simulated=True)
         save_parameters(db, row, standard_parameters(profile))

@@ -1,5 +1,6 @@
 """Why a chair is not armed, apart from what the gate checks."""
 
+from app.calibration.own_movement import own_movement_refusal
 from app.faults import EXPLANATIONS, State
 from app.pipeline.loop import ControlLoop
 from app.pipeline.person_brakes import missing_brake
@@ -31,6 +32,9 @@ def real_chair_refusal(loop: ControlLoop) -> str:
         return ""
     if setup.mistrust:
         return setup.mistrust
+    unconfirmed = own_movement_refusal(parameters)
+    if unconfirmed:
+        return unconfirmed
     if loop.run is None:
         return "A real chair drives only while it is recorded: begin a drive first."
     if chair.silent:

@@ -7,7 +7,7 @@ from contextlib import asynccontextmanager, suppress
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.person_brakes import missing_brake
 from app.refusals import Conflict, Refusal
-from app.session.calibration import CalibrationFlow
+from app.session.calibration.calibration_flow import CalibrationFlow
 from app.session.control_link import ControlLink
 from app.session.equipment.shirt import NO_SHIRT, Equipment
 from app.session.interface_test.interface_test_flow import InterfaceTestFlow

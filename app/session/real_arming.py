@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.calibration.own_movement import own_movement_refusal
 from app.calibration.vocabulary import DriveParameters
 from app.refusals import Refusal
 from app.session.control_link import ControlLink
@@ -117,6 +118,9 @@ class RealArming:
             refusals.append(obstacle)
         if self._equipment.mistrust:
             refusals.append(self._equipment.mistrust)
+        unconfirmed = own_movement_refusal(stored.parameters)
+        if unconfirmed:
+            refusals.append(unconfirmed)
         if stored.practice.trials == 0:
             refusals.append(NOT_PRACTISED)
         return refusals

@@ -1,7 +1,7 @@
 """Read from recordings what calibration and scoring need. Figures never come from the live picture."""
 
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,6 +9,11 @@ from numpy.typing import NDArray
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import Repetition, Stretch, repetitions_of_run, stretch_of_run
 from app.calibration.guided.guided_map import with_guided_maps
+from app.calibration.prior.documents import PersonEntry
+from app.calibration.prior.entry import PersonRecording, person_entry
+from app.calibration.prior.map_prior import MapPrior
+from app.calibration.prior.pool import decoded_by_others
+from app.calibration.prior.prior_map import with_prior_maps
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
 from app.calibration.vocabulary import recorded_parameters
@@ -19,7 +24,7 @@ from app.recording.recorded_trajectory import since_armed
 from app.scoring.control_quality import ControlQuality, control_quality
 from app.scoring.interface_test.interface_measures import interface_measures, replay_task
 from app.scoring.task_measures import task_measures
-from app.session.step_check import check_frames
+from app.session.calibration.step_check import check_frames
 from app.world.cursor_task import CursorPlan
 from app.world.floorplan import FloorPlan, PrescribedPath
 
@@ -34,11 +39,39 @@ def check_recording(folder: Path, duration: float) -> str | None:
     return check_frames(run.frames()["run_t"], duration, float(run.meta["sample_rate"]))
 
 
-def fit_recordings(layout: ShirtLayout, recorded: list[tuple[Step, Path]], unused: list[str]) -> CalibrationProfile:
+class StepPieces(NamedTuple):
+    """What was recorded in the steps of a calibration."""
+
+    sample_rate: float  # Hz
+    free: NDArray[Any]  # (n, n_channels)
+    rest: NDArray[Any] | None
+    repetitions: list[Repetition]
+    stretches: list[Stretch]
+
+
+def fit_recordings(
+    layout: ShirtLayout, recorded: list[tuple[Step, Path]], unused: list[str], prior: MapPrior | None
+) -> CalibrationProfile:
     """Fit the profile from the recordings of all steps; raise ValueError with a sentence when it cannot be fitted.
 
-    A joint whose prompts allow it carries a guided map beside that of the paper, for the clinician to choose.
+    A joint whose prompts allow it carries a guided map beside that of the paper, for the clinician to choose. With a
+    `prior`, the map learnt from other people decodes each joint that was not prompted, and is offered for the others.
     """
+    pieces = _pieces(recorded)
+    profile = fit_profile(layout, pieces.sample_rate, pieces.free, pieces.rest, pieces.repetitions, unused)
+    profile = with_guided_maps(profile, pieces.stretches, pieces.rest).profile
+    if prior is None:
+        return profile
+    return decoded_by_others(with_prior_maps(profile, prior, pieces.free, pieces.stretches).profile)
+
+
+def entry_of_recordings(layout: ShirtLayout, recorded: list[tuple[Step, Path]]) -> PersonEntry:
+    """Return what the recorded steps add to a prior; raise ValueError with a sentence when it is nothing."""
+    pieces = _pieces(recorded)
+    return person_entry(layout, [PersonRecording(pieces.sample_rate, pieces.free, pieces.stretches)])
+
+
+def _pieces(recorded: list[tuple[Step, Path]]) -> StepPieces:
     free: list[NDArray[Any]] = []
     rest: list[NDArray[Any]] = []
     repetitions: list[Repetition] = []
@@ -57,8 +90,7 @@ def fit_recordings(layout: ShirtLayout, recorded: list[tuple[Step, Path]], unuse
         else:
             free.append(_during(frames, step, "free"))
     resting = np.concatenate(rest) if rest else None
-    profile = fit_profile(layout, sample_rate, np.concatenate(free), resting, repetitions, unused)
-    return with_guided_maps(profile, stretches, resting).profile
+    return StepPieces(sample_rate, np.concatenate(free), resting, repetitions, stretches)
 
 
 def _during(frames: Columns, step: Step, kind: str) -> NDArray[Any]:

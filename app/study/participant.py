@@ -32,6 +32,10 @@ class Participant:
         self._dt = 1.0 / sample_rate
         self._seq = 0
 
+    def wear(self, wearer: int) -> None:
+        """Let another body wear the shirt; `wearer` is the seed of what differs."""
+        self._fabric.worn_by(wearer)
+
     def don_again(self) -> None:
         """Take the shirt off and put it on again."""
         self._fabric.don_again()

@@ -10,7 +10,8 @@ from pairing import code_of, only, pair
 from running_app import running
 
 from app.api.sign_in import hashing
-from app.session import calibration, run_watch
+from app.session import run_watch
+from app.session.calibration import calibration_flow
 from app.settings import Settings
 from app.store.database import Database
 from app.store.files import ballast
@@ -31,7 +32,7 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Take the time out of what a test waits for: hashing passwords, filling the ballast, looking again."""
     monkeypatch.setattr(hashing, "COST", hashing.Cost(time=1, memory=8, lanes=1))
     monkeypatch.setattr(ballast, "SIZE", 65_536)  # each test keeps its folder for a while
-    monkeypatch.setattr(calibration, "LOOK_EVERY", 0.002)
+    monkeypatch.setattr(calibration_flow, "LOOK_EVERY", 0.002)
     monkeypatch.setattr(run_watch, "LOOK_EVERY", 0.002)
 
 

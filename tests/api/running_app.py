@@ -15,6 +15,8 @@ from session.same_process import SameProcess
 
 from app.api.app import create_app
 from app.api.replay.trajectories import Trajectory, shown_trajectories
+from app.calibration.prior.documents import PersonEntry
+from app.calibration.prior.map_prior import MapPrior
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
 from app.layout import ShirtLayout
@@ -23,6 +25,7 @@ from app.scoring.control_quality import ControlQuality
 from app.session.adaptation_reading import adapt_from_recordings
 from app.session.recordings import (
     check_recording,
+    entry_of_recordings,
     fit_recordings,
     measure_recording,
     quality_of_recording,
@@ -41,6 +44,7 @@ class RunningApp:
         stand_ins: dict[Callable[..., Any], Callable[..., Any]] = {
             check_recording: lambda _folder, _duration: self._answers["judge"],
             fit_recordings: self._fit,
+            entry_of_recordings: self._entry,
             measure_recording: lambda _folder, _plan, _path: self._answers["measures"],
             read_trajectory: lambda _folder: RecordedTrajectory(*(np.array(column) for column in line)),
             shown_trajectories: lambda folders: [line for _ in folders],
@@ -63,10 +67,18 @@ class RunningApp:
         self._processes.append(FakeProcess())
         return self._processes[-1]
 
-    def _fit(self, layout: ShirtLayout, _recorded: list[tuple[Step, Path]], _unused: list[str]) -> CalibrationProfile:
+    def _fit(
+        self, layout: ShirtLayout, recorded: list[tuple[Step, Path]], _unused: list[str], prior: MapPrior | None
+    ) -> CalibrationProfile:
         if "fit" in self._answers:
             raise ValueError(self._answers["fit"])
+        self._answers["fitted"] = [step.id for step, _ in recorded], prior
         return profile_for(layout)
+
+    def _entry(self, _layout: ShirtLayout, _recorded: list[tuple[Step, Path]]) -> PersonEntry:
+        if "entry" not in self._answers:
+            raise ValueError("No joint was prompted.")
+        return PersonEntry.model_validate(self._answers["entry"])
 
     def _quality(self) -> ControlQuality:
         if "quality" not in self._answers:

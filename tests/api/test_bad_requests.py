@@ -9,7 +9,7 @@ import pytest
 from fake_clinic import BASE, LAYOUT, WORD
 from starlette.websockets import WebSocketDisconnect
 
-from app.session.calibration import CalibrationFlow
+from app.session.calibration.calibration_flow import CalibrationFlow
 from app.session.trial import TrialFlow
 
 LONG = "k" * 100_000

@@ -44,7 +44,20 @@ IDS = {  # names of whole numbers that are ids, and of which table
     "PUT /chairs/chosen id": "chair",
 }
 # Whole numbers that are no ids.
-NUMBERS = {"stops", "port", "seed", "baud", "address", "version", "direction", "before", "seconds", "hour", "years"} | {
+NUMBERS = {
+    "stops",
+    "port",
+    "seed",
+    "baud",
+    "address",
+    "version",
+    "direction",
+    "before",
+    "seconds",
+    "hour",
+    "years",
+    "place",
+} | {
     "session",
     "days",
     *("mental", "physical", "temporal", "performance", "effort", "frustration"),

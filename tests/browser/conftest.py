@@ -9,9 +9,9 @@ from typing import Any
 from urllib.parse import urlsplit
 
 import pytest
-from browser.patience import PATIENCE
 from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, Request, expect, sync_playwright
 
+PATIENCE = 60_000  # ms until a page shows what is expected: a busy machine that draws in software is slow
 CHROMIUM = (
     "--headless=new",
     "--no-sandbox",

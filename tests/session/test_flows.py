@@ -9,7 +9,7 @@ import pytest
 
 from app.messages import TICK
 from app.refusals import Conflict, Unavailable
-from app.session.calibration import CalibrationFlow
+from app.session.calibration.calibration_flow import CalibrationFlow
 from app.session.real_drive import RealDriveFlow
 from app.session.run_watch import follow_run
 from app.session.runs import SessionRuns
@@ -153,7 +153,7 @@ def test_a_calibration_step_that_cannot_begin_leaves_another_run_alone(monkeypat
             ended.append(True)
 
     shirt = SimpleNamespace(needed_layout=lambda: None)
-    flow = CalibrationFlow(None, None, shirt, Busy(), print, None)  # type: ignore[arg-type]
+    flow = CalibrationFlow(None, None, shirt, Busy(), print, None, None)  # type: ignore[arg-type]
     step = SimpleNamespace(id="rest", kind="rest", cues=())
 
     async def progress(_session: int) -> Any:

@@ -70,7 +70,7 @@ def recorded(tmp_path):
 def test_a_calibration_is_fitted_from_its_recordings_alone(recorded):
     for step, folder in recorded:
         assert check_recording(folder, step.duration) is None
-    profile = fit_recordings(LAYOUT, recorded, [])
+    profile = fit_recordings(LAYOUT, recorded, [], None)
     assert all(joint.map == "pca" for joint in profile.joints)
     assert [joint.guided.repetitions for joint in profile.joints] == [3] * len(profile.joints)
     assert [joint.name for joint in profile.joints] == list(JOINTS)
@@ -78,7 +78,7 @@ def test_a_calibration_is_fitted_from_its_recordings_alone(recorded):
         assert joint.prompted
         assert joint.evr > 0.95
         assert joint.sign * joint.weights[0] > 0  # the first channel rises with the movement
-    without = fit_recordings(LAYOUT, recorded, ["left_elbow_1"])
+    without = fit_recordings(LAYOUT, recorded, ["left_elbow_1"], None)
     assert "left_elbow_1" in without.left_out
 
 

@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 
 from app.faults import State
 from app.messages import TICK
+from app.session.calibration.step_check import check_frames
 from app.session.real_drive import DriveWatch
 from app.session.run_watch import HALT_LIMIT
-from app.session.step_check import check_frames
 from app.session.trial_watch import TrialWatch
 from app.world.floorplan import FloorPlan, PrescribedPath
 

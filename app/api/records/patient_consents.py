@@ -11,6 +11,7 @@ from app.quantities import Document
 from app.store.database import Transaction
 from app.store.log import write_log
 from app.store.patients import find_patient
+from app.store.prior.prior_entries import remove_entries
 from app.store.records.consents import (
     CONSENTS,
     Consent,
@@ -86,6 +87,8 @@ def withdraw(patient_id: RowId, consent: Consent, who: Clinician, parts: PeopleP
         find_patient(db, who.clinic_id, patient_id)
         if withdraw_consent(db, patient_id, consent, who.name):
             write_log(db, who.name, "consent withdrawn", patient=patient_id, consent=consent)
+        if consent == "clinic_prior":
+            remove_entries(db, patient_id)
         answer = _view(db, who.clinic_id, patient_id)
     web.live.tell("session")
     return answer

@@ -11,13 +11,15 @@ from app.api.parts import Web, WebParts
 from app.api.sign_in.identity import SignedInPerson
 from app.calibration.fit.profile_fit import joints_without_map
 from app.calibration.gestures.discovery import Discovery
-from app.calibration.profile import CalibrationProfile, GuidedMap, MapKind
+from app.calibration.profile import CalibrationProfile, GuidedMap, MapKind, PriorMap
 from app.calibration.vocabulary import standard_parameters
+from app.layout import ShirtLayout
 from app.quantities import Document, Line, Name
 from app.refusals import Conflict
-from app.session.calibration import RESULT, Progress
-from app.session.gesture_discovery import session_gestures
-from app.session.map_choice import choose_map
+from app.session.calibration.calibration_flow import RESULT
+from app.session.calibration.calibration_progress import Progress
+from app.session.calibration.gesture_discovery import session_gestures
+from app.session.calibration.map_choice import choose_map
 from app.store.calibrations import is_calibration_simulated
 from app.store.log import write_log
 from app.store.parameters import save_parameters, save_profile
@@ -56,6 +58,8 @@ class CalibrationView(Document):
     steps: list[dict[str, Any]]
     running: RunningStep | None
     result: dict[str, Any] | None
+    others: int  # other people who are known in this shirt; 0: too few to drive by
+    may_drive_now: bool
 
 
 def _steps(progress: Progress) -> list[dict[str, Any]]:
@@ -100,6 +104,17 @@ def _guided(guided: GuidedMap | None) -> dict[str, Any] | None:
     }
 
 
+def _prior(prior: PriorMap | None, layout: ShirtLayout) -> dict[str, Any] | None:
+    """Return what the map learnt from other people comes from, and what is expected of it."""
+    if prior is None:
+        return None
+    fields = {"people", "repetitions", "dropped", "hits", "false_per_minute"}
+    sits = {
+        ring: {**found.model_dump(), "sensors": len(layout.rings[ring])} for ring, found in prior.arrangement.items()
+    }
+    return {"offered": prior.is_better, "arrangement": sits, **prior.model_dump(mode="json", include=fields)}
+
+
 def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
     labels = {joint.name: joint.label for joint in profile.layout.joints}
     steps = {step.joint: step.id for step in progress.steps if step.joint is not None}
@@ -111,6 +126,7 @@ def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
             "full": joint.thresholds[1],
             "map": joint.map,
             "guided": _guided(joint.guided),
+            "prior": _prior(joint.prior, profile.layout),
             "label": labels[joint.name],
             "step": steps.get(joint.name),
         }
@@ -118,7 +134,7 @@ def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
     ]
     missing = [
         {
-            **dict.fromkeys(fields | {"dead_zone", "full", "map", "guided"}),
+            **dict.fromkeys(fields | {"dead_zone", "full", "map", "guided", "prior"}),
             "name": name,
             "label": labels[name],
             "step": steps.get(name),
@@ -143,6 +159,8 @@ async def _view(web: WebParts, session: PatientSession) -> CalibrationView:
         steps=_steps(progress),
         running=None if running is None else RunningStep(step=running, started_run=progress.started_run),
         result=None if progress.profile is None else _result(progress, progress.profile),
+        others=progress.others,
+        may_drive_now=progress.may_drive_now,
     )
 
 
@@ -214,12 +232,25 @@ async def choose(body: MapChoice, who: Clinician, parts: PeopleParts, web: Web) 
     return await _view(web, session)
 
 
+@router.post("/drive-now")
+async def drive_now(who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
+    """Fit the map from other people where nothing was prompted yet, and use it at once."""
+    async with web.session.undisturbed("drive now"):
+        session = await web.session.needed_session(who.clinic_id)
+        await web.calibration.fit_from_others(session.id)
+        await _accept(who, parts, web, session)
+    for event in ("calibration", "controls", "session"):
+        web.live.tell(event)
+    return await _view(web, session)
+
+
 @router.post("/accept")
 async def accept(who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
     """Save the profile as the patient's newest, and load standard parameters on it."""
     async with web.session.undisturbed("accept the result"):
         session = await web.session.needed_session(who.clinic_id)
         await _accept(who, parts, web, session)
+        await web.calibration.learn(session.id)
     for event in ("calibration", "controls", "session"):
         web.live.tell(event)
     return await _view(web, session)

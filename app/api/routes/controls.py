@@ -15,7 +15,7 @@ from app.calibration.vocabulary import Binding, ControlMode, CruiseTime, DrivePa
 from app.messages import MAX_GESTURES
 from app.quantities import Cutoff, Document, Title
 from app.sentences import one_sentence
-from app.session.gesture_discovery import patient_gestures
+from app.session.calibration.gesture_discovery import patient_gestures
 from app.speeds import Speeds
 from app.store.database import Transaction
 from app.store.log import write_log

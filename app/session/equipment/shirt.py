@@ -82,6 +82,11 @@ class Equipment(ClinicChoice):
         return None if self.kind is None else SHIRTS[self.kind].simulated
 
     @property
+    def seed(self) -> int | None:
+        """Return which simulated shirt is in use, None for any other."""
+        return self.shirt.get("seed") if self.shirt is not None and self.kind == "simulator" else None
+
+    @property
     def practice(self) -> str | None:
         """Return the kind of the chosen shirt when nobody wears it: every page then says that this is practice."""
         return self.kind if self.simulated else None

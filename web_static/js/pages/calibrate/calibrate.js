@@ -6,6 +6,7 @@
  * @import { Child } from "types/dom"
  * @import { Actions } from "./calibrate_step.js"
  */
+import { beginNextTask } from "../drive/next_task.js";
 import { calibrateStep } from "./calibrate_step.js";
 import { failureWords } from "../../api.js";
 import { discoveryCard } from "../../widgets/discovery_card.js";
@@ -20,7 +21,8 @@ const PAUSE = 1500; // ms between two steps that follow by themselves: time to b
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
-  if (!patientHere(app, root)) return;
+  const here = patientHere(app, root);
+  if (!here) return;
   const { api } = app; // the page's own instance: its changes name the session that this page was opened for
   const read = () => Promise.all([api.get("/calibration"), api.get("/equipment")]);
   let [view, equipment] = await read();
@@ -69,6 +71,7 @@ export async function show(app, root, { signal }) {
     watched = null;
     const next = calibration.steps.find((step) => step.id === calibration.current);
     if (!isGood || !actions.isAuto || !next || next.kind === "result" || next.status === "done" || next.status === "skipped") return;
+    if (id === "free" && calibration.may_drive_now) return; // a person chooses: drive now, or go on
     timer = setTimeout(() => start(next.id), PAUSE);
   };
   /** @type {Actions} */
@@ -77,6 +80,7 @@ export async function show(app, root, { signal }) {
     start,
     cancel: (step) => call(() => api.post(`/calibration/steps/${step}/cancel`)),
     skip: (step) => call(() => api.post(`/calibration/steps/${step}/skip`)),
+    driveNow: () => driveNow(),
     chooseMap: (joint, map) => call(() => api.post("/calibration/map", { joint, map })),
     setAuto: (on) => {
       localStorage.setItem(AUTO_PLACE, on ? "on" : "off");
@@ -92,6 +96,14 @@ export async function show(app, root, { signal }) {
       return timer !== 0;
     },
   };
+  const driveNow = () =>
+    app.toasts.attempt(async () => {
+      const { result } = /** @type {Calibration} */ (await api.post("/calibration/drive-now"));
+      await app.readSession();
+      const sitsOtherwise = result?.joints.some(({ prior }) => prior && Object.keys(prior.arrangement).length > 0);
+      if (sitsOtherwise) await readAgain(); // the result says so before anybody drives
+      else await beginNextTask(app, here.patient.id);
+    });
   const accept = () =>
     app.toasts.attempt(async () => {
       await api.post("/calibration/accept");

@@ -18,7 +18,7 @@ const READY = { person: "self", recorded: "self", visitor: "visitor" };
 
 /**
  * @typedef {{go: (id: string) => void, start: (id: string) => void, cancel: (id: string) => void, skip: (id: string) => void,
- *   chooseMap: (joint: string, map: "pca" | "guided") => void,
+ *   chooseMap: (joint: string, map: "pca" | "guided" | "prior") => void, driveNow: () => void,
  *   setAuto: (on: boolean) => void, isAuto: boolean, readonly isGoingOn: boolean}} Actions
  */
 
@@ -28,7 +28,7 @@ const READY = { person: "self", recorded: "self", visitor: "visitor" };
  * @returns {{title: string, lead: Child, body: Child, foot: Child[]}}
  */
 export function calibrateStep(app, calibration, equipment, actions, signal) {
-  const { steps, current, running } = calibration;
+  const { steps, current, running, others, may_drive_now: mayDriveNow } = calibration;
   const at = steps.findIndex(({ id }) => id === current);
   const step = steps[at];
   const isRunning = running?.step === current;
@@ -57,12 +57,23 @@ export function calibrateStep(app, calibration, equipment, actions, signal) {
   const body = h(
     "div",
     { class: "step-body" },
+    mayDriveNow && !running && driveNowCard(others, actions),
     circle,
     step.words && !isRunning && h("p", { class: "problem", role: "alert" }, step.words),
     stepTrace(app, equipment.layout, step, signal),
     isVisitor && pads(app, signal).element,
   );
-  return { title: step.title, lead, body, foot: foot(steps, at, isRunning, Boolean(running), actions) };
+  return { title: step.title, lead, body, foot: foot(steps, at, isRunning, Boolean(running), mayDriveNow, actions) };
+}
+
+/** What other people's movements make possible before this person's own are known. @param {number} others @param {Actions} actions */
+function driveNowCard(others, actions) {
+  return h(
+    "section",
+    { class: "card drive-now" },
+    h("div", {}, h("h2", {}, t("calibrate.now")), h("p", { class: "small" }, t("calibrate.now.lead", { count: others }))),
+    h("button", { type: "button", class: "btn go", onclick: actions.driveNow }, t("calibrate.now.go")),
+  );
 }
 
 /** @param {CalibrationStep} step @param {EquipmentView} equipment @param {Actions} actions */
@@ -75,9 +86,10 @@ function idleWords(step, equipment, { isGoingOn }) {
 
 /**
  * @param {CalibrationStep[]} steps @param {number} at @param {boolean} isRunning this step is being recorded
- * @param {boolean} isBusy any step is @param {Actions} actions @returns {Child[]}
+ * @param {boolean} isBusy any step is @param {boolean} mayDriveNow then "Drive now" is the main button
+ * @param {Actions} actions @returns {Child[]}
  */
-function foot(steps, at, isRunning, isBusy, actions) {
+function foot(steps, at, isRunning, isBusy, mayDriveNow, actions) {
   const step = steps[at];
   /** @param {string} words @param {() => void} run */
   const button = (words, run, tone = "", isOff = false) =>
@@ -85,6 +97,7 @@ function foot(steps, at, isRunning, isBusy, actions) {
   if (isRunning)
     return [button(t("calibrate.cancel"), () => actions.cancel(step.id)), h("span", { class: "grow" }), auto(actions)];
   const isDone = step.status === "done";
+  const tone = mayDriveNow ? "" : "go";
   return [
     at > 0 && button(t("back"), () => actions.go(steps[at - 1].id), "", isBusy),
     isDone && button(t("calibrate.again"), () => actions.start(step.id), "", isBusy),
@@ -92,11 +105,11 @@ function foot(steps, at, isRunning, isBusy, actions) {
     auto(actions),
     !isDone && step.kind === "prompt" && button(t("calibrate.skip"), () => actions.skip(step.id), "", isBusy),
     isDone
-      ? button(t("calibrate.next"), () => actions.go(steps[at + 1].id), "go", isBusy)
+      ? button(t("calibrate.next"), () => actions.go(steps[at + 1].id), tone, isBusy)
       : button(
           step.status === "failed" ? t("calibrate.again") : t("calibrate.start"),
           () => actions.start(step.id),
-          "go",
+          tone,
           isBusy,
         ),
   ];

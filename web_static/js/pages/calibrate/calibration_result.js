@@ -2,7 +2,7 @@
  * The result of a calibration: a card per joint, cross-talk, left-out sensors.
  * @import { CalibrationResult, JointResult } from "types/documents"
  * @typedef {(step: string) => void} OnRepeat
- * @typedef {(joint: string, map: "pca" | "guided") => void} OnMap
+ * @typedef {(joint: string, map: "pca" | "guided" | "prior") => void} OnMap
  */
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
@@ -11,6 +11,7 @@ import { withLabels } from "../../widgets/gestures.js";
 import { repeatsWord, signalWord } from "../../widgets/grade_words.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 import { checkTable, mapChoice } from "./map_choice.js";
+import { sittingCard, whereFrom } from "./map_origin.js";
 
 const STUDY = { low: 0.8, high: 0.9 }; // the paper's explained variance of PC1
 const OWN = 0.75; // from here a cell is painted in full, with the text in the other colour
@@ -34,7 +35,7 @@ export function resultView(result, onRepeat, onMap) {
 
 /** @param {JointResult} joint @param {string} reason @param {OnRepeat} onRepeat @param {OnMap} onMap */
 function jointCard(joint, reason, onRepeat, onMap) {
-  const { step, guided } = joint;
+  const { step } = joint;
   const evr = percent(joint.evr);
   return h(
     "section",
@@ -54,6 +55,7 @@ function jointCard(joint, reason, onRepeat, onMap) {
         joint.signal_to_noise !== null && h("span", {}, t("result.signal", { word: signalWord(joint.signal_to_noise) })),
         joint.repeatability !== null && h("span", {}, t("result.repeats", { word: repeatsWord(joint.repeatability) })),
       ),
+    joint.map !== null && whereFrom(joint),
     joint.grade !== "good" && h("p", { class: "small reason" }, reason),
     step &&
       h(
@@ -61,7 +63,8 @@ function jointCard(joint, reason, onRepeat, onMap) {
         { type: "button", class: `btn small${joint.grade === "good" ? " bare" : ""}`, "aria-label": t("result.again.label", { joint: joint.label }), onclick: () => onRepeat(step) },
         t("result.again"),
       ),
-    guided?.offered && mapChoice(joint, guided, onMap),
+    joint.prior && sittingCard(joint.label, joint.prior.arrangement),
+    mapChoice(joint, onMap),
     joint.evr !== null && details(joint),
   );
 }

@@ -1,5 +1,5 @@
 /**
- * Both maps of a joint side by side, as they did on repetitions they had not seen, and which of them drives.
+ * The maps of a joint, as they did on repetitions they had not seen, and which of them drives.
  * @import { GuidedMapResult, JointResult } from "types/documents"
  * @import { OnMap } from "./calibration_result.js"
  */
@@ -14,19 +14,23 @@ const ROWS = [
   ["hit_rate", percent],
   ["false_per_minute", (value) => number(value, 1)],
 ];
-const MAPS = /** @type {const} */ (["pca", "guided"]);
 const WORDS = { in_phase: "result.maps.in-phase", hit_rate: "result.maps.hit", false_per_minute: "result.maps.false" };
 
-/** The choice of a joint whose calibration learnt from the cues is the better one. @param {JointResult} joint @param {GuidedMapResult} guided the joint's @param {OnMap} onMap */
-export function mapChoice({ name, label, map }, guided, onMap) {
+/** The choice of a joint that has more than the standard calibration. @param {JointResult} joint @param {OnMap} onMap */
+export function mapChoice({ name, label, map, guided, prior }, onMap) {
+  /** @type {("pca" | "guided" | "prior")[]} */
+  const offered = ["pca"];
+  if (guided?.offered) offered.push("guided");
+  if (prior?.offered) offered.push("prior");
+  if (offered.length < 2) return null;
   return h(
     "details",
     { class: "maps", open: true },
-    h("summary", {}, t(map === "guided" ? "result.maps.in-use" : "result.maps.better")),
-    checkTable(guided),
+    h("summary", {}, t(map === "pca" ? "result.maps.better" : `result.maps.in-use.${map}`)),
+    guided?.offered && checkTable(guided),
     segments(
       t("result.maps.choose", { joint: label }),
-      MAPS.map((value) => ({ value, label: t(`result.maps.${value}`) })),
+      offered.map((value) => ({ value, label: t(`result.maps.${value}`) })),
       map,
       (chosen) => onMap(name, chosen),
     ),

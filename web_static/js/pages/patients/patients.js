@@ -29,7 +29,9 @@ export async function show(app, root, { signal }) {
     patients = await app.api.get("/patients");
     showList();
   };
-  const goOn = () => app.go(app.session?.has_profile ? "#/drive" : "#/shirt");
+  // In a shirt that nobody wears there is nothing to look at before the calibration.
+  const unknown = () => (app.practice ? "#/calibrate" : "#/shirt");
+  const goOn = () => app.go(app.session?.has_profile ? "#/drive" : unknown());
   /** @param {PatientView} patient @param {HTMLButtonElement | null} [button] that was tapped */
   const open = async (patient, button = null) => {
     if (button) button.disabled = true; // opening a session takes a moment: a second tap shall do nothing

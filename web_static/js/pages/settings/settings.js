@@ -4,12 +4,17 @@ import { h, put } from "../../widgets/dom.js";
 import { limitsCard } from "./limits_card.js";
 import { passwordCard } from "./password_card.js";
 import { patientScreenCard } from "../../widgets/patient_screen_card.js";
+import { priorCard } from "./prior_card.js";
 import { t } from "../../texts.js";
 import { tabletsCard } from "./tablets_card.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
-  const [clinic, chairs] = await Promise.all([app.api.get("/limits"), app.api.get("/chairs")]);
+  const [clinic, chairs, prior] = await Promise.all([
+    app.api.get("/limits"),
+    app.api.get("/chairs"),
+    app.api.get("/clinic-prior"),
+  ]);
   if (signal.aborted) return;
   const role = app.me?.role;
   const isOwner = role === "owner";
@@ -18,6 +23,7 @@ export async function show(app, root, { signal }) {
     chairsCard(app, chairs, isOwner, signal),
     tabletsCard(app, signal),
     role !== "reviewer" && patientScreenCard(app, signal),
+    role !== "reviewer" && priorCard(app, prior, isOwner),
     role !== "reviewer" && linkedCard("plans.settings.lead", "plans.settings", "#/plans", "plans.link"),
     isOwner && linkedCard("people.settings.lead", "rail.people", "#/people", "people.settings.go"),
     isOwner && linkedCard("log.lead", "rail.log", "#/log", "log.settings.go"),

@@ -1,5 +1,15 @@
 /** Texts of the settings: what the owner allows here, and the chairs that are paired. */
 export default {
+  "prior.title": "Help for new patients",
+  "prior.lead":
+    "An accepted calibration of a patient who consents teaches the shirt how people move. A new patient can then drive the virtual chair after ten seconds of movement.",
+  "prior.on": "Learn from accepted calibrations",
+  "prior.few": {
+    one: "One patient has taught the shirt in use; {needed} are needed.",
+    other: "{count} patients have taught the shirt in use; {needed} are needed.",
+  },
+  "prior.enough": "{count} patients have taught the shirt in use.",
+  "prior.off": "Off: nothing is learnt, and new patients are calibrated first.",
   "settings.title": "Settings",
   "settings.lead": "What holds for everybody here.",
   "settings.read-only": "Only an owner changes these.",

@@ -9,7 +9,7 @@ from session.test_recordings import LAYOUT, record, step_ticks
 from app.calibration.script import calibration_script
 from app.calibration.vocabulary import standard_parameters
 from app.refusals import Conflict
-from app.session.gesture_discovery import patient_gestures, session_gestures
+from app.session.calibration.gesture_discovery import patient_gestures, session_gestures
 from app.session.recordings import fit_recordings
 from app.store.calibrations import begin_calibration, set_step
 from app.store.map_versions import save_adapted
@@ -29,7 +29,7 @@ class RecordedCalibration:
         self.database, self.folder = database, folder
         self.steps = calibration_script(LAYOUT)
         recorded = [(step, record(folder / step.id, step_ticks(step), step.cues)) for step in self.steps]
-        self.profile = fit_recordings(LAYOUT, recorded, [])
+        self.profile = fit_recordings(LAYOUT, recorded, [], None)
         with database.transaction() as db:
             patient = add_patient(db, add_clinic(db, "Clinic").id, "P-1", "Heron", "")
             session = start_session(db, patient.clinic_id, patient.id)

@@ -3,7 +3,6 @@
 import asyncio
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step, calibration_script
@@ -11,15 +10,16 @@ from app.clock import monotonic
 from app.computing_process import ComputingProcess
 from app.layout import ShirtLayout
 from app.refusals import Conflict, NotFound, Refusal
+from app.session.calibration.calibration_fit import CalibrationFit, garment
+from app.session.calibration.calibration_progress import Progress
+from app.session.calibration.clinic_prior import ClinicPrior
 from app.session.control_link import ControlLink
 from app.session.equipment.shirt import Equipment
-from app.session.recordings import check_recording, fit_recordings
+from app.session.recordings import check_recording
 from app.session.runs import SessionRuns
 from app.store.calibrations import (
     begin_calibration,
     calibration_steps,
-    is_calibration_simulated,
-    recordings_of,
     set_step,
 )
 from app.store.database import Database
@@ -29,20 +29,6 @@ LOOK_EVERY = 0.05  # s
 STANDSTILL_LIMIT = 3.0  # s without progress of the run's time, after which the step fails
 RESULT = "result"
 OVER = ("done", "skipped")  # statuses of a finished step
-
-
-@dataclass(frozen=True, slots=True)
-class Progress:
-    """The state of the calibration of one session."""
-
-    layout: ShirtLayout | None
-    steps: tuple[Step, ...]
-    current: str
-    status: dict[str, tuple[str, str]]  # step -> (status, words)
-    running: str | None
-    started_run: int | None
-    profile: CalibrationProfile | None
-    accepted: bool
 
 
 class CalibrationFlow:
@@ -56,7 +42,10 @@ class CalibrationFlow:
         runs: SessionRuns,
         tell: Callable[[str], None],
         computing: ComputingProcess,
+        prior: ClinicPrior,
     ) -> None:
+        self._prior = prior
+        self._fit = CalibrationFit(database, runs, equipment, computing, prior)
         self._database = database
         self._control = control
         self._equipment = equipment
@@ -119,6 +108,28 @@ class CalibrationFlow:
             await self._go_on(session_id)
         finally:
             self._ended()
+
+    async def fit_from_others(self, session_id: int) -> None:
+        """Fit the map from the steps that are done, with other people in place of those that are not.
+
+        Conflict, in a sentence, when that cannot be done.
+        """
+        progress = await self.progress(session_id)
+        if not progress.may_drive_now:
+            raise Conflict("Rest and move freely first, in a shirt in which four other people are known.")
+        if self._running is not None:
+            raise Conflict("A step is being recorded: wait for its end, or cancel it first.")
+        try:
+            await self.go(session_id, RESULT)
+            words = await self._fit_now(session_id)
+        finally:
+            self._ended()
+        if words:
+            raise Conflict(words)
+
+    async def learn(self, session_id: int) -> bool:
+        """Add an accepted calibration to the clinic's prior; return whether it could be added."""
+        return await asyncio.to_thread(self._fit.learn, session_id, await self.progress(session_id))
 
     async def stop(self, status: str = "failed", words: str = "The application ended during this step.") -> None:
         """Stop the step that is being recorded, and give it this status."""
@@ -206,33 +217,20 @@ class CalibrationFlow:
         if not missing:
             await self._fit_now(session_id)
 
-    async def _fit_now(self, session_id: int) -> None:
-        """Fit the map from the recordings, and show the status of the fit as that of the result step."""
+    async def _fit_now(self, session_id: int) -> str:
+        """Fit the map from the recordings, show the status of the fit as that of the result step, return why not."""
         self._running = RESULT
         await asyncio.to_thread(self._set, session_id, RESULT, "running", "It is being worked out.", None, None)
         self._tell("calibration")
         status, words = "failed", "The fit was interrupted: repeat any step, and it is done again."
         try:
-            await asyncio.to_thread(self._fit_in_thread, session_id)
+            await asyncio.to_thread(self._fit.fit, session_id, await self.progress(session_id))
             status, words = "done", ""
         except (ValueError, OSError, Refusal) as error:
             words = str(error)
         finally:
             await asyncio.to_thread(self._set, session_id, RESULT, status, words, None, None)
-
-    def _fit_in_thread(self, session_id: int) -> None:
-        progress = self._progress(session_id)
-        if progress.layout is None:
-            raise Conflict("There is no shirt: choose one on the Shirt page, then begin the calibration anew.")
-        with self._database.transaction() as db:
-            folders = recordings_of(db, session_id)
-            is_calibration_simulated(db, session_id)  # refuse a mixture of worn and simulated recordings before the fit
-        done = [step for step in progress.steps if progress.status[step.id][0] == "done"]
-        recorded = [(step, self._runs.folder_of(folders[step.id])) for step in done]
-        profile = self._computing.ask(fit_recordings, progress.layout, recorded, self._equipment.unused)
-        with self._database.transaction() as db:
-            session = db.get_one(PatientSession, session_id)
-            session.result, session.accepted = profile.model_dump(mode="json"), False
+        return words
 
     def _progress(self, session_id: int) -> Progress:
         with self._database.transaction() as db:
@@ -255,6 +253,7 @@ class CalibrationFlow:
             started_run=self._runs.open.number if self._running and self._runs.open else None,
             profile=None if result is None else CalibrationProfile.model_validate(result),
             accepted=session.accepted,
+            others=0 if layout is None else self._prior.people(session_id, garment(layout, self._equipment)),
         )
 
     def _begin(self, session_id: int, layout: ShirtLayout) -> None:

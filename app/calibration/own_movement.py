@@ -1,0 +1,37 @@
+"""Whether a person's own movements agree with maps that are learnt from other people, as a real chair needs it."""
+
+from app.calibration.profile import PriorMap
+from app.calibration.vocabulary import DriveParameters
+
+LEAST_IN_PHASE = 0.8  # of the activation of the person's own repetitions: the direction is right
+LEAST_HIT = 0.3  # of the time of the person's own movements with activation: the size is right
+
+
+def joints_without_own_movement(parameters: DriveParameters) -> list[str]:
+    """Return the labels of the bound joints whose direction no own repetition has confirmed."""
+    layout = {joint.name: joint.label for joint in parameters.profile.layout.joints}
+    joints = {joint.name: joint for joint in parameters.profile.joints}
+    bound = {parameters.gestures[i].joint for i in parameters.bound_gestures}
+    return [
+        layout[name]
+        for name, joint in joints.items()
+        if name in bound and (joint.map == "prior" or not joint.prompted) and not (joint.prior and agrees(joint.prior))
+    ]
+
+
+def agrees(prior: PriorMap) -> bool:
+    """Return whether at least one prompted repetition of the person's own agrees with the map in direction and size."""
+    check = prior.prior_check
+    return check is not None and check.in_phase >= LEAST_IN_PHASE and check.hit_rate >= LEAST_HIT
+
+
+def own_movement_refusal(parameters: DriveParameters) -> str:
+    """Return in a sentence what is missing before a real chair; empty when nothing is."""
+    missing = joints_without_own_movement(parameters)
+    if not missing:
+        return ""
+    which = ", ".join(missing)
+    return (
+        f"Other people taught the movement of {which}, and this person's own has not confirmed it: repeat it once on "
+        f"the Calibrate page, and practise again."
+    )

@@ -1,0 +1,104 @@
+"""What is known of other people in the same shirt: the clinic's own prior, and the one that ships with the shirt."""
+
+import hashlib
+import json
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+from app.calibration.prior.documents import FEWEST_PEOPLE, PersonEntry, ReleasedPrior
+from app.calibration.prior.map_prior import MapPrior, layout_key, sums_of
+from app.calibration.prior.pool import together
+from app.calibration.prior.prior_file import read_prior
+from app.layout import ShirtLayout
+from app.settings import data_folder
+from app.store.access.visible_patients import every_patient
+from app.store.database import Database
+from app.store.prior.prior_entries import count_entries, entries_of_others, is_prior_on, may_add, put_entry
+from app.store.tables import Patient, PatientSession
+
+
+class Garment(NamedTuple):
+    """What must be equal so that other people's movements say something of a patient's."""
+
+    layout: ShirtLayout
+    simulated: bool  # whether nobody wears the shirt
+    seed: int | None  # of a simulated shirt: each seed is a different one
+
+    @property
+    def hash(self) -> str:
+        """SHA-256, hex."""
+        return hashlib.sha256(json.dumps([layout_key(self.layout), self.seed]).encode()).hexdigest()
+
+
+SHIPPED_SEED = 1  # of the simulated shirt that a prior ships for, which is the one that a clinic begins with
+
+
+class ClinicPrior:
+    """The prior for the patient of a session, and what this patient adds to it for others.
+
+    A worn shirt learns from worn ones only, a simulated one from the same simulated shirt only. The standard simulated
+    shirt has a prior that ships with the program.
+    """
+
+    def __init__(self, database: Database) -> None:
+        self._database = database
+
+    def people(self, session_id: int, garment: Garment) -> int:
+        """Return how many other people are known in this shirt; 0 when they are too few, or the owner wants none."""
+        with every_patient(), self._database.transaction() as db:
+            session = db.get_one(PatientSession, session_id)
+            if not is_prior_on(db, session.clinic_id):
+                return 0
+            count = count_entries(
+                db, session.clinic_id, garment.hash, simulated=garment.simulated, without=session.patient_id
+            )
+        shipped = shipped_prior(garment)
+        count += 0 if shipped is None else shipped.people
+        return count if count >= FEWEST_PEOPLE else 0
+
+    def of_others(self, session_id: int, garment: Garment) -> MapPrior | None:
+        """Return what is known of other people in this shirt; None when they are too few, or the owner wants none."""
+        with every_patient(), self._database.transaction() as db:
+            session = db.get_one(PatientSession, session_id)
+            if not is_prior_on(db, session.clinic_id):
+                return None
+            found = entries_of_others(
+                db, session.clinic_id, garment.hash, session.patient_id, simulated=garment.simulated
+            )
+        people = [PersonEntry.model_validate(document) for document in found]
+        priors = [MapPrior(garment.layout, *sums_of(people))]
+        shipped = shipped_prior(garment)
+        if shipped is not None:
+            priors.append(MapPrior.of(shipped))
+        prior = together(priors)
+        return prior if prior.people >= FEWEST_PEOPLE else None
+
+    def may_learn(self, session_id: int, garment: Garment) -> bool:
+        """Return whether the calibration of a session may add to the prior: consent, and the owner's switch."""
+        with self._database.transaction() as db:
+            patient = db.get_one(Patient, db.get_one(PatientSession, session_id).patient_id)
+            return may_add(db, patient, simulated=garment.simulated)
+
+    def add(self, session_id: int, garment: Garment, entry: PersonEntry) -> None:
+        """Store what the patient of a session adds, in place of what this patient added before."""
+        with self._database.transaction() as db:
+            patient_id = db.get_one(PatientSession, session_id).patient_id
+            document = entry.model_dump(mode="json")
+            put_entry(db, patient_id, garment.hash, document, simulated=garment.simulated)
+
+
+def priors_folder() -> Path:
+    """Return the folder of the priors that ship with the program; `make simulated-prior` writes them."""
+    return data_folder() / "priors"
+
+
+def shipped_prior(garment: Garment) -> ReleasedPrior | None:
+    """Return the prior that ships with a simulated shirt, None when there is none."""
+    return _shipped_priors(priors_folder()).get(garment.hash) if garment.simulated else None
+
+
+@cache
+def _shipped_priors(folder: Path) -> dict[str, ReleasedPrior]:
+    found = [read_prior(file) for file in sorted(folder.glob("*.json"))]
+    return {Garment(one.layout, True, SHIPPED_SEED).hash: one for one in found if isinstance(one, ReleasedPrior)}

@@ -1,0 +1,45 @@
+"""Simulated people who wear one and the same simulated shirt, and what their calibrations add to a prior."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from app.calibration.fit.repetitions import stretch_of_run
+from app.calibration.prior.documents import OwnPrior
+from app.calibration.prior.entry import PersonRecording, person_entry
+from app.hardware.body.person import Person
+from app.hardware.body.person_parameters import NOVICE, PRACTISED
+from app.layout import ShirtLayout
+from app.study.participant import Participant
+from app.study.simulated_calibration import StepRecording, record_calibration
+
+GARMENT = 1  # seed of the simulated shirt that a control process starts with
+SAMPLE_RATE = 100.0  # Hz
+
+
+def wearer(layout: ShirtLayout, seed: int) -> Participant:
+    """Return a simulated person in a simulated shirt of this layout that others wear as well.
+
+    `seed` determines the body, its practice (from none to twenty-five trials) and how the shirt sits.
+    """
+    practice = float(np.random.default_rng(seed).uniform(0.0, PRACTISED.practice))
+    participant = Participant(Person(replace(NOVICE, practice=practice), seed), layout, SAMPLE_RATE, GARMENT)
+    participant.wear(seed)
+    return participant
+
+
+def recording_of(participant: Participant, recorded: Sequence[StepRecording]) -> PersonRecording:
+    """Return what a prior reads of the steps of a calibration."""
+    free = next(values.astype(np.float64) for step, values, _ in recorded if step.kind == "free")
+    found = [stretch_of_run(values, cue, step.cues) for step, values, cue in recorded if step.kind == "prompt"]
+    return PersonRecording(participant.sample_rate, free, [stretch for stretch in found if stretch is not None])
+
+
+def prior_of_wearers(layout: ShirtLayout, seeds: Sequence[int]) -> OwnPrior:
+    """Return the prior of simulated people, each calibrated once as the application does it."""
+    people = {}
+    for seed in seeds:
+        participant = wearer(layout, seed)
+        people[f"simulated-{seed}"] = person_entry(layout, [recording_of(participant, record_calibration(participant))])
+    return OwnPrior(layout=layout, people=people)

@@ -1,0 +1,57 @@
+"""The prior that ships with the simulated shirt, tried on people whom it was not made of."""
+
+import numpy as np
+import pytest
+
+from app.calibration.fit.profile_fit import fit_profile
+from app.calibration.prior.map_prior import MapPrior
+from app.calibration.prior.pool import decoded_by_others
+from app.calibration.prior.prior_map import with_prior_maps
+from app.calibration.profile import CalibrationProfile
+from app.calibration.vocabulary import standard_parameters
+from app.hardware.shirt.standard import standard_layout
+from app.pipeline.replay.batch import decode_block
+from app.session.calibration.clinic_prior import SHIPPED_SEED, Garment, shipped_prior
+from app.study.simulated_calibration import StepRecording, record_calibration
+from app.study.simulated_pool import SAMPLE_RATE, recording_of, wearer
+
+LATE = 0.5  # s by which a simulated person may follow a cue
+
+
+def shares(profile: CalibrationProfile, recorded: list[StepRecording]) -> list[tuple[float, float]]:
+    """Return for each prompted joint the share of its activation that is in the movements, and the time with some."""
+    parameters = standard_parameters(profile)
+    found = []
+    for step, values, cue in recorded:
+        if step.kind != "prompt":
+            continue
+        run = decode_block(parameters, SAMPLE_RATE, np.arange(len(values)) / SAMPLE_RATE, values)
+        asked = np.array([index >= 0 and step.cues[index].kind == "move" for index in cue])
+        late = asked.copy()
+        for _ in range(round(LATE * SAMPLE_RATE)):
+            late[1:] |= late[:-1]
+        gesture = next(i for i, one in enumerate(parameters.gestures) if one.joint == step.joint)
+        activation = run.activation[:, gesture]
+        found.append((activation[late].sum() / max(activation.sum(), 1e-9), float((activation[asked] > 0).mean())))
+    return found
+
+
+@pytest.mark.parametrize("seed", [5, 6])
+def test_somebody_new_drives_by_it_after_ten_seconds_of_movement(seed: int) -> None:
+    released = shipped_prior(Garment(standard_layout(), True, SHIPPED_SEED))
+    assert released is not None
+    person = wearer(standard_layout(), seed)
+    recorded = record_calibration(person)
+    free = recording_of(person, recorded).free
+    rest = next(values for step, values, _ in recorded if step.kind == "rest")
+    profile = fit_profile(standard_layout(), SAMPLE_RATE, free, rest)
+    by_others = decoded_by_others(with_prior_maps(profile, MapPrior.of(released), free).profile)
+    assert {joint.map for joint in by_others.joints} == {"prior"}
+    for in_phase, hit in shares(by_others, recorded):
+        assert in_phase > 0.95
+        assert hit > 0.3
+
+
+def test_another_simulated_shirt_has_no_prior() -> None:
+    assert shipped_prior(Garment(standard_layout(), True, 2)) is None
+    assert shipped_prior(Garment(standard_layout(), False, None)) is None
