@@ -22,7 +22,7 @@ from app.hardware.body.person_parameters import DETERIORATING, IMPROVING, PRACTI
 from app.scoring.map_losses.trial_history import NOTHING_READ, PastTrial, losses_of, read_trials
 from app.study.experiment import SAMPLE_RATE, SEEDS_APART, shirt_layout
 from app.study.participant import Participant
-from app.study.simulated_calibration import calibrate, record_step
+from app.study.simulated_calibration import StudyMap, calibrate, record_step
 from app.study.simulated_trial import FrameLog, StudyTrial, drive_trial, score_trial
 from app.world.floorplan import FloorPlan, PrescribedPath
 
@@ -71,10 +71,10 @@ class CalibratedParticipant:
     profile: CalibrationProfile
 
 
-def calibrated_participant(who: PersonKind, seed: int) -> CalibratedParticipant:
+def calibrated_participant(who: PersonKind, seed: int, map_kind: StudyMap = "pca") -> CalibratedParticipant:
     """Return a participant with this seed, with the profile of the calibration."""
     participant = Participant(Person(PERSONS[who], seed), shirt_layout(), SAMPLE_RATE, seed + SEEDS_APART)
-    return CalibratedParticipant(who, seed, participant, calibrate(participant))
+    return CalibratedParticipant(who, seed, participant, calibrate(participant, map_kind))
 
 
 def run_sessions(
@@ -154,12 +154,14 @@ def run_participants(
     floorplan: FloorPlan,
     path: PrescribedPath,
     processes: int = 1,
+    *,
+    map_kind: StudyMap = "pca",
 ) -> Iterator[list[SessionTrial]]:
     """Return all trials of one seed after the other, in the order of `seeds`: its sessions in each of the modes.
 
     Up to `processes` seeds are driven at once; the results do not depend on their number.
     """
-    run = partial(_run_participant, who, modes, sessions, trials, floorplan, path)
+    run = partial(_run_participant, who, modes, sessions, trials, floorplan, path, map_kind)
     return each_seed(run, seeds, processes)
 
 
@@ -170,12 +172,13 @@ def _run_participant(
     trials: int,
     floorplan: FloorPlan,
     path: PrescribedPath,
+    map_kind: StudyMap,
     seed: int,
 ) -> list[SessionTrial]:
     return [
         row
         for mode in modes
-        for row in run_sessions(mode, calibrated_participant(who, seed), sessions, trials, floorplan, path)
+        for row in run_sessions(mode, calibrated_participant(who, seed, map_kind), sessions, trials, floorplan, path)
     ]
 
 

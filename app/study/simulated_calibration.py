@@ -1,12 +1,14 @@
 """The calibration of a study's participant, with the script and the fit of the application."""
 
 from collections.abc import Sequence
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.fit.profile_fit import fit_profile
-from app.calibration.fit.repetitions import Repetition, repetitions_of_run
+from app.calibration.fit.repetitions import Repetition, repetitions_of_run, stretch_of_run
+from app.calibration.guided.guided_map import with_guided_maps
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step, calibration_script
 from app.cues import cue_index
@@ -14,19 +16,33 @@ from app.layout import ShirtLayout
 from app.messages import NO_CUE
 from app.study.participant import Participant
 
+StudyMap = Literal["pca", "guided"]
 StepRecording = tuple[Step, NDArray[np.float32], NDArray[np.int32]]
 """A step, its frames (n, n_channels), and the index of each frame's cue (n,)."""
 
 
-def calibrate(participant: Participant) -> CalibrationProfile:
+def calibrate(participant: Participant, map_kind: StudyMap = "pca") -> CalibrationProfile:
     """Record rest, free movement and prompts of the participant, and fit the profile.
+
+    With `guided`, what is learnt from the cues decodes each joint where it can be learnt.
 
     Raises
     ------
     ValueError
         When no joint can be mapped.
     """
-    return fit_recorded(participant.layout, participant.sample_rate, record_calibration(participant))
+    recorded = record_calibration(participant)
+    profile = fit_recorded(participant.layout, participant.sample_rate, recorded)
+    return profile if map_kind == "pca" else _guided(profile, recorded)
+
+
+def _guided(profile: CalibrationProfile, recorded: Sequence[StepRecording]) -> CalibrationProfile:
+    prompted = [stretch_of_run(values, cue, step.cues) for step, values, cue in recorded if step.kind == "prompt"]
+    resting = [values[cue != NO_CUE] for step, values, cue in recorded if step.kind == "rest"]
+    stretches = [one for one in prompted if one is not None]
+    fitted = with_guided_maps(profile, stretches, np.concatenate(resting) if resting else None).profile
+    joints = tuple(one.model_copy(update={"map": "guided"}) if one.guided else one for one in fitted.joints)
+    return fitted.model_copy(update={"joints": joints})
 
 
 def record_calibration(participant: Participant) -> list[StepRecording]:

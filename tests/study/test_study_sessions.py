@@ -26,6 +26,16 @@ def test_both_conditions_begin_alike_and_nothing_turns_that_loses_nothing() -> N
     assert [row.from_calibration_deg for row in (*fixed, *auto)] == [0.0] * 4
 
 
+def test_a_map_learnt_from_cues_is_followed_as_any_other() -> None:
+    guided = calibrated_participant("steady", 5, "guided")
+    assert {joint.map for joint in guided.profile.joints if joint.prompted} == {"guided"}
+    guided.participant.person.parameters = replace(PRACTISED, tremor=0.015)
+    rows = run_sessions("auto", guided, 4, 1, CLINIC, CORRIDOR)
+    assert sum(row.proposed for row in rows) > 0
+    assert rows[-1].dead_zone > rows[0].dead_zone
+    assert [row.from_calibration_deg for row in rows] == [0.0] * 4
+
+
 def test_an_outgrown_dead_zone_follows_by_itself_and_a_suggestion_changes_nothing() -> None:
     """A tremor that is there at once stands for one that has grown over many sessions."""
     shaking = replace(PRACTISED, tremor=0.015)

@@ -25,6 +25,7 @@ from app.study.second_process import second_process
 from app.study.seeds import MEASURES, run_seeds
 from app.study.seeds_files import seeds_summary, sentences, write_seeds
 from app.study.sessions import Mode, PersonKind
+from app.study.simulated_calibration import StudyMap
 from app.study.simulated_trial import StudyTrial
 from app.study.study_files import check_folder, summary, write_study
 from app.world.floorplan import FloorPlan, load_floorplan
@@ -61,6 +62,9 @@ def study(
         Mode | None, typer.Option(help="Over sessions: let the calibration follow the person, against a fixed one.")
     ] = None,
     person: Annotated[PersonKind, typer.Option(help="Over sessions: what happens to body or shirt.")] = "deteriorating",
+    map_kind: Annotated[
+        StudyMap, typer.Option("--map", help="With --adapt: the standard calibration, or what is learnt from the cues.")
+    ] = "pca",
     sessions: Annotated[
         int, typer.Option(min=1, max=MOST_SESSIONS, help="How many, with --adapt or --interface-test.")
     ] = 10,
@@ -80,6 +84,8 @@ def study(
         raise InputError("--no-learning goes without --adapt: over sessions the person is chosen with --person")
     if interface_test and (adapt is not None or no_learning):
         raise InputError("--interface-test goes without --adapt and --no-learning: choose one of them")
+    if map_kind != "pca" and adapt is None:
+        raise InputError(f"--map {map_kind} goes with --adapt: say how the calibration adapts, or leave it out")
     _check_out(out, overwrite)
     plan = find_floorplan(floorplan)
     gc.set_threshold(SELDOM)
@@ -94,7 +100,7 @@ def study(
             f"--path {chosen.name}: it has no line to be scored beside, choose a path that is driven along"
         )
     if adapt is not None or interface_test:
-        run = study_interface if adapt is None else functools.partial(study_sessions, adapt=adapt)
+        run = study_interface if adapt is None else functools.partial(study_sessions, adapt=adapt, map_kind=map_kind)
         run(
             out,
             person=person,

@@ -15,6 +15,7 @@ from app.clock import stopwatch
 from app.source import STUDY_SOURCE, source_words
 from app.study.comparison import compare, table
 from app.study.sessions import Mode, PersonKind, SessionTrial, run_participants
+from app.study.simulated_calibration import StudyMap
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 ROWS, TABLE, SUMMARY = "sessions.csv", "table.txt", "adaptation.json"
@@ -25,6 +26,7 @@ def study_sessions(
     *,
     adapt: Mode,
     person: PersonKind,
+    map_kind: StudyMap,
     sessions: int,
     trials: int,
     seeds: Sequence[int],
@@ -45,7 +47,9 @@ def study_sessions(
     modes: tuple[Mode, ...] = ("off",) if adapt == "off" else ("off", adapt)
     try:
         out.mkdir(parents=True, exist_ok=True)
-        for of_seed in run_participants(person, seeds, modes, sessions, trials, floorplan, path, processes):
+        for of_seed in run_participants(
+            person, seeds, modes, sessions, trials, floorplan, path, processes, map_kind=map_kind
+        ):
             rows += of_seed
             _write_rows(out, rows)  # after each person, so that a failure loses one person's results only
             if not as_json:
@@ -54,6 +58,7 @@ def study_sessions(
             "source": source_words(STUDY_SOURCE),
             "adapt": adapt,
             "person": person,
+            "map": map_kind,
             "sessions": sessions,
             "trials": trials,
             "seeds": list(seeds),
