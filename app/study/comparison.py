@@ -20,7 +20,8 @@ def compare(fixed: Sequence[SessionTrial], other: Sequence[SessionTrial]) -> dic
 
     Per session: the median over seeds of each seed's mean E_diff (m2), the share of trials that reached the goal, and
     the median of (adapted - fixed) / fixed over the seeds that reached the goal in all trials of both conditions. For
-    the last session also each seed's figures, and a bootstrap interval of the median (scipy, percentile, 95 %).
+    the last session also each seed's figures, and a bootstrap interval of the median (scipy, percentile, 95 %). From
+    the second session on also the means over all trials, and the interval of their ratio over the seeds.
 
     A trial that did not reach the goal has an area, too: that between its trajectory, or the place where the chair
     stood, and the path. The shares of trials that reached the goal are therefore given beside the areas.
@@ -55,6 +56,7 @@ def compare(fixed: Sequence[SessionTrial], other: Sequence[SessionTrial]) -> dic
             "interval": interval,
         },
         "proposals": _proposals(other, seeds),
+        "later_sessions": _later_sessions(fixed, other, seeds) if last > 1 else None,
         "last_session_in_which_most_drove_with_both": driving[-1] if driving else None,
         "applied": {
             "steps": sum(row.proposed > 0 for row in applied),
@@ -92,6 +94,14 @@ def table(comparison: dict[str, Any]) -> str:
         f"{one['reached_fixed']:13.0%}  {one['reached_adapted']:7.0%}"
         for one in last["per_seed"]
     ]
+    later = comparison["later_sessions"]
+    if later is not None:
+        lines += [
+            "",
+            f"All trials from session 2 on: mean {later['fixed']:.2f} m² fixed, {later['adapted']:.2f} m² adapted: "
+            f"{_percent(later['relative'], 0)} (95 % {_interval_words(later['interval'])}); reached "
+            f"{later['reached_fixed']:.1%} and {later['reached_adapted']:.1%}.",
+        ]
     applied, proposals = comparison["applied"], comparison["proposals"]
     lines += [
         "",
@@ -102,6 +112,36 @@ def table(comparison: dict[str, Any]) -> str:
         f"sign flips {applied['sign_flips']}.",
     ]
     return "\n".join(lines) + "\n"
+
+
+def _later_sessions(fixed: Sequence[SessionTrial], other: Sequence[SessionTrial], seeds: list[int]) -> dict[str, Any]:
+    """Return the means over all trials from the second session on, and the interval of their ratio - 1."""
+    rows = [[row for row in every if row.session > 1] for every in (fixed, other)]
+    before, after = (
+        np.array([np.mean([row.e_diff for row in of if row.seed == seed]) for seed in seeds]) for of in rows
+    )
+    found: dict[str, Any] = {
+        "fixed": float(before.mean()),
+        "adapted": float(after.mean()),
+        "relative": float(after.mean() / max(before.mean(), LEAST_AREA) - 1.0),
+        "interval": None,
+        "reached_fixed": float(np.mean([row.reached for row in rows[0]])),
+        "reached_adapted": float(np.mean([row.reached for row in rows[1]])),
+    }
+    if len(seeds) >= 3:
+        from scipy.stats import bootstrap
+
+        bounds = bootstrap(
+            (before, after),
+            lambda one, two, axis: two.mean(axis=axis) / np.maximum(one.mean(axis=axis), LEAST_AREA) - 1.0,
+            paired=True,
+            n_resamples=RESAMPLES,
+            confidence_level=CONFIDENCE,
+            method="percentile",
+            rng=np.random.default_rng(1),
+        ).confidence_interval
+        found["interval"] = (float(bounds.low), float(bounds.high))
+    return found
 
 
 def _proposals(rows: Sequence[SessionTrial], seeds: list[int]) -> dict[str, Any]:

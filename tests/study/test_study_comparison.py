@@ -45,6 +45,22 @@ def test_a_clear_gain_holds_the_claim() -> None:
     assert found["applied"]["largest_felt_change"] == 0.04
 
 
+def test_the_later_sessions_count_every_trial_also_those_that_stood_still() -> None:
+    fixed, other = study(1.0)
+    fixed = [
+        trial(one.seed, "off", 2, 10.0, reached=False) if one.session == 2 and one.seed < 2 else one for one in fixed
+    ]
+    later = compare(fixed, other)["later_sessions"]
+    means = [(2 * 10.0 + sum(1.0 + 0.1 * seed for seed in range(2, 8))) / 8, 1.35]
+    assert (later["fixed"], later["adapted"]) == pytest.approx(means)
+    assert later["relative"] == pytest.approx(means[1] / means[0] - 1)
+    assert later["interval"][0] <= later["relative"] <= later["interval"][1] <= 0.0
+    assert (later["reached_fixed"], later["reached_adapted"]) == (0.75, 1.0)
+    assert "from session 2 on" in table(compare(fixed, other))
+    one = [row for row in fixed if row.session == 1], [row for row in other if row.session == 1]
+    assert compare(*one)["later_sessions"] is None
+
+
 @pytest.mark.parametrize(
     ("ratio", "how"), [(0.8, {}), (1.2, {}), (0.6, {"felt": 0.11}), (0.6, {"felt": 0.04, "flips": 1})]
 )
@@ -64,5 +80,5 @@ def test_seeds_that_did_not_reach_the_goal_are_not_compared() -> None:
 
 def test_the_table_has_a_row_for_each_session_and_seed() -> None:
     text = table(compare(*study(0.6)))
-    assert len(text.splitlines()) == 2 + 2 + 3 + 8 + 2
+    assert len(text.splitlines()) == 2 + 2 + 3 + 8 + 2 + 2
     assert "-40%" in text
