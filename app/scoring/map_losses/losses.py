@@ -1,8 +1,8 @@
 """Whether the present map loses something over a person's trials: evidence for a change, from the person's own noise.
 
-Four figures of each gesture are added up over the trials (CUSUM), each as its distance from what would be no loss, in
-standard deviations of this person: noise at rest, size of the strokes (both ways), time missed, and blindness of the
-direction. What S5 silences is counted, not estimated. A figure without a loss is left unsaid.
+Five figures of each gesture are added up over the trials (CUSUM), each as its distance from what would be no loss, in
+standard deviations of this person: noise at rest, size of the strokes (both ways), time missed, blindness of the
+direction, and the time that S5 silenced. A figure without a loss is left unsaid.
 """
 
 import math
@@ -26,13 +26,14 @@ LEAST_MARGIN = 3.5
 MOST_MISSED = 0.10  # share of the strokes' time
 LEAST_GROWTH = 0.10  # of the logarithm of the strokes' size: a smaller change is relearnt within a trial
 MOST_BLIND = 0.05  # of the rate, more than in the first trials: a direction 18 degrees off costs as much
-MOST_SILENT = 0.05  # share of the last trial, as in the warning of a sensor
+MOST_SILENT = 0.05  # share of a trial, as in the warning of a sensor: a drifting channel passes its range now and then
+MOSTLY_SILENT = 0.20  # share of a trial: no drift, and no second trial is needed to be sure
 FIRST_TRIALS = 5  # that later ones are compared with
 LAST_TRIALS = 3  # of which the mean is what a changed full follows
 
 # Standard deviations from trial to trial, until the person's own is known: of simulated people who stay as they are,
 # whether the shirt stays on (noise 0.06, size 0.07) or is put on again (0.08, 0.08), rounded up.
-USUAL = {"noise": 0.10, "size": 0.10, "missed": 0.05, "blind": 0.03}
+USUAL = {"noise": 0.10, "size": 0.10, "missed": 0.05, "blind": 0.03, "silent": 0.05}
 
 
 class TrialEvidence(NamedTuple):
@@ -79,7 +80,7 @@ def _joint_loss(
     words: list[str] = []
     dead_zone, growth = _dead_zone(origin, gesture, trials, words), _growth(alike, words)
     turns = joint.map == "pca" and _is_blind(trials, words)
-    silenced = trials[-1].silent > MOST_SILENT
+    silenced = _is_silenced(trials)
     if silenced:
         words.append(
             f"A channel lay outside its range for {trials[-1].silent:.0%} of the last trial, and nothing counted then."
@@ -129,6 +130,14 @@ def _is_blind(trials: Sequence[GestureTrial], words: list[str]) -> bool:
         return False
     words.append(f"{values[-1]:.0%} of its movement passes beside the direction that is read.")
     return True
+
+
+def _is_silenced(trials: Sequence[GestureTrial]) -> bool:
+    """Return whether S5 silenced the gesture for much of the last trial, or for a part of it again and again."""
+    shares = [trial.silent for trial in trials]
+    if shares[-1] > MOSTLY_SILENT:
+        return True
+    return shares[-1] > MOST_SILENT and cumulative_sum(_surprises("silent", shares, MOST_SILENT)) > LIMIT
 
 
 def _surprises(figure: str, values: Sequence[float], target: float, first: int = 0) -> list[float]:

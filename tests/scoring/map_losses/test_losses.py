@@ -102,6 +102,13 @@ def test_time_that_s5_took_is_a_loss_at_once() -> None:
     assert losses([{"silent": 0.3}, {}]) is None
 
 
+def test_a_channel_that_drifts_out_of_its_range_now_and_then_is_no_loss() -> None:
+    assert losses(of("silent", [0.07, 0.1, 0.0, 0.03, 0.04, 0.0, 0.08])) is None
+    again_and_again = losses(of("silent", [0.15] * 6))
+    assert again_and_again is not None
+    assert again_and_again.silenced
+
+
 @given(
     st.sampled_from(["noise", "size", "missed", "blind"]),
     st.lists(st.floats(-3.0, 3.0), min_size=1, max_size=12),
