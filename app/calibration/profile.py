@@ -121,12 +121,15 @@ class PriorMap(LinearMap):
     def is_better(self) -> bool:
         """Whether nothing says that the PCA map is better on this person's own repetitions.
 
-        Few repetitions say little about hits: the dead-zone is other people's, and that of PCA is fitted to them.
+        Fewer hits alone do not: the dead-zone is other people's, and that of PCA is fitted to these repetitions. They
+        do where nothing is gained in phase.
         """
         prior, pca = self.prior_check, self.pca_check
         if prior is None or pca is None or self.repetitions < FEWEST_JUDGED:
             return True
-        return prior.in_phase >= pca.in_phase - LARGEST_LOSS and prior.hit_rate >= LEAST_HITS
+        gain, loss = prior.in_phase - pca.in_phase, pca.hit_rate - prior.hit_rate
+        gains_nothing = gain < LEAST_GAIN and loss > LARGEST_LOSS
+        return gain >= -LARGEST_LOSS and prior.hit_rate >= LEAST_HITS and not gains_nothing
 
 
 class JointMap(Document):

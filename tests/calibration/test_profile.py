@@ -130,6 +130,25 @@ def test_a_joint_that_contradicts_itself_is_refused(changes, words):
 
 
 @pytest.mark.parametrize(
+    ("in_phase", "hit_rate", "repetitions", "better"),
+    [
+        (0.95, 0.6, 3, True),
+        (0.905, 0.78, 3, True),
+        (0.905, 0.6, 3, False),
+        (0.86, 0.8, 3, False),
+        (0.99, 0.2, 3, False),
+        (0.5, 0.2, 2, True),
+    ],
+)
+def test_other_people_s_map_is_offered_unless_own_repetitions_speak_against_it(in_phase, hit_rate, repetitions, better):
+    check = MapCheck(in_phase=in_phase, hit_rate=hit_rate, false_per_minute=0.0, false_count=0)
+    judged = prior(2).model_copy(update={"repetitions": repetitions, "prior_check": check, "pca_check": PCA})
+    assert judged.is_better is better
+    joint = make_profile(n_channels=8).joints[0].model_copy(update={"prior": judged})
+    assert joint.best_map == ("prior" if better else "pca")
+
+
+@pytest.mark.parametrize(
     ("check", "better"),
     [
         ({}, True),
