@@ -92,17 +92,32 @@ class ChannelHealth:
         return np.asarray(np.logical_and.accumulate(same).sum(axis=0), dtype=np.int32)
 
     def block(self, values: NDArray[np.float64], before: NDArray[np.float64] | None) -> NDArray[np.bool_]:
-        """Return which channels are bad (n, n_channels) for many frames at once, as `step` would frame by frame.
+        """Return which channels are bad (n, n_channels) for many frames at once, as `step` would frame by frame."""
+        bad = self.bad_in_block(values, before)
+        return np.zeros(values.shape, dtype=np.bool_) if bad is None else bad
+
+    def bad_in_block(self, values: NDArray[np.float64], before: NDArray[np.float64] | None) -> NDArray[np.bool_] | None:
+        """Return what `block` does, None when no channel is bad.
 
         `before` are the `memory` frames just before them, to notice a constant channel; None at the beginning.
         """
         known = values if before is None else np.concatenate((before, values))
-        rows = np.arange(len(known), dtype=np.int32)[:, np.newaxis]
-        changed = np.ones(known.shape, dtype=np.bool_)
-        np.not_equal(known[1:], known[:-1], out=changed[1:])
-        flat = rows - np.maximum.accumulate(np.where(changed, rows, 0), axis=0) >= self._flat_after
-        wrong = ~((values >= self._low) & (values <= self._high)) | flat[len(known) - len(values) :]
-        return np.asarray(wrong & self._watched)
+        wrong = None
+        # A NaN is the smallest and the largest value of its channel, and compares false.
+        if not ((values.min(axis=0) >= self._low) & (values.max(axis=0) <= self._high))[self._watched].all():
+            wrong = ~((values >= self._low) & (values <= self._high))
+        looks = known[:: self._look_every]  # two neighbours of these lie in every stretch that is long enough
+        if ((looks[1:] == looks[:-1]) & self._watched).any():
+            rows = np.arange(len(known), dtype=np.int32)[:, np.newaxis]
+            changed = np.ones(known.shape, dtype=np.bool_)
+            np.not_equal(known[1:], known[:-1], out=changed[1:])
+            flat = rows - np.maximum.accumulate(np.where(changed, rows, 0), axis=0) >= self._flat_after
+            flat = flat[len(known) - len(values) :]
+            wrong = flat if wrong is None else wrong | flat
+        if wrong is None:
+            return None
+        bad: NDArray[np.bool_] = wrong & self._watched
+        return bad if bad.any() else None
 
     @property
     def memory(self) -> int:

@@ -29,20 +29,29 @@ class Ramp:
             return speed
         if asked == speed and rate == 0.0 and -self.bottom <= speed <= self.top:
             return speed  # the usual case: a constant speed, or standstill
+        # Comparisons, because the functions min and max take several times as long.
         wanted = (asked - speed) / dt
-        softest, hardest = rate - self.jerk * dt, rate + self.jerk * dt
-        if not -self.bottom <= speed <= self.top:
+        change = self.jerk * dt
+        softest, hardest = rate - change, rate + change
+        highest, lowest = self.top, -self.bottom
+        if not lowest <= speed <= highest:
             low = -self._at_most(math.inf, -speed, self.bottom, dt)
             high = self._at_most(math.inf, speed, self.top, dt)
             permitted = min(high, max(low, wanted))
+            highest, lowest = max(highest, speed), min(lowest, speed)
         elif wanted >= 0.0:  # within the limits, the rate 0 is permitted: only one side needs to be looked at
             permitted = self._at_most(wanted, speed, self.top, dt)
         else:
             permitted = -self._at_most(-wanted, -speed, self.bottom, dt)
-        permitted = min(hardest, max(softest, permitted))
+        if not permitted > softest:
+            permitted = softest
+        if not permitted < hardest:
+            permitted = hardest
         is_permitted = abs(permitted - wanted) <= SLACK * self.acceleration
         following = asked if is_permitted else speed + permitted * dt
-        return min(max(self.top, speed), max(min(-self.bottom, speed), following))
+        if not following > lowest:
+            return lowest
+        return following if following < highest else highest
 
     def towards(self, speed: float, rate: float, target: float, dt: float) -> float:
         """Return the speed that follows `speed` on the way to `target`, without overshoot."""
@@ -53,8 +62,16 @@ class Ramp:
         if abs(away) <= change * dt and abs(away / dt - rate) <= change:
             return target  # one step reaches the target, and the rate can be 0 in the next
         limit = self.acceleration if abs(target) > abs(speed) else self.deceleration
-        wanted = min(limit, max(-limit, reach(away, self.jerk, dt)))
-        return speed + min(rate + change, max(rate - change, wanted)) * dt
+        wanted = reach(away, self.jerk, dt)
+        if not wanted > -limit:
+            wanted = -limit
+        elif not wanted < limit:
+            wanted = limit
+        if not wanted > rate - change:
+            wanted = rate - change
+        elif not wanted < rate + change:
+            wanted = rate + change
+        return speed + wanted * dt
 
     def _at_most(self, wanted: float, speed: float, top: float, dt: float) -> float:
         """Return `wanted`, not negative, or the largest rate permitted at `speed` where that is smaller.
@@ -62,9 +79,9 @@ class Ramp:
         The smallest rate follows with the signs reversed. A root is computed only where it decides.
         """
         if speed >= 0.0:
-            rate = min(wanted, self.acceleration)
+            rate = self.acceleration if self.acceleration < wanted else wanted
         else:
-            rate = min(wanted, self.deceleration)
+            rate = self.deceleration if self.deceleration < wanted else wanted
             if rate > self.acceleration:
                 # Slowing down from a backward speed: beyond standstill this is acceleration, with its own limit.
                 crossing = self.acceleration * self.acceleration / (2.0 * self.jerk) - speed

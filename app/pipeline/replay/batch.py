@@ -84,7 +84,7 @@ def decode_block(
     """
     device = t if t_device is None else t_device
     projected, silent = _projected(parameters, sample_rate, values)
-    seen = projected - _unseen(projected, silent)
+    seen = projected - _unseen(projected, silent) if silent.any() else projected
     score, silent = projected[:, : len(parameters.gestures)], silent[:, : len(parameters.gestures)]
     periods = _periods(device, sample_rate)
     silent |= _too_lossy(t, periods)[:, np.newaxis]
@@ -125,11 +125,13 @@ def _projected(
     for start in range(0, len(values), CHUNK):
         part = slice(start, start + CHUNK)
         frames = values[part].astype(np.float64)
-        wrong = health.block(frames, before)
+        wrong = health.bad_in_block(frames, before)
         before = frames[-health.memory :].copy()
-        if wrong.any():
+        if wrong is not None:
             bad[part] = wrong.astype(np.float32) @ uses.T.astype(np.float32) > 0
-        frames[wrong | ~np.isfinite(frames)] = 0.0
+            frames[wrong] = 0.0
+        if not np.isfinite(frames.sum()):  # a channel that no gesture reads is NaN or infinite
+            frames[~np.isfinite(frames)] = 0.0
         score[part] = frames @ weights.T - offsets
     for gesture in np.flatnonzero(bad.any(axis=0)):
         good = np.where(bad[:, gesture], -1, np.arange(len(score)))
@@ -145,7 +147,9 @@ def _rates(parameters: DriveParameters, sample_rate: float, periods: Array, seen
     rate = np.empty((len(seen), count))
     if plain:
         smoothed = smooth(seen[:, plain], parameters.cutoff, sample_rate)
-        rate[:, plain] = np.diff(smoothed, axis=0, prepend=smoothed[:1]) * (sample_rate / periods)[:, np.newaxis]
+        change = np.zeros_like(smoothed)
+        np.subtract(smoothed[1:], smoothed[:-1], out=change[1:])
+        rate[:, plain] = change * (sample_rate / periods)[:, np.newaxis]
     for i, place in places.items():
         parts = seen[:, count + place.start : count + place.stop]
         rate[:, i] = linear_rate(parts, periods, parameters.cutoff, sample_rate)
@@ -155,8 +159,6 @@ def _rates(parameters: DriveParameters, sample_rate: float, periods: Array, seen
 def _unseen(score: Array, bad: NDArray[np.bool_]) -> Array:
     """Return the change of each score while its channels were bad, summed up to each frame (n, n_gestures)."""
     steps = np.zeros_like(score)
-    if not bad.any():
-        return steps
     back = bad[:-1] & ~bad[1:]
     steps[1:][back] = np.diff(score, axis=0)[back]
     return np.cumsum(steps, axis=0)
