@@ -10,7 +10,7 @@ SYMBOLS = re.compile(
     re.VERBOSE | re.IGNORECASE,
 )
 NAMES = re.compile(  # options and their values; what a floor plan is made of
-    r"--[a-z-]+|pca\|guided\|prior\|best|\[default: [a-z]+\]|\bROS map\b|\ba map's\b"
+    r"--[a-z-]+|pca\|guided\|prior\|best|pca\|guided|\[default: [a-z]+\]|\bROS map\b|\ba map's\b"
 )
 
 

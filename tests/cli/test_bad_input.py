@@ -12,7 +12,7 @@ import pyarrow as pa
 import pyarrow.parquet
 import pytest
 
-from app.cli import study as study_command
+from app.cli.study import study_command
 from building import make_profile
 
 CALIBRATE = ("calibrate", "signals.csv", "--layout", "layout.json", "--out", "profile.json")

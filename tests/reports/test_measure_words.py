@@ -21,7 +21,7 @@ def test_every_measure_has_the_words_and_digits_of_the_pages():
 
 
 def test_the_verdicts_have_the_words_of_the_pages():
-    texts = (TEXTS / "texts" / "en" / "verdict.js").read_text()
+    texts = (TEXTS / "texts" / "en" / "results" / "verdict.js").read_text()
     assert all(f'"verdict.{word}": "{words}",' in texts for word, words in VERDICT_WORDS.items())
 
 

@@ -10,6 +10,7 @@ from app import __version__
 from app.clock import utc_now
 from app.refusals import Conflict, NotFound
 from app.store.database import Database
+from app.store.interface_tests import add_interface_test
 from app.store.patients import add_patient, start_session
 from app.store.people import add_clinic
 from app.store.records.import_tables import ImportedSession
@@ -31,6 +32,7 @@ from app.store.tables import (
     CalibrationStep,
     Chair,
     Drive,
+    InterfaceTest,
     Parameters,
     PatientScreen,
     PatientSession,
@@ -49,6 +51,7 @@ CHANGED: dict[type[Table], tuple[str, object]] = {  # a column of each table, an
     Profile: ("version", 7),
     Trial: ("kept", False),
     Drive: ("distance", 7.0),
+    InterfaceTest: ("workload", {"effort": 7.0}),
     SessionNote: ("session_id", 7),
     NoteRevision: ("text", "other"),
     OutcomeScale: ("total", 7.0),
@@ -87,6 +90,8 @@ def filled(db: Session, session: PatientSession) -> Trial:
         path_points=[],
     )
     trial.status = "done"
+    test = add_interface_test(db, run=run, session=session, parameters_id=parameters.id, plan={})
+    test.status = "done"
     add_note(db, session.id, "Calm.", "Ada")
     add_scale(db, session.id, "SCIM III", 41, DAY)
     db.flush()
