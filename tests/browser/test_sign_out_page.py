@@ -51,7 +51,7 @@ def page(owner, served):
     if owner.get_by_label("Password").is_visible():
         owner.get_by_label("Name").fill("Ada")
         owner.get_by_label("Password").fill(PASSWORD)
-        owner.locator("form .btn").click()
+        owner.locator("form .btn.go").click()
     expect(owner.get_by_role("heading", name="Who has come?")).to_be_visible()
     call(owner, served, "/patients/1/restore")  # the test before has deleted them
     owner.reload()

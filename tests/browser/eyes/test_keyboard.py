@@ -86,7 +86,7 @@ def test_patients(page, clinic):
     page.keyboard.press("Tab")
     page.keyboard.type("Wren")
     page.keyboard.press("Enter")
-    heading(page, "The shirt").to_be_visible()
+    heading(page, "Rest").to_be_visible()  # in a shirt that nobody wears there is nothing to look at
     clinic.be_here()
     go(page, clinic, "patients")
     press(page, "Delete P-9")
