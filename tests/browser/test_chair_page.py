@@ -26,7 +26,7 @@ TABLETS = {"1024x768": (1024, 768), "768x1024": (768, 1024)}
 PRACTICE = re.compile(r"^0:(0[2-9]|[1-5]\d)$")  # as long as a trial is driven so that the set counts as practised
 DRIVING = "The patient drives"
 WAITS = re.compile(r"Without Continue, the drive ends in [45]:\d\d")
-LEFT = re.compile("was hidden or left|was not heard")
+LEFT = re.compile("was hidden or left|sent nothing")
 FREEZE = "() => { const since = performance.now(); while (performance.now() - since < 1800); }"  # longer than 1 s
 
 

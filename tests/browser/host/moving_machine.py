@@ -25,6 +25,7 @@ from processes.host.served_lan import OWNER
 from processes.served_demo import bodydrive
 
 ADDRESSES = ("10.77.0.1", "10.77.0.2")
+PATIENCE = 60_000  # ms
 UP = 0x1
 SIOCGIFFLAGS, SIOCSIFFLAGS, SIOCSIFADDR = 0x8913, 0x8914, 0x8916  # netdevice(7)
 
@@ -79,6 +80,7 @@ def main(state: str) -> None:
         root = httpx.get(f"http://{ADDRESSES[0]}/bodydrive-authority.crt").text
         browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=CHROMIUM)
         page = browser.new_page()
+        expect.set_options(timeout=PATIENCE)
         made = page.request.post(
             f"{local}api/v1/auth/setup", data={"code": set_up_code, **OWNER}, headers={"Origin": local.rstrip("/")}
         )
