@@ -12,8 +12,7 @@ from app.calibration.guided.guided_map import with_guided_maps
 from app.calibration.prior.documents import PersonEntry
 from app.calibration.prior.entry import PersonRecording, person_entry
 from app.calibration.prior.map_prior import MapPrior
-from app.calibration.prior.pool import decoded_by_others
-from app.calibration.prior.prior_map import with_prior_maps
+from app.calibration.prior.prior_map import decoded_by_others, with_prior_maps
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
 from app.calibration.vocabulary import recorded_parameters

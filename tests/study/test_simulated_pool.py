@@ -5,8 +5,7 @@ import pytest
 
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.prior.map_prior import MapPrior
-from app.calibration.prior.pool import decoded_by_others
-from app.calibration.prior.prior_map import with_prior_maps
+from app.calibration.prior.prior_map import decoded_by_others, with_prior_maps
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import standard_parameters
 from app.hardware.shirt.standard import standard_layout

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import reduce
 from operator import add
-from typing import Self
+from typing import Self, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,6 +66,9 @@ class JointPrior:
         return self.moments * (1.0 / self.people)
 
 
+Summed = TypeVar("Summed", JointPrior, RingMoments)
+
+
 @dataclass(frozen=True, slots=True)
 class MapPrior:
     """What is known of other people in shirts of one layout."""
@@ -81,6 +84,11 @@ class MapPrior:
             return cls(document.layout, *sums_of(document.people.values()))
         joints = {name: _joint_prior(sums) for name, sums in document.joints.items()}
         return cls(document.layout, joints, {name: ring.moments for name, ring in document.rings.items()})
+
+    def __add__(self, other: Self) -> Self:
+        """Return the sums over the people of both; raise PriorError when their layouts differ."""
+        check_layout(other.layout, self.layout)
+        return type(self)(self.layout, _added(self.joints, other.joints), _added(self.rings, other.rings))
 
     @property
     def people(self) -> int:
@@ -108,27 +116,20 @@ def release(documents: Iterable[PriorDocument]) -> ReleasedPrior:
     PriorError
         When the layouts differ, or no joint has eight people.
     """
-    priors = [MapPrior.of(document) for document in documents]
-    layout = priors[0].layout
-    joints: dict[str, JointPrior] = {}
-    rings: dict[str, RingMoments] = {}
-    for prior in priors:
-        check_layout(prior.layout, layout)
-        for name, joint in prior.joints.items():
-            joints[name] = joints[name] + joint if name in joints else joint
-        for name, ring in prior.rings.items():
-            rings[name] = rings[name] + ring if name in rings else ring
-    people = max((joint.people for joint in joints.values()), default=0)
+    everybody = reduce(add, map(MapPrior.of, documents))
+    people = everybody.people
     if people < FEWEST_RELEASED:
         raise PriorError(
             f"together they hold {people} {'person' if people == 1 else 'people'}, and only sums over at least "
             f"{FEWEST_RELEASED} may leave a clinic: add more people"
         )
     return ReleasedPrior(
-        layout=layout,
+        layout=everybody.layout,
         people=people,
-        joints={name: _joint_sums(joint) for name, joint in joints.items() if joint.people >= FEWEST_RELEASED},
-        rings={name: RingDocument.of(ring) for name, ring in rings.items() if ring.people >= FEWEST_RELEASED},
+        joints={
+            name: _joint_sums(joint) for name, joint in everybody.joints.items() if joint.people >= FEWEST_RELEASED
+        },
+        rings={name: RingDocument.of(ring) for name, ring in everybody.rings.items() if ring.people >= FEWEST_RELEASED},
     )
 
 
@@ -168,6 +169,11 @@ def check_layout(one: ShirtLayout, other: ShirtLayout) -> None:
 def layout_key(layout: ShirtLayout) -> tuple[tuple[object, ...], ...]:
     """Return what must be equal for a prior to fit: the channels with their joints and places in rings."""
     return tuple((channel.name, channel.joint, channel.ring, channel.place) for channel in layout.channels)
+
+
+def _added(some: Mapping[str, Summed], others: Mapping[str, Summed]) -> dict[str, Summed]:
+    both = {name: some[name] + others[name] for name in some.keys() & others.keys()}
+    return {**some, **others, **both}
 
 
 def _sum(entries: list[JointEntry]) -> JointPrior:

@@ -104,6 +104,15 @@ def with_prior_maps(
     return PriorFit(profile.model_copy(update={"joints": tuple(joints)}), reasons, arrangements)
 
 
+def decoded_by_others(profile: CalibrationProfile) -> CalibrationProfile:
+    """Return the profile with the map learnt from other people in use for each joint that was never prompted."""
+    joints = tuple(
+        joint.model_copy(update={"map": "prior"}) if joint.prior is not None and not joint.prompted else joint
+        for joint in profile.joints
+    )
+    return profile.model_copy(update={"joints": joints})
+
+
 def _joint(
     joint: JointMap,
     prior: MapPrior,

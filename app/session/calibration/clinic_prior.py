@@ -8,7 +8,6 @@ from typing import NamedTuple
 
 from app.calibration.prior.documents import FEWEST_PEOPLE, PersonEntry, ReleasedPrior
 from app.calibration.prior.map_prior import MapPrior, layout_key, sums_of
-from app.calibration.prior.pool import together
 from app.calibration.prior.prior_file import read_prior
 from app.layout import ShirtLayout
 from app.settings import data_folder
@@ -66,12 +65,10 @@ class ClinicPrior:
             found = entries_of_others(
                 db, session.clinic_id, garment.hash, session.patient_id, simulated=garment.simulated
             )
-        people = [PersonEntry.model_validate(document) for document in found]
-        priors = [MapPrior(garment.layout, *sums_of(people))]
+        prior = MapPrior(garment.layout, *sums_of(map(PersonEntry.model_validate, found)))
         shipped = shipped_prior(garment)
         if shipped is not None:
-            priors.append(MapPrior.of(shipped))
-        prior = together(priors)
+            prior += MapPrior.of(shipped)
         return prior if prior.people >= FEWEST_PEOPLE else None
 
     def may_learn(self, session_id: int, garment: Garment) -> bool:
