@@ -233,6 +233,8 @@ class CalibrationFlow:
         return words
 
     def _progress(self, session_id: int) -> Progress:
+        running = self._running  # read before the rows: a step has its last status before it stops running
+        started_run = self._runs.open.number if running and self._runs.open else None
         with self._database.transaction() as db:
             session = db.get_one(PatientSession, session_id)
             rows = calibration_steps(db, session_id)
@@ -249,8 +251,8 @@ class CalibrationFlow:
             steps=steps,
             current=current or (steps[0].id if steps else RESULT),
             status={step: (row.status, row.words) for step, row in rows.items()},
-            running=self._running,
-            started_run=self._runs.open.number if self._running and self._runs.open else None,
+            running=running,
+            started_run=started_run,
             profile=None if result is None else CalibrationProfile.model_validate(result),
             accepted=session.accepted,
             others=0 if layout is None else self._prior.people(session_id, garment(layout, self._equipment)),

@@ -1,11 +1,13 @@
 """Patients, sessions, the wizard and the controls, as a page goes through them."""
 
+import time
 from typing import Any
 
 import pytest
 from fake_clinic import JOINTS, WORD, Clinic
 from running_app import running
 
+from app.session.calibration import calibration_flow
 from app.settings import Settings
 
 
@@ -125,6 +127,26 @@ def test_a_step_can_be_cancelled_repeated_and_fail_in_words(signed_in: Any) -> N
         "/calibration", lambda c: c["running"] is None and c["result"] and not c["result"]["accepted"]
     )
     assert [step["status"] for step in wizard["steps"]].count("done") == 7
+
+
+def test_a_step_that_ends_while_it_is_looked_at_is_shown_as_running_or_as_ended(
+    signed_in: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    signed_in.begin_session()
+    signed_in.good("POST", "/calibration/steps/rest/start")
+    script, calls = calibration_flow.calibration_script, []
+
+    def end_the_step_first(layout: Any) -> Any:
+        is_first = not calls
+        calls.append(layout)
+        signed_in.process.run_t = 1000.0
+        while is_first and signed_in.web.calibration.running:
+            time.sleep(0.01)
+        return script(layout)
+
+    monkeypatch.setattr(calibration_flow, "calibration_script", end_the_step_first)
+    wizard = signed_in.good("GET", "/calibration")
+    assert (wizard["running"] is None) == (wizard["steps"][0]["status"] != "running")
 
 
 def test_a_movement_that_a_body_cannot_make_is_skipped(signed_in: Any) -> None:
