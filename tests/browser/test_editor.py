@@ -37,7 +37,7 @@ def tablet(request, browser, page_log, demo):
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     page.goto(demo)
     expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
-    page.get_by_role("link", name="Draw or import floor plans").click()
+    page.get_by_role("navigation", name="What else").get_by_role("link", name="Floor plans").click()
     expect(page.get_by_role("heading", name="Floor plans", exact=True)).to_be_visible()
     yield page, lambda picture: page.screenshot(path=SCREENSHOTS / f"{request.param}-plan-{picture}.png"), log
     log.assert_clean()

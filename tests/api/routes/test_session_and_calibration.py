@@ -217,8 +217,8 @@ def test_controls_are_set_undone_named_and_never_half(signed_in: Any) -> None:
     assert "nobody" in bad.json()["detail"]
     assert signed_in("PUT", "/controls", json={**body, "cutoff": 900.0}).status_code == 422
     assert signed_in.good("GET", "/controls")["hash"] == controls["hash"]
-    for time in (0.5, 10.5, None, "3"):
-        assert signed_in("PUT", "/controls", json={**body, "turn_cruise_time": time}).status_code == 422
+    for cruise_time in (0.5, 10.5, None, "3"):
+        assert signed_in("PUT", "/controls", json={**body, "turn_cruise_time": cruise_time}).status_code == 422
     no_brake = [{"control": "u1+", "gestures": ["right_elbow"]}]
     assert "bind a movement" in signed_in.good("PUT", "/controls", json={**body, "bindings": no_brake})["obstacle"]
     assert signed_in.good("POST", "/controls/undo")["obstacle"] is None

@@ -9,8 +9,10 @@ from browser.eyes.session_places import (
     interface_test_over,
     interface_test_runs,
     review,
+    revised_note,
     session_record,
     signed_session,
+    signing_session,
     trial_over,
     trial_runs,
     trial_stopped,
@@ -46,6 +48,12 @@ def patient_is_deleted(page: Any, clinic: EyesClinic) -> None:
     go(page, clinic, "patients")
     tap(page, "Delete")
     expect(page.locator(".toast")).to_be_visible()
+
+
+def erasure(page: Any, clinic: EyesClinic) -> None:
+    clinic.good("DELETE", "/patients/2")
+    at("backup", "Erase now")(page, clinic)
+    expect(page.get_by_role("group", name="Erase now")).to_be_visible()
 
 
 def refused_patient(page: Any, clinic: EyesClinic) -> None:
@@ -213,7 +221,9 @@ PLACES: dict[str, Open] = {
     "review, trial": review("/trial/{first}"),
     "review, compare": review("/compare/{first}/{second}"),
     "session": session_record,
+    "session, sign off": signing_session,
     "session, signed": signed_session,
+    "session, note": revised_note,
     "session, patient": opened("session/patient/1"),
     "session, compare": compared_sessions,
     "settings": at("settings"),
@@ -230,6 +240,7 @@ PLACES: dict[str, Open] = {
     "computer": at("computer"),
     "computer, measured": computer_measured,
     "backup": at("backup"),
+    "backup, erase": erasure,
     "drive": opened("drive"),
     "drive, tasks": opened("drive/tasks"),
     "drive, chairs": opened("drive/chairs"),

@@ -82,6 +82,18 @@ def signed_session(page: Any, clinic: EyesClinic) -> None:
     expect(page.get_by_label("Why it is unlocked")).to_be_visible()
 
 
+def signing_session(page: Any, clinic: EyesClinic) -> None:
+    session_record(page, clinic)
+    tap(page, "Sign off")
+    expect(page.get_by_role("button", name="Yes, sign off")).to_be_visible()
+
+
+def revised_note(page: Any, clinic: EyesClinic) -> None:
+    session_record(page, clinic)
+    tap(page, "Revise the note")
+    expect(page.get_by_label("Text of the note")).to_be_visible()
+
+
 def compared_sessions(page: Any, clinic: EyesClinic) -> None:
     first, second = [one["id"] for one in clinic.good("GET", "/patients/1/sessions")[::-1][:2]]
     opened(f"session/compare/{first}/{second}")(page, clinic)

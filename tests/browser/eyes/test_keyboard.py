@@ -4,28 +4,13 @@ import re
 
 import pytest
 from browser.eyes.axe import look_as
+from browser.eyes.by_keyboard import focused, heading, press, tab_to
 from browser.eyes.eyes_clinic import OWNER
 from browser.eyes.opening import go
 from browser.eyes.places import PLACES, put_back
 from playwright.sync_api import expect
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
-
-MOST_TABS = 120
-# What has the focus, as a screen reader calls it: its own label, its field's label, or its words.
-FOCUSED = """() => {
-  const one = document.activeElement;
-  if (!one || one === document.body) return "";
-  const words = one.getAttribute("aria-label") ?? one.labels?.[0]?.textContent ?? one.textContent;
-  return words.trim().replaceAll(/\\s+/g, " ");
-}"""
-SEEN = """() => {
-  const one = document.activeElement.closest("label") ?? document.activeElement;
-  const style = getComputedStyle(one);
-  const box = one.getBoundingClientRect();
-  return box.bottom > 0 && box.top < innerHeight && (style.outlineStyle !== "none" || one.localName === "g"
-    || getComputedStyle(document.activeElement).outlineStyle !== "none");
-}"""
 
 
 @pytest.fixture(autouse=True)
@@ -34,31 +19,6 @@ def whole_clinic(page, clinic):
     look_as(page, ("1280x800", "light"))
     yield
     put_back(clinic)
-
-
-def focused(page):
-    return page.evaluate(FOCUSED)
-
-
-def tab_to(page, name, key="Tab"):
-    """Press Tab until the control of this name has the focus, which then is seen."""
-    passed = []
-    for _ in range(MOST_TABS):
-        page.keyboard.press(key)
-        passed.append(focused(page))
-        if name in passed[-1]:
-            assert page.evaluate(SEEN), f"the focus on {name} is not seen"
-            return
-    raise AssertionError(f"Tab does not come to {name!r}, but to {passed}")
-
-
-def press(page, name, key="Enter"):
-    tab_to(page, name)
-    page.keyboard.press(key)
-
-
-def heading(page, name):
-    return expect(page.get_by_role("heading", name=name).first)
 
 
 def test_sign_in(browser, clinic):

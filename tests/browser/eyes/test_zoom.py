@@ -14,7 +14,7 @@ SHORT = (  # one place of each kind of page
     "sign_in", "patients, new", "shirt, lamp", "calibrate", "controls", "drive", "drive, stopped", "drive, over",
     "review", "review, trial", "settings, paired", "plans", "people, invite", "log", "chair", "patient's screen",
 )  # fmt: skip
-WITHOUT_STOP = {"stereo", "tablet"}  # pages that no clinician drives by
+WITHOUT_STOP = ("stereo", "tablet", "patient's screen", "share link", "docs")  # pages that no clinician drives by
 LOST = """() => {
   const lost = [];
   const name = (one) => `${one.tagName.toLowerCase()}.${String(one.getAttribute("class") ?? "").replaceAll(" ", ".")}`
@@ -68,7 +68,7 @@ def losses(page, clinic, names):
         PLACES[name](page, clinic)
         page.wait_for_timeout(200)
         found = page.evaluate(LOST)
-        if name in WITHOUT_STOP or name.startswith("patient's screen"):
+        if name.startswith(WITHOUT_STOP):
             found = [words for words in found if words != "there is no Stop"]
         if found:
             lost[name] = found

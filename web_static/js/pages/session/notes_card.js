@@ -23,7 +23,9 @@ export function notesCard(app, now, { mayChange, change }) {
     const label = t("record.note.revise.label", { person: newest.person, moment: moment(newest.written) });
     const revise = () => {
       put(element, noteForm(newest.text, t("record.note.save"), async (text) => {
-        if (await change(() => app.api.put(`/sessions/${id}/notes/${note.id}`, { text }))) draw();
+        if (!(await change(() => app.api.put(`/sessions/${id}/notes/${note.id}`, { text })))) return;
+        draw();
+        /** @type {HTMLElement} */ (list.children[now().notes.findIndex((one) => one.id === note.id)]).querySelector("button")?.focus();
       }, () => draw()));
       element.querySelector("textarea")?.focus();
     };

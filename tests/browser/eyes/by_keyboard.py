@@ -1,0 +1,47 @@
+"""Uses a page by keyboard alone: Tab comes to a control, whose focus is seen; a key uses it."""
+
+from playwright.sync_api import expect
+
+MOST_TABS = 120
+# What has the focus, as a screen reader calls it: its own label, its field's label, or its words.
+FOCUSED = """() => {
+  const one = document.activeElement;
+  if (!one || one === document.body) return "";
+  const words = one.getAttribute("aria-label") ?? one.labels?.[0]?.textContent ?? one.textContent;
+  return words.trim().replaceAll(/\\s+/g, " ");
+}"""
+SEEN = """() => {
+  const one = document.activeElement.closest("label") ?? document.activeElement;
+  const style = getComputedStyle(one);
+  const box = one.getBoundingClientRect();
+  return box.bottom > 0 && box.top < innerHeight && (style.outlineStyle !== "none" || one.localName === "g"
+    || getComputedStyle(document.activeElement).outlineStyle !== "none");
+}"""
+
+
+def focused(page):
+    """Return what has the focus, as a screen reader calls it; empty when nothing has."""
+    return page.evaluate(FOCUSED)
+
+
+def tab_to(page, name, key="Tab"):
+    """Press Tab until the control of this name has the focus, which then is seen."""
+    passed = []
+    for _ in range(MOST_TABS):
+        page.keyboard.press(key)
+        passed.append(focused(page))
+        if name in passed[-1]:
+            assert page.evaluate(SEEN), f"the focus on {name} is not seen"
+            return
+    raise AssertionError(f"Tab does not come to {name!r}, but to {passed}")
+
+
+def press(page, name, key="Enter"):
+    """Come to the control of this name by Tab, and press a key on it."""
+    tab_to(page, name)
+    page.keyboard.press(key)
+
+
+def heading(page, name):
+    """Return the expectation of the first heading of this name."""
+    return expect(page.get_by_role("heading", name=name).first)

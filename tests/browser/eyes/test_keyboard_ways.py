@@ -1,0 +1,135 @@
+"""By keyboard alone through pages below the main ones: records, backups, the choices before a drive, the help."""
+
+import re
+
+import pytest
+from browser.eyes.axe import look_as
+from browser.eyes.by_keyboard import focused, heading, press, tab_to
+from browser.eyes.opening import go
+from browser.eyes.places import PLACES, put_back
+from browser.eyes.session_places import written_session
+from playwright.sync_api import expect
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
+
+
+@pytest.fixture(autouse=True)
+def whole_clinic(page, clinic):
+    """Give each test the same window, and the same clinic."""
+    look_as(page, ("1280x800", "light"))
+    yield
+    put_back(clinic)
+
+
+def test_a_task_is_chosen(page, clinic):
+    go(page, clinic, "drive/tasks")
+    press(page, "Doors")
+    expect(page.get_by_role("button", name="Doors", exact=True)).to_have_attribute("aria-pressed", "true")
+    tab_to(page, page.locator("a.choice").first.locator("b").inner_text())
+    page.keyboard.press("Enter")
+    expect(page).to_have_url(re.compile("#/drive/task/"))
+
+
+def test_another_chair_is_chosen(page, clinic):
+    go(page, clinic, "drive/chairs")
+    tab_to(page, "Exact")
+    page.keyboard.press("ArrowRight")
+    tab_to(page, "Back to the task")
+
+
+def test_a_screen_is_paired_and_the_code_is_closed(page, clinic):
+    go(page, clinic, "drive/screen")
+    press(page, "Pair a screen")
+    heading(page, "Pair a screen").to_be_visible()
+    assert focused(page) == "Pair a screen"
+    press(page, "Close")
+    assert focused(page) == "Pair a screen"
+
+
+def test_the_help_is_opened_and_closed(page, clinic):
+    go(page, clinic, "controls")
+    press(page, "What is this page for?")
+    expect(page.get_by_role("dialog")).to_be_visible()
+    assert focused(page) == page.locator("#page-help-title").inner_text()
+    page.keyboard.press("Escape")
+    expect(page.get_by_role("dialog")).to_be_hidden()
+    assert focused(page) == "What is this page for?"
+
+
+def test_the_first_sentences_are_put_away(page, clinic):
+    PLACES["first time"](page, clinic)
+    press(page, "Got it")
+    expect(page.locator(".first-sentences")).to_be_hidden()
+    assert focused(page) == page.locator("main h1").inner_text()
+
+
+def test_a_note_is_revised_or_left_as_it_is(page, clinic):
+    go(page, clinic, f"session/{written_session(clinic)}")
+    press(page, "Revise the note")
+    assert focused(page) == "Text of the note"
+    press(page, "Cancel")
+    assert "Revise the note" in focused(page)
+    page.keyboard.press("Enter")
+    page.keyboard.type("Rested. ")
+    press(page, "Save the revision")
+    expect(page.locator(".notes-of-session")).to_contain_text("Rested.")
+    assert "Revise the note" in focused(page)
+
+
+def test_a_scale_is_added_and_removed(page, clinic):
+    go(page, clinic, f"session/{written_session(clinic)}")
+    tab_to(page, "Scale")
+    page.keyboard.type("WST")
+    tab_to(page, "Total")
+    page.keyboard.type("70")
+    press(page, "Add the scale")
+    expect(page.get_by_role("row", name="WST")).to_be_visible()
+    assert focused(page) == "Scale"
+    press(page, "Remove WST", key="Enter")
+    expect(page.get_by_role("row", name="WST")).to_be_hidden()
+    assert focused(page)
+
+
+def test_a_session_is_signed_off_and_unlocked(page, clinic):
+    go(page, clinic, f"session/{written_session(clinic)}")
+    press(page, "Sign off")
+    press(page, "Cancel")
+    assert focused(page) == "Sign off"
+    page.keyboard.press("Enter")
+    assert focused(page) == "Yes, sign off"
+    page.keyboard.press("Enter")
+    heading(page, "Session").to_be_focused()
+    press(page, "Unlock")
+    assert focused(page) == "Why it is unlocked"
+    press(page, "Cancel")
+    assert focused(page) == "Unlock"
+    page.keyboard.press("Enter")
+    page.keyboard.type("The goal is not the patient's.")
+    press(page, "Unlock the session")
+    heading(page, "Session").to_be_focused()
+
+
+def test_two_sessions_are_compared(page, clinic):
+    go(page, clinic, "session/patient/1")
+    for number in (1, 2):
+        tab_to(page, f"Compare session {number}")
+        page.keyboard.press("Space")
+    press(page, "Compare the two")
+    heading(page, "Two sessions side by side").to_be_focused()
+
+
+def test_a_deleted_patient_is_not_erased_after_all(page, clinic):
+    PLACES["backup, erase"](page, clinic)
+    assert focused(page) == "Cancel"
+    page.keyboard.press("Enter")
+    expect(page.get_by_role("group", name="Erase now")).to_be_hidden()
+    assert "Erase now" in focused(page)
+    press(page, "Undo the deletion", key="Enter")
+    expect(page.get_by_text("is back")).to_be_visible()
+    assert focused(page)
+
+
+def test_the_computer_is_measured(page, clinic):
+    PLACES["computer, measured"](page, clinic)
+    assert focused(page) == page.locator("main h2").nth(0).inner_text()
+    tab_to(page, "Settings")
