@@ -6130,8 +6130,9 @@ export interface components {
         MadeShare: {
             patient_id: number;
             shares: components["schemas"]["ShareRow"][];
-            address: string;
+            url: string;
             pin: string;
+            words: string;
         };
         MapCheck: {
             in_phase: number;

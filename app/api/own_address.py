@@ -10,6 +10,8 @@ from app.api.sign_in.cookies import is_encrypted
 from app.network import link
 from app.settings import Settings
 
+ONLY_HERE = "Only this machine can open the link, because the program listens to nobody else."
+
 
 class OwnAddress(NamedTuple):
     """The address of the pages, and whether only this machine can open them."""
@@ -33,6 +35,13 @@ def own_address(settings: Settings, connection: HTTPConnection) -> OwnAddress:
     if settings.network is not None:
         return OwnAddress(settings.network.link(), is_loopback(settings.network.best_host))
     return OwnAddress(link("http", settings.host, settings.port), only_here=True)
+
+
+def link_words(settings: Settings, address: OwnAddress) -> str:
+    """Return where a link to this address does not work, and what a new device needs first; empty: nothing to say."""
+    only_here = ONLY_HERE if address.only_here else ""
+    first = settings.network.first_words if settings.network else ""
+    return " ".join(filter(None, (only_here, first)))
 
 
 def is_loopback(host: str) -> bool:

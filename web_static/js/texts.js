@@ -24,6 +24,7 @@ import quality from "./texts/en/quality.js";
 import review from "./texts/en/review.js";
 import settings from "./texts/en/settings.js";
 import share from "./texts/en/sharing/share.js";
+import share_links from "./texts/en/sharing/share_links.js";
 import shell from "./texts/en/shell.js";
 import shirt from "./texts/en/shirt.js";
 import stereo from "./texts/en/stereo.js";
@@ -37,6 +38,7 @@ export const LANGUAGE = "en";
 /** @type {Readonly<Record<string, Text>>} */
 const CATALOGUE = Object.freeze({
   ...share,
+  ...share_links,
   ...shell,
   ...patients,
   ...shirt,

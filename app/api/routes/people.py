@@ -8,7 +8,7 @@ from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
 from app.api.deps import Owner, People, PeopleParts, RowId
-from app.api.own_address import own_address
+from app.api.own_address import link_words, own_address
 from app.api.parts import Web
 from app.api.qr import qr_picture
 from app.api.sign_in.auth import PersonName
@@ -31,7 +31,6 @@ from app.store.tables import Clinic
 router = APIRouter(prefix="/people", tags=["people"])
 
 MOST_PATIENTS = 10_000  # of one reviewer
-ONLY_HERE = "Only this machine can open the link, because the program listens to nobody else."
 
 PatientIds = Annotated[list[Count], Field(max_length=MOST_PATIENTS)]
 
@@ -89,14 +88,13 @@ def _view(db: Transaction, person: Person, own_id: int) -> PersonView:
 
 async def _link(parts: People, request: Request, person: PersonView, made: MadeInvitation) -> LinkView:
     address = await asyncio.to_thread(own_address, parts.settings, request)
-    network = parts.settings.network
     url = f"{address.base}#invite={made.code}"  # the part behind # is not sent to a server, so it appears in no log
     return LinkView(
         person=person,
         url=url,
         qr=qr_picture(url),
         expires=made.expires.isoformat(),
-        words=" ".join(filter(None, (ONLY_HERE if address.only_here else "", network.first_words if network else ""))),
+        words=link_words(parts.settings, address),
     )
 
 

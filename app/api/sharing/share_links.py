@@ -1,13 +1,15 @@
 """Make, list and revoke the share links of a patient."""
 
+import asyncio
 from typing import Annotated
 
-from fastapi import APIRouter
+from fastapi import APIRouter, Request
 from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
 from app.api.answers import Answer, MomentText
 from app.api.deps import Clinician, People, PeopleParts, RowId
+from app.api.own_address import link_words, own_address
 from app.api.sign_in.identity import SignedInPerson
 from app.api.sign_in.passwords import hash_of
 from app.quantities import Document
@@ -29,7 +31,7 @@ from app.store.sharing.share_links import (
 
 router = APIRouter(tags=["sharing"])
 
-PAGE = "/share.html#"  # followed by the token: what stands behind # is never sent to a server
+PAGE = "share.html#"  # followed by the token: what stands behind # is never sent to a server
 
 
 class NewShare(Document):
@@ -59,10 +61,11 @@ class SharesView(Document):
 
 
 class MadeShare(SharesView):
-    """A new link and its PIN, shown this once."""
+    """A new link and its PIN, shown this once; `words`: where the link does not work."""
 
-    address: str  # of the page, without the machine's name
+    url: str
     pin: str
+    words: str
 
 
 @router.get("/patients/{patient_id}/shares")
@@ -75,15 +78,19 @@ def list_shares(patient_id: RowId, who: Clinician, parts: PeopleParts) -> Shares
 
 
 @router.post("/patients/{patient_id}/shares", status_code=201)
-async def share_course(patient_id: RowId, body: NewShare, who: Clinician, parts: PeopleParts) -> MadeShare:
+async def share_course(
+    patient_id: RowId, body: NewShare, request: Request, who: Clinician, parts: PeopleParts
+) -> MadeShare:
     """Make a link to all sessions of a patient, who consents to sharing."""
-    return await _make(parts, who, body.days, patient_id=patient_id)
+    return await _make(parts, request, who, body.days, patient_id=patient_id)
 
 
 @router.post("/sessions/{session_id}/shares", status_code=201)
-async def share_session(session_id: RowId, body: NewShare, who: Clinician, parts: PeopleParts) -> MadeShare:
+async def share_session(
+    session_id: RowId, body: NewShare, request: Request, who: Clinician, parts: PeopleParts
+) -> MadeShare:
     """Make a link to one session of a patient, who consents to sharing."""
-    return await _make(parts, who, body.days, session_id=session_id)
+    return await _make(parts, request, who, body.days, session_id=session_id)
 
 
 @router.delete("/shares/{share_id}")
@@ -97,7 +104,13 @@ def no_share(share_id: RowId, who: Clinician, parts: PeopleParts) -> SharesView:
 
 
 async def _make(
-    parts: People, who: SignedInPerson, days: int, *, patient_id: int = 0, session_id: int | None = None
+    parts: People,
+    request: Request,
+    who: SignedInPerson,
+    days: int,
+    *,
+    patient_id: int = 0,
+    session_id: int | None = None,
 ) -> MadeShare:
     def whose(db: Transaction) -> int:
         found = patient_id if session_id is None else find_session(db, who.clinic_id, session_id).patient_id
@@ -115,9 +128,16 @@ async def _make(
             link, token = add_share(db, who.clinic_id, patient, session_id, pin_hash, days, who.name)
             details = {"patient": patient, "session": session_id, "share": link.id, "days": days}
             write_log(db, who.name, "share link made", **details)
-            return MadeShare(patient_id=patient, shares=_rows(db, patient), address=f"{PAGE}{token}", pin=pin)
+            return MadeShare(
+                patient_id=patient,
+                shares=_rows(db, patient),
+                url=f"{address.base}{PAGE}{token}",
+                pin=pin,
+                words=link_words(parts.settings, address),
+            )
 
     await run_in_threadpool(check)  # before the PIN is hashed, which takes long
+    address = await asyncio.to_thread(own_address, parts.settings, request)
     pin = new_pin()
     return await run_in_threadpool(make, await hash_of(parts, pin))
 

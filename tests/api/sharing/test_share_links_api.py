@@ -25,7 +25,7 @@ def made(clinic: Clinic, days: int = 14, session: str = "") -> Any:
 
 
 def token_of(link: Any) -> str:
-    return str(link["address"].partition("#")[2])
+    return str(link["url"].partition("#")[2])
 
 
 def opened(clinic: Clinic, link: Any, pin: str | None = None) -> Any:
@@ -60,7 +60,9 @@ def test_without_consent_there_is_no_link_and_withdrawing_it_ends_one(consented:
 def test_a_course_shows_story_and_figures_by_code_and_every_opening_is_logged(consented: Clinic, trial: int) -> None:
     consented.good("POST", f"/trials/{trial}/comments", json={"t": 1.0, "text": "Well turned."})
     link = made(consented)
-    assert consented.patient["pseudonym"] not in link["address"]
+    assert consented.patient["pseudonym"] not in link["url"]
+    assert link["url"].startswith("http://127.0.0.1:8080/share.html#")
+    assert link["words"].startswith("Only this machine can open the link")
     assert len(token_of(link)) >= 22
     with as_person(consented, {}):
         assert consented("GET", SHARED).status_code == 401

@@ -10,12 +10,15 @@ from browser.eyes.session_places import (
     interface_test_runs,
     review,
     revised_note,
+    revoke_links,
     session_record,
+    share_link,
     signed_session,
     signing_session,
     trial_over,
     trial_runs,
     trial_stopped,
+    without_sharing,
     written_session,
 )
 from playwright.sync_api import expect
@@ -225,6 +228,8 @@ PLACES: dict[str, Open] = {
     "session, signed": signed_session,
     "session, note": revised_note,
     "session, patient": opened("session/patient/1"),
+    "session, no sharing": without_sharing,
+    "session, share link": share_link,
     "session, compare": compared_sessions,
     "settings": at("settings"),
     "settings, pair": at("settings", "Pair a chair"),
@@ -267,6 +272,7 @@ PLACES: dict[str, Open] = {
 def put_back(clinic: EyesClinic) -> None:
     """Undo what a place has left behind, so that the next one starts from the same clinic."""
     written_session(clinic)  # not signed off
+    revoke_links(clinic)
     clinic.clear()
     clinic.client.request("POST", "/patients/2/restore")
     if clinic.good("GET", "/session")["patient"]["id"] != 1:

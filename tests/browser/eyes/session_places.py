@@ -3,7 +3,7 @@
 from typing import Any
 
 from browser.eyes.eyes_clinic import EyesClinic
-from browser.eyes.opening import Open, go, opened, tap
+from browser.eyes.opening import Open, answered, go, opened, tap
 from playwright.sync_api import expect
 
 from app.faults import Fault
@@ -92,6 +92,32 @@ def revised_note(page: Any, clinic: EyesClinic) -> None:
     session_record(page, clinic)
     tap(page, "Revise the note")
     expect(page.get_by_label("Text of the note")).to_be_visible()
+
+
+def without_sharing(page: Any, clinic: EyesClinic) -> None:
+    def withdrawn(found: Any) -> Any:
+        none = {"given": None, "is_confirmed": False, "history": []}
+        return {**found, "consents": [{**one, **none} for one in found["consents"]]}
+
+    answered("/patients/1/consents", "session/patient/1", withdrawn)(page, clinic)
+    expect(page.get_by_text("A share link needs the patient's consent")).to_be_visible()
+
+
+def share_link(page: Any, clinic: EyesClinic) -> None:
+    """Show a new link beside one that can be opened, and the ones that have ended."""
+    session = written_session(clinic)
+    revoke_links(clinic)
+    clinic.good("POST", f"/sessions/{session}/shares", {"days": 3})
+    opened("session/patient/1")(page, clinic)
+    tap(page, "Make the link")
+    expect(page.get_by_role("heading", name="shown this once")).to_be_focused()
+
+
+def revoke_links(clinic: EyesClinic) -> None:
+    """Leave no share link that can be opened."""
+    for link in clinic.good("GET", "/patients/1/shares")["shares"]:
+        if link["state"] == "open":
+            clinic.good("DELETE", f"/shares/{link['id']}")
 
 
 def compared_sessions(page: Any, clinic: EyesClinic) -> None:

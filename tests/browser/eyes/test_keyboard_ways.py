@@ -109,6 +109,22 @@ def test_a_session_is_signed_off_and_unlocked(page, clinic):
     heading(page, "Session").to_be_focused()
 
 
+def test_a_share_link_is_made_and_revoked(page, clinic):
+    written_session(clinic)  # with the consent
+    go(page, clinic, "session/patient/1")
+    tab_to(page, "How long")
+    page.keyboard.press("ArrowDown")
+    press(page, "Make the link")
+    heading(page, "The link and its PIN, shown this once").to_be_focused()
+    tab_to(page, "Copy the link")
+    press(page, "Done")
+    assert focused(page) == "Make the link"
+    tab_to(page, "Revoke the link: All sessions", key="Shift+Tab")
+    page.keyboard.press("Enter")
+    expect(page.get_by_text("The link was revoked")).to_be_visible()
+    assert focused(page) == "Share links"
+
+
 def test_two_sessions_are_compared(page, clinic):
     go(page, clinic, "session/patient/1")
     for number in (1, 2):

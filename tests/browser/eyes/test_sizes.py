@@ -12,7 +12,7 @@ SIZES = ["768x1024", pytest.param("1280x800", marks=pytest.mark.long), pytest.pa
 SHORT = (
     "sign_in", "patients, new", "shirt, open", "calibrate", "controls, open", "drive", "drive, stopped", "drive, over",
     "interface_test, over", "review", "review, trial", "settings, paired", "plans", "plans, edit", "people, invite",
-    "log", "chair",
+    "log", "chair", "session, share link",
 )  # fmt: skip
 # A link within a sentence is a part of the text; a box beside words is touched by its words too.
 SMALL = """() => {

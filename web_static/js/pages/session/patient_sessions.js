@@ -1,5 +1,5 @@
 /**
- * The sessions of a patient, of which two can be compared, and the consents.
+ * The sessions of a patient, of which two can be compared, the consents, and what leaves the clinic: share links, exports.
  * @import { ConsentsView, SessionRow } from "types/api"
  */
 import { t } from "../../texts.js";
@@ -9,16 +9,26 @@ import { rowList } from "../../widgets/list.js";
 import { consentsCard } from "./consents_card.js";
 import { exportCard } from "./export_card.js";
 import { stateTag } from "./session.js";
+import { mayExport } from "../../results/report_choice.js";
+import { shareCard } from "./share_card.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
 export async function show(app, root, { signal, rest: [, patient] }) {
   const id = Number(patient);
-  const [sessions, consents] = await Promise.all([app.api.get(`/patients/${id}/sessions`), app.api.get(`/patients/${id}/consents`)]);
+  const [sessions, consents, shares] = await Promise.all([
+    app.api.get(`/patients/${id}/sessions`),
+    app.api.get(`/patients/${id}/consents`),
+    mayExport(app) ? app.api.get(`/patients/${id}/shares`) : null,
+  ]);
   if (signal.aborted) return;
   const choice = sessionChoice();
   const leaves = h("div", {});
+  const sharing = shares && sessions.length > 0 ? shareCard(app, consents, sessions, shares) : null;
   /** @param {ConsentsView} now */
-  const offer = (now) => put(leaves, exportCard(app, now, sessions));
+  const offer = (now) => {
+    put(leaves, exportCard(app, now, sessions));
+    sharing?.setConsents(now);
+  };
   offer(consents);
   const list = rowList("people");
   list.show(sessions.map((session) => row(session, choice.box(session))), h("p", { class: "card quiet" }, t("record.sessions.none")));
@@ -32,6 +42,7 @@ export async function show(app, root, { signal, rest: [, patient] }) {
       consentsCard(app, consents, offer),
       list,
       sessions.length > 1 && choice.element,
+      sharing?.element,
       leaves,
     ),
     h("div", { class: "foot" }, h("span", { class: "grow" }), h("a", { class: "btn", href: `#/review/${id}` }, t("rail.review"))),

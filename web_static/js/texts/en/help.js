@@ -63,7 +63,7 @@ export default {
   "session.title": "Sessions and their records",
   "session.1": "Write here the goal in the patient's words, notes, and the totals of outcome scales.",
   "session.2": "A sign-off locks the session; only an owner can unlock it, with a reason.",
-  "session.3": "A patient's sessions stand in one list with the consents; tick two to see them side by side.",
+  "session.3": "A patient's sessions stand in one list with the consents, share links and exports; tick two to see them side by side.",
   "computer.title": "This computer",
   "computer.1": "See here whether this computer, and the screens that are open, will do for driving.",
   "computer.2": "It measures for ten seconds; nobody may drive meanwhile.",

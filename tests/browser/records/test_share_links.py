@@ -1,0 +1,104 @@
+"""Share links on the page of a patient's sessions: made with the consent only, shown once, opened, counted, revoked."""
+
+import pytest
+from browser.served.review_app import ReviewApp
+from playwright.sync_api import expect
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(120)]
+
+
+@pytest.fixture
+def app(tmp_path):
+    served = ReviewApp(tmp_path / "clinic")
+    served.start()
+    yield served
+    served.stop()
+
+
+@pytest.fixture
+def page(browser, page_log, app):
+    log = page_log(app.address)
+    context = browser.new_context(viewport={"width": 390, "height": 844})
+    context.grant_permissions(["clipboard-read", "clipboard-write"])
+    page = log.watch(context.new_page())
+    page.goto(app.link)
+    expect(page.get_by_role("heading", level=1)).to_be_visible()
+    page.goto(f"{app.address}/#/session/patient/1")
+    yield page
+    assert [error for error in log.errors if "409 (Conflict)" not in error] == log.outside == []  # the refusal
+    context.close()
+
+
+@pytest.fixture
+def card(page):
+    """The card of the share links."""
+    return page.locator(".card").filter(has=page.get_by_role("heading", name="Share links"))
+
+
+def opens(browser, app, token, pin):
+    """Open a link in a browser of its own; return the page, and whether it shows the records."""
+    page = browser.new_context(viewport={"width": 390, "height": 844}).new_page()
+    page.goto(f"{app.address}/share.html#{token}")
+    page.get_by_label("PIN of this link").fill(pin)
+    page.get_by_role("button", name="Open").click()
+    records = page.get_by_role("heading", name="Records of P-1")
+    refusal = page.get_by_role("alert").filter(has_text="PIN")
+    expect(records.or_(refusal)).to_be_visible()
+    return page, records.is_visible()
+
+
+def test_without_the_consent_one_sentence_stands_in_place_of_the_form(page, card):
+    expect(card).to_contain_text("needs the patient's consent to sharing outside")
+    expect(card.get_by_role("button")).to_have_count(0)
+    page.get_by_role("button", name="Enter consent: Sharing outside").click()
+    card.get_by_role("button", name="Make the link").click()
+    expect(card.locator(".share-link")).to_contain_text("Can be opened")
+    page.get_by_role("button", name="Withdraw the consent: Sharing outside").click()
+    expect(card.locator(".share-link")).to_contain_text("Closed: no consent")
+    expect(card.get_by_role("button", name="Make the link")).to_have_count(0)
+
+
+def test_a_link_is_shown_once_opened_counted_and_revoked(browser, app, page, card):
+    page.get_by_role("button", name="Enter consent: Sharing outside").click()
+    card.get_by_label("What it shows").select_option("Session 1")
+    card.get_by_label("How long").select_option("3 days")
+    card.get_by_role("button", name="Make the link").click()
+    expect(card.get_by_role("heading", name="The link and its PIN, shown this once: Session 1")).to_be_focused()
+    expect(card).to_contain_text("Only this machine can open the link")  # the test's clinic serves nobody else
+    card.get_by_role("button", name="Copy the link").click()
+    expect(page.get_by_text("The link was copied.")).to_be_visible()
+    url, pin = page.evaluate("navigator.clipboard.readText()"), card.locator(".typed-code").inner_text()
+    assert url == card.locator("pre").inner_text()
+    # Another consent changes nothing of what is shown once.
+    page.get_by_role("button", name="Enter consent: Recording").click()
+    expect(card.locator(".typed-code")).to_have_text(pin)
+    card.get_by_role("button", name="Done").click()
+    expect(card.get_by_role("button", name="Make the link")).to_be_focused()
+    assert pin not in card.inner_text()
+
+    visitor, is_open = opens(browser, app, url.partition("#")[2], pin)
+    assert is_open
+    page.reload()
+    expect(card.locator(".share-link")).to_contain_text("Opened once")
+    card.get_by_role("button", name="Revoke the link: Session 1").click()
+    expect(page.get_by_text("it shows nothing more")).to_be_visible()
+    expect(card.get_by_role("heading", name="Share links")).to_be_focused()
+    card.get_by_text("1 link that has ended").click()
+    expect(card.locator(".share-link")).to_contain_text("Revoked")
+    visitor.reload()
+    expect(visitor.get_by_label("PIN of this link")).to_be_visible()
+    visitor.context.close()
+    again, is_open = opens(browser, app, url.partition("#")[2], pin)
+    assert not is_open
+    again.context.close()
+
+
+def test_a_refusal_of_the_server_is_said_and_the_form_stays(app, page, card):
+    page.get_by_role("button", name="Enter consent: Sharing outside").click()
+    expect(card.get_by_role("button", name="Make the link")).to_be_visible()
+    withdrawn = "fetch('/api/v1/patients/1/consents/sharing', {method: 'DELETE', headers: {'Patient-Session': 'none'}})"
+    assert page.evaluate(f"{withdrawn}.then((answer) => answer.status)") == 200  # as at another screen
+    card.get_by_role("button", name="Make the link").click()
+    expect(page.locator(".toast")).to_contain_text("P-1 has not consented to sharing outside the clinic")
+    expect(card.get_by_role("button", name="Make the link")).to_be_visible()
+    expect(card.locator(".share-link")).to_have_count(0)
