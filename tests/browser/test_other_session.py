@@ -134,3 +134,20 @@ def test_a_page_that_belongs_to_no_session_is_left_alone_and_names_the_new_one(t
     cover = second.locator(COVER)
     expect(cover).to_contain_text("The session of patient B-12 was ended on another screen, and nobody is here now.")
     expect(first.locator(".who")).to_contain_text("Nobody is here")
+
+
+def test_who_starts_a_session_before_the_end_of_another_one_is_answered_is_not_refused(tablets):
+    page, _ = tablets
+    go(page, "patients")
+    ends = []
+    page.route("**/api/v1/session", lambda route: ends.append(route) if is_end(route) else route.continue_())
+    page.get_by_role("button", name="End session").click()
+    page.get_by_role("listitem").filter(has_text="B-12").get_by_role("button", name="Start session").click()
+    page.wait_for_timeout(500)  # in which a request would have been sent
+    ends[0].continue_()
+    expect(page.locator(".who")).to_contain_text("B-12")
+    page.unroute_all()
+
+
+def is_end(route):
+    return route.request.method == "DELETE"

@@ -128,9 +128,10 @@ export class App extends TypedEvents {
     if (!this.root.hasChildNodes() || this.#page() !== this.#shown) await this.show();
   }
 
-  /** Read the open session again. */
-  async readSession() {
+  /** Read the open session again. @param {{isOwn?: boolean}} [options] isOwn: this page opened or ended it, and shows it from now on */
+  async readSession({ isOwn = false } = {}) {
     this.session = await this.api.get("/session");
+    if (isOwn) this.#pageSession.adopt();
     this.dispatchEvent(new Event("session"));
   }
 
@@ -172,13 +173,13 @@ export class App extends TypedEvents {
     this.#leave.abort();
     this.#pageSession.adopt();
     const leave = (this.#leave = new AbortController());
-    this.setShowsTrial(false);
     const name = (this.#shown = this.#page());
     this.dispatchEvent(new Event("route"));
     this.frame.classList.toggle("alone", !this.me?.signed_in);
     try {
       const page = await import(`./pages/${name}/${name}.js`);
       if (leave.signal.aborted) return;
+      this.setShowsTrial(false);
       this.root.className = "page";
       this.root.scrollTop = this.frame.scrollTop = 0; // where there is little height, the frame scrolls
       put(this.root, h("p", { class: "quiet" }, t("loading")));
@@ -221,6 +222,7 @@ export class App extends TypedEvents {
   /** @param {unknown} error */
   #failed(error) {
     console.warn(error);
+    this.setShowsTrial(false);
     put(
       this.root,
       h("h1", { tabindex: "-1" }, t("error.page")),

@@ -32,12 +32,17 @@ export async function show(app, root, { signal }) {
   // In a shirt that nobody wears there is nothing to look at before the calibration.
   const unknown = () => (app.practice ? "#/calibrate" : "#/shirt");
   const goOn = () => app.go(app.session?.has_profile ? "#/drive" : unknown());
+  let turn = Promise.resolve();
+  /** One after the other: a change names the session that the one before it left. @param {() => Promise<void>} change */
+  const inTurn = (change) => (turn = turn.then(change, change));
   /** @param {PatientView} patient @param {HTMLButtonElement | null} [button] that was tapped */
-  const open = async (patient, button = null) => {
+  const open = (patient, button = null) => {
     if (button) button.disabled = true; // opening a session takes a moment: a second tap shall do nothing
-    if (!(await app.toasts.attempt(() => app.api.post("/session", { patient_id: patient.id })))) return read();
-    await app.readSession();
-    goOn();
+    return inTurn(async () => {
+      if (!(await app.toasts.attempt(() => app.api.post("/session", { patient_id: patient.id })))) return read();
+      await app.readSession({ isOwn: true });
+      goOn();
+    });
   };
   /** @param {PatientView} patient */
   const remove = async (patient) => {
@@ -63,19 +68,20 @@ export async function show(app, root, { signal }) {
   };
   /** @param {PatientView} patient */
   const removed = async (patient) => {
-    await Promise.all([read(), app.readSession()]);
+    await Promise.all([read(), app.readSession({ isOwn: true })]);
     const restore = async () => {
       await app.toasts.attempt(() => app.api.post(`/patients/${patient.id}/restore`));
       await read();
     };
     app.toasts.show(t("patients.deleted", { code: patient.code }), { action: t("undo"), run: restore });
   };
-  const end = async () => {
-    if (!(await app.toasts.attempt(() => app.api.remove("/session")))) return;
-    await app.readSession();
-    showList();
-    app.toasts.show(t("patients.ended"));
-  };
+  const end = () =>
+    inTurn(async () => {
+      if (!(await app.toasts.attempt(() => app.api.remove("/session")))) return;
+      await app.readSession({ isOwn: true });
+      showList();
+      app.toasts.show(t("patients.ended"));
+    });
   const showList = () => {
     const words = search.value.trim().toLowerCase();
     const found = patients.filter((patient) => `${patient.code} ${patient.pseudonym}`.toLowerCase().includes(words));

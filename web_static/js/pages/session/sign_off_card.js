@@ -14,7 +14,7 @@ export function signOffCard(app, record, { mayChange, isOwner, person, change })
   const past = all.filter(({ unlocked }) => unlocked);
   const ask = () => {
     const yes = async () => {
-      if (await change(() => app.api.post(`/sessions/${id}/sign-off`), t("record.signed.done"))) await app.toasts.attempt(() => app.readSession());
+      if (await change(() => app.api.post(`/sessions/${id}/sign-off`), t("record.signed.done"))) await app.toasts.attempt(() => app.readSession({ isOwn: true }));
     };
     put(
       place,
