@@ -6347,6 +6347,7 @@ export interface components {
             code: string;
             pseudonym: string;
             reasons: components["schemas"]["AttentionView"][];
+            pending: boolean;
         };
         PatientView: {
             id: number;

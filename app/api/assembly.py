@@ -23,6 +23,7 @@ from app.session.calibration.calibration_flow import CalibrationFlow
 from app.session.calibration.clinic_prior import ClinicPrior
 from app.session.clinic_spread import ClinicSpread
 from app.session.control_link import ControlLink, LinkedProcess
+from app.session.deteriorations import Deteriorations
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.head import HeadChoice
 from app.session.equipment.limits import ClinicLimits
@@ -88,6 +89,7 @@ def make_parts(
         tell("equipment")
 
     control.on_change.append(control_changed)
+    spread = ClinicSpread(database, computing)
     web = WebParts(
         computing=computing,
         control=control,
@@ -117,7 +119,8 @@ def make_parts(
         trajectories=Trajectories(computing),
         timelines=Timelines(computing),
         qualities=TrialQualities(database, runs.folder_of, computing),
-        spread=ClinicSpread(database, computing),
+        spread=spread,
+        deteriorations=Deteriorations(database, computing, spread),
         replays=Replays(),
         view=ViewKeeper(open_scene, control.newest),
         own_floorplans=settings.floorplans,

@@ -26,6 +26,7 @@ from app.session.adaptation import AdaptationFlow
 from app.session.calibration.calibration_flow import CalibrationFlow
 from app.session.clinic_spread import ClinicSpread
 from app.session.control_link import ControlLink, ScreenSign
+from app.session.deteriorations import Deteriorations
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.head import HeadChoice
 from app.session.equipment.limits import ClinicLimits
@@ -77,6 +78,7 @@ class WebParts:
     timelines: Timelines
     qualities: TrialQualities
     spread: ClinicSpread
+    deteriorations: Deteriorations
     replays: Replays
     view: ViewKeeper
     own_floorplans: Path

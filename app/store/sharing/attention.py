@@ -4,7 +4,7 @@ from collections import defaultdict
 from datetime import timedelta
 from typing import Literal, NamedTuple
 
-from sqlalchemy import func, select
+from sqlalchemy import JSON, func, select
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
@@ -79,3 +79,28 @@ def tasks_of(db: Session, clinic_id: int, patient_id: int) -> list[tuple[str, st
         .order_by(Trial.floorplan, Trial.path)
     )
     return [(floorplan, path, GROUPS[simulated]) for floorplan, path, simulated in db.execute(query)]
+
+
+class CountedTask(NamedTuple):
+    """A task (floor plan, path, source) of a patient, with the trials that count in it."""
+
+    patient_id: int
+    floorplan: str
+    path: str
+    group: SourceGroup
+    trials: str  # their ids, joined by commas
+
+
+def counted_tasks(db: Session, clinic_id: int) -> list[CountedTask]:
+    """Return every task of every visible patient in which a trial counts."""
+    counted = (
+        select(Trial.patient_id, Trial.floorplan, Trial.path, Run.simulated, Trial.id)
+        .join(Run, Run.id == Trial.run_id)
+        .where(Trial.clinic_id == clinic_id, Trial.kept.is_(True), Trial.status == "done")
+        .where(Trial.measures != JSON.NULL)
+        .order_by(Trial.id)
+    )
+    ids: dict[tuple[int, str, str, SourceGroup], list[str]] = defaultdict(list)
+    for patient, floorplan, path, simulated, trial in db.execute(counted):
+        ids[patient, floorplan, path, GROUPS[simulated]].append(str(trial))
+    return [CountedTask(*task, ",".join(trials)) for task, trials in ids.items()]
