@@ -23,6 +23,7 @@ import replay from "./texts/en/replay.js";
 import quality from "./texts/en/quality.js";
 import review from "./texts/en/review.js";
 import settings from "./texts/en/settings.js";
+import comments from "./texts/en/sharing/comments.js";
 import share from "./texts/en/sharing/share.js";
 import share_links from "./texts/en/sharing/share_links.js";
 import shell from "./texts/en/shell.js";
@@ -37,6 +38,7 @@ export const LANGUAGE = "en";
 
 /** @type {Readonly<Record<string, Text>>} */
 const CATALOGUE = Object.freeze({
+  ...comments,
   ...share,
   ...share_links,
   ...shell,

@@ -2,7 +2,7 @@
 
 from typing import Annotated
 
-from fastapi import APIRouter
+from fastapi import APIRouter, Query
 from pydantic import Field
 
 from app.api.answers import Answer, MomentText
@@ -23,7 +23,6 @@ from app.store.sharing.comments import (
     find_comment,
     mark_read,
     revise_comment,
-    unread_by,
     withdraw_comment,
 )
 from app.store.tables import Trial
@@ -34,9 +33,9 @@ CommentText = Annotated[Note, Field(min_length=1, max_length=2000, pattern=r"\S"
 
 
 class NewComment(Document):
-    """A comment on a moment (s) of a trial."""
+    """A comment on a moment (s) of a trial; the time line is negative before motion was permitted."""
 
-    t: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=86_400)]
+    t: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-86_400, le=86_400)]
     text: CommentText
 
 
@@ -69,10 +68,15 @@ class CommentView(Document):
 
 
 @router.get("/comments")
-def unread_comments(who: Anyone, parts: PeopleParts) -> list[CommentView]:
-    """List the comments that the person who asks has not read."""
+def unread_comments(
+    who: Anyone, parts: PeopleParts, patient: Annotated[int | None, Query(ge=1, le=2**31)] = None
+) -> list[CommentView]:
+    """List the comments that the person who asks has not read, of all patients or of one."""
     with parts.database.transaction() as db:
-        return [_view(db, one, who, unread=True) for one in unread_by(db, who.clinic_id, who.person_id)]
+        if patient is not None:
+            find_patient(db, who.clinic_id, patient)
+        found = comments_of(db, clinic_id=who.clinic_id, patient_id=patient, not_read_by=who.person_id)
+        return [_view(db, one, who, unread=True) for one in found]
 
 
 @router.get("/trials/{trial_id}/comments")
@@ -138,7 +142,7 @@ def _trial(db: Transaction, who: SignedInPerson, trial_id: int) -> Trial:
 
 
 def _views(db: Transaction, trial: Trial, who: SignedInPerson) -> list[CommentView]:
-    unread = {one.id for one in unread_by(db, who.clinic_id, who.person_id)}
+    unread = {one.id for one in comments_of(db, trial_id=trial.id, not_read_by=who.person_id)}
     return [_view(db, one, who, unread=one.id in unread) for one in comments_of(db, trial_id=trial.id)]
 
 

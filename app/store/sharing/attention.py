@@ -11,7 +11,7 @@ from app.clock import utc_now
 from app.source import SourceGroup
 from app.store.patients import all_patients
 from app.store.records.record_tables import SessionSignOff
-from app.store.sharing.comments import unread_by
+from app.store.sharing.comments import comments_of
 from app.store.tables import Patient, PatientSession, Run, Trial
 
 LONG = timedelta(days=28)  # without a session
@@ -43,7 +43,7 @@ def patients_and_reasons(db: Session, clinic_id: int, person_id: int) -> list[tu
     for patient, count, newest in db.execute(halted):
         reasons[patient].append(Attention("halted", count, None, newest))
     comments = defaultdict(list)
-    for comment in unread_by(db, clinic_id, person_id):
+    for comment in comments_of(db, clinic_id=clinic_id, not_read_by=person_id):
         comments[comment.patient_id].append(comment)
     for patient, found in comments.items():
         reasons[patient].append(Attention("comment", len(found), found[-1].session_id, found[-1].trial_id))

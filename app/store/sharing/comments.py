@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from datetime import datetime
 
-from sqlalchemy import func, select
+from sqlalchemy import exists, func, select
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
@@ -45,9 +45,19 @@ def find_comment(db: Session, clinic_id: int, comment_id: int) -> MomentComment:
 
 
 def comments_of(
-    db: Session, *, trial_id: int | None = None, session_id: int | None = None, clinic_id: int | None = None
+    db: Session,
+    *,
+    trial_id: int | None = None,
+    session_id: int | None = None,
+    patient_id: int | None = None,
+    clinic_id: int | None = None,
+    not_read_by: int | None = None,
 ) -> list[Comment]:
-    """Return the comments of a trial, a session or a clinic that were not withdrawn, by their trials and moments."""
+    """Return the comments of a trial, a session, a patient or a clinic, by their trials and moments.
+
+    Comments that were withdrawn are left out; with a person in `not_read_by`, also this person's own ones, and those
+    whose newest revision this person has read.
+    """
     of_comment = CommentRevision.comment_id == MomentComment.id
     first = select(func.min(CommentRevision.id)).where(of_comment).correlate(MomentComment).scalar_subquery()
     newest = select(func.max(CommentRevision.id)).where(of_comment).correlate(MomentComment).scalar_subquery()
@@ -64,10 +74,18 @@ def comments_of(
     for column, value in (
         (Trial.id, trial_id),
         (Trial.session_id, session_id),
+        (Trial.patient_id, patient_id),
         (MomentComment.clinic_id, clinic_id),
     ):
         if value is not None:
             query = query.where(column == value)
+    if not_read_by is not None:
+        is_read = exists().where(
+            CommentReading.person_id == not_read_by,
+            CommentReading.comment_id == MomentComment.id,
+            CommentReading.revision_id == CommentRevision.id,
+        )
+        query = query.where(MomentComment.person_id != not_read_by, ~is_read)
     return [
         Comment(
             id=comment.id,
@@ -121,14 +139,6 @@ def withdraw_comment(db: Session, comment: MomentComment, person_id: int) -> Non
     _require_author(comment, person_id)
     comment.withdrawn = utc_now()
     db.flush()
-
-
-def unread_by(db: Session, clinic_id: int, person_id: int) -> list[Comment]:
-    """Return the comments whose newest revision a person has not read."""
-    query = select(CommentReading.comment_id, CommentReading.revision_id).where(CommentReading.person_id == person_id)
-    read = {(comment, revision) for comment, revision in db.execute(query)}
-    found = comments_of(db, clinic_id=clinic_id)
-    return [one for one in found if one.person_id != person_id and (one.id, one.revision_id) not in read]
 
 
 def mark_read(db: Session, trial_id: int, person_id: int) -> None:

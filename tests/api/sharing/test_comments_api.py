@@ -23,6 +23,8 @@ def test_a_reviewers_comment_reaches_the_clinicians_until_they_have_read_it(
         assert calibrated.good("GET", "/comments") == []
     (found,) = calibrated.good("GET", "/comments")
     assert (found["revisions"][0]["text"], found["is_own"], found["unread"]) == (MOMENT["text"], False, True)
+    assert calibrated.good("GET", f"/comments?patient={calibrated.patient['id']}") == [found]
+    assert calibrated("GET", "/comments?patient=999").status_code == 404
     (patient,) = calibrated.good("GET", "/attention")
     assert ("comment", 1, trial) in [(one["reason"], one["number"], one["trial_id"]) for one in patient["reasons"]]
     assert calibrated("POST", f"/trials/{trial}/comments/read", json={}).status_code == 204
@@ -52,7 +54,14 @@ def test_only_its_author_revises_or_withdraws_a_comment_and_the_history_stays(
 
 
 def test_a_comment_is_bounded_and_has_a_moment_of_the_time_line(calibrated: Clinic, trial: int) -> None:
-    for wrong in ({"t": -1.0}, {"t": 90_000.0}, {"t": "1"}, {"text": " "}, {"text": "x" * 2001}, {"text": "a\u202eb"}):
+    for wrong in (
+        {"t": -90_000.0},
+        {"t": 90_000.0},
+        {"t": "1"},
+        {"text": " "},
+        {"text": "x" * 2001},
+        {"text": "a\u202eb"},
+    ):
         assert calibrated("POST", f"/trials/{trial}/comments", json=MOMENT | wrong).status_code == 422, wrong
     assert calibrated.good("GET", f"/trials/{trial}/comments") == []
 

@@ -21,7 +21,9 @@ from app.store.calibrations import calibration_steps
 from app.store.database import Database
 from app.store.parameters import save_parameters, save_profile
 from app.store.patients import end_session, start_session
-from app.store.tables import PatientSession
+from app.store.people import find_person
+from app.store.sharing.comments import add_comment
+from app.store.tables import PatientSession, Trial
 
 OWNER = {"code": "the-set-up-code-of-the-tests", "name": "Ada", "password": "correct horse battery"}
 LAYOUT = standard_layout()
@@ -107,6 +109,15 @@ class EyesClinic(ServedClinic):
         with database.transaction() as db:
             for throughput in (0.7, 0.72, 0.69, 0.71, 0.7, 1.2):
                 store_interface_test(db, session_id, throughput=throughput)
+        database.close()
+
+    def add_comment(self, t: float, text: str) -> None:
+        """Store a comment of Ben, the second person of the clinic, on a moment (s) of the first trial."""
+        database = Database(self._settings.database)
+        with database.transaction() as db:
+            ben = find_person(db, "Ben")
+            assert ben is not None
+            add_comment(db, db.get_one(Trial, self.trials[0]), ben.id, t, text)
         database.close()
 
     def fault(self, fault: Fault) -> None:

@@ -5,6 +5,7 @@ from typing import Any
 from browser.eyes.eyes_clinic import EyesClinic
 from browser.eyes.opening import Open, answered, at, go, opened, start_with, tap
 from browser.eyes.session_places import (
+    commented,
     compared_sessions,
     interface_test_over,
     interface_test_runs,
@@ -18,6 +19,7 @@ from browser.eyes.session_places import (
     trial_over,
     trial_runs,
     trial_stopped,
+    unread,
     without_sharing,
     written_session,
 )
@@ -222,6 +224,8 @@ PLACES: dict[str, Open] = {
     "interface_test, over": interface_test_over,
     "review": review(""),
     "review, trial": review("/trial/{first}"),
+    "review, unread": unread,
+    "review, comments": commented,
     "review, compare": review("/compare/{first}/{second}"),
     "session": session_record,
     "session, sign off": signing_session,

@@ -53,6 +53,27 @@ def review(where: str) -> Open:
     return open_place
 
 
+def commented(page: Any, clinic: EyesClinic) -> None:
+    """Show a trial with comments of two people, one of which is being revised."""
+    where = f"/trials/{clinic.trials[0]}/comments"
+    if not any(one["is_own"] for one in clinic.good("GET", where)):
+        clinic.good("POST", where, {"t": 6.5, "text": "The turn begins late here, as in the last session."})
+        made = clinic.good("POST", where, {"t": 12.0, "text": "A pause."})
+        comment = next(one["id"] for one in made if one["t"] == 12.0)
+        clinic.good("PUT", f"/comments/{comment}", {"text": "A pause of three seconds: was it meant?"})
+    clinic.add_comment(14.5, "He was asked to stop, so the stop is not his.")
+    opened(f"review/1/trial/{clinic.trials[0]}")(page, clinic)
+    tap(page, "Revise or withdraw your comment at 6.5 s")
+    tap(page, "Comment on this moment")
+    page.wait_for_timeout(1500)
+
+
+def unread(page: Any, clinic: EyesClinic) -> None:
+    clinic.add_comment(3.0, "Well turned.")
+    review("")(page, clinic)
+    expect(page.get_by_text("unread comment")).to_be_visible()
+
+
 def written_session(clinic: EyesClinic) -> int:
     """Return the first session of a patient, in which trials were driven and something of everything is written."""
     session = int(clinic.good("GET", "/patients/1/sessions")[-1]["id"])

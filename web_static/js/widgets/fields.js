@@ -1,7 +1,8 @@
 /**
- * Form pieces: labelled fields, choices, segments, steppers.
+ * Form pieces: labelled fields, choices, segments, steppers, and the form of one long text.
  * @import { Child } from "types/dom"
  */
+import { t } from "../texts.js";
 import { h, set, write } from "./dom.js";
 import { number } from "./format.js";
 
@@ -209,4 +210,35 @@ export function repeatWhileHeld(button, act) {
   });
   for (const event of ["pointerup", "pointerleave", "pointercancel"]) button.addEventListener(event, end);
   button.addEventListener("click", (event) => event.detail === 0 && act());
+}
+
+/**
+ * A form of one long text, such as a note or a comment.
+ * @param {object} form
+ * @param {string} form.label @param {string} [form.hint] @param {string} [form.text] before
+ * @param {string} form.action words of the button that sends @param {number} form.longest characters
+ * @param {(text: string) => unknown} form.send called with a text that is not empty
+ * @param {() => void} [form.onClose] without it the form stays
+ * @param {HTMLElement} [form.more] one more button
+ */
+export function textForm({ label, hint, text = "", action, longest, send, onClose, more }) {
+  const input = h("textarea", { rows: 3, maxlength: longest, required: true });
+  input.defaultValue = input.value = text;
+  /** @param {SubmitEvent} event */
+  const submit = async (event) => {
+    event.preventDefault();
+    if (input.value.trim()) await send(input.value.trim());
+  };
+  return h(
+    "form",
+    { class: "stack", onsubmit: submit },
+    field(label, input, hint),
+    h(
+      "div",
+      { class: "spread" },
+      h("button", { class: "btn" }, action),
+      onClose && h("button", { type: "button", class: "btn", onclick: onClose }, t("cancel")),
+      more,
+    ),
+  );
 }

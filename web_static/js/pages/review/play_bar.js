@@ -18,8 +18,9 @@ const FAR = 10; // s with Shift
  * @param {import("./play_head.js").PlayHead} head
  * @param {TrialEvent[]} events
  * @param {AbortSignal} signal
+ * @param {Node} [more] other marks
  */
-export function playBar(head, events, signal) {
+export function playBar(head, events, signal, more) {
   const button = h("button", { type: "button", class: "btn go play", "aria-keyshortcuts": "P" });
   button.addEventListener("click", () => head.toggle());
   const slider = h("input", {
@@ -44,7 +45,7 @@ export function playBar(head, events, signal) {
     "div",
     { class: "event-marks", "aria-hidden": "true" },
     events.map((event) =>
-      h("i", { class: `is-${event.kind}`, style: `left: ${(100 * (event.t - head.start)) / (head.end - head.start || 1)}%` }),
+      h("i", { class: `is-${event.kind}`, style: `left: ${head.share(event.t)}%` }),
     ),
   );
   const showState = () => {
@@ -59,7 +60,7 @@ export function playBar(head, events, signal) {
   head.addEventListener("time", showTime, { signal });
   showState();
   showTime();
-  return h("div", { class: "play-bar card" }, button, speeds, h("div", { class: "slide" }, marks, slider), shown);
+  return h("div", { class: "play-bar card" }, button, speeds, h("div", { class: "slide" }, marks, more, slider), shown);
 }
 
 /**

@@ -20,6 +20,11 @@ export class PlayHead extends TypedEvents {
     signal.addEventListener("abort", () => this.pause());
   }
 
+  /** Where a moment stands between start and end. @param {number} t s @returns {number} % */
+  share(t) {
+    return (100 * (Math.min(this.end, Math.max(this.start, t)) - this.start)) / (this.end - this.start || 1);
+  }
+
   /** Go to a moment. @param {number} t s; one beyond the ends is the end */
   seek(t) {
     const within = Math.min(this.end, Math.max(this.start, t));

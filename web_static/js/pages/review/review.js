@@ -20,6 +20,7 @@ import { sessionVerdicts } from "./session_verdicts.js";
 import { trajectoriesChart } from "../../charts/trajectories_chart.js";
 import { trialList } from "./trial_list.js";
 import { t } from "../../texts.js";
+import { unreadMarks } from "../../results/unread_marks.js";
 
 const MEASURE_PLACE = "bodydrive-measure";
 const WIDE = 24; // trials: more have the whole width
@@ -49,7 +50,7 @@ export async function show(app, root, { signal, rest }) {
     ),
   );
   if (!trials.length) return noTrials(app, root, patients.length > 1 ? who : null, testsPlace(app, patient.id, signal));
-  const plans = await app.api.get("/floorplans");
+  const [plans, unread] = await Promise.all([app.api.get("/floorplans"), unreadMarks(app, patient.id, signal)]);
   if (signal.aborted) return;
   const paths = pathsOf(trials);
   let path = paths.find(({ key }) => key === decodeURIComponent(rest.slice(1, 3).join("/"))) ?? paths[paths.length - 1];
@@ -105,6 +106,7 @@ export async function show(app, root, { signal, rest }) {
         trials.filter((trial) => keyOf(trial) === path.key),
         new Set(learning.trials.filter(({ familiarisation }) => familiarisation).map(({ id }) => id)),
         compare,
+        unread,
       ),
       testPlace,
       reportCard(app, patient),

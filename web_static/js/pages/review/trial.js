@@ -2,8 +2,10 @@
  * One trial of Review: its replay, where one slider moves picture, plan and charts together, and what it came to.
  * @import { App } from "../../main.js"
  * @import { Timeline } from "types/api"
+ * @typedef {ReturnType<typeof commentsCard>} Comments
  * @import { TrialReading } from "../../results/trial_over.js"
  */
+import { commentsCard } from "./comments_card.js";
 import { emptyPage } from "../../shell/nobody.js";
 import { failureWords } from "../../api.js";
 import { h } from "../../widgets/dom.js";
@@ -25,16 +27,28 @@ export async function show(app, root, { signal, rest: [patient, , id] }) {
     return emptyPage(root, title, t("review.running.lead"), `#/review/${patient}`, t("review.back"));
   }
   let why = "";
-  const line = await app.api.get(`/trials/${id}/timeline`).catch((error) => void (why = failureWords(error)));
+  const [line, comments] = await Promise.all([
+    app.api.get(`/trials/${id}/timeline`).catch((error) => void (why = failureWords(error))),
+    app.api.get(`/trials/${id}/comments`),
+  ]);
   if (signal.aborted) return;
-  const above = line ? replay(app, root, read, line, signal) : h("p", { class: "card quiet" }, t("replay.none"), " ", why);
+  const head = line ? new PlayHead(Number(line.t[0]), Number(line.t.at(-1)), signal) : null;
+  const said = commentsCard(app, read.trial.id, comments, head, signal);
+  const above = line && head ? replay(app, root, read, line, head, said, signal) : withoutReplay(why, comments.length > 0 && said.element);
   const back = () => [h("a", { class: "btn", href: `#/review/${patient}` }, t("review.back"))];
   showTrialOver(app, root, read, back, above);
 }
 
-/** @param {App} app @param {HTMLElement} root @param {TrialReading} read @param {Timeline} line @param {AbortSignal} signal */
-function replay(app, root, { trial, plan }, line, signal) {
-  const head = new PlayHead(Number(line.t[0]), Number(line.t.at(-1)), signal);
+/** @param {string} why @param {HTMLElement | false} said what was said about the trial */
+function withoutReplay(why, said) {
+  return h("div", { class: "replay" }, h("p", { class: "card quiet" }, t("replay.none"), " ", why), said);
+}
+
+/**
+ * @param {App} app @param {HTMLElement} root @param {TrialReading} read @param {Timeline} line @param {PlayHead} head
+ * @param {Comments} comments @param {AbortSignal} signal
+ */
+function replay(app, root, { trial, plan }, line, head, comments, signal) {
   const where = line.floorplan ?? plan;
   const fromAbove = where && replayPlan(where, trial, line, t("replay.plan"));
   if (fromAbove) {
@@ -55,9 +69,9 @@ function replay(app, root, { trial, plan }, line, signal) {
         replayView(app, trial.id, where && replayDrawn(where, trial, line), head, signal),
         fromAbove && h("section", { class: "card replay-plan" }, h("h2", {}, t("replay.plan")), fromAbove.element),
       ),
-      h("div", { class: "replay-lines" }, replayCharts(line, head, signal), eventList(line.events, head)),
+      h("div", { class: "replay-lines" }, comments.element, replayCharts(line, head, signal), eventList(line.events, head)),
     ),
-    playBar(head, line.events, signal),
+    playBar(head, line.events, signal, comments.marks),
     h("p", { class: "quiet small" }, t("replay.keys")),
   );
   playKeys(root, head, signal);

@@ -13,8 +13,9 @@ import { groupMark, groupOf } from "../../results/source_group.js";
  * @param {{id: number}} patient @param {TrialView[]} trials the newest last
  * @param {Set<number>} used ids of the trials in which the patient got used to the task on their day
  * @param {ReturnType<typeof import("./compare_choice.js").compareChoice>} compare which two are to be compared
+ * @param {import("../../results/unread_marks.js").UnreadMark} unread
  */
-export function trialList(patient, trials, used, compare) {
+export function trialList(patient, trials, used, compare, unread) {
   const listed = leadingMeasures(trials.findLast(({ measures }) => measures)?.measures ?? {});
   /** @param {TrialView} trial */
   const row = (trial) =>
@@ -33,6 +34,7 @@ export function trialList(patient, trials, used, compare) {
           },
           String(trial.number),
         ),
+        unread({ trial_id: trial.id }),
       ),
       h("td", {}, moment(trial.started)),
       h("td", {}, t(`review.end.${trial.end}`)),

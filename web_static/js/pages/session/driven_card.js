@@ -1,28 +1,29 @@
 /**
  * What was driven in a session: trials that count and those left out with their reason, calibrations and parameters.
  * @import { SessionRecordView, SessionTrial, UsedSetView } from "types/api"
+ * @import { UnreadMark } from "../../results/unread_marks.js"
  */
 import { groupMark, groupOf } from "../../results/source_group.js";
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 
-/** @param {SessionRecordView} record */
-export function drivenCard({ patient_id: patient, trials, drives, sets }) {
+/** @param {SessionRecordView} record @param {UnreadMark} unread */
+export function drivenCard({ patient_id: patient, trials, drives, sets }, unread) {
   const isEmpty = !trials.length && !drives.length;
   return h(
     "section",
     { class: "card stack" },
     h("h2", {}, t("record.driven")),
     isEmpty && h("p", { class: "quiet" }, t("record.driven.none")),
-    trials.length > 0 && trialTable(patient, trials),
+    trials.length > 0 && trialTable(patient, trials, unread),
     drives.length > 0 && h("p", {}, t("record.driven.drives", { count: drives.length })),
     sets.length > 0 && [h("h3", {}, t("record.sets")), h("ul", { class: "sets-of-session" }, sets.map(setLine))],
   );
 }
 
-/** @param {number} patient id @param {SessionTrial[]} trials */
-function trialTable(patient, trials) {
+/** @param {number} patient id @param {SessionTrial[]} trials @param {UnreadMark} unread */
+function trialTable(patient, trials, unread) {
   /** @param {SessionTrial} trial */
   const row = (trial) =>
     h(
@@ -32,6 +33,7 @@ function trialTable(patient, trials) {
         "th",
         { scope: "row" },
         h("a", { class: "row-link", href: `#/review/${patient}/trial/${trial.id}` }, t("record.driven.trial", { plan: trial.floorplan_title, number: trial.number })),
+        unread({ trial_id: trial.id }),
       ),
       h("td", {}, t(`review.end.${trial.end}`)),
       h("td", { title: trial.source.words }, groupMark(groupOf(trial)) ?? t("source.group.worn")),

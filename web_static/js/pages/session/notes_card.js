@@ -4,8 +4,10 @@
  */
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
-import { field } from "../../widgets/fields.js";
 import { moment } from "../../widgets/format.js";
+import { textForm } from "../../widgets/fields.js";
+
+const LONGEST = 8000; // characters, as the server allows
 
 /** @param {import("../../main.js").App} app @param {() => SessionRecordView} now @param {import("./session.js").Writing} writing */
 export function notesCard(app, now, { mayChange, change }) {
@@ -22,11 +24,13 @@ export function notesCard(app, now, { mayChange, change }) {
     const element = h("article", { class: "note-of-session" });
     const label = t("record.note.revise.label", { person: newest.person, moment: moment(newest.written) });
     const revise = () => {
-      put(element, noteForm(newest.text, t("record.note.save"), async (text) => {
+      const send = async (/** @type {string} */ text) => {
         if (!(await change(() => app.api.put(`/sessions/${id}/notes/${note.id}`, { text })))) return;
         draw();
         /** @type {HTMLElement} */ (list.children[now().notes.findIndex((one) => one.id === note.id)]).querySelector("button")?.focus();
-      }, () => draw()));
+      };
+      const action = t("record.note.save");
+      put(element, textForm({ label: t("record.note.text"), text: newest.text, action, longest: LONGEST, send, onClose: draw }));
       element.querySelector("textarea")?.focus();
     };
     return put(
@@ -50,42 +54,16 @@ export function notesCard(app, now, { mayChange, change }) {
     );
   };
   const place = h("div", {});
-  const newForm = () =>
-    put(
-      place,
-      noteForm("", t("record.note.add"), async (text) => {
-        if (!(await change(() => app.api.post(`/sessions/${id}/notes`, { text })))) return;
-        draw();
-        newForm();
-        place.querySelector("textarea")?.focus();
-      }),
-    );
+  const newForm = () => {
+    const send = async (/** @type {string} */ text) => {
+      if (!(await change(() => app.api.post(`/sessions/${id}/notes`, { text })))) return;
+      draw();
+      newForm();
+      place.querySelector("textarea")?.focus();
+    };
+    put(place, textForm({ label: t("record.note.new"), action: t("record.note.add"), longest: LONGEST, send }));
+  };
   draw();
   if (mayChange) newForm();
   return h("section", { class: "card stack" }, h("h2", {}, t("record.notes")), list, place);
-}
-
-/**
- * @param {string} text before @param {string} action @param {(text: string) => Promise<void>} send
- * @param {() => void} [onClose] without it the form stays
- */
-function noteForm(text, action, send, onClose) {
-  const input = h("textarea", { rows: 3, maxlength: 8000, required: true });
-  input.defaultValue = input.value = text;
-  /** @param {SubmitEvent} event */
-  const submit = async (event) => {
-    event.preventDefault();
-    if (input.value.trim()) await send(input.value.trim());
-  };
-  return h(
-    "form",
-    { class: "stack", onsubmit: submit },
-    field(t(text ? "record.note.text" : "record.note.new"), input),
-    h(
-      "div",
-      { class: "spread" },
-      h("button", { class: "btn" }, action),
-      onClose && h("button", { type: "button", class: "btn", onclick: onClose }, t("cancel")),
-    ),
-  );
 }

@@ -10,15 +10,17 @@ import { consentsCard } from "./consents_card.js";
 import { exportCard } from "./export_card.js";
 import { stateTag } from "./session.js";
 import { mayExport } from "../../results/report_choice.js";
+import { unreadMarks } from "../../results/unread_marks.js";
 import { shareCard } from "./share_card.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
 export async function show(app, root, { signal, rest: [, patient] }) {
   const id = Number(patient);
-  const [sessions, consents, shares] = await Promise.all([
+  const [sessions, consents, shares, unread] = await Promise.all([
     app.api.get(`/patients/${id}/sessions`),
     app.api.get(`/patients/${id}/consents`),
     mayExport(app) ? app.api.get(`/patients/${id}/shares`) : null,
+    unreadMarks(app, id, signal),
   ]);
   if (signal.aborted) return;
   const choice = sessionChoice();
@@ -31,7 +33,7 @@ export async function show(app, root, { signal, rest: [, patient] }) {
   };
   offer(consents);
   const list = rowList("people");
-  list.show(sessions.map((session) => row(session, choice.box(session))), h("p", { class: "card quiet" }, t("record.sessions.none")));
+  list.show(sessions.map((session) => row(session, choice.box(session), unread({ session_id: session.id }))), h("p", { class: "card quiet" }, t("record.sessions.none")));
   put(
     root,
     h(
@@ -49,8 +51,8 @@ export async function show(app, root, { signal, rest: [, patient] }) {
   );
 }
 
-/** @param {SessionRow} session @param {HTMLElement} box */
-function row(session, box) {
+/** @param {SessionRow} session @param {HTMLElement} box @param {HTMLElement} unread its mark */
+function row(session, box, unread) {
   const { id, number, started, trials, sign_off: signed } = session;
   return h(
     "div",
@@ -62,6 +64,8 @@ function row(session, box) {
       h("a", { class: "row-link", href: `#/session/${id}` }, t("verdict.session", { number })),
       " ",
       stateTag(session),
+      " ",
+      unread,
       h("div", { class: "quiet small" }, `${moment(started)} · ${t("patients.trials", { count: trials })}`),
       signed && h("div", { class: "quiet small" }, t("record.signed", { person: signed.person, moment: moment(signed.at) })),
     ),

@@ -12,6 +12,7 @@ import { goalCard } from "./goal_card.js";
 import { notesCard } from "./notes_card.js";
 import { scalesCard } from "./scales_card.js";
 import { signOffCard } from "./sign_off_card.js";
+import { unreadMarks } from "../../results/unread_marks.js";
 import { reportCard } from "../../results/report_choice.js";
 
 const OWN_PAGES = { patient: "patient_sessions", compare: "compare_sessions" };
@@ -32,6 +33,7 @@ export async function show(app, root, { signal, rest }) {
   if (!rest[0] && !here) return app.go("#/patients");
   const id = Number(rest[0] || here);
   let record = await app.api.get(`/sessions/${id}`);
+  const unread = await unreadMarks(app, record.patient_id, signal);
   if (signal.aborted) return;
   const place = h("div", { class: "body session-record" });
   const isDrafted = () => [...place.querySelectorAll("textarea, input")].some((one) => isChanged(/** @type {HTMLInputElement} */ (one)));
@@ -73,7 +75,7 @@ export async function show(app, root, { signal, rest }) {
       goalCard(app, now, writing),
       notesCard(app, now, writing),
       scalesCard(app, now, writing),
-      drivenCard(record),
+      drivenCard(record, unread),
       signOffCard(app, record, { ...writing, mayChange: canWrite }),
       reportCard(app, { id: record.patient_id, code: record.code, sessions: record.number }, record.number),
     );

@@ -30,7 +30,7 @@ export default {
   "drive.3": "STOP, the space bar and the stop gesture stop it; Continue goes on after any stop.",
   "review.title": "The review",
   "review.1": "Choose a patient and a task to see what was learnt over all trials.",
-  "review.2": "Tap a trial to see it again, or tick two to see them side by side.",
+  "review.2": "Tap a trial to see it again and comment on its moments, or tick two to see them side by side.",
   "review.3": "A trial that was interrupted can be left out, and counts again when you wish.",
   "settings.title": "Settings",
   "settings.1": "Everything here holds for the whole clinic, not for one patient.",
