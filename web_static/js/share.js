@@ -5,6 +5,7 @@
 import { LANGUAGE, t, hasText } from "./texts.js";
 import { day, minuteOfDay, number } from "./widgets/format.js";
 import { h, put, s } from "./widgets/dom.js";
+import { icon } from "./widgets/icons.js";
 import { followSystem } from "./shell/theme.js";
 
 const HERE = "/api/v1/shared";
@@ -30,11 +31,14 @@ function askPin(words) {
     put(main, h("h1", {}, t("share.heading")), h("p", { role: "alert" }, t("share.no_link")));
     return;
   }
+  let isBusy = false; // a second tap would count as another try
   const pin = h("input", { type: "text", inputmode: "numeric", autocomplete: "off", maxlength: "12", required: true });
   /** @param {Event} event */
   const open = async (event) => {
     event.preventDefault();
-    const body = JSON.stringify({ token, pin: pin.value.trim() });
+    if (isBusy) return;
+    isBusy = true;
+    const body = JSON.stringify({ token, pin: pin.value.replaceAll(/\s/g, "") });
     const headers = { "Content-Type": "application/json" };
     const answer = await fetch(`${HERE}/open`, { method: "POST", headers, body }).catch(() => null);
     if (answer?.ok) {
@@ -63,13 +67,34 @@ function askPin(words) {
 /** @param {SharedView} shared */
 function showShared({ code, expires, stories, tasks }) {
   document.title = t("share.title", { code });
+  const heading = h("h1", { tabindex: "-1" }, t("share.title", { code }));
   put(
     main,
-    h("h1", {}, t("share.title", { code })),
+    heading,
     h("p", { class: "quiet" }, t("share.until", { day: day(expires) })),
     tasks.map(taskCard),
     stories.map(storyCard),
   );
+  heading.focus(); // the form that had the focus is gone
+}
+
+/** The button that says what this page is for, as on every other page. */
+function helpButton() {
+  const page = Object.assign(new EventTarget(), { route: { page: "share", rest: [] }, root: main });
+  /** @type {HTMLButtonElement} */
+  const button = h(
+    "button",
+    {
+      type: "button",
+      class: "btn small",
+      title: t("help.open"),
+      "aria-label": t("help.open"),
+      "aria-expanded": "false",
+      onclick: async () => (await import("./help/page_help.js")).openPageHelp(page, button),
+    },
+    icon("question", 22),
+  );
+  return button;
 }
 
 /** @param {TaskLearning} task */
@@ -143,4 +168,5 @@ function eventLine({ at, kind, person, words, facts }) {
 
 document.documentElement.lang = LANGUAGE;
 followSystem();
+main.before(h("header", {}, h("span", {}, t("app.name")), helpButton()));
 show();

@@ -134,6 +134,25 @@ def share_link(page: Any, clinic: EyesClinic) -> None:
     expect(page.get_by_role("heading", name="shown this once")).to_be_focused()
 
 
+def shared_records(page: Any, clinic: EyesClinic) -> None:
+    """Open a share link, and what the page is for."""
+    written_session(clinic)  # with the consent
+    revoke_links(clinic)
+    made = clinic.good("POST", "/patients/1/shares", {"days": 1})
+    page.unroute_all()
+    page.goto("about:blank")
+    page.goto(f"{clinic.address}/share.html#{made['url'].partition('#')[2]}")
+    page.get_by_label("PIN of this link").fill(made["pin"])
+    tap(page, "Open")
+    expect(page.get_by_role("heading", name="Records of P-1")).to_be_focused()
+
+
+def shared_help(page: Any, clinic: EyesClinic) -> None:
+    shared_records(page, clinic)
+    tap(page, "What is this page for?")
+    expect(page.get_by_role("dialog")).to_be_visible()
+
+
 def revoke_links(clinic: EyesClinic) -> None:
     """Leave no share link that can be opened."""
     for link in clinic.good("GET", "/patients/1/shares")["shares"]:

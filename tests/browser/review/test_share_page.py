@@ -62,7 +62,8 @@ def test_a_share_link_on_a_phone_far_away(browser, link) -> None:
     page.get_by_label("PIN of this link").fill("000000")
     page.get_by_role("button", name="Open").click()
     expect(page.get_by_role("alert")).to_contain_text("The link or the PIN is wrong", timeout=20_000)
-    page.get_by_label("PIN of this link").fill(PIN)
+    expect(page.get_by_label("PIN of this link")).to_be_focused()
+    page.get_by_label("PIN of this link").fill(f"{PIN[:3]} {PIN[3:]}")  # as people write it
     asked.clear()
     begun = time.monotonic()
     page.get_by_role("button", name="Open").click()
@@ -70,9 +71,18 @@ def test_a_share_link_on_a_phone_far_away(browser, link) -> None:
     print("readable after", round(time.monotonic() - begun, 1), "s")  # noqa: T201
     assert [url.rpartition("/api/v1/")[2] for url in asked] == ["shared/open", "shared"]
     expect(page.locator("main")).to_contain_text("Trial 2")
+    expect(page.get_by_role("heading", name="Records of P-1")).to_be_focused()
     assert "Heron" not in page.locator("body").inner_text()
     assert page.locator("svg polyline").count() >= 3
     assert not page.evaluate(TOO_WIDE)
     assert page.evaluate(SMALL) == []
+    # What the page is for, by keyboard.
+    page.keyboard.press("Shift+Tab")
+    expect(page.get_by_role("button", name="What is this page for?")).to_be_focused()
+    page.keyboard.press("Enter")
+    expect(page.get_by_role("dialog", name="Shared records").get_by_role("heading")).to_be_focused(timeout=20_000)
+    assert not page.evaluate(TOO_WIDE)
+    page.keyboard.press("Escape")
+    expect(page.get_by_role("button", name="What is this page for?")).to_be_focused()
     page.screenshot(path=SCREENSHOTS / "share-390.png", full_page=True)
     context.close()

@@ -6,8 +6,14 @@ import { loadStyles, pageWords, words } from "./help_words.js";
 const MORE = "/docs/clinicians";
 
 /**
+ * @typedef {Pick<import("../main.js").App, "root" | "route"> & {
+ *   addEventListener: (name: "route" | "me", run: () => void, options: {signal: AbortSignal}) => void,
+ * }} Shown `root` holds the page; the events say that the page changes, or who is signed in
+ */
+
+/**
  * Open the help of the page that is shown; it closes by its button, by Escape, and with the page.
- * @param {import("../main.js").App} app @param {HTMLButtonElement} opener the button that gets the focus back
+ * @param {Shown} app what shows the page @param {HTMLButtonElement} opener the button that gets the focus back
  */
 export function openPageHelp(app, opener) {
   const found = pageWords(app.route.page);
