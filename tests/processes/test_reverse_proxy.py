@@ -14,12 +14,14 @@ from typing import NamedTuple
 
 import httpx
 import pytest
+from browser.served.review_app import furnish
 from processes.served_demo import SessionClient, bodydrive, free_port, printed_link
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 
 from app.api.proxy import INCOMPLETE
 from app.scene.client_messages import SUBPROTOCOL
+from app.settings import Settings
 from folders import ROOT
 
 NAME = "clinic.example.org"
@@ -174,6 +176,7 @@ def test_a_clinic_is_used_through_the_proxy(proxy: Proxy, certificate: Path, tmp
     port, upstream = free_port(), free_port()
     main = configured(proxy, tmp_path, certificate, port, upstream)
     name = f"{NAME}:{port}"
+    furnish(Settings(state=tmp_path / "clinic"))  # a patient with recorded trials
     words = ("serve", "--port", str(upstream), "--state", str(tmp_path / "clinic"))
     served = bodydrive(*words, "--behind-proxy", "127.0.0.1", "--name", name)
     try:
@@ -182,6 +185,8 @@ def test_a_clinic_is_used_through_the_proxy(proxy: Proxy, certificate: Path, tmp
             assert link == f"https://{name}/"
             with Browser(port, certificate / "certificate.pem") as browser:
                 walk_through(browser, code)
+                with Browser(port, certificate / "certificate.pem") as visitor:
+                    look_from_elsewhere(browser, visitor)
             past_the_proxy = httpx.get(f"http://127.0.0.1:{upstream}/")
             assert (past_the_proxy.status_code, past_the_proxy.json()["detail"]) == (403, INCOMPLETE)
     finally:
@@ -209,19 +214,46 @@ def walk_through(browser: Browser, code: str) -> None:
     rows = "\n".join(f"{i / 100},{i},{i}" for i in range(80_000))
     sent = browser.post("/equipment/files", files={"file": ("arm.csv", f"t,a,b\n{rows}\n")})
     assert sent.status_code == 201, sent.text
-    patient = browser.post("/patients", json={"code": "P-1", "pseudonym": "Heron"}).json()
+    patient = browser.post("/patients", json={"code": "P-2", "pseudonym": "Otter"}).json()
     assert browser.post("/session", json={"patient_id": patient["id"]}).status_code == 200
     assert browser.get(f"{browser.headers['Origin']}/view/clinician/").status_code == 200
-    assert first_picture(browser)
+    assert first_picture(browser, "/view/clinician")
     assert browser.post("/control/stop").status_code == 200
 
 
-def first_picture(browser: Browser) -> str | bytes:
-    """Return the first message of the 3D view, which opens after its session."""
+def look_from_elsewhere(browser: Browser, visitor: Browser) -> None:
+    """Read the story of a session, see a trial again in 3D, and share the course with somebody who is not signed in."""
+    origin = browser.headers["Origin"]
+    session = browser.get("/patients/1/sessions").json()[0]["id"]
+    story = browser.get(f"/sessions/{session}/story").json()
+    assert [event["kind"] for event in story["events"]].count("trial") == 2
+    trial = browser.get("/trials?patient=1").json()[0]["id"]
+    replay = browser.post("/replays", json={"trial": trial}).json()["id"]
+    assert browser.get(f"{origin}/view/replay/{replay}/").status_code == 200
+    assert first_picture(browser, f"/view/replay/{replay}")
+    assert browser.post(f"/replays/{replay}/at", json={"t": 5.0}).status_code == 204
+    assert browser.delete(f"/replays/{replay}").status_code == 204
+
+    assert browser.put("/patients/1/consents/sharing", json={"given": "2026-03-01"}).status_code == 200
+    made = browser.post("/patients/1/shares", json={"days": 1}).json()
+    page, _, token = made["url"].partition("#")
+    assert (page, made["words"]) == (f"{origin}/share.html", "")
+    assert visitor.get(page).status_code == 200
+    assert visitor.get("/shared").status_code == 401
+    opened = visitor.post("/shared/open", json={"token": token, "pin": made["pin"]})
+    assert opened.status_code == 204, opened.text
+    assert "; Secure" in opened.headers["set-cookie"]
+    shared = visitor.get("/shared").json()
+    assert (shared["code"], len(shared["stories"])) == ("P-1", 1)
+    assert visitor.get(f"/sessions/{session}/story").status_code == 401
+
+
+def first_picture(browser: Browser, path: str) -> str | bytes:
+    """Return the first message of a 3D view; the clinician's opens after its session."""
     until = time.monotonic() + OPENED_WITHIN
     while True:
         try:
-            with browser.socket("/view/clinician", subprotocols=[SUBPROTOCOL]) as view:
+            with browser.socket(path, subprotocols=[SUBPROTOCOL]) as view:
                 return view.recv(timeout=30)
         except ConnectionClosed:
             assert time.monotonic() < until
