@@ -4,6 +4,8 @@ import pytest
 from browser.served.review_app import ReviewApp
 from playwright.sync_api import expect
 
+from app.store.people import add_person, sign_in, the_clinic
+
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(120)]
 
 
@@ -102,3 +104,17 @@ def test_a_refusal_of_the_server_is_said_and_the_form_stays(app, page, card):
     expect(page.locator(".toast")).to_contain_text("P-1 has not consented to sharing outside the clinic")
     expect(card.get_by_role("button", name="Make the link")).to_be_visible()
     expect(card.locator(".share-link")).to_have_count(0)
+
+
+def test_a_reviewer_has_no_share_links_and_asks_for_none(app, page, card):
+    with app.app.state.people.database.transaction() as db:
+        token = sign_in(db, add_person(db, the_clinic(db), "Rhea", "reviewer", None), "test")
+    page.context.clear_cookies()
+    page.context.add_cookies([{"name": "bodydrive_sign_in", "value": token, "url": app.address}])
+    asked = []
+    page.on("request", lambda request: asked.append(request.url))
+    page.reload()
+    expect(page.get_by_role("heading", name="Sessions of P-1")).to_be_visible()
+    expect(page.get_by_role("link", name="Session 1")).to_be_visible()
+    expect(card).to_have_count(0)
+    assert [url for url in asked if "/shares" in url] == []
