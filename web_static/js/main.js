@@ -214,8 +214,8 @@ export class App extends TypedEvents {
 
   /** The page that comes next when the address names none. */
   #next() {
+    if (this.me?.role === "reviewer") return "attention"; // looks, and changes nothing
     if (!this.session?.patient) return "patients";
-    if (this.me?.role === "reviewer") return "review"; // looks, and changes nothing
     return this.session.has_profile ? "drive" : "calibrate";
   }
 

@@ -3,6 +3,7 @@
  * A text may hold {values}; a text of the form {one, other} is chosen by the value `count`.
  */
 import adapt from "./texts/en/adapt.js";
+import attention from "./texts/en/sharing/attention.js";
 import backup from "./texts/en/records/backup.js";
 import calibrate from "./texts/en/calibrate.js";
 import chair from "./texts/en/chair.js";
@@ -38,6 +39,7 @@ export const LANGUAGE = "en";
 
 /** @type {Readonly<Record<string, Text>>} */
 const CATALOGUE = Object.freeze({
+  ...attention,
   ...comments,
   ...share,
   ...share_links,

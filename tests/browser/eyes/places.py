@@ -5,6 +5,7 @@ from typing import Any
 from browser.eyes.eyes_clinic import EyesClinic
 from browser.eyes.opening import Open, answered, at, go, opened, start_with, tap
 from browser.eyes.session_places import (
+    attention,
     commented,
     compared_sessions,
     interface_test_over,
@@ -224,6 +225,7 @@ PLACES: dict[str, Open] = {
     "interface_test": opened("interface_test"),
     "interface_test, runs": interface_test_runs,
     "interface_test, over": interface_test_over,
+    "attention": attention,
     "review": review(""),
     "review, trial": review("/trial/{first}"),
     "review, unread": unread,

@@ -42,6 +42,11 @@ def trial_over(page: Any, clinic: EyesClinic) -> None:
     expect(page.locator("main h2").first).to_be_visible()
 
 
+def attention(page: Any, clinic: EyesClinic) -> None:
+    go(page, clinic, "attention")
+    expect(page.get_by_text("worked out")).to_have_count(0)
+
+
 def review(where: str) -> Open:
     """Return what opens a page of the review, when its charts are drawn."""
 

@@ -5,9 +5,12 @@ import { icon } from "../widgets/icons.js";
 
 const STEPS = /** @type {const} */ (["patients", "shirt", "calibrate", "controls", "drive", "review"]);
 const RAIL = /** @type {const} */ ([...STEPS, "settings"]);
+const FOR_REVIEWERS = ["patients", "review", "settings"]; // who looks, and changes nothing
+/** @type {Record<string, string>} pages without a step of their own, and the step that they belong to */
+const BELOW = { interface_test: "drive", attention: "review" };
 const IN_SETTINGS = ["plans", "people", "log", "computer", "backup"]; // opened from there: the rail marks the settings
 /** @type {string[]} */
-export const PAGES = [...RAIL, "session", "adapt", "interface_test", ...IN_SETTINGS]; // those that have an address of their own
+export const PAGES = [...RAIL, "attention", "session", "adapt", "interface_test", ...IN_SETTINGS]; // those that have an address of their own
 
 /** The steps that are done in the open session. @param {import("../main.js").App} app @returns {Set<string>} */
 export function stepsDone(app) {
@@ -37,11 +40,12 @@ export function rail(app) {
     const done = stepsDone(app);
     for (const { step, link, mark } of links) {
       mark.hidden = !done.has(step);
-      const isAbove = step === "settings" ? IN_SETTINGS.includes(app.route.page) : step === "drive" && app.route.page === "interface_test";
+      const isAbove = step === "settings" ? IN_SETTINGS.includes(app.route.page) : BELOW[app.route.page] === step;
+      link.hidden = app.me?.role === "reviewer" && !FOR_REVIEWERS.includes(step);
       set(link, { "aria-current": step === app.route.page ? "page" : isAbove ? "true" : null });
     }
   };
-  for (const event of /** @type {const} */ (["session", "route"])) app.addEventListener(event, show);
+  for (const event of /** @type {const} */ (["session", "route", "me"])) app.addEventListener(event, show);
   app.live.addEventListener("quality", show);
   show();
   return h(

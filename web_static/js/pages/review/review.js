@@ -161,6 +161,7 @@ export async function show(app, root, { signal, rest }) {
         { class: "columns filters" },
         patients.length > 1 && who,
         h("a", { class: "btn", href: `#/session/patient/${patient.id}` }, t("record.link")),
+        patients.length > 1 && h("a", { class: "btn", href: "#/attention" }, t("attention.open")),
         pathPlace,
         measurePlace,
         groupPlace,

@@ -1,0 +1,43 @@
+"""Who to look at: what a reviewer meets first, on a telephone; a tap on a reason leads to what it is about."""
+
+import re
+
+import pytest
+from playwright.sync_api import expect
+
+from app.store.people import add_person, the_clinic
+from app.store.runs import find_trial
+from app.store.sharing.comments import add_comment
+from folders import SCREENSHOTS
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(240)]
+
+TOO_WIDE = "document.documentElement.scrollWidth > innerWidth"
+
+
+def steps(page):
+    return [one.inner_text().split("\n")[0] for one in page.locator(".rail a").all() if one.is_visible()]
+
+
+def test_a_reviewer_begins_with_who_needs_attention(app, open_for):
+    with app.app.state.people.database.transaction() as db:
+        author = add_person(db, the_clinic(db), "Ben", "clinician", None)
+        add_comment(db, find_trial(db, 1, app.trials[0]), author.id, 2.0, "Here the turn is late.")
+    page = open_for("Rhea", "reviewer", "", (390, 844))
+    expect(page.get_by_role("heading", name="Who to look at")).to_be_visible()
+    assert steps(page) == ["Patient", "Review", "Settings"]
+    expect(page.get_by_text("worked out")).to_have_count(0)
+    reason = page.get_by_role("link", name="1 unread comment")
+    assert reason.bounding_box()["height"] >= 44
+    assert not page.evaluate(TOO_WIDE)
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    page.screenshot(path=SCREENSHOTS / "390x844-attention.png")
+    reason.click()
+    expect(page).to_have_url(re.compile(f"#/review/1/trial/{app.trials[0]}$"))
+
+
+def test_a_clinician_comes_to_it_from_the_review(open_for):
+    page = open_for("Cleo", "clinician", "attention")
+    assert "Drive" in steps(page)
+    page.get_by_role("link", name="P-1").first.click()
+    expect(page.get_by_role("heading", name="What was learnt")).to_be_visible()

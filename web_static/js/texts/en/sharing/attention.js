@@ -1,0 +1,18 @@
+/** Texts of the page that says which patients to look at. */
+export default {
+  "rail.attention": "Who to look at",
+  "attention.lead": "Patients who need attention come first, each with the reason. Tap a reason to see it.",
+  "attention.none": "Nobody needs attention now.",
+  "attention.nobody": "There is no patient that you may see.",
+  "attention.others": "Nothing to look at",
+  "attention.pending": {
+    one: "It is still being worked out if {count} patient has become worse.",
+    other: "It is still being worked out if any of {count} patients has become worse.",
+  },
+  "attention.deterioration": { one: "{count} measure worse than noise", other: "{count} measures worse than noise" },
+  "attention.halted": { one: "{count} trial was stopped by a fault", other: "{count} trials were stopped by a fault" },
+  "attention.comment": { one: "{count} unread comment", other: "{count} unread comments" },
+  "attention.unsigned": { one: "{count} session not signed off", other: "{count} sessions not signed off" },
+  "attention.absent": { one: "No session for {count} day", other: "No session for {count} days" },
+  "attention.open": "Who to look at",
+};
