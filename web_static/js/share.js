@@ -1,12 +1,13 @@
 /**
  * The page that a share link opens: a PIN, then the story and the figures of one patient. One answer holds all of it.
- * @import { SharedView, StoryView, EventView, TaskLearning } from "types/api"
+ * @import { SharedView, StoryView, TaskLearning } from "types/api"
  */
 import { LANGUAGE, t, hasText } from "./texts.js";
-import { day, minuteOfDay, number } from "./widgets/format.js";
+import { day, number } from "./widgets/format.js";
 import { h, put, s } from "./widgets/dom.js";
 import { icon } from "./widgets/icons.js";
 import { followSystem } from "./shell/theme.js";
+import { storyParts } from "./results/story.js";
 
 const HERE = "/api/v1/shared";
 const main = /** @type {HTMLElement} */ (document.getElementById("main"));
@@ -141,29 +142,8 @@ function lines(all, first, stretch = false) {
 }
 
 /** @param {StoryView} story */
-function storyCard({ number, goal, is_signed, events }) {
-  return h(
-    "section",
-    {},
-    h("h2", {}, t("share.session", { number })),
-    h("p", { class: "quiet" }, t(is_signed ? "share.signed" : "share.unsigned")),
-    goal ? h("p", {}, `${t("share.goal")}: ${goal}`) : null,
-    h("ol", { class: "story" }, events.map(eventLine)),
-  );
-}
-
-/** @param {EventView} event */
-function eventLine({ at, kind, person, words, facts }) {
-  const end = String(facts.end ?? "");
-  const title = t(`share.event.${kind}`, { ...facts, words, end });
-  const isSaid = kind === "note" || kind === "comment" || kind === "unlock";
-  return h(
-    "li",
-    {},
-    h("time", { datetime: at }, minuteOfDay(at)),
-    ` ${title}${person ? `, ${person}` : ""}`,
-    isSaid && words ? h("p", {}, words) : null,
-  );
+function storyCard(story) {
+  return h("section", {}, h("h2", {}, t("share.session", { number: story.number })), storyParts(story));
 }
 
 document.documentElement.lang = LANGUAGE;

@@ -239,6 +239,7 @@ PLACES: dict[str, Open] = {
     "session, no sharing": without_sharing,
     "session, share link": share_link,
     "session, compare": compared_sessions,
+    "session, story": opened("session/story/1"),
     "settings": at("settings"),
     "settings, pair": at("settings", "Pair a chair"),
     "settings, paired": paired_chair,

@@ -69,6 +69,7 @@ function row(session, box, unread) {
       h("div", { class: "quiet small" }, `${moment(started)} · ${t("patients.trials", { count: trials })}`),
       signed && h("div", { class: "quiet small" }, t("record.signed", { person: signed.person, moment: moment(signed.at) })),
     ),
+    h("a", { class: "btn", href: `#/session/story/${id}`, "aria-label": t("record.story.label", { number }) }, t("record.story")),
   );
 }
 

@@ -1,6 +1,6 @@
 /**
  * The record of a session: goal, notes, scales, what was driven, and the sign-off that locks it.
- * `#/session/ID`, `#/session/patient/PATIENT`, `#/session/compare/ID/ID`.
+ * `#/session/ID`, `#/session/patient/PATIENT`, `#/session/compare/ID/ID`, `#/session/story/ID`.
  * @import { SessionRecordView } from "types/api"
  */
 import { failureWords } from "../../api.js";
@@ -15,7 +15,7 @@ import { signOffCard } from "./sign_off_card.js";
 import { unreadMarks } from "../../results/unread_marks.js";
 import { reportCard } from "../../results/report_choice.js";
 
-const OWN_PAGES = { patient: "patient_sessions", compare: "compare_sessions" };
+const OWN_PAGES = { patient: "patient_sessions", compare: "compare_sessions", story: "session_story" };
 
 /**
  * What a card may do: whether it may change the record, and how; `change` shows the answer, or why it was refused.
@@ -91,7 +91,8 @@ export async function show(app, root, { signal, rest }) {
   draw();
   app.live.addEventListener("changed", read, { signal });
   const back = h("a", { class: "btn", href: `#/session/patient/${record.patient_id}` }, t("record.back"));
-  put(root, place, h("div", { class: "foot" }, h("span", { class: "grow" }), back));
+  const story = h("a", { class: "btn", href: `#/session/story/${id}` }, t("record.story"));
+  put(root, place, h("div", { class: "foot" }, h("span", { class: "grow" }), story, back));
 }
 
 /** @param {HTMLInputElement} input */

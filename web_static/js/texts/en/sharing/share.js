@@ -23,6 +23,7 @@ export default {
   "share.event.map": "Calibration, version {version}",
   "share.event.parameters": "Controls saved: {words}",
   "share.event.trial": "Trial {number}, {words}: {end}",
+  "share.event.test": "Two-minute test {number}",
   "share.event.stop": "Stop",
   "share.event.drive": "Drive of the chair",
   "share.event.note": "Note",

@@ -1,0 +1,47 @@
+/**
+ * A session as a story: what was done, what changed and what was said. For people who sign in, and for a share link.
+ * @import { StoryView, EventView } from "types/api"
+ */
+import { t, hasText } from "../texts.js";
+import { h } from "../widgets/dom.js";
+import { minuteOfDay, number } from "../widgets/format.js";
+
+const SAID = ["note", "comment", "unlock"]; // kinds of events with words of a person
+
+/**
+ * What stands below the heading of a story.
+ * @param {StoryView} story
+ * @param {(trial: number) => string} [replay] address of the replay of a trial; a share link opens none
+ */
+export function storyParts({ goal, scales, is_signed: isSigned, events }, replay) {
+  return [
+    h("p", { class: "quiet" }, t(isSigned ? "share.signed" : "share.unsigned")),
+    goal && h("p", { class: "own-words" }, `${t("share.goal")}: ${goal}`),
+    scales.length > 0 && h("p", {}, scales.map(({ name, total }) => `${name}: ${number(total, Number.isInteger(total) ? 0 : 1)}`).join(" · ")),
+    h("ol", { class: "story" }, events.map((event) => eventLine(event, replay))),
+  ];
+}
+
+/** @param {EventView} event @param {(trial: number) => string} [replay] */
+function eventLine({ at, kind, person, words, facts }, replay) {
+  const end = hasText(`review.end.${facts.end}`) ? t(`review.end.${facts.end}`) : "";
+  const title = t(`share.event.${kind}`, { ...facts, words, end });
+  const trial = kind === "trial" ? facts.id : facts.trial;
+  const marks = [
+    facts.simulated && t("share.simulated"),
+    facts.kept === false && t("record.driven.left-out", { reason: String(facts.discard_reason ?? "") }),
+  ].filter(Boolean);
+  return h(
+    "li",
+    {},
+    h("time", { datetime: at }, minuteOfDay(at)),
+    h(
+      "div",
+      {},
+      replay && trial ? h("a", { class: "row-link", href: replay(Number(trial)) }, title) : title,
+      person && h("span", { class: "quiet" }, ` · ${person}`),
+      marks.length > 0 && h("div", { class: "quiet small" }, marks.join(", ")),
+      SAID.includes(kind) && words && h("p", { class: "own-words" }, words),
+    ),
+  );
+}
