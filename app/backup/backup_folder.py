@@ -1,8 +1,8 @@
 """A folder of backups: each file's content is stored once, under its hash, and each backup is a manifest.
 
 `objects/` holds the contents, `bodydrive-DATE.backup` are the manifests, `bodydrive-backups.json` says whether they are
-sealed with a passphrase, and `erased-patients.json` holds the tombstones. In a sealed folder an object's name is not
-the hash of its content but a keyed hash (HMAC-SHA256) of that.
+sealed with a passphrase and which clinic they belong to, and `erased-patients.json` holds the tombstones. In a sealed
+folder an object's name is not the hash of its content but a keyed hash (HMAC-SHA256) of that.
 """
 
 import hmac
@@ -27,6 +27,7 @@ from app.refusals import Refusal
 HEADER: Final = "bodydrive-backups.json"
 STAMP: Final = "bodydrive-%Y-%m-%dT%H-%M-%S-%fZ.backup"
 PATTERN: Final = "bodydrive-*.backup"
+OTHER_CLINIC: Final = "holds the backups of another clinic: choose a folder of its own for this one"
 OTHER_KEY: Final = "holds backups with another passphrase, or without one: give that, or choose an empty folder"
 
 Progress = Callable[[str, int, int], None]
@@ -40,22 +41,26 @@ class BackupFolder:
     folder: Path
     secret: Secret | None
 
-    def open(self) -> None:
-        """Make the folder one of backups, or check that it is, with this secret; Refusal otherwise."""
+    def open(self, clinic: str) -> None:
+        """Make the folder one of this clinic's backups, or check that it is, with this secret; Refusal otherwise.
+
+        `clinic` is the mark of the clinic. A folder that an earlier version made has none: it becomes this clinic's.
+        """
         if not self.folder.is_dir():
             raise Refusal(f"The folder {self.folder} is not there: connect the disk it lies on, or choose another.")
         file = self.folder / HEADER
         if not file.exists():
-            known = (
-                {"format": 1, "salt": None} if self.secret is None else {"format": 1, "salt": self.secret.salt.hex()}
-            )
             if any(self.folder.glob(PATTERN)) or (self.folder / "objects").exists():
                 raise Refusal(f"{self.folder} holds backups, but its file {HEADER} is missing: choose another folder.")
-            write_atomically(file, json.dumps(known).encode() + b"\n", OWNER_FILE)
+            self._write_header(clinic)
+        if folder_clinic(self.folder) not in {clinic, None}:
+            raise Refusal(f"{self.folder} {OTHER_CLINIC}.")
         if folder_salt(self.folder) != (None if self.secret is None else self.secret.salt):
             raise Refusal(f"{self.folder} {OTHER_KEY}.")
         for name in self.names()[-1:]:  # one that another key has sealed cannot be read
             self.manifest(name)
+        if folder_clinic(self.folder) is None:
+            self._write_header(clinic)
 
     def names(self) -> list[str]:
         """Return the file names of all backups, the newest last."""
@@ -104,6 +109,11 @@ class BackupFolder:
         """Write the content of a file to `out`; return its size and SHA-256."""
         with QuietReader(self._object(file.sha256)) as raw:
             return copy_hashed(self._opened(raw), out)
+
+    def _write_header(self, clinic: str) -> None:
+        salt = None if self.secret is None else self.secret.salt.hex()
+        known = json.dumps({"format": 1, "salt": salt, "clinic": clinic})
+        write_atomically(self.folder / HEADER, known.encode() + b"\n", OWNER_FILE)
 
     def _stored(
         self, sources: Iterable[Source], hashes: dict[tuple[str, int, int], str], progress: Progress
@@ -184,8 +194,22 @@ class BackupFolder:
 
 def folder_salt(folder: Path) -> bytes | None:
     """Return the passphrase's salt of a folder of backups, None when it is not sealed; Refusal when it is none."""
+    salt = _header(folder)["salt"]
+    return None if salt is None else bytes.fromhex(salt)
+
+
+def folder_clinic(folder: Path) -> str | None:
+    """Return the mark of the clinic whose backups lie in a folder, None when an earlier version made the folder."""
+    return _header(folder).get("clinic")
+
+
+def _header(folder: Path) -> dict[str, str | None]:
     try:
-        salt = json.loads((folder / HEADER).read_bytes())["salt"]
-        return None if salt is None else bytes.fromhex(salt)
-    except (OSError, ValueError, KeyError, TypeError) as error:
+        known = json.loads((folder / HEADER).read_bytes())
+        bytes.fromhex(known["salt"] or "")
+        if not isinstance(known.get("clinic"), str | None):
+            raise TypeError
+    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
         raise Refusal(f"{folder} is no folder of backups: its file {HEADER} cannot be read.") from error
+    else:
+        return dict(known)

@@ -2,9 +2,11 @@
 
 import os
 import shutil
+import sqlite3
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
+from hashlib import sha256
 from pathlib import Path
 
 from app.backup.manifest import DATABASE
@@ -50,8 +52,7 @@ def contents_of(settings: Settings, *, with_keys: bool) -> Iterator[Contents]:
     Refusal, OSError
         When there is no clinic, when another backup is being made, or when the copy cannot be made.
     """
-    if not settings.database.is_file():
-        raise Refusal(f"There is no clinic in {settings.state}: give its folder with --state.")
+    _require_clinic(settings)
     work = settings.backup / "work"
     shutil.rmtree(work, ignore_errors=True)  # of a backup that was interrupted
     work.mkdir(mode=OWNER_FOLDER, parents=True)
@@ -67,6 +68,22 @@ def contents_of(settings: Settings, *, with_keys: bool) -> Iterator[Contents]:
         yield Contents((*own, *listed), copy.rows, tuple(left_out))
     finally:
         shutil.rmtree(work, ignore_errors=True)
+
+
+def clinic_mark(settings: Settings) -> str:
+    """Return what tells this clinic from all others, also after it was restored: the hash of when it was set up.
+
+    Refusal when there is no clinic.
+    """
+    _require_clinic(settings)
+    with closing(sqlite3.connect(settings.database)) as connection:
+        created = connection.execute("SELECT created FROM clinic ORDER BY id LIMIT 1").fetchone()
+    return sha256(repr(created).encode()).hexdigest()
+
+
+def _require_clinic(settings: Settings) -> None:
+    if not settings.database.is_file():
+        raise Refusal(f"There is no clinic in {settings.state}: give its folder with --state.")
 
 
 def _head_of(settings: Settings) -> Path:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from app import __version__
 from app.backup.backup_folder import BackupFolder
-from app.backup.contents import contents_of
+from app.backup.contents import clinic_mark, contents_of
 from app.backup.manifest import Manifest, left_out_words
 from app.backup.sealing import Secret
 from app.backup.single_file import read_backup, write_backup
@@ -51,7 +51,7 @@ def make_backup(
     with _one_at_a_time(settings):
         if target.is_dir():
             folder = BackupFolder(target, secret)
-            folder.open()
+            folder.open(clinic_mark(settings))
             add_tombstones(target / settings.erased.name, read_tombstones(settings.erased))
             with contents_of(settings, with_keys=with_keys) as contents:
                 name, manifest = folder.add(contents, __version__, with_keys=with_keys, progress=progress)

@@ -31,16 +31,16 @@ def keep_secret(folder: Path, secret: Secret | None) -> None:
         write_atomically(folder / FILE, json.dumps(document).encode(), OWNER_FILE)
 
 
-def opened_folder(folder: Path, passphrase: str, kept: Secret | None) -> tuple[Secret | None, str]:
+def opened_folder(folder: Path, passphrase: str, kept: Secret | None, clinic: str) -> tuple[Secret | None, str]:
     """Open a folder for the backups of every night: with a passphrase, or when it is empty with the key that is kept.
 
-    Return the key, and in one sentence why the folder cannot be used, empty when it can; for the computing process,
-    because making the key takes long.
+    `clinic` is the mark of the clinic. Return the key, and in one sentence why the folder cannot be used, empty when it
+    can; for the computing process, because making the key takes long.
     """
     try:
         salt = folder_salt(folder) if (folder / HEADER).is_file() else None
         secret = secret_of(passphrase, salt) if passphrase else kept
-        BackupFolder(folder, secret).open()
+        BackupFolder(folder, secret).open(clinic)
     except Refusal as refusal:
         return None, str(refusal)
     except OSError as error:

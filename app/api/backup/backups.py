@@ -10,6 +10,7 @@ from pydantic import Field, SecretStr
 from app.api.answers import Answer, MomentText
 from app.api.deps import Owner, People, PeopleParts, RowId
 from app.api.parts import Web
+from app.backup.contents import clinic_mark
 from app.backup.night_secret import keep_secret, opened_folder, read_secret
 from app.backup.signing import clinic_fingerprint
 from app.file_modes import OWNER_FOLDER
@@ -183,7 +184,8 @@ def _choose(body: BackupSettings, person: str, clinic_id: int, parts: People, we
         place = folder.resolve()
         if place.is_relative_to(own.state.resolve()) or own.state.resolve().is_relative_to(place):
             raise Conflict(INSIDE)
-        secret, why_not = web.computing.ask(opened_folder, folder, passphrase if body.encrypted else "", kept)
+        given = passphrase if body.encrypted else ""
+        secret, why_not = web.computing.ask(opened_folder, folder, given, kept, clinic_mark(own))
         if why_not:
             raise Conflict(why_not)
         own.backup.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
