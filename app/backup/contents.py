@@ -73,11 +73,13 @@ def contents_of(settings: Settings, *, with_keys: bool) -> Iterator[Contents]:
 def clinic_mark(settings: Settings) -> str:
     """Return what tells this clinic from all others, also after it was restored: the hash of when it was set up.
 
-    Refusal when there is no clinic.
+    Refusal when there is no clinic, or none that is set up.
     """
     _require_clinic(settings)
     with closing(sqlite3.connect(settings.database)) as connection:
         created = connection.execute("SELECT created FROM clinic ORDER BY id LIMIT 1").fetchone()
+    if created is None:
+        raise Refusal(f"The clinic in {settings.state} is not set up yet: open its pages first.")
     return sha256(repr(created).encode()).hexdigest()
 
 

@@ -80,9 +80,22 @@ def test_a_folder_that_is_gone_is_a_warning_and_a_failed_backup(signed_in: Clini
     assert whats(signed_in)[-1] == "backup failed"
 
 
+def test_a_folder_that_another_clinic_took_is_a_failed_backup(signed_in: Clinic, tmp_path: Path) -> None:
+    stick = tmp_path / "stick"
+    stick.mkdir()
+    chosen(signed_in, stick)
+    (stick / "bodydrive-backups.json").write_text('{"format": 1, "salt": null, "clinic": "another"}')
+    assert signed_in("POST", "/backups").status_code == 202
+    after = signed_in.until("/backups", lambda view: view["course"] is None)
+    assert (after["made"][0]["good"], "of another clinic" in after["made"][0]["words"]) == (False, True)
+
+
 def test_a_folder_that_cannot_be_used_is_one_sentence(signed_in: Clinic, settings: Settings, tmp_path: Path) -> None:
     foreign = tmp_path / "foreign"
     foreign.mkdir()
+    neighbour = tmp_path / "neighbour"
+    neighbour.mkdir()
+    (neighbour / "bodydrive-backups.json").write_text('{"format": 1, "salt": null, "clinic": "another"}')
     (foreign / "bodydrive-backups.json").write_text('{"salt": "00"}')
     for folder, words in (
         (tmp_path / "none", "is not there"),
@@ -90,6 +103,7 @@ def test_a_folder_that_cannot_be_used_is_one_sentence(signed_in: Clinic, setting
         (settings.state / "files", "clinic's own folder"),
         (settings.state.parent, "clinic's own folder"),
         (foreign, "another passphrase"),
+        (neighbour, "holds the backups of another clinic"),
     ):
         answer = chosen(signed_in, folder)
         assert (answer.status_code, words in answer.json()["detail"]) == (409, True), answer.json()

@@ -90,3 +90,12 @@ def test_bad_input_is_one_sentence(bodydrive: Any, settings: Settings, words: tu
     code, out, err = bodydrive(*words)
     assert (code, out, err.count("\n")) == (2, "", 1)
     assert sentence in err
+
+
+def test_the_folder_of_another_clinic_is_one_sentence(bodydrive: Any, settings: Settings, tmp_path: Path) -> None:
+    two_patients(Settings(state=tmp_path / "neighbour"), "Zebra")
+    (tmp_path / "stick").mkdir()
+    assert bodydrive("backup", "stick", "--state", "neighbour")[0] == 0
+    code, out, err = bodydrive("backup", "stick", "--state", "clinic")
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert "stick holds the backups of another clinic: choose a folder of its own for this one." in err
