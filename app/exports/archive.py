@@ -17,7 +17,7 @@ from app.refusals import NO_ROOM, Conflict, DiskFull
 from app.scoring.interface_test.interface_measures import check_documents
 from app.store.database import Database, Transaction
 from app.store.files.disk_watch import disk_room
-from app.store.files.import_folder import import_folder
+from app.store.files.passing_folder import passing_folder
 from app.store.log import write_log
 from app.store.patients import find_patient
 from app.store.records.consents import require_consent
@@ -73,7 +73,7 @@ def import_archive(database: Database, clinic_id: int, file: Path, person: str, 
         if disk_room(runs.parent).free < archive.recording_bytes + ROOM_TO_RECORD:
             raise DiskFull(NO_ROOM)
         runs.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
-        with import_folder(runs.parent) as folder:
+        with passing_folder(runs.parent, "import") as folder:
             archive.unpack_recordings(folder)
             return _add(database, clinic_id, archive, rows, person, folder, runs)
 

@@ -13,7 +13,7 @@ from store.keeping.filled_clinic import two_patients
 from app.exports.archive import import_archive, make_archive
 from app.settings import Settings
 from app.store.database import Database
-from app.store.files.import_folder import import_folder, remove_left_imports
+from app.store.files.passing_folder import passing_folder, remove_passing_folders
 from app.store.keeping.erasure import erase_due
 
 KILLED = """
@@ -62,10 +62,16 @@ def test_the_next_import_removes_it(settings: Settings, package: Path) -> None:
     assert list(settings.state.glob(".import-*")) == []
 
 
+def test_what_a_killed_export_left_goes_likewise(tmp_path: Path) -> None:
+    (tmp_path / ".export-left" / "part").mkdir(parents=True)
+    remove_passing_folders(tmp_path)
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_an_import_that_goes_on_keeps_its_recordings(tmp_path: Path) -> None:
-    with import_folder(tmp_path) as first, import_folder(tmp_path) as second:
+    with passing_folder(tmp_path, "import") as first, passing_folder(tmp_path, "export") as second:
         (first / "run").mkdir()
-        remove_left_imports(tmp_path)
+        remove_passing_folders(tmp_path)
         assert (first / "run").is_dir()
         assert second.is_dir()
     assert list(tmp_path.iterdir()) == []

@@ -1,8 +1,7 @@
 """The recordings and measures of a patient as one zip file, sent while it is made."""
 
-import shutil
-import tempfile
 from collections.abc import Iterator
+from contextlib import closing
 from pathlib import Path
 from typing import Annotated
 
@@ -18,6 +17,7 @@ from app.exports.package import Step, export_steps
 from app.scoring.verdict.spread import Spread
 from app.session.clinic_spread import Task
 from app.source import SourceGroup
+from app.store.files.passing_folder import passing_folder
 
 router = APIRouter(tags=["exports"])
 
@@ -54,18 +54,13 @@ def _content(steps: list[Step], state: Path) -> Iterator[bytes]:
 
     The steps have a process of their own: the computing process of the clinic stays free for trials.
     """
-    computing = ComputingProcess()
-    folder = Path(tempfile.mkdtemp(prefix=".export-", dir=state))
-    try:
+    with passing_folder(state, "export") as folder, closing(ComputingProcess()) as computing:
         package, sent = folder / "export.zip", 0
         for step in steps:
             final = computing.ask(step, package)
             yield from _between(package, sent, final)
             sent = final
         yield from _between(package, sent, package.stat().st_size)
-    finally:
-        computing.close()
-        shutil.rmtree(folder, ignore_errors=True)
 
 
 def _between(file: Path, start: int, end: int) -> Iterator[bytes]:

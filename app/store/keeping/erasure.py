@@ -16,7 +16,7 @@ from app.refusals import Conflict, NotFound
 from app.settings import Settings
 from app.store.access.visible_patients import WITH_DELETED
 from app.store.database import Database
-from app.store.files.import_folder import remove_left_imports
+from app.store.files.passing_folder import remove_passing_folders
 from app.store.files.replacements import BETWEEN
 from app.store.keeping.incidents import incident_of
 from app.store.keeping.keeping_tables import ErasedPatient, PatientFile
@@ -108,9 +108,9 @@ def erase_again(database: Database, settings: Settings, tombstones: frozenset[To
 def remove_erased_files(database: Database, settings: Settings) -> None:
     """Remove the files of erased patients, and the bytes that SQLite's write-ahead log still holds of them.
 
-    Recordings that a killed import has unpacked belong to nobody whom the clinic knows: they go, too.
+    What killed imports and exports have left can hold recordings of anybody: it goes, too.
     """
-    remove_left_imports(settings.state)
+    remove_passing_folders(settings.state)
     with database.transaction(closing=True) as db:
         left = {row.id: list(row.files) for row in db.scalars(select(ErasedPatient)) if row.files}
     if not left:

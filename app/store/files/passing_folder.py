@@ -1,4 +1,4 @@
-"""The folder in which an import unpacks recordings, and the removal of what a killed import has left."""
+"""The folders in which imports and exports keep recordings for a while; what a killed one has left goes."""
 
 import fcntl
 import os
@@ -7,33 +7,34 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
-from typing import Final
+from typing import Final, Literal
 
-PREFIX: Final = ".import-"
+Use = Literal["import", "export"]
+PATTERNS: Final = (".import-*", ".export-*")
 
 
 @contextmanager
-def import_folder(state: Path) -> Iterator[Path]:
-    """Make an empty folder for one import in the clinic's folder, yield it, and remove it afterwards.
+def passing_folder(state: Path, use: Use) -> Iterator[Path]:
+    """Make an empty folder in the clinic's folder, yield it, and remove it afterwards.
 
-    A lock tells it from the folder of a killed import: the system releases the lock when the process ends.
+    A lock tells it from the folder of a killed process: the system releases the lock when the process ends.
     """
     with ExitStack() as stack:
         with _locked(state):
             _remove_left(state)
-            name = stack.enter_context(tempfile.TemporaryDirectory(dir=state, prefix=PREFIX))
+            name = stack.enter_context(tempfile.TemporaryDirectory(dir=state, prefix=f".{use}-"))
             stack.enter_context(_locked(Path(name)))
         yield Path(name)
 
 
-def remove_left_imports(state: Path) -> None:
-    """Remove the recordings that killed imports have unpacked in the clinic's folder; imports that go on stay."""
+def remove_passing_folders(state: Path) -> None:
+    """Remove what killed imports and exports have left in the clinic's folder; those that go on keep theirs."""
     with _locked(state):
         _remove_left(state)
 
 
 def _remove_left(state: Path) -> None:
-    for folder in state.glob(f"{PREFIX}*"):
+    for folder in (found for pattern in PATTERNS for found in state.glob(pattern)):
         with suppress(BlockingIOError, FileNotFoundError), _locked(folder, fcntl.LOCK_NB):
             shutil.rmtree(folder)
 
