@@ -123,12 +123,14 @@ def test_adapt(page, clinic):
 def test_review(page, clinic):
     path = clinic.good("GET", "/floorplans/follow_me.easy")["paths"][0]["name"]
     go(page, clinic, f"review/1/follow_me.easy/{path}")
+    expect(page.get_by_label("Compare trial 1")).to_be_visible()  # the list comes after the charts
     tab_to(page, "Compare trial 1")
     page.keyboard.press("Space")
     tab_to(page, "Compare trial 2")
     page.keyboard.press("Space")
     press(page, "Compare two trials")
     heading(page, "Two trials side by side").to_be_visible()
+    expect(page.get_by_label("Moment of the trial")).to_be_visible()
     tab_to(page, "Moment of the trial")
     before = page.get_by_label("Moment of the trial").input_value()
     page.keyboard.press("ArrowRight")
