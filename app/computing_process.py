@@ -85,6 +85,13 @@ class ComputingProcess:
         except _NoLongerWantedError:
             return None
 
+    def ask_while(self, progress: Callable[[], object], question: Callable[[], Answer]) -> Answer:
+        """Return `question()`, a partial function, however long it takes while `progress()` returns new values.
+
+        The 120 s count from the last new value. Raises what `ask` raises.
+        """
+        return self._answer(question, lambda: False, progress)
+
     def close(self) -> None:
         """End the process for good; who waits for an answer is refused."""
         self._closed = True
@@ -95,12 +102,17 @@ class ComputingProcess:
             self._idle.cancel()
             self._end()
 
-    def _answer(self, question: Callable[[], Answer], leave_off: Callable[[], bool]) -> Answer:
+    def _answer(
+        self,
+        question: Callable[[], Answer],
+        leave_off: Callable[[], bool],
+        progress: Callable[[], object] = lambda: None,
+    ) -> Answer:
         with self._one_at_a_time:
             self._idle.cancel()
             running = self._started()
             try:
-                error, answer = running.answer(question, leave_off)
+                error, answer = running.answer(question, leave_off, progress)
             except BaseException:
                 self._end()
                 raise
@@ -150,15 +162,19 @@ class _Running:
             command = [sys.executable, "-m", __name__, str(descriptor)]
             self.process = Popen(command, stdin=DEVNULL, stdout=DEVNULL, pass_fds=[descriptor])
 
-    def answer(self, question: Callable[[], Any], leave_off: Callable[[], bool]) -> tuple[Exception | None, Any]:
+    def answer(
+        self, question: Callable[[], Any], leave_off: Callable[[], bool], progress: Callable[[], object]
+    ) -> tuple[Exception | None, Any]:
         """Return the error that the question raised, or None, and its answer."""
-        until = monotonic() + ANSWER_LIMIT
+        until, before = monotonic() + ANSWER_LIMIT, progress()
         try:
             self._connection.send(question)
             while not self._connection.poll(LOOK_EVERY):
                 if leave_off():
                     raise _NoLongerWantedError
-                if monotonic() > until:
+                if (now := progress()) != before:
+                    until, before = monotonic() + ANSWER_LIMIT, now
+                elif monotonic() > until:
                     raise Unavailable(TOO_LONG)
             found: tuple[Exception | None, Any] = self._connection.recv()
         except (EOFError, ConnectionError) as error:

@@ -1,6 +1,7 @@
 """The computing process: answers, errors, its ends, and what it loads."""
 
 import ast
+import itertools
 import math
 import os
 import signal
@@ -78,6 +79,18 @@ def test_a_question_that_takes_too_long_is_given_up(
     monkeypatch.setattr(computing_process, "ANSWER_LIMIT", 0.2)
     with pytest.raises(Unavailable, match="to compute"):
         computing.ask(time.sleep, LONG)
+
+
+def test_a_question_may_take_long_while_it_goes_on(
+    computing: ComputingProcess, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(computing_process, "ANSWER_LIMIT", 0.0)
+    with pytest.raises(Unavailable, match="to compute"):
+        computing.ask_while(lambda: 1, partial(time.sleep, LONG))
+    looks = itertools.count()
+    monkeypatch.setattr(computing_process, "ANSWER_LIMIT", 0.2)
+    assert computing.ask_while(lambda: next(looks), partial(time.sleep, 1.0)) is None
+    assert next(looks) > 2
 
 
 def test_what_nobody_wants_any_more_is_left_off(computing: ComputingProcess) -> None:

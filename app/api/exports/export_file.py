@@ -1,7 +1,9 @@
 """The recordings and measures of a patient as one zip file, sent while it is made."""
 
+import os
 from collections.abc import Iterator
-from contextlib import closing
+from contextlib import closing, suppress
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -57,10 +59,20 @@ def _content(steps: list[Step], state: Path) -> Iterator[bytes]:
     with passing_folder(state, "export") as folder, closing(ComputingProcess()) as computing:
         package, sent = folder / "export.zip", 0
         for step in steps:
-            final = computing.ask(step, package)
+            final = computing.ask_while(partial(_written, folder), partial(step, package))
             yield from _between(package, sent, final)
             sent = final
         yield from _between(package, sent, package.stat().st_size)
+
+
+def _written(folder: Path) -> int:
+    """Return the bytes of all files in a folder, which grow while an export is made, however long it takes."""
+    total = 0
+    for place, _, files in os.walk(folder):
+        for name in files:
+            with suppress(FileNotFoundError):  # a part that is packed already
+                total += (Path(place) / name).stat().st_size
+    return total
 
 
 def _between(file: Path, start: int, end: int) -> Iterator[bytes]:

@@ -1,10 +1,12 @@
 """The export of a patient over the API: streamed, logged, and with consent only."""
 
 import io
+import itertools
 import subprocess
 import sys
 import zipfile
 from datetime import date
+from pathlib import Path
 from typing import Any
 
 import pyarrow.parquet as pa_parquet
@@ -12,6 +14,8 @@ import pytest
 from fake_clinic import WORD
 from recorded_trial import record_trial
 
+from app import computing_process
+from app.api.exports import export_file
 from app.recording.reader import read_run
 from app.store.records.consents import give_consent
 from app.store.tables import Trial
@@ -52,6 +56,25 @@ def test_an_export_is_streamed_with_consent_only_and_logged(driven: Any) -> None
     (row,) = [row for row in driven.log() if row.what == "export"]
     assert (row.details["patient"], row.details["form"]) == (driven.patient, "parquet")
     assert list(driven.folder.parent.parent.glob(".export-*")) == []
+
+
+def test_an_export_takes_as_long_as_it_writes(driven: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A recording of 8 h needs more than the limit of a question; here each look at the folder finds more bytes."""
+    looks = itertools.count()
+    with driven.client.app.state.people.database.transaction() as db:
+        give_consent(db, driven.patient, "sharing", date(2025, 1, 1), "Ana")
+    monkeypatch.setattr(computing_process, "ANSWER_LIMIT", 0.0)
+    monkeypatch.setattr(export_file, "_written", lambda _: next(looks))
+    answer = driven("GET", f"/patients/{driven.patient}/export?form=csv")
+    with zipfile.ZipFile(io.BytesIO(answer.content)) as opened:
+        assert opened.testzip() is None
+
+
+def test_the_bytes_of_all_parts_are_its_progress(tmp_path: Path) -> None:
+    (tmp_path / "part").mkdir()
+    (tmp_path / "part" / "a").write_bytes(b"12")
+    (tmp_path / "export.zip").write_bytes(b"3")
+    assert export_file._written(tmp_path) == 3
 
 
 def test_a_patient_or_session_that_is_not_there_is_not_exported(driven: Any) -> None:
