@@ -35,6 +35,19 @@ LISTEN = """() => {
   }).observe(document.body, { childList: true, subtree: true, characterData: true });
 }"""
 A_WHILE = 2500  # ms
+# A card over the picture, outside every page: `show(why)` gives it one and the same fault, and a picture or none.
+CARD = """() => import("/js/widgets/trial_cue.js").then(({ trialCue }) => {
+  const picture = { shows: "view", why: "" };
+  const { element, show } = trialCue({ live: { latest: null } }, picture, () => {}, () => {});
+  document.body.append(element);
+  const fault = { name: "shirt_silent", happened: "The shirt is silent.", next_step: "Look at its cable." };
+  window.showFault = (why) => {
+    Object.assign(picture, { shows: why ? "none" : "view", why });
+    show({ control: "alive", state: "fault", fault, stops: 0, trial: { waits: 300 } });
+    return element.textContent;
+  };
+  window.removeCard = () => element.remove();
+})"""
 
 
 def said(page):
@@ -83,6 +96,23 @@ def test_each_state_of_a_drive_is_said_once(page, clinic):
         clinic.clear()
         page.wait_for_timeout(A_WHILE)
         said(page)
+    put_back(clinic)
+
+
+def test_a_picture_that_goes_and_comes_does_not_say_the_fault_again(page, clinic):
+    look_as(page, ("1280x800", "light"))
+    PLACES["settings"](page, clinic)
+    page.evaluate(CARD)
+    page.evaluate(LISTEN)
+    page.evaluate("() => showFault('')")
+    page.wait_for_timeout(0)  # until the observer has run
+    assert with_words(said(page), "The shirt is silent.") == ["polite"]
+    for why, words in (("stale", "older than a second"), ("", "Look at its cable.")):
+        assert words in page.evaluate("(why) => showFault(why)", why)
+        rows = said(page)
+        assert with_words(rows, words) == ["polite"], rows
+        assert with_words(rows, "The shirt is silent.") == [], rows
+    page.evaluate("() => removeCard()")
     put_back(clinic)
 
 

@@ -21,6 +21,8 @@ export function trialCue(app, picture, onEnd, onPlan) {
   const waits = waitWords("trial.paused");
   const faultKey = faultKeys();
   let shown = "";
+  /** @type {ReturnType<typeof overView> | null} */
+  let haltCard = null;
   let isBegun = false;
   let timer = 0;
   /** @param {string} big @param {string} small */
@@ -42,14 +44,15 @@ export function trialCue(app, picture, onEnd, onPlan) {
   const show = (now) => {
     waits.show(now.trial?.waits);
     const fault = now.control === "alive" ? now.fault : null;
-    const phase = now.control !== "alive" ? "control" : fault ? faultKey(fault, now.stops) : now.state;
-    const key = fault ? `${phase} ${missing()}` : phase;
-    if (key === shown) return;
+    const key = now.control !== "alive" ? "control" : fault ? faultKey(fault, now.stops) : now.state;
+    if (key === shown) return haltCard?.setMissing(missing());
     shown = key;
     set(element, { "aria-live": urgency(fault) });
-    if (fault) {
+    haltCard = fault && overView(app, fault, waits.element, onEnd, onPlan);
+    if (haltCard) {
       clearTimeout(timer);
-      return put(element, overView(app, fault, missing(), waits.element, onEnd, onPlan));
+      put(element, haltCard.element);
+      return haltCard.setMissing(missing());
     }
     if (key === "disarmed" && !isBegun) return; // the trial has not begun: keep the card of `prepare`
     clearTimeout(timer);
@@ -65,19 +68,30 @@ export function trialCue(app, picture, onEnd, onPlan) {
 }
 
 /**
- * @param {App} app @param {FaultWords} fault @param {string} missing why there is no picture; empty when there is one
- * @param {Node} waits @param {() => Promise<void>} onEnd @param {() => void} onPlan
+ * The card of a fault. A picture that goes or comes back changes what to do, and only that is read out again.
+ * @param {App} app @param {FaultWords} fault @param {Node} waits @param {() => Promise<void>} onEnd @param {() => void} onPlan
  */
-function overView(app, fault, missing, waits, onEnd, onPlan) {
+function overView(app, fault, waits, onEnd, onPlan) {
+  const next = h("p", {}, fault.next_step);
   const end = h("button", { type: "button", class: "btn", onclick: onEnd }, t("trial.end"));
-  if (!missing) return faultCard(app, fault, waits, end);
-  return card(fault.happened, t(`picture.${missing}`), waits, planButton("picture.plan.show", onPlan), end);
+  let go = continueButton(app);
+  let lacks = "";
+  /** @param {string} missing why there is no picture; empty when there is one */
+  const setMissing = (missing) => {
+    if (missing === lacks) return;
+    lacks = missing;
+    write(next, missing ? t(`picture.${missing}`) : fault.next_step);
+    const other = missing ? planButton("picture.plan.show", onPlan) : continueButton(app);
+    go.replaceWith(other);
+    go = other;
+  };
+  return { element: card(fault.happened, next, waits, go, end), setMissing };
 }
 
 /** The card while there is no picture to drive by. @param {string} why @param {() => void} onPlan */
 function withoutPicture(why, onPlan) {
   const back = h("a", { class: "btn", href: "#/drive" }, t("picture.back"));
-  return card(t("picture.none"), t(`picture.${why}`), null, planButton("picture.plan.start", onPlan), back);
+  return card(t("picture.none"), h("p", {}, t(`picture.${why}`)), null, planButton("picture.plan.start", onPlan), back);
 }
 
 /** @param {string} words @param {() => void} onPlan */
@@ -99,16 +113,16 @@ export function waitWords(key) {
 
 /** What happened, what to do, Continue, and how to end. @param {import("../main.js").App} app @param {FaultWords} fault @param {Node} waits @param {Node} end */
 export function faultCard(app, { happened, next_step: next }, waits, end) {
-  return card(happened, next, waits, continueButton(app), end);
+  return card(happened, h("p", {}, next), waits, continueButton(app), end);
 }
 
-/** @param {string} happened @param {string} next @param {Node | null} waits @param {Node} go @param {Node} other */
+/** @param {string} happened @param {Node} next @param {Node | null} waits @param {Node} go @param {Node} other */
 function card(happened, next, waits, go, other) {
   return h(
     "div",
     { class: "hud fault-card" },
     h("h2", {}, icon("warning", 28), happened),
-    h("p", {}, next),
+    next,
     waits,
     h("div", { class: "spread" }, go, other),
   );
