@@ -4,12 +4,15 @@ from playwright.sync_api import expect
 
 MOST_TABS = 120
 # What has the focus, as a screen reader calls it: its own label, its field's label, or its words.
-FOCUSED = """() => {
+WORDS = """(one) => (one.getAttribute("aria-label") ?? one.labels?.[0]?.textContent ?? one.textContent)
+  .trim().replaceAll(/\\s+/g, " ")"""
+FOCUSED = f"""() => {{
   const one = document.activeElement;
-  if (!one || one === document.body) return "";
-  const words = one.getAttribute("aria-label") ?? one.labels?.[0]?.textContent ?? one.textContent;
-  return words.trim().replaceAll(/\\s+/g, " ");
-}"""
+  return !one || one === document.body ? "" : ({WORDS})(one);
+}}"""
+# Whether there is something of this name to come to: a page may be on its way there.
+THERE = f"""(name) => [...document.querySelectorAll("a, button, input, select, textarea, summary, [tabindex]")]
+  .some((one) => one.checkVisibility() && ({WORDS})(one).includes(name))"""
 SEEN = """() => {
   const one = document.activeElement.closest("label") ?? document.activeElement;
   const style = getComputedStyle(one);
@@ -25,7 +28,8 @@ def focused(page):
 
 
 def tab_to(page, name, key="Tab"):
-    """Press Tab until the control of this name has the focus, which then is seen."""
+    """Press Tab until the control of this name, which the page may be about to show, has the focus, which is seen."""
+    page.wait_for_function(THERE, arg=name)
     passed = []
     for _ in range(MOST_TABS):
         page.keyboard.press(key)

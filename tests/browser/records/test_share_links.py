@@ -115,6 +115,6 @@ def test_a_reviewer_has_no_share_links_and_asks_for_none(app, page, card):
     page.on("request", lambda request: asked.append(request.url))
     page.reload()
     expect(page.get_by_role("heading", name="Sessions of P-1")).to_be_visible()
-    expect(page.get_by_role("link", name="Session 1")).to_be_visible()
+    expect(page.get_by_role("link", name="Session 1", exact=True)).to_be_visible()
     expect(card).to_have_count(0)
     assert [url for url in asked if "/shares" in url] == []
