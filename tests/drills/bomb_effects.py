@@ -6,7 +6,7 @@ from pathlib import Path
 
 import httpx
 from drills.bombs import Bomb
-from drills.results import Watcher
+from drills.results import Watcher, waited
 from processes.served_demo import Demo
 
 from app.clock import monotonic
@@ -37,6 +37,7 @@ class OtherRequests:
 
     def __init__(self, demo: Demo, watcher: Watcher) -> None:
         self._client = httpx.Client(base_url=demo.client.base_url, cookies=demo.client.cookies, timeout=60)
+        self._pid = demo.process.pid
         self._watcher = watcher
         self._ended = threading.Event()
         self._thread = threading.Thread(target=self._ask)
@@ -54,10 +55,11 @@ class OtherRequests:
 
     def _ask(self) -> None:
         while not self._ended.is_set():
-            begun = monotonic()
+            begun, before = monotonic(), waited(self._pid)
             self._client.get("/limits").raise_for_status()
             ended = monotonic()
-            self.answers.append(ended - begun - self._watcher.late(begun, ended))
+            late = self._watcher.late(begun, ended) + waited(self._pid) - before
+            self.answers.append(ended - begun - late)
             self._ended.wait(0.01)
 
 
