@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 
 from app.reports.document import Drawing
 from app.reports.svg import area, dot, label, line, nice_step, picture
+from app.scoring.learning import Measure
 
 WIDTH, HEIGHT = 250.0, 128.0  # points
 LEFT, RIGHT, TOP, BOTTOM = 30.0, 6.0, 8.0, 20.0
@@ -21,7 +22,9 @@ class CurvePoint(NamedTuple):
     familiarisation: bool
 
 
-def curve_drawing(points: Sequence[CurvePoint], fit: dict[str, Any] | None, unit: str, words: str) -> Drawing | None:
+def curve_drawing(
+    points: Sequence[CurvePoint], fit: dict[str, Any] | None, measure: Measure, words: str
+) -> Drawing | None:
     """Draw a learning curve; None without points. `fit` as of `app.scoring.learning.learning_curves`."""
     if not points:
         return None
@@ -37,7 +40,7 @@ def curve_drawing(points: Sequence[CurvePoint], fit: dict[str, Any] | None, unit
         share = (min(max(value, low), high) - low) / (high - low)
         return x, TOP + (HEIGHT - TOP - BOTTOM) * (1 - share)
 
-    parts = [*_axes(low, high, step, unit), *_sessions(points, place)]
+    parts = [*_axes(low, high, step, measure), *_sessions(points, place)]
     if fit is not None:
         upper = [place(n, value) for n, value in zip(fit["n"], fit["high"], strict=True)]
         lower = [place(n, value) for n, value in zip(fit["n"], fit["low"], strict=True)]
@@ -62,14 +65,14 @@ def _near(value: float, values: Sequence[float]) -> bool:
     return min(values) - span <= value <= max(values) + span
 
 
-def _axes(low: float, high: float, step: float, unit: str) -> list[str]:
+def _axes(low: float, high: float, step: float, measure: Measure) -> list[str]:
     parts = []
     for number in range(round((high - low) / step) + 1):
         value = low + number * step
         y = TOP + (HEIGHT - TOP - BOTTOM) * (1 - (value - low) / (high - low))
-        words = f"{value:.6g}".replace("-", "\u2212")
+        words = f"{value * measure.factor:.6g}".replace("-", "\u2212")
         parts += [line([(LEFT, y), (WIDTH - RIGHT, y)], "line", 0.5), label(LEFT - 3, y + 2.4, words, anchor="end")]
-    return [*parts, label(2, 6, unit)]
+    return [*parts, label(2, 6, measure.unit)]
 
 
 def _sessions(points: Sequence[CurvePoint], place: Any) -> list[str]:

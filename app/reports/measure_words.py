@@ -20,7 +20,7 @@ MEASURE_WORDS: Final[dict[str, MeasureWords]] = {
     "stages_done": MeasureWords("Stages done", 0),
     "follow_error_rms": MeasureWords("Usual error of the distance to the leader", 2),
     "follow_error_max": MeasureWords("Largest error of the distance to the leader", 2),
-    "follow_near": MeasureWords("Share of time near the asked distance", 2),
+    "follow_near": MeasureWords("Share of time near the asked distance", 0),
     "heading_error_deg": MeasureWords("Angle beside the mark", 0),
     "turn_drift": MeasureWords("Moved off the spot", 2),
     "cones_touched": MeasureWords("Cones touched", 0),
@@ -83,10 +83,11 @@ def noise_words(name: str, verdict: Verdict) -> str:
 
 
 def _figure(name: str, value: float) -> str:
+    _, unit, factor = LEARNING[name]
     digits = MEASURE_WORDS[name].digits
-    if not digits and value != round(value):
+    if not digits and not unit and value != round(value):
         digits = 1  # a mean of counts
-    return f"{value:.{digits}f}".replace("-", "\u2212")
+    return f"{value * factor:.{digits}f}".replace("-", "\u2212")
 
 
 def _joined(figure: str, name: str) -> str:

@@ -145,4 +145,4 @@ def _curve(name: str, rows: Rows, newest: int, fit: dict[str, Any] | None) -> Dr
         if (value := value_of(row, name)) is not None
     ]
     words = f"{MEASURES[name].words} over {amount(len(points), 'trial')}."
-    return curve_drawing(points, fit, MEASURES[name].unit, words)
+    return curve_drawing(points, fit, MEASURES[name], words)

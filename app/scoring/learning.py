@@ -17,10 +17,11 @@ LARGEST = 1e100  # larger values are left out: sums of squares would overflow
 
 
 class Measure(NamedTuple):
-    """The words and the unit of a measure."""
+    """The words and the unit of a measure, and what a stored value is multiplied by to be in that unit."""
 
     words: str
     unit: str
+    factor: float = 1.0
 
 
 MEASURES: dict[str, Measure] = {
@@ -37,7 +38,7 @@ MEASURES: dict[str, Measure] = {
     "stages_done": Measure("The number of stages done", ""),
     "follow_error_rms": Measure("The usual error of the distance to the leader", "m"),
     "follow_error_max": Measure("The largest error of the distance to the leader", "m"),
-    "follow_near": Measure("The share of time near the asked distance", ""),
+    "follow_near": Measure("The share of time near the asked distance", "%", 100.0),
     "heading_error_deg": Measure("The angle beside the mark", "°"),
     "turn_drift": Measure("The way off the spot", "m"),
     "cones_touched": Measure("The number of cones touched", ""),
@@ -125,7 +126,8 @@ def learning_curves(trials: Sequence[Mapping[str, Any]], *, every_model: bool = 
         learning = fit_learning_curve(numbers, values)
         curve = curves[name] = {"text": _too_few(len(rows)), "sessions": None, "fit": None}
         if learning is not None:
-            kept = retention(sessions, values) if len(sessions) == len(values) else None
+            in_unit = [value * measure.factor for value in values]
+            kept = retention(sessions, in_unit) if len(sessions) == len(values) else None
             curve["text"] = describe(measure, learning)
             curve["sessions"] = kept and describe_retention(kept, measure.unit)
             curve["fit"] = None if learning.curve.form == "level" else _curve_document(learning.n, learning.curve)
@@ -143,7 +145,7 @@ def describe(measure: Measure, learning: LearningCurve) -> str:
     # A few unusual trials at an end may contradict the trend; the sentence must not.
     went = {("falls", True): "fell", ("rises", False): "rose"}.get((trend.direction, last < first), "went")
     change = (
-        f"{measure.words} {went} from {_number(first, measure.unit)} to {_number(last, measure.unit)} "
+        f"{measure.words} {went} from {_number(first, measure)} to {_number(last, measure)} "
         f"(medians of the first and the last {EDGE} of {count} trials; Mann-Kendall trend test: {p})."
     )
     if trend.direction == "none":
@@ -159,8 +161,8 @@ def _slope_in_words(measure: Measure, learning: LearningCurve) -> str:
     slope = theil_sen(learning.n.tolist(), learning.values.tolist())
     if slope.low * slope.high <= 0:
         return ""
-    least, most = sorted((abs(slope.low), abs(slope.high)))
-    step = _number(abs(slope.median), measure.unit, digits=2)
+    least, most = sorted((abs(slope.low) * measure.factor, abs(slope.high) * measure.factor))
+    step = _number(abs(slope.median), measure, digits=2)
     return (
         f" From trial to trial it {learning.trend.direction} by {step} in the median (95 %: {least:.2g} to {most:.2g})."
     )
@@ -178,7 +180,7 @@ def _shape_in_words(measure: Measure, learning: LearningCurve) -> str:
         return "A power law describes it better than an exponential: large steps at first, then ever smaller ones."
     if not learning.levels_off:
         return "An exponential describes it best, and it has not levelled off within these trials."
-    levels = f"An exponential describes it best, levelling off at {_number(curve.a, measure.unit)}"
+    levels = f"An exponential describes it best, levelling off at {_number(curve.a, measure)}"
     if learning.constant is not None:
         tau, low, high = learning.constant
         return f"{levels}, with a learning constant of {tau:.1f} trials (95 %: {low:.1f} to {high:.1f})."
@@ -199,5 +201,5 @@ def _others(learning: LearningCurve) -> list[dict[str, Any]]:
     ]
 
 
-def _number(value: float, unit: str, digits: int = 3) -> str:
-    return f"{value:.{digits}g} {unit}".rstrip()
+def _number(value: float, measure: Measure, digits: int = 3) -> str:
+    return f"{value * measure.factor:.{digits}g} {measure.unit}".rstrip()

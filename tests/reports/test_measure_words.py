@@ -15,9 +15,10 @@ def test_every_measure_has_the_words_and_digits_of_the_pages():
     assert set(MEASURE_WORDS) == set(MEASURES)
     for name, words in MEASURE_WORDS.items():
         assert f'"measure.{name}": "{words.name}",' in texts
-        found = re.search(rf'  {name}: {{ unit: "(.*?)", digits: (\d)', shown)
+        found = re.search(rf'  {name}: {{ unit: "(.*?)", digits: (\d)(?:, factor: (\d+))?', shown)
         assert found
-        assert found.groups() == (MEASURES[name].unit, str(words.digits))
+        unit, digits, factor = found.groups("1")
+        assert (unit, int(digits), float(factor)) == (MEASURES[name].unit, words.digits, MEASURES[name].factor)
 
 
 def test_the_verdicts_have_the_words_of_the_pages():
@@ -39,5 +40,7 @@ def test_levels_have_their_unit():
     assert with_unit("e_diff", 1.234) == "1.23 m²"
     assert with_unit("heading_error_deg", 12.0) == "12°"
     assert with_unit("sparc", -3.5) == "\u22123.50"
+    assert with_unit("heading_error_deg", 12.3) == "12°"
+    assert with_unit("follow_near", 0.434) == "43 %"
     assert with_unit("collisions", 0.4) == "0.4"
     assert with_unit("dist", None) == ""

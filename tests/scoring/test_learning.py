@@ -127,6 +127,14 @@ def test_numbers_that_are_missing_are_left_out_and_the_answer_is_json() -> None:
     json.dumps(curves, allow_nan=False)
 
 
+def test_a_share_is_said_in_percent_and_fitted_as_it_is_stored() -> None:
+    shares = 0.9 - 0.5 * np.exp(-np.arange(22) / 4)
+    curve = learning_curves(trials_of(shares, "follow_near"))["follow_near"]
+    assert " rose from 51.1 % to 89.7 % " in curve["text"]
+    assert "levelling off at 90 %" in curve["text"]
+    assert max(curve["fit"]["value"]) < 1
+
+
 def test_equal_values_are_level() -> None:
     curve = learning_curves(trials_of(np.zeros(22), "collisions"))["collisions"]
     assert curve["fit"] is None

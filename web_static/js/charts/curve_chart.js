@@ -1,7 +1,7 @@
 /** A measure over trials with its fitted curve, the sessions behind it and the versions of the map above it. */
 import { t } from "../texts.js";
 import { ABOVE, mapAxis, mapTraces, sessionShapes, sessionWords } from "./curve_marks.js";
-import { comparable, measured, MEASURES } from "../results/measures.js";
+import { comparable, inUnit, measured, MEASURES } from "../results/measures.js";
 import { extent } from "./extent.js";
 import { chart, faint } from "./plotly.js";
 
@@ -21,8 +21,8 @@ export function curveChart(learning, measure, fit, open, signal) {
   const title = [t(`measure.${measure}`), unit && `(${unit})`].filter(Boolean).join(" ");
   // The fitted band may be far wider than all that was measured: it does not count.
   const values = [
-    ...rows.map((row) => Number(row[measure])),
-    ...(fit?.value ?? []),
+    ...rows.map((row) => inUnit(measure, measured(row, measure))),
+    ...(fit?.value ?? []).map((value) => inUnit(measure, value)),
     ...(measure === "dist" && rows.length ? [Number(rows[rows.length - 1].path_length)] : []),
   ];
   /** @param {Colours} colours */
@@ -31,7 +31,7 @@ export function curveChart(learning, measure, fit, open, signal) {
     const range = last ? [rows[0].number - 0.5, last.number + 0.5] : [0.5, 1.5];
     return {
       traces: [
-        ...(fit ? fitTraces(fit, colours) : []),
+        ...(fit ? fitTraces(fit, measure, colours) : []),
         ...(measure === "dist" && last ? [lengthTrace(rows[0], last, colours)] : []),
         ...trialTraces(rows, measure, colours),
         ...mapTraces(rows, colours),
@@ -51,16 +51,17 @@ export function curveChart(learning, measure, fit, open, signal) {
   });
 }
 
-/** @param {import("types/documents").CurveModel} fit @param {Colours} colours @returns {PlotlyTrace[]} */
-function fitTraces(fit, colours) {
+/** @param {import("types/documents").CurveModel} fit @param {string} measure @param {Colours} colours @returns {PlotlyTrace[]} */
+function fitTraces(fit, measure, colours) {
+  const [value, high, low] = [fit.value, fit.high, fit.low].map((line) => line?.map((one) => inUnit(measure, one)));
   const band = { mode: "lines", line: { width: 0 }, hoverinfo: "skip", x: fit.n };
   return [
-    { ...band, y: fit.high, showlegend: false },
-    { ...band, y: fit.low, fill: "tonexty", fillcolor: faint(colours.action, 0.16), name: t("review.band") },
+    { ...band, y: high, showlegend: false },
+    { ...band, y: low, fill: "tonexty", fillcolor: faint(colours.action, 0.16), name: t("review.band") },
     {
       mode: "lines",
       x: fit.n,
-      y: fit.value,
+      y: value,
       line: { color: colours.action, width: 3 },
       name: t(`review.form.${fit.form}`),
       hoverinfo: "skip",
@@ -90,7 +91,7 @@ function trialTraces(rows, measure, colours) {
   /** @param {LearningTrial[]} some @param {PlotlyTrace} more @returns {PlotlyTrace} */
   const trace = (some, more) => ({
     x: some.map(({ number }) => number),
-    y: some.map((row) => row[measure]),
+    y: some.map((row) => inUnit(measure, measured(row, measure))),
     customdata: some.map(({ id }) => id),
     hovertemplate: `${t("review.trial")} %{x}: %{y:.${digits}f} ${unit}<extra></extra>`,
     ...more,
@@ -124,6 +125,6 @@ function trialTraces(rows, measure, colours) {
 
 /** Where the trials stand that cannot be compared: at 0, or at the lowest of the others. @param {LearningTrial[]} rows @param {string} measure */
 function below(rows, measure) {
-  const values = rows.flatMap((row) => (comparable(measure, row) ? Number(row[measure]) : []));
+  const values = rows.flatMap((row) => (comparable(measure, row) ? inUnit(measure, measured(row, measure)) : []));
   return MEASURES[measure].better === "low" || !values.length ? 0 : Math.min(...values);
 }

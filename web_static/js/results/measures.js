@@ -3,14 +3,18 @@
  * @typedef {{readonly [name: string]: unknown}} Measures of a trial, as the server answers them: most are numbers
  */
 import { t } from "../texts.js";
-import { number } from "../widgets/format.js";
+import { number, signed } from "../widgets/format.js";
 
-/** Directions and needsGoal are those of app/scoring/verdict/measure_comparison.py. of: the measure that says how many there are. @type {Record<string, {unit: string, digits: number, better: "low" | "high" | null, needsGoal: boolean, of?: string}>} */
+/**
+ * Directions and needsGoal are those of app/scoring/verdict/measure_comparison.py. factor: what a stored value is
+ * multiplied by to be in its unit (100 for a share in percent); of: the measure that says how many there are.
+ * @type {Record<string, {unit: string, digits: number, factor?: number, better: "low" | "high" | null, needsGoal: boolean, of?: string}>}
+ */
 export const MEASURES = {
   stages_done: { unit: "", digits: 0, better: "high", needsGoal: false, of: "stages" },
   follow_error_rms: { unit: "m", digits: 2, better: "low", needsGoal: false },
   follow_error_max: { unit: "m", digits: 2, better: "low", needsGoal: false },
-  follow_near: { unit: "", digits: 2, better: "high", needsGoal: false },
+  follow_near: { unit: "%", digits: 0, factor: 100, better: "high", needsGoal: false },
   heading_error_deg: { unit: "°", digits: 0, better: "low", needsGoal: true },
   turn_drift: { unit: "m", digits: 2, better: "low", needsGoal: true },
   cones_touched: { unit: "", digits: 0, better: "low", needsGoal: true, of: "cones" },
@@ -53,15 +57,29 @@ export function leadingMeasures(measures) {
   return LARGE.find(({ has }) => has.every((name) => measured(measures, name) !== null))?.large ?? [];
 }
 
-/** @param {string} name @param {number | null | undefined} value */
-export function withUnit(name, value) {
-  const figure = number(value, MEASURES[name].digits);
-  return Number.isFinite(value) ? joined(figure, MEASURES[name].unit) : figure;
+/** A measure's value in its unit; NaN without one. @param {string} name @param {number | null | undefined} value */
+export function inUnit(name, value) {
+  return (value ?? NaN) * (MEASURES[name].factor ?? 1);
 }
 
-/** A degree sign stands close to its figure. @param {string} figure @param {string} unit */
-export function joined(figure, unit) {
-  return unit === "°" ? `${figure}${unit}` : `${figure} ${unit}`.trim();
+/** A measure's value as a figure without its unit. @param {string} name @param {number | null | undefined} value */
+export function figure(name, value) {
+  return number(inUnit(name, value), MEASURES[name].digits);
+}
+
+/** A difference of two values of a measure, with its sign and unit. @param {string} name @param {number} difference */
+export function signedWithUnit(name, difference) {
+  return joined(signed(inUnit(name, difference), MEASURES[name].digits), MEASURES[name].unit);
+}
+
+/** @param {string} name @param {number | null | undefined} value */
+export function withUnit(name, value) {
+  return Number.isFinite(value) ? joined(figure(name, value), MEASURES[name].unit) : figure(name, value);
+}
+
+/** A degree sign stands close to its figure. @param {string} words @param {string} unit */
+export function joined(words, unit) {
+  return unit === "°" ? `${words}${unit}` : `${words} ${unit}`.trim();
 }
 
 /** What stands small behind a measure: its unit, or of how many. @param {string} name @param {Measures} measures */

@@ -7,7 +7,7 @@
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
-import { best, comparable, measured, MEASURES, leadingMeasures, unitOf, withUnit } from "./measures.js";
+import { best, comparable, figure, measured, MEASURES, leadingMeasures, unitOf, withUnit } from "./measures.js";
 import { planPicture } from "../plan/plan_svg.js";
 import { scrollTable } from "../widgets/scroll_table.js";
 import { groupOf } from "./source_group.js";
@@ -76,7 +76,7 @@ function largeFigure(name, measures, found) {
 function figureOf(name, measures) {
   const value = measured(measures, name);
   if (MEASURES[name].unit === "°") return withUnit(name, value);
-  return [number(value, MEASURES[name].digits), " ", h("small", {}, unitOf(name, measures))];
+  return [figure(name, value), " ", h("small", {}, unitOf(name, measures))];
 }
 
 /** @param {TrialDetail} trial @param {FloorPlan} plan */

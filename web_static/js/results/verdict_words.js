@@ -5,8 +5,7 @@
  */
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
-import { joined, MEASURES } from "./measures.js";
-import { number, signed } from "../widgets/format.js";
+import { figure, joined, MEASURES, signedWithUnit } from "./measures.js";
 
 /** @type {Record<Verdict["word"], VerdictWords["tone"]>} */
 const TONES = { better: "good", within: "", worse: "bad", "too few": "" };
@@ -19,14 +18,13 @@ const TONES = { better: "good", within: "", worse: "bad", "too few": "" };
 export function verdictWords(name, verdict) {
   if (!verdict) return null;
   const { word, earlier, later, low, high } = verdict;
-  const { unit, digits } = MEASURES[name];
   const difference = (later ?? NaN) - (earlier ?? NaN);
   const isChange = TONES[word] !== "";
   return {
     words: t(`verdict.${word}`),
     arrow: isChange ? (difference < 0 ? "↓" : "↑") : "",
-    amount: isChange ? joined(signed(difference, digits), unit) : "",
-    noise: low === null ? "–" : joined(t("verdict.range", { low: number(low, digits), high: number(high, digits) }), unit),
+    amount: isChange ? signedWithUnit(name, difference) : "",
+    noise: low === null ? "–" : joined(t("verdict.range", { low: figure(name, low), high: figure(name, high) }), MEASURES[name].unit),
     tone: TONES[word],
   };
 }

@@ -6,8 +6,7 @@
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
-import { comparable, joined, measured, MEASURES, withUnit } from "../../results/measures.js";
-import { signed } from "../../widgets/format.js";
+import { comparable, measured, MEASURES, signedWithUnit, withUnit } from "../../results/measures.js";
 import { groupOf } from "../../results/source_group.js";
 import { isFamiliarisation, noiseNote, verdictWords } from "../../results/verdict_words.js";
 
@@ -58,6 +57,5 @@ export function compareTable(trials, found) {
 
 /** @param {string} name @param {Measures} first @param {Measures} second */
 function difference(name, first, second) {
-  const { unit, digits } = MEASURES[name];
-  return joined(signed(Number(measured(second, name)) - Number(measured(first, name)), digits), unit);
+  return signedWithUnit(name, Number(measured(second, name)) - Number(measured(first, name)));
 }

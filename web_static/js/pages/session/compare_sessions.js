@@ -3,12 +3,12 @@
  * @import { MeasureOfSessions, SessionComparison, TaskComparison } from "types/api"
  */
 import { differenceWords } from "../chair/difference_words.js";
-import { joined, MEASURES } from "../../results/measures.js";
+import { figure, joined, MEASURES } from "../../results/measures.js";
 import { groupMark } from "../../results/source_group.js";
 import { noiseNote, verdictLine, verdictWords } from "../../results/verdict_words.js";
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
-import { moment, number } from "../../widgets/format.js";
+import { moment } from "../../widgets/format.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
@@ -83,9 +83,8 @@ function taskCard({ earlier, later }, { floorplan_title: plan, path, source, tri
 /** @param {string} name of the measure @param {MeasureOfSessions["earlier"]} summary */
 function summaryWords(name, summary) {
   if (!summary) return "–";
-  const { unit, digits } = MEASURES[name];
-  const [median, low, high] = [summary.median, summary.low, summary.high].map((value) => number(value, digits));
-  return joined(t("record.compare.median", { median, low, high }), unit);
+  const [median, low, high] = [summary.median, summary.low, summary.high].map((value) => figure(name, value));
+  return joined(t("record.compare.median", { median, low, high }), MEASURES[name].unit);
 }
 
 /** @param {SessionComparison} found */
