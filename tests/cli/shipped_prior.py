@@ -1,6 +1,6 @@
 """Makes the prior that ships with the simulated shirt, of simulated people: `make simulated-prior`."""
 
-from app.calibration.prior.map_prior import release
+from app.calibration.prior.release import release
 from app.hardware.shirt.standard import standard_layout
 from app.session.calibration.clinic_prior import priors_folder
 from app.study.simulated_pool import prior_of_wearers
@@ -10,7 +10,7 @@ SEEDS = range(90_001, 90_017)  # no demonstration and no study has such a seed
 
 def released() -> str:
     """Return the document of the prior."""
-    return release([prior_of_wearers(standard_layout(), SEEDS)]).model_dump_json() + "\n"
+    return release([prior_of_wearers(standard_layout(), SEEDS)]).document.model_dump_json() + "\n"
 
 
 if __name__ == "__main__":

@@ -109,6 +109,9 @@ def test_a_release_is_a_sum_over_eight(folder):
     result = run("prior", "merge", folder / "prior.json", "--out", folder / "release.json")
     assert result.exit_code == 0, result.output
     assert isinstance(read_prior(folder / "release.json"), ReleasedPrior)
+    again = run("prior", "merge", folder / "prior.json", "--out", folder / "no.json")
+    assert "use the earlier release" in refusal(again)  # nobody is in two
+    assert not (folder / "no.json").exists()
     assert add(folder, "w1", "p1", "seven.json").exit_code == 0
     words = refusal(run("prior", "merge", folder / "seven.json", "--out", folder / "no.json"))
     assert "at least 8 may leave a clinic" in words

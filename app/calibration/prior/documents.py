@@ -122,6 +122,24 @@ class JointSums(Document):
     moments: MomentsDocument
 
 
+class ReleasedPeople(Document):
+    """The codes of the people of a clinic's own prior whose entries are in a release, per joint and per ring."""
+
+    joints: dict[Name, tuple[Name, ...]] = Field(default_factory=dict)
+    rings: dict[Name, tuple[Name, ...]] = Field(default_factory=dict)
+
+    def __add__(self, other: Self) -> Self:
+        return type(self)(joints=_both(self.joints, other.joints), rings=_both(self.rings, other.rings))
+
+    def without(self, code: str) -> Self:
+        """Return the codes without one."""
+        joints, rings = (
+            {name: tuple(one for one in codes if one != code) for name, codes in part.items()}
+            for part in (self.joints, self.rings)
+        )
+        return type(self)(joints=joints, rings=rings)
+
+
 class OwnPrior(Document):
     """A clinic's own prior: one entry per person, so that a person can be taken out again. It never leaves."""
 
@@ -130,6 +148,7 @@ class OwnPrior(Document):
     kind: Literal["own"] = "own"
     layout: ShirtLayout
     people: dict[Name, PersonEntry] = Field(default_factory=dict)
+    released: ReleasedPeople = Field(default_factory=ReleasedPeople)  # nobody is released twice
 
     @model_validator(mode="after")
     def _entries_fit_the_layout(self) -> Self:
@@ -145,9 +164,17 @@ class OwnPrior(Document):
         """Return the prior with this person's entry, in place of an earlier one."""
         return self.model_copy(update={"people": {**self.people, code: entry}})
 
+    def with_released(self, people: ReleasedPeople) -> "OwnPrior":
+        """Return the prior that knows that these people, as far as they are in it, have been released."""
+        strangers = {code for part in (people.joints, people.rings) for codes in part.values() for code in codes}
+        for code in strangers - self.people.keys():
+            people = people.without(code)
+        return self.model_copy(update={"released": self.released + people})
+
     def without_person(self, code: str) -> "OwnPrior":
         """Return the prior as if this person had never been added."""
-        return self.model_copy(update={"people": {name: one for name, one in self.people.items() if name != code}})
+        people = {name: one for name, one in self.people.items() if name != code}
+        return self.model_copy(update={"people": people, "released": self.released.without(code)})
 
 
 class ReleasedPrior(Document):
@@ -177,6 +204,10 @@ PriorDocument = Annotated[OwnPrior | ReleasedPrior, Field(discriminator="kind")]
 def rounded(numbers: Array) -> tuple[float, ...]:
     """Return the numbers (n,) with DIGITS significant digits."""
     return tuple(float(f"{number:.{DIGITS}g}") for number in numbers.tolist())
+
+
+def _both(some: dict[str, tuple[str, ...]], others: dict[str, tuple[str, ...]]) -> dict[str, tuple[str, ...]]:
+    return {name: tuple(sorted({*some.get(name, ()), *others.get(name, ())})) for name in sorted({*some, *others})}
 
 
 def _symmetric(triangle: tuple[float, ...], size: int | None = None) -> Array:

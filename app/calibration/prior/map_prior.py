@@ -11,16 +11,12 @@ from numpy.typing import NDArray
 
 from app.calibration.prior.arrangement import RingMoments, total
 from app.calibration.prior.documents import (
-    FEWEST_RELEASED,
     JointEntry,
     JointSums,
-    MomentsDocument,
     OwnPrior,
     PersonEntry,
     PriorDocument,
-    ReleasedPrior,
-    RingDocument,
-    rounded,
+    ReleasedPeople,
 )
 from app.calibration.prior.moments import Moments
 from app.layout import ShirtLayout
@@ -108,31 +104,6 @@ def sums_of(entries: Iterable[PersonEntry]) -> tuple[dict[str, JointPrior], dict
     return {name: _sum(joints) for name, joints in found.items()}, {name: total(ring) for name, ring in rings.items()}
 
 
-def release(documents: Iterable[PriorDocument]) -> ReleasedPrior:
-    """Return the sums of one or several priors of one layout, without joints and rings of fewer than eight people.
-
-    Raises
-    ------
-    PriorError
-        When the layouts differ, or no joint has eight people.
-    """
-    everybody = reduce(add, map(MapPrior.of, documents))
-    people = everybody.people
-    if people < FEWEST_RELEASED:
-        raise PriorError(
-            f"together they hold {people} {'person' if people == 1 else 'people'}, and only sums over at least "
-            f"{FEWEST_RELEASED} may leave a clinic: add more people"
-        )
-    return ReleasedPrior(
-        layout=everybody.layout,
-        people=people,
-        joints={
-            name: _joint_sums(joint) for name, joint in everybody.joints.items() if joint.people >= FEWEST_RELEASED
-        },
-        rings={name: RingDocument.of(ring) for name, ring in everybody.rings.items() if ring.people >= FEWEST_RELEASED},
-    )
-
-
 def united(documents: Iterable[PriorDocument]) -> OwnPrior:
     """Return one own prior with the people of several, for use inside of one clinic.
 
@@ -143,6 +114,7 @@ def united(documents: Iterable[PriorDocument]) -> OwnPrior:
     """
     layout: ShirtLayout | None = None
     people: dict[str, PersonEntry] = {}
+    released = ReleasedPeople()
     for document in documents:
         if not isinstance(document, OwnPrior):
             raise PriorError("a release holds sums and no entries of people: merge it without --own")
@@ -152,9 +124,10 @@ def united(documents: Iterable[PriorDocument]) -> OwnPrior:
             if people.get(code, entry) != entry:
                 raise PriorError(f"two of them have different entries for the person '{code}': give one another code")
             people[code] = entry
+        released += document.released
     if layout is None:
         raise PriorError("there is no prior to merge: name at least one")
-    return OwnPrior(layout=layout, people=people)
+    return OwnPrior(layout=layout, people=people, released=released)
 
 
 def check_layout(one: ShirtLayout, other: ShirtLayout) -> None:
@@ -201,15 +174,4 @@ def _sum(entries: list[JointEntry]) -> JointPrior:
 def _joint_prior(sums: JointSums) -> JointPrior:
     return JointPrior(
         sums.people, sums.seconds, sums.strokes, np.array(sums.alive), np.array(sums.logs), sums.moments.moments
-    )
-
-
-def _joint_sums(joint: JointPrior) -> JointSums:
-    return JointSums(
-        people=joint.people,
-        seconds=round(joint.seconds, 2),
-        strokes=joint.strokes,
-        alive=rounded(joint.alive),
-        logs=rounded(joint.logs),
-        moments=MomentsDocument.of(joint.moments),
     )

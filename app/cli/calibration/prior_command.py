@@ -11,8 +11,9 @@ from pydantic import TypeAdapter
 
 from app.calibration.prior.documents import FEWEST_PEOPLE, OwnPrior, PriorDocument
 from app.calibration.prior.entry import PersonRecording, person_entry
-from app.calibration.prior.map_prior import JointPrior, MapPrior, PriorError, check_layout, release, united
+from app.calibration.prior.map_prior import JointPrior, MapPrior, PriorError, check_layout, united
 from app.calibration.prior.prior_file import read_prior
+from app.calibration.prior.release import release
 from app.cli.calibration.prior_summary import prompted_stretches
 from app.cli.errors import InputError
 from app.cli.output import warn, write_output
@@ -143,19 +144,41 @@ def merge(
         bool, typer.Option("--own", help="Keep an entry per person. The result must not leave the clinic.")
     ] = False,
 ) -> None:
-    """Add priors up. The result holds sums over eight people or more, and nobody's entry: it may leave the clinic."""
+    """Add priors up. The result holds sums over eight people or more, and nobody's entry: it may leave the clinic.
+
+    An own prior keeps who was released, because nobody may be in two releases: of a prior that has grown, only the
+    people who are new are released, and releases are added up.
+    """
     documents = [_read(file) for file in priors]
     for i, document in enumerate(documents):
         if document in documents[:i]:
             raise InputError(f"{priors[i]} stands there twice: name each prior once")
-    merged: PriorDocument
     try:
-        merged = united(documents) if own else release(documents)
+        if own:
+            merged = united(documents)
+            write_output(out, _bytes(merged), *priors)
+            count = len(merged.people)
+            typer.echo(f"{count} {'person' if count == 1 else 'people'} in {out}")
+        else:
+            _release(priors, documents, out)
     except PriorError as error:
         raise InputError(f"{', '.join(map(str, priors))}: {error}") from error
-    write_output(out, (merged.model_dump_json() + "\n").encode(), *priors)
-    people = len(merged.people) if isinstance(merged, OwnPrior) else merged.people
-    typer.echo(f"{people} {'person' if people == 1 else 'people'} in {out}")
+
+
+def _release(priors: list[Path], documents: list[PriorDocument], out: Path) -> None:
+    """Write a release, and into each own prior who is in it; there is no release that an own prior does not know."""
+    released, people, left_out = release(documents)
+    write_output(out, _bytes(released), *priors)
+    try:
+        for file, document in zip(priors, documents, strict=True):
+            if isinstance(document, OwnPrior):
+                _write(file, document.with_released(people))
+    except InputError:
+        out.unlink()
+        raise
+    typer.echo(f"{released.people} people in {out}")
+    if left_out:
+        typer.echo(f"Not in it, because fewer than eight people are in no release yet: {', '.join(left_out)}")
 
 
 def _recording(file: Path, table: Path, shirt: ShirtLayout, start: float | None) -> PersonRecording:
@@ -177,9 +200,13 @@ def _write(file: Path, document: PriorDocument, *sources: Path) -> None:
     if any(file.exists() and source.exists() and file.samefile(source) for source in sources):
         raise InputError(f"{file} is a file that was read for this: give the prior another name")
     try:
-        write_atomically(file, (document.model_dump_json() + "\n").encode())
+        write_atomically(file, _bytes(document))
     except OSError as error:
         raise InputError(f"{file} cannot be written ({error.strerror}): choose another place") from error
+
+
+def _bytes(document: PriorDocument) -> bytes:
+    return (document.model_dump_json() + "\n").encode()
 
 
 def _check_code(person: str) -> None:

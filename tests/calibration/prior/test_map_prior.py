@@ -11,8 +11,9 @@ from pydantic import ValidationError
 
 from app.calibration.prior.documents import JointEntry, MomentsDocument, OwnPrior, PersonEntry
 from app.calibration.prior.entry import PersonRecording, person_entry
-from app.calibration.prior.map_prior import MapPrior, PriorError, release, united
+from app.calibration.prior.map_prior import MapPrior, PriorError, united
 from app.calibration.prior.prior_file import PRIOR, read_prior
+from app.calibration.prior.release import release
 from app.layout import ShirtLayout
 
 
@@ -57,15 +58,15 @@ def test_a_person_who_is_added_again_is_replaced(ten):
 def test_sums_of_parts_are_the_sum_of_the_whole(ten, split, seed):
     order = (np.random.default_rng(seed).permutation(10) + 1).tolist()
     one, other = part(ten, *order[:split]), part(ten, *order[split:])
-    assert_equal(MapPrior.of(release([one, other])), MapPrior.of(ten))
+    assert_equal(MapPrior.of(release([one, other]).document), MapPrior.of(ten))
 
 
 def test_a_release_holds_no_person(ten):
-    released = release([ten])
+    released = release([ten]).document
     assert released.people == 10
     assert "w1" not in released.model_dump_json()
     assert_equal(MapPrior.of(released), MapPrior.of(ten))
-    assert release([released, released]).people == 20
+    assert release([released, released]).document.people == 20
 
 
 def test_fewer_than_eight_are_not_released(ten):
@@ -78,7 +79,7 @@ def test_within_a_clinic_entries_are_united(ten):
     with pytest.raises(PriorError, match="different entries for the person 'w1'"):
         united([part(ten, 1), part(ten, 2).model_copy(update={"people": {"w1": ten.people["w2"]}})])
     with pytest.raises(PriorError, match="holds sums"):
-        united([release([ten])])
+        united([release([ten]).document])
 
 
 def test_other_layouts_are_not_added(ten):
@@ -87,7 +88,7 @@ def test_other_layouts_are_not_added(ten):
 
 
 def test_a_file_is_read_as_it_was_written(ten, tmp_path):
-    for document in (ten, release([ten])):
+    for document in (ten, release([ten]).document):
         (tmp_path / "prior.json").write_text(document.model_dump_json())
         assert read_prior(tmp_path / "prior.json") == document
     assert len((tmp_path / "prior.json").read_bytes()) < 40_000
