@@ -1,5 +1,6 @@
 """People in real browsers: an owner invites two, both accept in browsers of their own, one is disabled; the lock."""
 
+import re
 from datetime import timedelta
 
 import pytest
@@ -117,6 +118,11 @@ def accept(page, name, first_page="Who has come?"):
     expect(page.get_by_role("heading", name=first_page)).to_be_visible()
 
 
+def numbers(page):
+    """Return the numbers of the first sentences that stand on the rail."""
+    return page.locator(".rail a[data-first]:visible").evaluate_all("(all) => all.map((one) => one.dataset.first)")
+
+
 def test_two_are_invited_accept_elsewhere_and_one_is_disabled(opened, served, owner_cookies):
     owner = owner_page(opened, served, owner_cookies)
     go_to(owner, "people")
@@ -129,6 +135,11 @@ def test_two_are_invited_accept_elsewhere_and_one_is_disabled(opened, served, ow
     accept(ben, "Ben")
     accept(rita, "Rita", "Who to look at")
     expect(owner.get_by_text("has not chosen a password yet")).to_have_count(0, timeout=15_000)  # without a reload
+    first = rita.get_by_role("region", name="Three things, the first time")
+    expect(first.get_by_role("listitem")).to_have_text(
+        [re.compile(f"^{word}") for word in ("STOP", "Patient:", "Review:")]
+    )
+    assert numbers(rita) == ["2", "3"]
     # A reviewer is offered nothing that is refused, and Stop stays in the first row of a telephone.
     for name in ("New patient", "Start session", "Delete P-72"):
         expect(rita.get_by_role("button", name=name)).to_have_count(0)

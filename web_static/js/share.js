@@ -3,10 +3,12 @@
  * @import { SharedView, StoryView, TaskLearning } from "types/api"
  */
 import { LANGUAGE, t, hasText } from "./texts.js";
+import { areaCurve } from "./charts/area_curve.js";
 import { day, number } from "./widgets/format.js";
 import { h, put, s } from "./widgets/dom.js";
 import { icon } from "./widgets/icons.js";
 import { followSystem } from "./shell/theme.js";
+import { comparable } from "./results/measures.js";
 import { storyParts } from "./results/story.js";
 
 const HERE = "/api/v1/shared";
@@ -101,8 +103,9 @@ function helpButton() {
 /** @param {TaskLearning} task */
 function taskCard(task) {
   const words = Object.entries(task.words).filter(([name]) => hasText(`measure.${name}`));
-  const areas = task.trials.map((trial) => /** @type {number | null} */ (trial.e_diff ?? null));
-  const known = areas.filter((area) => area !== null);
+  const areas = task.trials
+    .filter((trial) => comparable("e_diff", trial))
+    .map((trial) => ({ number: Number(trial.number), value: Number(trial.e_diff) }));
   return h(
     "section",
     {},
@@ -110,8 +113,8 @@ function taskCard(task) {
     h("p", {}, t("share.trajectories", { count: task.trajectories.length })),
     lines([task.path, ...task.trajectories.map(({ x, y }) => x.map((one, i) => [one, y[i]]))], "path"),
     h("p", {}, t("share.curve")),
-    lines([areas.flatMap((area, i) => (area === null ? [] : [[i + 1, area]]))], "driven", true),
-    known.length ? h("p", {}, t("share.values", { first: number(known[0], 2), newest: number(known[known.length - 1], 2) })) : null,
+    areaCurve(areas),
+    areas.length > 0 && h("p", {}, t("share.values", { first: number(areas[0].value, 2), newest: number(areas[areas.length - 1].value, 2) })),
     h("p", {}, t("share.verdicts")),
     words.length
       ? h("dl", {}, words.map(([name, word]) => [h("dt", {}, t(`measure.${name}`)), h("dd", {}, t(`verdict.${word}`))]))
@@ -119,22 +122,18 @@ function taskCard(task) {
   );
 }
 
-/**
- * Lines in a picture that fits them; y upwards.
- * @param {number[][][]} all @param {string} first class of the first line @param {boolean} [stretch] to the whole picture
- */
-function lines(all, first, stretch = false) {
+/** Lines in a picture that fits them; y upwards. @param {number[][][]} all @param {string} first class of the first line */
+function lines(all, first) {
   const points = all.flat();
   if (points.length === 0) return null;
   const [xs, ys] = [points.map(([x]) => x), points.map(([, y]) => -y)];
   const [left, top] = [Math.min(...xs), Math.min(...ys)];
   const [wide, high] = [Math.max(Math.max(...xs) - left, 0.5), Math.max(Math.max(...ys) - top, 0.5)];
-  const pad = stretch ? 0 : 0.05 * Math.max(wide, high);
+  const pad = 0.05 * Math.max(wide, high);
   return s(
     "svg",
     {
       viewBox: [left - pad, top - pad, wide + 2 * pad, high + 2 * pad].join(" "),
-      preserveAspectRatio: stretch ? "none" : "xMidYMid meet",
       "aria-hidden": "true",
     },
     all.map((line, i) => s("polyline", { class: i === 0 ? first : "driven", points: line.map(([x, y]) => `${x},${-y}`).join(" ") })),

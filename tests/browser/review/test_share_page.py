@@ -74,6 +74,9 @@ def test_a_share_link_on_a_phone_far_away(browser, link) -> None:
     expect(page.get_by_role("heading", name="Records of P-1")).to_be_focused()
     assert "Heron" not in page.locator("body").inner_text()
     assert page.locator("svg polyline").count() >= 3
+    curve = page.locator(".area-curve").first
+    expect(curve.locator("circle")).to_have_count(2)
+    assert curve.locator("text").all_text_contents()[-2:] == ["Trial 1", "Trial 2"]
     assert not page.evaluate(TOO_WIDE)
     assert page.evaluate(SMALL) == []
     # What the page is for, by keyboard.

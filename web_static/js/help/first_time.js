@@ -1,13 +1,21 @@
-/** Four sentences over the page for a person's first time; each has a number that also stands on what it is about. */
-import { h, put } from "../widgets/dom.js";
+/** Sentences over the page for a person's first time; each has a number that also stands on what it is about. */
+import { h, put, set } from "../widgets/dom.js";
 import { loadStyles, words } from "./help_words.js";
 
-const SENTENCES = /** @type {const} */ (["stop", "calibrate", "controls", "review"]);
+// The first sentence is about Stop; the others are named after the step of the rail that they are about.
+const SENTENCES = /** @type {const} */ (["first.stop", "first.calibrate", "first.controls", "first.review"]);
+const FOR_REVIEWERS = /** @type {const} */ (["first.reviewer.stop", "first.reviewer.patients", "first.reviewer.review"]);
 
 /** @param {import("../main.js").App} app @param {HTMLElement} place between the header and the page */
 export function showFirstTime(app, place) {
   loadStyles();
+  const isReviewer = app.me?.role === "reviewer";
+  const sentences = isReviewer ? FOR_REVIEWERS : SENTENCES;
   app.frame.classList.add("first-time");
+  for (const [i, key] of sentences.entries()) {
+    const link = app.frame.querySelector(`.rail a[href="#/${key.split(".").at(-1)}"]`);
+    if (link) set(link, { "data-first": i + 1 });
+  }
   const putAway = async () => {
     if (app.me) app.me = { ...app.me, introduced: true };
     app.frame.classList.remove("first-time");
@@ -19,8 +27,8 @@ export function showFirstTime(app, place) {
     place,
     h(
       "section",
-      { class: "first-sentences", "aria-label": words("first.title") },
-      h("ol", {}, SENTENCES.map((name) => h("li", {}, words(`first.${name}`)))),
+      { class: "first-sentences", "aria-label": words(isReviewer ? "first.reviewer.title" : "first.title") },
+      h("ol", {}, sentences.map((key) => h("li", {}, words(key)))),
       h("button", { type: "button", class: "btn", onclick: putAway }, words("first.done")),
     ),
   );
