@@ -4,9 +4,8 @@ Each round one clinician opens a patient, pairs two patient's screens, prompts a
 one and a reviewer look on, try what they may not do, and lose the network. The next round the other clinician leads,
 with the other patient.
 
-The memory is all that is resident in the web process. It contains the ring of ticks (13 MB), which it shares with the
-control process and which fills in the first 160 s, and what the C library keeps for its own use: it grows for some
-rounds, and then stays.
+The memory is what the web process has for itself. The ring of ticks is not in it: it has its 13 MB from the start, is
+shared with the control process, and becomes resident page by page in its first 160 s.
 """
 
 import argparse
@@ -44,7 +43,7 @@ class Worked:
     """What was found."""
 
     rounds: int = 0
-    memory: list[float] = field(default_factory=list)  # MB of the web process, after each round
+    memory: list[float] = field(default_factory=list)  # MB that only the web process has, after each round
     errors: list[str] = field(default_factory=list)  # of the pages, and what the program said
     sockets: int = 0  # connections to the program when every browser is closed
     refused: int = 0  # attempts of others to control the chair, each refused
@@ -84,7 +83,7 @@ def work(minutes: float) -> Worked:
                 leads, looks_on = (ada, ben) if found.rounds % 2 == 0 else (ben, ada)
                 found.refused += one_round(list(PATIENTS)[found.rounds % 2], leads, looks_on, reviewer, screens)
                 found.rounds += 1
-                found.memory.append(psutil.Process(process.pid).memory_info().rss / 1e6)
+                found.memory.append(psutil.Process(process.pid).memory_full_info().uss / 1e6)
                 sys.stderr.write(f"Session {found.rounds}: {found.memory[-1]:.1f} MB.\n")
         found.sockets = open_connections(process.pid, port)
         launched.close()
