@@ -1,5 +1,6 @@
 """Write the log: who did what, when. Rows are only appended, and each row's hash covers the row before."""
 
+from datetime import timedelta
 from typing import Any
 
 from sqlalchemy import select
@@ -9,6 +10,8 @@ from app.clock import utc_now
 from app.store.log_chain import FIRST, entry_hash
 from app.store.tables import LogEntry
 
+VIEWED = "patient viewed"
+VIEWED_EVERY = timedelta(minutes=15)  # a page asks for a patient's records many times while somebody reads them
 HAS_NEW_ROWS = "logged"  # key in `Session.info`: rows were added, so the log's head must be written
 
 
@@ -28,3 +31,20 @@ def write_log(db: Session, person: str | None, what: str, /, **details: Any) -> 
     )
     db.flush()
     db.info[HAS_NEW_ROWS] = True
+
+
+def log_viewing(db: Session, person: str, patient: int) -> None:
+    """Log that a person looks at the records of a patient, once in a quarter of an hour."""
+    now = utc_now()
+    since = now - VIEWED_EVERY
+    # Backwards from the newest row to the first that is too old: the log is long and only its end is read.
+    older = select(LogEntry.id).where(LogEntry.at <= since).order_by(LogEntry.id.desc()).limit(1)
+    is_logged = select(LogEntry.id).where(
+        LogEntry.id > (db.scalar(older) or 0),
+        LogEntry.at <= now,  # a row from before the clock was set back does not stand for now
+        LogEntry.what == VIEWED,
+        LogEntry.person == person,
+        LogEntry.details["patient"].as_integer() == patient,
+    )
+    if db.scalar(is_logged.limit(1)) is None:
+        write_log(db, person, VIEWED, patient=patient)

@@ -20,7 +20,7 @@ from app.session.run_watch import Starter
 from app.source import SourceGroup
 from app.store.database import Transaction
 from app.store.interface_tests import find_interface_test, interface_tests_of, save_workload
-from app.store.log import write_log
+from app.store.log import log_viewing, write_log
 from app.store.patients import find_patient
 from app.store.tables import InterfaceTest, PatientSession
 from app.world.cursor_task import CursorPlan
@@ -107,7 +107,7 @@ def list_interface_tests(
     """List a patient's interface tests; the course is of one kind of source, that of the newest when none is named."""
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient)
-        write_log(db, who.name, "patient viewed", patient=patient)
+        log_viewing(db, who.name, patient)
         rows = interface_tests_of(db, who.clinic_id, patient)
         tests = [InterfaceTestView.of_row(test, session) for test, session in rows]
     group = source or (rows[-1][0].source.group if rows else None)

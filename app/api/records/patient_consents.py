@@ -9,7 +9,7 @@ from app.api.deps import Anyone, Clinician, PeopleParts, RowId
 from app.api.parts import Web
 from app.quantities import Document
 from app.store.database import Transaction
-from app.store.log import write_log
+from app.store.log import log_viewing, write_log
 from app.store.patients import find_patient
 from app.store.prior.prior_entries import remove_entries
 from app.store.records.consents import (
@@ -61,7 +61,7 @@ def consents(patient_id: RowId, who: Anyone, parts: PeopleParts) -> ConsentsView
     """Return the consents of a patient."""
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
-        write_log(db, who.name, "patient viewed", patient=patient_id)
+        log_viewing(db, who.name, patient_id)
         return _view(db, who.clinic_id, patient_id)
 
 

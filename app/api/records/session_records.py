@@ -13,7 +13,7 @@ from app.api.records.session_views import SessionRecordView, SessionRow, record_
 from app.api.sign_in.identity import SignedInPerson
 from app.quantities import Document, Finite, Note, Title
 from app.store.database import Transaction
-from app.store.log import write_log
+from app.store.log import log_viewing, write_log
 from app.store.patients import find_patient
 from app.store.records.session_contents import counted_by_session
 from app.store.records.session_record import (
@@ -55,7 +55,7 @@ def list_sessions(patient_id: RowId, who: Anyone, parts: PeopleParts) -> list[Se
     """List a patient's sessions, the newest first."""
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
-        write_log(db, who.name, "patient viewed", patient=patient_id)
+        log_viewing(db, who.name, patient_id)
         counted, signed = counted_by_session(db, patient_id), sign_offs_of(db, patient_id)
         return [
             SessionRow(

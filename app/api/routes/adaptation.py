@@ -15,7 +15,7 @@ from app.scoring.trial_forecast import Effect
 from app.session.adaptation import NOT_ASKED, STALE, AdaptationProposal, Mode
 from app.store.adaptation_material import is_current, mode_of
 from app.store.database import Database, Transaction
-from app.store.log import write_log
+from app.store.log import log_viewing
 from app.store.map_versions import version_before, versions_of
 from app.store.parameters import as_document, current_parameters, newest_profile
 from app.store.patients import find_patient
@@ -197,5 +197,5 @@ def list_maps(patient_id: RowId, who: Anyone, parts: PeopleParts) -> list[MapVie
     """List the versions of a patient's map, the newest first."""
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
-        write_log(db, who.name, "patient viewed", patient=patient_id)
+        log_viewing(db, who.name, patient_id)
         return [MapView.of(version) for version in versions_of(db, patient_id)]

@@ -11,7 +11,7 @@ from app.quantities import Document
 from app.scoring.control_warnings import control_warnings
 from app.scoring.trial_assessment import ControlWarning, TrialAssessment
 from app.source import SourceGroup
-from app.store.log import write_log
+from app.store.log import log_viewing
 from app.store.parameters import newest_profile
 from app.store.patients import find_patient
 from app.store.runs import trials_of
@@ -58,7 +58,7 @@ def quality(
         find_patient(db, who.clinic_id, patient_id)
         trials = trials_of(db, who.clinic_id, patient_id, floorplan, path)
         newest = newest_profile(db, patient_id)
-        write_log(db, who.name, "patient viewed", patient=patient_id)
+        log_viewing(db, who.name, patient_id)
     assessments = web.qualities.assessments([trial for trial in trials if trial.run.source.group == source])
     found = web.computing.ask(control_warnings, assessments, None if newest is None else newest.version)
     return QualityView(

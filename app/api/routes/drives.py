@@ -23,7 +23,7 @@ from app.session.parameter_differences import Difference
 from app.session.run_watch import Starter
 from app.speeds import Speeds
 from app.store.drives import drives_of, find_drive
-from app.store.log import write_log
+from app.store.log import log_viewing
 from app.store.patients import find_patient
 
 router = APIRouter(prefix="/drives", tags=["drives"])
@@ -150,7 +150,7 @@ def list_drives(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, par
     """List a patient's drives, the newest last."""
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient)
-        write_log(db, who.name, "patient viewed", patient=patient)
+        log_viewing(db, who.name, patient)
         return [DriveView.of(drive) for drive in drives_of(db, who.clinic_id, patient)]
 
 

@@ -15,7 +15,7 @@ from app.scoring.verdict.verdicts import TaskVerdicts, TrialVerdicts, task_verdi
 from app.session.clinic_spread import Task
 from app.source import SourceGroup
 from app.store.learning_trials import counted_trials
-from app.store.log import write_log
+from app.store.log import log_viewing
 from app.store.patients import find_patient
 from app.store.runs import find_trial
 from app.store.tables import Trial
@@ -59,7 +59,7 @@ def learning(
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
         every = counted_trials(db, who.clinic_id, patient_id, floorplan, path)
-        write_log(db, who.name, "patient viewed", patient=patient_id)
+        log_viewing(db, who.name, patient_id)
     clinic = web.spread.of_others(Task(who.clinic_id, floorplan, path, source), patient_id)
     counted = [one for one in every if one.group == source]
     rows = [one.row() for one in counted]

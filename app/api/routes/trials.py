@@ -20,7 +20,7 @@ from app.quantities import Document, Line, Name
 from app.refusals import Conflict, NotFound
 from app.scoring.control_quality import ControlQuality
 from app.session.run_watch import Starter
-from app.store.log import write_log
+from app.store.log import log_viewing, write_log
 from app.store.patients import find_patient
 from app.store.runs import find_trial, keep_trial, trials_of
 
@@ -138,7 +138,7 @@ def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, par
     """List a patient's trials, the newest last."""
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient)
-        write_log(db, who.name, "patient viewed", patient=patient)
+        log_viewing(db, who.name, patient)
         return [TrialView.of(trial) for trial in trials_of(db, who.clinic_id, patient)]
 
 

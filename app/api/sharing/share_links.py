@@ -14,7 +14,7 @@ from app.api.sign_in.identity import SignedInPerson
 from app.api.sign_in.passwords import hash_of
 from app.quantities import Document
 from app.store.database import Transaction
-from app.store.log import write_log
+from app.store.log import log_viewing, write_log
 from app.store.patients import find_patient
 from app.store.records.consents import require_consent
 from app.store.records.session_record import find_session
@@ -73,7 +73,7 @@ def list_shares(patient_id: RowId, who: Clinician, parts: PeopleParts) -> Shares
     """List the share links of a patient."""
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
-        write_log(db, who.name, "patient viewed", patient=patient_id)
+        log_viewing(db, who.name, patient_id)
         return SharesView(patient_id=patient_id, shares=_rows(db, patient_id))
 
 
