@@ -13,6 +13,7 @@ from app.store.own_rows import own_row
 from app.store.tables import Chair, Clinic
 
 LARGEST_KEY_ID = 65_535  # u16 of the frames to the chair
+KEY_ELSEWHERE = 0  # no chair here ever has a key of this number
 
 
 def add_chair(db: Session, clinic: Clinic, name: str, host: str, port: int, key_id: int, speeds: Speeds) -> Chair:
@@ -39,6 +40,26 @@ def free_key_ids(db: Session, clinic: Clinic) -> Iterator[int]:
     used = set(db.scalars(select(Chair.key_id).where(Chair.clinic_id == clinic.id)))
     yield from (key_id for key_id in range(1, LARGEST_KEY_ID + 1) if key_id not in used)
     raise Conflict("Every number of a key was used: begin with a new state folder.")
+
+
+def chair_elsewhere(db: Session, clinic_id: int) -> Chair:
+    """Return the row to which drives of other clinics' chairs refer: removed, without address and key."""
+    chair = db.scalar(select(Chair).where(Chair.clinic_id == clinic_id, Chair.key_id == KEY_ELSEWHERE))
+    if chair is None:
+        now = utc_now()
+        chair = Chair(
+            clinic_id=clinic_id,
+            name="A chair of another clinic",
+            host="",
+            port=0,
+            key_id=KEY_ELSEWHERE,
+            speeds={},
+            paired=now,
+            removed=now,
+        )
+        db.add(chair)
+        db.flush()
+    return chair
 
 
 def chairs_of(db: Session, clinic: Clinic) -> list[Chair]:

@@ -1,19 +1,16 @@
 """An archive brings a whole patient to another clinic, and back again; a wrong one changes nothing."""
 
-import json
-import zipfile
 from contextlib import closing, suppress
-from hashlib import sha256
 
 import pytest
+from archive_clinics import bring, empty_clinic, rewrite, state_of
 from exported_clinic import CODE, MEASURES, RUN, SIMULATED, make_clinic
 
 from app.clock import utc_now
-from app.exports.archive import import_archive, make_archive
-from app.exports.archive_file import LIST, PATIENT, ArchiveList, FileEntry, hash_of
+from app.exports.archive import make_archive
+from app.exports.archive_file import PATIENT
 from app.recording.reader import read_run
 from app.refusals import Conflict
-from app.settings import Settings
 from app.store.database import Database
 from app.store.learning_trials import counted_trials
 from app.store.log_reading import read_log
@@ -21,23 +18,7 @@ from app.store.patients import add_patient
 from app.store.records.imports import origin_of
 from app.store.records.session_record import add_note, add_scale, session_record
 from app.store.records.sign_off import sign_off
-from app.store.tables import Clinic, InterfaceTest, Patient, PatientSession
-
-
-def empty_clinic(state) -> Settings:
-    """Make a clinic with two other patients, so that its ids differ."""
-    settings = Settings(state=state)
-    with closing(Database(settings.database)) as database, database.transaction() as db:
-        db.add(Clinic(name="Hillside", created=utc_now(), unused=[]))
-        db.flush()
-        for code in ("A-1", "A-2"):
-            patient = add_patient(db, 1, code, "Wren", "")
-            db.add(
-                PatientSession(
-                    clinic_id=1, patient_id=patient.id, number=1, started=utc_now(), ended=utc_now(), accepted=False
-                )
-            )
-    return settings
+from app.store.tables import InterfaceTest, Patient, PatientSession
 
 
 @pytest.fixture(scope="module")
@@ -57,22 +38,6 @@ def archive(tmp_path_factory):
 @pytest.fixture
 def other(tmp_path):
     return empty_clinic(tmp_path / "other")
-
-
-def bring(settings, package):
-    with closing(Database(settings.database)) as database:
-        return import_archive(database, 1, package, "Ben", settings.runs)
-
-
-def state_of(settings):
-    """Return all that an import could change: rows of all tables, and files of recordings."""
-    with closing(Database(settings.database)) as database, database.transaction() as db:
-        tables = [
-            name for (name,) in db.connection().exec_driver_sql("SELECT name FROM sqlite_master WHERE type='table'")
-        ]
-        rows = {name: db.connection().exec_driver_sql(f"SELECT * FROM {name}").fetchall() for name in tables}
-    files = [file.relative_to(settings.state).as_posix() for file in settings.state.rglob("*") if file.is_file()]
-    return rows, sorted(name for name in files if "sqlite" not in name)
 
 
 def test_another_clinic_gets_the_same_trials_recordings_and_records_and_returns_the_same_hash(archive, other, tmp_path):
@@ -128,30 +93,6 @@ def test_a_patient_who_is_here_already_is_refused(archive, other):
         add_patient(db, 1, CODE, "Wren", "")
     with pytest.raises(Conflict, match="belongs to another patient"):
         bring(other, archive[0])
-
-
-def rewrite(package, target, change=None, *, names=None, patient=None, listed=None):
-    """Write an archive anew: with other names, other rows of the patient (with right hashes), another list."""
-    with zipfile.ZipFile(package) as source:
-        contents = {name: source.read(name) for name in source.namelist()}
-    if patient is not None:
-        document = json.loads(contents[PATIENT])
-        patient(document["tables"])
-        contents[PATIENT] = json.dumps(document).encode()
-    contents = {(names or {}).get(name, name): content for name, content in contents.items()}
-    files = {
-        name: FileEntry(bytes=len(content), sha256=sha256(content).hexdigest())
-        for name, content in contents.items()
-        if name != LIST
-    }
-    made = json.loads(ArchiveList(clinic="Riverside", hash=hash_of(files), files=files).model_dump_json())
-    contents[LIST] = json.dumps({**made, **(listed or {})}).encode()
-    if change is not None:
-        change(contents)
-    with zipfile.ZipFile(target, "w") as written:
-        for name, content in contents.items():
-            kind = zipfile.ZIP_DEFLATED if name in (LIST, PATIENT) else zipfile.ZIP_STORED
-            written.writestr(name, content, kind)
 
 
 def wrong_id(tables):

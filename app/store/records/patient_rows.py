@@ -8,9 +8,11 @@ from sqlalchemy import JSON, Boolean, Column, Date, Float, Integer, String, inse
 from sqlalchemy import Table as SqlTable
 from sqlalchemy.orm import Session
 
+from app.store.chairs import chair_elsewhere
 from app.store.records.record_tables import NoteRevision, OutcomeScale, PatientConsent, SessionNote, SessionSignOff
 from app.store.tables import (
     CalibrationStep,
+    Drive,
     InterfaceTest,
     Moment,
     Parameters,
@@ -32,6 +34,7 @@ KINDS: tuple[tuple[type[Table], str], ...] = (
     (Profile, "patient_id"),
     (Parameters, "profile_id"),
     (Trial, "patient_id"),
+    (Drive, "patient_id"),
     (InterfaceTest, "patient_id"),
     (SessionNote, "session_id"),
     (NoteRevision, "note_id"),
@@ -39,8 +42,8 @@ KINDS: tuple[tuple[type[Table], str], ...] = (
     (SessionSignOff, "session_id"),
     (PatientConsent, "patient_id"),
 )
-ADDED_LATER = {"interface_test"}  # tables that archives of older programs do not have
-LEFT_OUT = {"clinic_id", "folder"}  # they belong to the clinic that has the rows
+ADDED_LATER = {"drive", "interface_test"}  # tables that archives of older programs do not have
+LEFT_OUT = {"clinic_id", "folder", "chair_id"}  # they belong to the clinic that has the rows
 
 Rows = dict[str, list[dict[str, Any]]]
 """Table name -> its rows. The ids are 1, 2, 3 ... in each table, so that every clinic writes the same document."""
@@ -72,7 +75,7 @@ def patient_rows(db: Session, patient_id: int) -> Rows:
 def add_patient_rows(db: Session, clinic_id: int, rows: Rows) -> int:
     """Add the rows of a document to a clinic and return the id of the patient; WrongRows when they do not fit.
 
-    A run's folder is named by its id, as that of every other run.
+    A run's folder is named by its id, as that of every other run. A drive refers to a chair of another clinic.
     """
     ids: dict[str, dict[Any, Any]] = {}
     for kind, _ in KINDS:
@@ -84,6 +87,8 @@ def add_patient_rows(db: Session, clinic_id: int, rows: Rows) -> int:
                 values["clinic_id"] = clinic_id
             if "folder" in table.c:
                 values["folder"] = values["id"]
+            if "chair_id" in table.c:
+                values["chair_id"] = chair_elsewhere(db, clinic_id).id
             own = values.get("id", place)
             if isinstance(own, int) and "id" in values:
                 del values["id"]
