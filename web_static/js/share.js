@@ -113,7 +113,7 @@ function taskCard(task) {
     h("p", {}, t("share.trajectories", { count: task.trajectories.length })),
     lines([task.path, ...task.trajectories.map(({ x, y }) => x.map((one, i) => [one, y[i]]))], "path"),
     h("p", {}, t("share.curve")),
-    areaCurve(areas),
+    areaCurve(areas) ?? h("p", { class: "quiet" }, t("share.no_area")),
     areas.length > 0 && h("p", {}, t("share.values", { first: number(areas[0].value, 2), newest: number(areas[areas.length - 1].value, 2) })),
     h("p", {}, t("share.verdicts")),
     words.length

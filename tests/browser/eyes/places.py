@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from browser.eyes.chair_places import chair_page, no_chair, paired_chair
 from browser.eyes.eyes_clinic import EyesClinic
 from browser.eyes.opening import Open, answered, at, go, opened, start_with, tap
 from browser.eyes.session_places import (
@@ -75,23 +76,6 @@ def refused_patient(page: Any, clinic: EyesClinic) -> None:
 def link_of_somebody(page: Any, clinic: EyesClinic) -> None:
     at("people", "New link for Ben")(page, clinic)
     expect(page.locator("img.qr")).to_be_visible()
-
-
-def paired_chair(page: Any, clinic: EyesClinic) -> None:
-    at("settings", "Pair a chair")(page, clinic)
-    page.get_by_label("Name").fill("Ward 3")
-    page.get_by_label("Address").fill("127.0.0.1")
-    tap(page, "Make the key")
-    expect(page.locator("img.qr").first).to_be_visible()
-
-
-def one_chair(clinic: EyesClinic) -> int:
-    """Return the id of a paired chair."""
-    chairs = clinic.good("GET", "/chairs")["chairs"]
-    if not chairs:
-        clinic.good("POST", "/chairs", {"name": "Ward 3", "host": "127.0.0.1", "port": 5354, "speeds": {}})
-        chairs = clinic.good("GET", "/chairs")["chairs"]
-    return int(chairs[0]["id"])
 
 
 def picked_lamp(page: Any, clinic: EyesClinic) -> None:
@@ -195,11 +179,6 @@ def with_fault(page: Any, clinic: EyesClinic) -> None:
     expect(page.get_by_role("button", name="Continue")).to_be_visible()
 
 
-def chair_page(page: Any, clinic: EyesClinic) -> None:
-    clinic.good("PUT", "/chairs/chosen", {"id": one_chair(clinic), "dynamics": "unicycle"})
-    opened("drive/chair")(page, clinic)
-
-
 PLACES: dict[str, Open] = {
     "sign_in": start_with(signed_in=False),
     "sign_in, refused": refused_sign_in,
@@ -296,5 +275,4 @@ def put_back(clinic: EyesClinic) -> None:
         clinic.good("POST", "/interface-tests/current/end")
     if clinic.process.run:
         clinic.good("POST", "/trials/current/end", {"reason": "by hand"})
-    if clinic.good("GET", "/chairs")["chosen"]:
-        clinic.good("PUT", "/chairs/chosen", {"id": None, "dynamics": "unicycle"})
+    no_chair(clinic)

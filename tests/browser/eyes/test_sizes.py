@@ -5,6 +5,7 @@ import math
 import pytest
 from browser.eyes.axe import look_as
 from browser.eyes.places import PLACES, put_back
+from playwright.sync_api import expect
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(600)]
 
@@ -71,7 +72,7 @@ def test_a_lamp_is_24_px_wide_and_has_a_place_of_its_own(page, clinic, size):
     page.locator(".bodies").scroll_into_view_if_needed()
     moved = page.evaluate(LAMPS)[lamps.index(outermost)]
     page.mouse.click(moved["x"] - 22, moved["y"])
-    assert page.locator(".bodies .sensor").nth(lamps.index(outermost)).get_attribute("aria-checked") == "true"
+    expect(page.locator(".bodies .sensor").nth(lamps.index(outermost))).to_have_attribute("aria-checked", "true")
 
 
 @pytest.mark.parametrize("size", SIZES)

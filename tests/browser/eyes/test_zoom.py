@@ -35,6 +35,7 @@ LOST = """() => {
     if (box.left < -1 || box.right > innerWidth + 1) lost.push(`beside the window: ${name(one)}`);
     if (!one.matches("button, a, input, select")) continue;
     const at = document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2);
+    if (at?.closest(".fault-card")) continue; // while a drive is halted, its card is all that there is to do
     const isHit = at && (one.contains(at) || at.contains(one) || at.closest("label")?.contains(one));
     if (!isHit && !one.disabled) lost.push(`covered: ${name(one)}${at ? ` by ${name(at)}` : ""}`);
   }

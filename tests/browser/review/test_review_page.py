@@ -107,7 +107,9 @@ def test_two_trials_are_chosen_and_compared(page, until, served):
     after = [one.get_attribute("transform") for one in page.locator(".plan .chair").all()]
     assert all(a != b for a, b in zip(before, after, strict=True))
     until(page, "document.querySelectorAll('.chart .scatterlayer .trace').length >= 4")
-    expect(page.get_by_role("row", name=re.compile("largest error"))).to_contain_text(re.compile(r"Trial [12]"))
+    expect(page.get_by_role("row", name=re.compile("Largest distance from the path"))).to_contain_text(
+        re.compile(r"\d m")
+    )
     page.keep("compare")
     assert read(page, SMALL) == []
     assert not read(page, TOO_WIDE)

@@ -17,6 +17,7 @@ export default {
   "share.curve": "Area off the path (m²), trial by trial",
   "share.values": "{first} in the first trial, {newest} in the newest.",
   "share.verdicts": "Newest session against the one before",
+  "share.no_area": "No trial reached the goal: an area of a part of the path says nothing.",
   "share.no_verdict": "Too few trials for a verdict.",
   "share.event.begin": "Session began",
   "share.event.calibration": "Calibration: {recordings} recordings",
