@@ -91,7 +91,12 @@ def figures(wearer: Wearer, part: JointPart, profile: CalibrationProfile, kind: 
     parameters = standard_parameters(profile.model_copy(update={"joints": joints, "cross_talk": None}))
     rows = part.rows
     decoded = decode_block(parameters, wearer.sample_rate, wearer.t[rows], wearer.values[rows].astype(np.float32))
-    activation = decoded.activation[:, 0].copy()
+    return figures_of(wearer, part, decoded.activation[:, 0])
+
+
+def figures_of(wearer: Wearer, part: JointPart, decoded: Array) -> Figures:
+    """Return the figures of an activation (n,) over the rows of a joint's part."""
+    activation = decoded.copy()
     first = round(JUDGED_FROM * wearer.sample_rate)
     activation[:first] = 0.0
     total = float(activation.sum())

@@ -1,0 +1,40 @@
+"""The network that is tried beside the linear map: it learns what a line cannot, and its rule is about real gains."""
+
+from types import SimpleNamespace
+
+import numpy as np
+
+from app.calibration.prior.solving import OwnFrames
+from bench.prior.network import Network, activation, is_better
+from bench.prior.wearers import Figures
+
+
+def person(seed):
+    """Return 4000 frames of a label that depends on the size of a feature, whatever its sign."""
+    inputs = np.random.default_rng(seed).normal(size=(4000, 2))
+    label = (np.abs(inputs[:, 0]) > 1.0).astype(np.int8)
+    return SimpleNamespace(frames=OwnFrames(inputs, label, np.zeros(4000, np.int_)))
+
+
+def test_the_network_learns_what_a_line_cannot():
+    network = Network([person(1), person(2)], np.zeros(2))
+    other = person(3).frames
+    rate = network.rate(other.features)
+    assert np.corrcoef(rate, other.label)[0, 1] > 0.6  # a line has none
+    assert 0.0 < network.dead_zone < network.full
+
+
+def test_an_activation_begins_at_the_dead_zone_and_ends_at_full():
+    np.testing.assert_allclose(activation(np.array([-1.0, 1.0, 1.5, 2.0, 9.0]), 2.0), [0, 0, 0.5, 1, 1])
+
+
+def test_a_network_is_worth_its_place_for_a_gain_or_for_half_the_false_activations():
+    def people(in_phase, false):
+        return [Figures(in_phase, 0.7, false)] * 10
+
+    alone = people(0.95, 2.0)
+    assert not is_better(alone, alone)
+    assert not is_better(alone, people(0.955, 1.2))
+    assert is_better(alone, people(0.961, 2.0))
+    assert is_better(alone, people(0.95, 1.0))
+    assert not is_better(people(1.0, 0.0), people(1.0, 0.0))
