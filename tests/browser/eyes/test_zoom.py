@@ -25,7 +25,6 @@ LOST = """() => {
   for (const one of document.querySelectorAll("main, .app, .card"))
     if (one.checkVisibility() && one.scrollWidth > one.clientWidth + 1 && getComputedStyle(one).overflowX !== "visible")
       lost.push(`scrolls sideways: ${name(one)}`);
-  const card = (one) => one.closest(".card")?.getBoundingClientRect();
   for (const one of document.querySelectorAll("main :is(button, a.btn, input:not(.unseen), select, h1, h2, p)")) {
     if (!one.checkVisibility({ visibilityProperty: true, opacityProperty: true })) continue;
     if (one.closest(".scroll-x, .unseen, [inert], [type=file], label.choice, .segments, label.switch")) continue;
@@ -35,7 +34,8 @@ LOST = """() => {
     if (box.left < -1 || box.right > innerWidth + 1) lost.push(`beside the window: ${name(one)}`);
     if (!one.matches("button, a, input, select")) continue;
     const at = document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2);
-    if (at?.closest(".fault-card")) continue; // while a drive is halted, its card is all that there is to do
+    const card = at?.closest(".fault-card, .page-help, .question");
+    if (card && !card.contains(one)) continue; // the card is answered or closed first, and then this is in view again
     const isHit = at && (one.contains(at) || at.contains(one) || at.closest("label")?.contains(one));
     if (!isHit && !one.disabled) lost.push(`covered: ${name(one)}${at ? ` by ${name(at)}` : ""}`);
   }
