@@ -5,7 +5,7 @@ the same features; the rate of the network is the linear one and theirs. The mea
 dead-zone, decodes. Only the linear map learns from a person's own prompts.
 
 A garment is to have a network when it raises the share in phase at the 10th percentile by 0.01, or halves the false
-activations at rest, after any time of own prompts (docs/decisions/0031-no-network-without-a-gain.md).
+activations at rest, after any time of own prompts (docs/decisions/0032-no-network-without-a-gain.md).
 """
 
 import warnings
