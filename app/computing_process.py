@@ -19,7 +19,7 @@ from typing import Any, Final, ParamSpec, TypeVar
 
 from app.clock import monotonic
 from app.realtime import lower_priority
-from app.refusals import Unavailable
+from app.refusals import Conflict, DiskFull, Unavailable
 
 IDLE_LIMIT: Final = 300.0  # s without a question, after which the process ends and gives its memory back
 ANSWER_LIMIT: Final = 120.0  # s
@@ -66,7 +66,7 @@ class ComputingProcess:
 
         Raises
         ------
-        ValueError, OSError
+        ValueError, OSError, Conflict, DiskFull
             With the words of the one that the function raised.
         Unavailable
             In one sentence, when the process ended, or gave no answer within 120 s.
@@ -209,6 +209,8 @@ def answer(question: Callable[[], Any]) -> tuple[Exception | None, Any]:
         return ValueError(str(error)), None
     except OSError as error:
         return OSError(str(error)), None
+    except (Conflict, DiskFull) as error:
+        return error, None
     except Exception:
         return RuntimeError(traceback.format_exc()), None
 

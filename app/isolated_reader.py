@@ -65,11 +65,18 @@ def limit_this_process() -> None:
     import resource  # noqa: PLC0415  (not on every system on which the command line runs)
 
     os.nice(NICE)
-    with suppress(ValueError, OSError):  # some systems do not limit memory
-        resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
+    limit_memory()
     resource.setrlimit(resource.RLIMIT_CPU, (LONGEST_COMPUTING, LONGEST_COMPUTING + 1))
     resource.setrlimit(resource.RLIMIT_FSIZE, (LARGEST_ANSWER, LARGEST_ANSWER))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+def limit_memory() -> None:
+    """Set the limit of memory for this process: beyond it, Python raises MemoryError."""
+    import resource  # noqa: PLC0415
+
+    with suppress(ValueError, OSError):  # some systems do not limit memory
+        resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
 
 
 def main(module: str) -> None:

@@ -4,6 +4,7 @@ import ast
 import itertools
 import math
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -17,8 +18,8 @@ import psutil
 import pytest
 
 from app import computing_process
-from app.computing_process import SLOW_LIBRARIES, ComputingProcess
-from app.refusals import Unavailable
+from app.computing_process import SLOW_LIBRARIES, ComputingProcess, answer
+from app.refusals import Conflict, DiskFull, Refusal, Unavailable
 from folders import ROOT
 
 MEASURING = ("calibration", "scoring", "signals")
@@ -50,6 +51,15 @@ def test_one_process_of_low_priority_answers_all_questions(computing: ComputingP
     assert computing.ask(sorted, [2, 3, 1], reverse=True) == [3, 2, 1]
     assert computing.ask(os.getpid) == pid
     assert computing.ask(os.nice, 0) > os.nice(0)
+
+
+@pytest.mark.parametrize("kind", [Conflict, DiskFull])
+def test_a_refusal_comes_back_as_it_is(kind: type[Refusal]) -> None:
+    def refuse() -> None:
+        raise kind("Make room.")
+
+    error, _ = pickle.loads(pickle.dumps(answer(refuse)))
+    assert (type(error), str(error)) == (kind, "Make room.")
 
 
 def test_errors_come_back_as_what_they_are(computing: ComputingProcess) -> None:

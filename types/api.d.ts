@@ -3646,6 +3646,76 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/patients/{patient_id}/archive": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/archives": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/zip": string;
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["ImportedView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/log": {
         parameters: {
             query?: never;
@@ -5908,6 +5978,11 @@ export interface components {
             counted: number;
             repetitions: number;
         };
+        ImportedView: {
+            patient_id: number;
+            code: string;
+            is_new: boolean;
+        };
         IncidentView: {
             id: number;
             made: string;
@@ -7168,6 +7243,7 @@ export type HttpValidationError = components['schemas']['HTTPValidationError'];
 export type HeadTrackerChoice = components['schemas']['HeadTrackerChoice'];
 export type HeadView = components['schemas']['HeadView'];
 export type HitCheck = components['schemas']['HitCheck'];
+export type ImportedView = components['schemas']['ImportedView'];
 export type IncidentView = components['schemas']['IncidentView'];
 export type InterfaceCourse = components['schemas']['InterfaceCourse'];
 export type InterfaceMeasures = components['schemas']['InterfaceMeasures'];

@@ -14,7 +14,7 @@ from app.api.computer import this_computer
 from app.api.deps import People, clinician, viewer
 from app.api.docs_pages import docs_pages
 from app.api.driving import places
-from app.api.exports import export_file
+from app.api.exports import archive_import, export_file
 from app.api.foreign_files import OneAtATime
 from app.api.guard import Guard
 from app.api.interface_tests import interface_tests
@@ -102,6 +102,7 @@ ROUTES = (
     control_quality,
     report_file,
     export_file,
+    archive_import,
     log,
     stop,
     live_socket,

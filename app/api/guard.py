@@ -47,6 +47,7 @@ LIMITS = {
     "/api/v1/floorplans/import": 41_000_000,  # a ROS map and its image
     "/api/v1/floorplans": 8_100_000,
     "/api/v1/models": 21_000_000,
+    "/api/v1/archives": 8_000_000_000,  # a hundred hours of recordings
 }
 
 

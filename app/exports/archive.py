@@ -1,7 +1,7 @@
 """The archive of a whole patient: made in one clinic, imported in another one."""
 
-import json
 import shutil
+from contextlib import closing
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -10,9 +10,11 @@ from pydantic import ValidationError
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
 from app.disk_room import ROOM_TO_RECORD
-from app.exports.archive_file import RUN_ID, OpenArchive, open_archive, write_archive
+from app.exports.archive_file import RUN_ID, OpenArchive, archive_steps, open_archive
+from app.exports.package import Step
 from app.file_modes import OWNER_FOLDER
 from app.files import sync_folder
+from app.isolated_reader import limit_memory
 from app.refusals import NO_ROOM, Conflict, DiskFull
 from app.scoring.interface_test.interface_measures import check_documents
 from app.store.database import Database, Transaction
@@ -37,10 +39,23 @@ class Imported(NamedTuple):
     is_new: bool
 
 
-def make_archive(database: Database, clinic_id: int, patient_id: int, person: str, runs: Path, package: Path) -> str:
-    """Write the archive of a patient to `package` and return its hash; log it.
+class ArchiveMaterial(NamedTuple):
+    """Everything that the archive of a patient is made from."""
 
-    `runs` is the folder of all recordings. Conflict without consent, or while a session of the patient is open.
+    clinic: str  # its name
+    rows: Rows
+    folders: list[Path]  # of the recordings
+
+    def steps(self) -> list[Step]:
+        """Return the steps that write the archive, to be called one after the other with the file to be made."""
+        return archive_steps(self.clinic, self.rows, self.folders)
+
+
+def archive_material(database: Database, clinic_id: int, patient_id: int, person: str, runs: Path) -> ArchiveMaterial:
+    """Return what the archive of a patient is made from; log that `person` makes it.
+
+    `runs` is the folder of all recordings. NotFound when there is no such patient; Conflict without consent, or while
+    a session of the patient is open.
     """
     with database.transaction() as db:
         find_patient(db, clinic_id, patient_id)
@@ -50,8 +65,15 @@ def make_archive(database: Database, clinic_id: int, patient_id: int, person: st
         if any(row["ended"] is None for row in rows["session"]):
             raise Conflict(OPEN)
         write_log(db, person, "export", patient=patient_id, session=None, form="archive", runs=len(rows["run"]))
-    document = json.dumps({"tables": rows}, indent=1, sort_keys=True, ensure_ascii=False).encode()
-    return write_archive(package, clinic, document, [runs / str(row["id"]) for row in rows["run"]])
+    return ArchiveMaterial(clinic, rows, [runs / str(row["id"]) for row in rows["run"]])
+
+
+def make_archive(database: Database, clinic_id: int, patient_id: int, person: str, runs: Path, package: Path) -> str:
+    """Write the archive of a patient to `package` and return its hash; raises what `archive_material` raises."""
+    for step in archive_material(database, clinic_id, patient_id, person, runs).steps():
+        step(package)
+    with open_archive(package) as made:
+        return made.listed.hash
 
 
 def import_archive(database: Database, clinic_id: int, file: Path, person: str, runs: Path) -> Imported:
@@ -76,6 +98,19 @@ def import_archive(database: Database, clinic_id: int, file: Path, person: str, 
         with passing_folder(runs.parent, "import") as folder:
             archive.unpack_recordings(folder)
             return _add(database, clinic_id, archive, rows, person, folder, runs)
+
+
+def import_apart(clinic: Path, clinic_id: int, file: Path, person: str, runs: Path) -> Imported:
+    """Import an archive in a process of its own, which then has little memory; `clinic` is the file of the database.
+
+    Raises what `import_archive` raises.
+    """
+    limit_memory()
+    try:
+        with closing(Database(clinic)) as database:
+            return import_archive(database, clinic_id, file, person, runs)
+    except MemoryError as error:
+        raise ValueError(WRONG.format(file=file, why="it needs too much memory")) from error
 
 
 def _checked(archive: OpenArchive, file: Path) -> Rows:
@@ -123,7 +158,7 @@ def _add(
             try:
                 patient_id = add_patient_rows(db, clinic_id, rows)
             except WrongRows as error:
-                raise ValueError(WRONG.format(file="The archive", why=error)) from error
+                raise ValueError(WRONG.format(file=archive.file, why=error)) from error
             _note(db, patient_id, archive, person)
             for folder in sorted(unpacked.iterdir()):
                 target = runs / folder.name

@@ -10,13 +10,15 @@ import shutil
 import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import partial
 from hashlib import sha256
+from math import isfinite
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, ValidationError
 
-from app.exports.package import add_file, entry
+from app.exports.package import Step, add_file, entry
 from app.quantities import Document
 
 SCHEMA = 1
@@ -26,10 +28,11 @@ RUN_FILE = re.compile(
     r"runs/(?P<run>[0-9A-Za-z-]{1,36})/(run\.json|run\.parquet|end\.json|damaged\.txt|segment-\d{4}\.(arrows|check))"
 )
 LARGEST_DOCUMENT = 256_000_000  # bytes
+LARGEST_WHOLE = 2**63 - 1
 CHUNK = 1 << 20  # bytes
 
 NO_ARCHIVE = "{file}: this is no archive of bodydrive, or it was cut: name another file."
-CHANGED = "{file}: '{name}' in it was changed or cut, and nothing was imported: copy the archive again."
+CHANGED = "{file}: '{name}' in the archive was changed or cut, and nothing was imported: copy the archive again."
 NEWER = (
     "{file}: this archive was made by a newer bodydrive (schema {schema}), and nothing was imported: update this one."
 )
@@ -52,38 +55,57 @@ class ArchiveList(Document):
     files: dict[str, FileEntry]
 
 
-def write_archive(package: Path, clinic: str, patient: bytes, folders: list[Path]) -> str:
-    """Write an archive of the document `patient` and the recordings in `folders`; return its hash."""
-    every = {f"runs/{file.parent.name}/{file.name}": file for folder in folders for file in folder.glob("*")}
-    recordings = {name: every[name] for name in sorted(every) if RUN_FILE.fullmatch(name)}
+def archive_steps(clinic: str, tables: Any, folders: list[Path]) -> list[Step]:
+    """Return the steps that write an archive of a patient's rows and of the recordings in `folders`.
+
+    They are called one after the other with the file to be made.
+    """
+    folders = sorted(folders)
+    return [partial(_begin, clinic, tables, folders), *(partial(_add_recording, folder) for folder in folders)]
+
+
+def _begin(clinic: str, tables: Any, folders: list[Path], package: Path) -> int:
+    patient = json.dumps({"tables": tables}, indent=1, sort_keys=True, ensure_ascii=False).encode()
     files = {PATIENT: FileEntry(bytes=len(patient), sha256=sha256(patient).hexdigest())}
-    for name, file in recordings.items():
-        files[name] = FileEntry(bytes=file.stat().st_size, sha256=_hash_of(file))
+    for folder in folders:
+        for name, file in _recorded(folder):
+            files[name] = FileEntry(bytes=file.stat().st_size, sha256=_hash_of(file))
     listed = ArchiveList(clinic=clinic, hash=hash_of(files), files=files)
     package.unlink(missing_ok=True)
     with zipfile.ZipFile(package, "x") as opened:
         opened.writestr(entry(LIST), listed.model_dump_json(indent=1))
         opened.writestr(entry(PATIENT), patient)
-        for name, file in recordings.items():
+        return opened.start_dir
+
+
+def _add_recording(folder: Path, package: Path) -> int:
+    with zipfile.ZipFile(package, "a") as opened:
+        for name, file in _recorded(folder):
             add_file(opened, file, name, stored=True)
-    return listed.hash
+        return opened.start_dir
+
+
+def _recorded(folder: Path) -> list[tuple[str, Path]]:
+    """Return the files of a recording that belong to an archive, with their names in it."""
+    named = [(f"runs/{folder.name}/{file.name}", file) for file in sorted(folder.glob("*"))]
+    return [(name, file) for name, file in named if RUN_FILE.fullmatch(name)]
 
 
 class OpenArchive:
     """An archive that is read; every message of its errors is one sentence that names the file."""
 
     def __init__(self, file: Path, opened: zipfile.ZipFile) -> None:
-        self._file, self._zip = file, opened
+        self.file, self._zip = file, opened
         names = opened.namelist()
         if len(names) != len(set(names)) or names[:2] != [LIST, PATIENT]:
             raise ValueError(NO_ARCHIVE.format(file=file))
-        content = self._content(LIST, LARGEST_DOCUMENT)
+        document = self._document(self._content(LIST, LARGEST_DOCUMENT))
+        schema = document.get("schema_version") if isinstance(document, dict) else None
+        if isinstance(schema, int) and schema > SCHEMA:
+            raise ValueError(NEWER.format(file=file, schema=schema))
         try:
-            schema = json.loads(content).get("schema_version")
-            if isinstance(schema, int) and schema > SCHEMA:
-                raise ValueError(NEWER.format(file=file, schema=schema))
-            self.listed = ArchiveList.model_validate_json(content)
-        except (ValidationError, json.JSONDecodeError, AttributeError, RecursionError) as error:
+            self.listed = ArchiveList.model_validate(document)
+        except ValidationError as error:
             raise ValueError(NO_ARCHIVE.format(file=file)) from error
         if set(names) != {LIST, *self.listed.files} or hash_of(self.listed.files) != self.listed.hash:
             raise ValueError(CHANGED.format(file=file, name=LIST))
@@ -103,11 +125,8 @@ class OpenArchive:
         """Return the document of the patient."""
         content = self._content(PATIENT, self.listed.files[PATIENT].bytes)
         if sha256(content).hexdigest() != self.listed.files[PATIENT].sha256:
-            raise ValueError(CHANGED.format(file=self._file, name=PATIENT))
-        try:
-            return json.loads(content, parse_constant=_refuse_constant)
-        except (ValueError, RecursionError) as error:
-            raise ValueError(NO_ARCHIVE.format(file=self._file)) from error
+            raise ValueError(CHANGED.format(file=self.file, name=PATIENT))
+        return self._document(content)
 
     def unpack_recordings(self, folder: Path) -> None:
         """Write the recordings to `folder`, one folder each, and check their hashes."""
@@ -121,9 +140,18 @@ class OpenArchive:
                 with self._zip.open(name) as source, target.open("xb") as written:
                     shutil.copyfileobj(source, written, CHUNK)
             except (zipfile.BadZipFile, EOFError) as error:
-                raise ValueError(CHANGED.format(file=self._file, name=name)) from error
+                raise ValueError(CHANGED.format(file=self.file, name=name)) from error
             if _hash_of(target) != known.sha256:
-                raise ValueError(CHANGED.format(file=self._file, name=name))
+                raise ValueError(CHANGED.format(file=self.file, name=name))
+
+    def _document(self, content: bytes) -> Any:
+        """Return a JSON document, in which all texts and numbers are such as a database stores."""
+        try:
+            document = json.loads(content, parse_constant=_finite, parse_float=_finite, parse_int=_whole)
+            json.dumps(document, ensure_ascii=False).encode()  # refuses halves of surrogate pairs
+        except (ValueError, RecursionError) as error:
+            raise ValueError(NO_ARCHIVE.format(file=self.file)) from error
+        return document
 
     def _content(self, name: str, most: int) -> bytes:
         """Return a file, of which no more than the permitted bytes are decompressed."""
@@ -132,9 +160,9 @@ class OpenArchive:
             with self._zip.open(name) as source:
                 content = source.read(most + 1)
         except (zipfile.BadZipFile, EOFError, OSError, NotImplementedError, RuntimeError, ValueError) as error:
-            raise ValueError(CHANGED.format(file=self._file, name=name)) from error
+            raise ValueError(CHANGED.format(file=self.file, name=name)) from error
         if len(content) > most:
-            raise ValueError(CHANGED.format(file=self._file, name=name))
+            raise ValueError(CHANGED.format(file=self.file, name=name))
         return content
 
 
@@ -163,5 +191,15 @@ def _hash_of(file: Path) -> str:
     return digest.hexdigest()
 
 
-def _refuse_constant(name: str) -> Any:
-    raise ValueError(name)
+def _finite(text: str) -> float:
+    number = float(text)
+    if not isfinite(number):
+        raise ValueError(text)
+    return number
+
+
+def _whole(text: str) -> int:
+    number = int(text)
+    if not -LARGEST_WHOLE <= number <= LARGEST_WHOLE:
+        raise ValueError(text)
+    return number

@@ -141,7 +141,7 @@ def test_two_are_invited_accept_elsewhere_and_one_is_disabled(opened, served, ow
     )
     assert numbers(rita) == ["2", "3"]
     # A reviewer is offered nothing that is refused, and Stop stays in the first row of a telephone.
-    for name in ("New patient", "Start session", "Delete P-72"):
+    for name in ("New patient", "Import an archive", "Start session", "Delete P-72"):
         expect(rita.get_by_role("button", name=name)).to_have_count(0)
     assert rita.locator(".stop").bounding_box()["y"] == 0
     rita.get_by_role("link", name="Review").first.click()

@@ -46,14 +46,15 @@ def state_of(settings):
     return rows, sorted(name for name in files if "sqlite" not in name)
 
 
-def rewrite(package, target, change=None, *, names=None, patient=None, listed=None):
-    """Write an archive anew: with other names, other rows of the patient (with right hashes), another list."""
+def rewrite(package, target, change=None, *, names=None, patient=None, text=("", ""), listed=None):
+    """Write an archive anew, with right hashes: other names, rows, another text in the document, another list."""
     with zipfile.ZipFile(package) as source:
         contents = {name: source.read(name) for name in source.namelist()}
     if patient is not None:
         document = json.loads(contents[PATIENT])
         patient(document["tables"])
         contents[PATIENT] = json.dumps(document).encode()
+    contents[PATIENT] = contents[PATIENT].replace(*(part.encode() for part in text))
     contents = {(names or {}).get(name, name): content for name, content in contents.items()}
     files = {
         name: FileEntry(bytes=len(content), sha256=sha256(content).hexdigest())

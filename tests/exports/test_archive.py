@@ -15,6 +15,7 @@ from app.store.database import Database
 from app.store.learning_trials import counted_trials
 from app.store.log_reading import read_log
 from app.store.patients import add_patient
+from app.store.records import patient_rows
 from app.store.records.imports import origin_of
 from app.store.records.session_record import add_note, add_scale, session_record
 from app.store.records.sign_off import sign_off
@@ -129,6 +130,10 @@ def hidden_sign(tables):
     tables["patient"][0]["pseudonym"] = "He\u202eron"
 
 
+def before_all_years(tables):
+    tables["session"][0]["started"] = "0001-01-01T00:00:00+14:00"
+
+
 def wrong_profile(tables):
     tables["profile"][0]["document"] = {}
 
@@ -157,6 +162,7 @@ WRONG = {
     "a hidden sign": ({"patient": hidden_sign}, "which nobody sees"),
     "other figures of a test": ({"patient": wrong_test}, "another form"),
     "a workload beyond its scale": ({"patient": wrong_workload}, "another form"),
+    "a moment before all years": ({"patient": before_all_years}, "is no date"),
     "no profile": ({"patient": wrong_profile}, "another form"),
     "a long code": ({"patient": long_code}, "too long"),
     "a path as a run": ({"patient": path_as_run}, "wrong names"),
@@ -180,6 +186,14 @@ def test_a_hostile_archive_is_one_sentence_and_changes_nothing(archive, other, t
     assert "\n" not in str(caught.value)
     assert state_of(other) == before
     assert not (tmp_path / "evil.json").exists()
+
+
+def test_an_archive_of_too_many_rows_is_refused(archive, other, monkeypatch):
+    monkeypatch.setattr(patient_rows, "MOST_ROWS", 5)
+    before = state_of(other)
+    with pytest.raises(ValueError, match="it has more than 5 rows"):
+        bring(other, archive[0])
+    assert state_of(other) == before
 
 
 def test_the_archive_that_is_rewritten_for_these_tests_is_imported_when_nothing_is_wrong(archive, other, tmp_path):

@@ -98,6 +98,14 @@ export class Api {
     return this.call("POST", path, form);
   }
 
+  /**
+   * Send a file as it is; it may be larger than the memory.
+   * @template {string} const P @param {P & Known<"post", P>} path @param {File} file @returns {Promise<Answer<"post", P>>}
+   */
+  send(path, file) {
+    return this.call("POST", path, file);
+  }
+
   /** A sign-in has ended: drop the answers to its requests, because they may name a patient. */
   forget() {
     signIns += 1;
@@ -123,16 +131,16 @@ export class Api {
   /** @param {string} method @param {string} path @param {unknown} body */
   async #call(method, path, body) {
     if (this.isOver && method !== "GET" && !ALWAYS.has(path)) throw new ApiError(t("session.over"), CONFLICT);
-    const isForm = body instanceof FormData;
+    const isFile = body instanceof FormData || body instanceof Blob;
     /** @type {Record<string, string>} */
     const headers = method === "GET" ? {} : { "Patient-Session": String(this.session ?? "none") };
-    if (body !== undefined && !isForm) headers["Content-Type"] = "application/json";
+    if (body !== undefined && !isFile) headers["Content-Type"] = "application/json";
     let answer;
     try {
       answer = await fetch(BASE + path, {
         method,
         headers,
-        body: body === undefined || isForm ? body : JSON.stringify(body),
+        body: body === undefined || isFile ? body : JSON.stringify(body),
         // A stop must leave even when the page is being closed.
         keepalive: path === STOP,
       });

@@ -1,4 +1,4 @@
-"""The recordings and measures of a patient as one zip file, sent while it is made."""
+"""The recordings and measures of a patient, or everything as an archive, as one zip file, sent while it is made."""
 
 import os
 from collections.abc import Iterator
@@ -14,6 +14,7 @@ from app.api.deps import Exporter, PeopleParts, RowId
 from app.api.parts import Web
 from app.clock import utc_now
 from app.computing_process import ComputingProcess
+from app.exports.archive import archive_material
 from app.exports.export_material import Form, exported_material
 from app.exports.package import Step, export_steps
 from app.scoring.verdict.spread import Spread
@@ -45,10 +46,24 @@ def export(
 
     runs = parts.settings.runs
     material = exported_material(parts.database, who.clinic_id, patient_id, session, form, who.name, runs, spreads_of)
-    content = _content(export_steps(material, form), parts.settings.state)
+    return _sent(export_steps(material, form), form, parts.settings.state)
+
+
+@router.get("/patients/{patient_id}/archive", response_class=StreamingResponse)
+def archive(patient_id: RowId, who: Exporter, parts: PeopleParts) -> StreamingResponse:
+    """Return everything of a patient as one zip file, which another clinic can import.
+
+    409 without the patient's consent to sharing outside, or while a session of the patient is open.
+    """
+    settings = parts.settings
+    material = archive_material(parts.database, who.clinic_id, patient_id, who.name, settings.runs)
+    return _sent(material.steps(), "archive", settings.state)
+
+
+def _sent(steps: list[Step], form: str, state: Path) -> StreamingResponse:
     name = f"bodydrive-{form}-{utc_now():%Y%m%dT%H%M%SZ}.zip"
     headers = {"Content-Disposition": f'attachment; filename="{name}"'}
-    return StreamingResponse(content, media_type="application/zip", headers=headers)
+    return StreamingResponse(_content(steps, state), media_type="application/zip", headers=headers)
 
 
 def _content(steps: list[Step], state: Path) -> Iterator[bytes]:
@@ -59,14 +74,14 @@ def _content(steps: list[Step], state: Path) -> Iterator[bytes]:
     with passing_folder(state, "export") as folder, closing(ComputingProcess()) as computing:
         package, sent = folder / "export.zip", 0
         for step in steps:
-            final = computing.ask_while(partial(_written, folder), partial(step, package))
+            final = computing.ask_while(partial(bytes_in, folder), partial(step, package))
             yield from _between(package, sent, final)
             sent = final
         yield from _between(package, sent, package.stat().st_size)
 
 
-def _written(folder: Path) -> int:
-    """Return the bytes of all files in a folder, which grow while an export is made, however long it takes."""
+def bytes_in(folder: Path) -> int:
+    """Return the bytes of all files in a folder, which grow while an export or import goes on."""
     total = 0
     for place, _, files in os.walk(folder):
         for name in files:

@@ -6,6 +6,7 @@ from typing import Any
 
 from sqlalchemy import JSON, Boolean, Column, Date, Float, Integer, String, insert, select
 from sqlalchemy import Table as SqlTable
+from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
 from app.store.chairs import chair_elsewhere
@@ -44,6 +45,7 @@ KINDS: tuple[tuple[type[Table], str], ...] = (
 )
 ADDED_LATER = {"drive", "interface_test"}  # tables that archives of older programs do not have
 LEFT_OUT = {"clinic_id", "folder", "chair_id"}  # they belong to the clinic that has the rows
+MOST_ROWS = 100_000  # of an archive: far more than a patient has; while they are added, nothing else is stored
 
 Rows = dict[str, list[dict[str, Any]]]
 """Table name -> its rows. The ids are 1, 2, 3 ... in each table, so that every clinic writes the same document."""
@@ -92,7 +94,10 @@ def add_patient_rows(db: Session, clinic_id: int, rows: Rows) -> int:
             own = values.get("id", place)
             if isinstance(own, int) and "id" in values:
                 del values["id"]
-            added: Any = db.execute(insert(table).values(values))
+            try:
+                added: Any = db.execute(insert(table).values(values))
+            except IntegrityError as error:
+                raise WrongRows(f"row {place} of its table '{table.name}' contradicts another one") from error
             ids[table.name][own] = added.inserted_primary_key[0]
     return int(ids["patient"][1])
 
@@ -111,6 +116,8 @@ def check_rows(rows: Any) -> Rows:
             not isinstance(row, dict) or set(row) != names for row in found[table.name]
         ):
             raise WrongRows(f"the columns of its table '{table.name}' are others")
+    if sum(map(len, found.values())) > MOST_ROWS:
+        raise WrongRows(f"it has more than {MOST_ROWS:,} rows")
     if len(found["patient"]) != 1:
         raise WrongRows("it has not exactly one patient")
     if any(row["ended"] is None for row in found["session"]):
@@ -166,7 +173,7 @@ def _read(column: Column[Any], row: dict[str, Any], ids: dict[str, dict[Any, Any
     try:
         read = _READ.get(type(column.type))
         return value if read is None else read(value)
-    except ValueError as error:
+    except (ValueError, OverflowError) as error:
         raise WrongRows(f"{where} is no date") from error
 
 
@@ -174,7 +181,7 @@ def _moment(text: str) -> datetime:
     moment = datetime.fromisoformat(text)
     if moment.tzinfo is None:
         raise ValueError
-    return moment
+    return moment.astimezone(UTC)
 
 
 _READ: dict[type, Callable[[str], Any]] = {Moment: _moment, Date: date.fromisoformat}

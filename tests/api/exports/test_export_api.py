@@ -64,7 +64,7 @@ def test_an_export_takes_as_long_as_it_writes(driven: Any, monkeypatch: pytest.M
     with driven.client.app.state.people.database.transaction() as db:
         give_consent(db, driven.patient, "sharing", date(2025, 1, 1), "Ana")
     monkeypatch.setattr(computing_process, "ANSWER_LIMIT", 0.0)
-    monkeypatch.setattr(export_file, "_written", lambda _: next(looks))
+    monkeypatch.setattr(export_file, "bytes_in", lambda _: next(looks))
     answer = driven("GET", f"/patients/{driven.patient}/export?form=csv")
     with zipfile.ZipFile(io.BytesIO(answer.content)) as opened:
         assert opened.testzip() is None
@@ -74,7 +74,7 @@ def test_the_bytes_of_all_parts_are_its_progress(tmp_path: Path) -> None:
     (tmp_path / "part").mkdir()
     (tmp_path / "part" / "a").write_bytes(b"12")
     (tmp_path / "export.zip").write_bytes(b"3")
-    assert export_file._written(tmp_path) == 3
+    assert export_file.bytes_in(tmp_path) == 3
 
 
 def test_a_patient_or_session_that_is_not_there_is_not_exported(driven: Any) -> None:

@@ -6,25 +6,20 @@ from browser.eyes.chair_places import chair_page, no_chair, paired_chair
 from browser.eyes.eyes_clinic import EyesClinic
 from browser.eyes.opening import Open, answered, at, go, opened, start_with, tap
 from browser.eyes.session_places import (
+    ARCHIVE_PLACES,
+    SESSION_PLACES,
     attention,
     commented,
-    compared_sessions,
     interface_test_over,
     interface_test_runs,
     review,
-    revised_note,
     revoke_links,
-    session_record,
-    share_link,
     shared_help,
     shared_records,
-    signed_session,
-    signing_session,
     trial_over,
     trial_runs,
     trial_stopped,
     unread,
-    without_sharing,
     written_session,
 )
 from playwright.sync_api import expect
@@ -210,15 +205,7 @@ PLACES: dict[str, Open] = {
     "review, unread": unread,
     "review, comments": commented,
     "review, compare": review("/compare/{first}/{second}"),
-    "session": session_record,
-    "session, sign off": signing_session,
-    "session, signed": signed_session,
-    "session, note": revised_note,
-    "session, patient": opened("session/patient/1"),
-    "session, no sharing": without_sharing,
-    "session, share link": share_link,
-    "session, compare": compared_sessions,
-    "session, story": opened("session/story/1"),
+    **SESSION_PLACES,
     "settings": at("settings"),
     "settings, pair": at("settings", "Pair a chair"),
     "settings, paired": paired_chair,
@@ -256,6 +243,7 @@ PLACES: dict[str, Open] = {
     "docs, clinicians": document("docs/clinicians"),
     "other session": other_session,
     "no connection": no_connection,
+    **ARCHIVE_PLACES,
 }
 
 

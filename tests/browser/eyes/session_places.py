@@ -129,6 +129,24 @@ def without_sharing(page: Any, clinic: EyesClinic) -> None:
     expect(page.get_by_text("A share link needs the patient's consent")).to_be_visible()
 
 
+def archive_to_make(page: Any, clinic: EyesClinic) -> None:
+    written_session(clinic)  # with the consent
+    opened("session/patient/1")(page, clinic)
+    page.get_by_label("Form").select_option("archive")
+    expect(
+        page.get_by_text("An owner of the other clinic imports").or_(page.get_by_text("end it first"))
+    ).to_be_visible()
+
+
+def refused_archive(page: Any, clinic: EyesClinic) -> None:
+    words = {"detail": "This is no archive of bodydrive, or it was cut: name another file."}
+    page.route("**/api/v1/archives", lambda route: route.fulfill(status=422, json=words))
+    opened("patients")(page, clinic)
+    file = {"name": "letter.zip", "mimeType": "application/zip", "buffer": b"Dear colleague"}
+    page.locator("input[type=file][accept^='.zip']").set_input_files(file)  # type: ignore[arg-type]
+    expect(page.get_by_text("This is no archive")).to_be_visible()
+
+
 def share_link(page: Any, clinic: EyesClinic) -> None:
     """Show a new link beside one that can be opened, and the ones that have ended."""
     session = written_session(clinic)
@@ -168,3 +186,20 @@ def revoke_links(clinic: EyesClinic) -> None:
 def compared_sessions(page: Any, clinic: EyesClinic) -> None:
     first, second = [one["id"] for one in clinic.good("GET", "/patients/1/sessions")[::-1][:2]]
     opened(f"session/compare/{first}/{second}")(page, clinic)
+
+
+SESSION_PLACES: dict[str, Open] = {
+    "session": session_record,
+    "session, sign off": signing_session,
+    "session, signed": signed_session,
+    "session, note": revised_note,
+    "session, patient": opened("session/patient/1"),
+    "session, no sharing": without_sharing,
+    "session, share link": share_link,
+    "session, compare": compared_sessions,
+    "session, story": opened("session/story/1"),
+}
+ARCHIVE_PLACES: dict[str, Open] = {
+    "session, archive": archive_to_make,
+    "patients, archive refused": refused_archive,
+}

@@ -4,6 +4,7 @@
  * @import { PatientView } from "types/api"
  */
 import { ApiError } from "../../api.js";
+import { archiveImport } from "./archive_import.js";
 import { deletionForm } from "./deletion_form.js";
 import { h, put } from "../../widgets/dom.js";
 import { day } from "../../widgets/format.js";
@@ -17,8 +18,8 @@ const CONFLICT = 409;
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
-  const isOwner = app.me?.role === "owner" && !app.me.demo;
-  const [first, people] = await Promise.all([app.api.get("/patients"), isOwner ? app.api.get("/people") : null]);
+  const isOwner = app.me?.role === "owner";
+  const [first, people] = await Promise.all([app.api.get("/patients"), isOwner && !app.me?.demo ? app.api.get("/people") : null]);
   let patients = first;
   if (signal.aborted) return;
   const list = rowList("people");
@@ -96,6 +97,7 @@ export async function show(app, root, { signal }) {
     put(form, newPatientForm(app, { onAdded: (patient) => open(patient), onClose: () => (form.hidden = true) }));
     form.querySelector("input")?.focus();
   };
+  const archive = isOwner ? archiveImport(app, read) : null;
   search.addEventListener("input", showList);
   app.addEventListener("session", showList, { signal });
   showList();
@@ -111,7 +113,9 @@ export async function show(app, root, { signal }) {
         { class: "spread above-list" },
         h("div", { class: "grow" }, search),
         mayChange(app) && h("button", { type: "button", class: "btn", onclick: showForm }, icon("plus", 20), t("patients.new")),
+        archive?.button,
       ),
+      archive?.course,
       form,
       list,
       people?.length === 1 && invitation(),

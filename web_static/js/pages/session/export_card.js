@@ -1,13 +1,15 @@
 /**
- * The export of a patient's recordings and measures, in one of five forms; only with the consent to sharing outside.
+ * The export of a patient's recordings and measures, in one of five forms, or of everything as an archive; only with the
+ * consent to sharing outside.
  * @import { ConsentsView, SessionRow } from "types/api"
  */
 import { t } from "../../texts.js";
-import { h } from "../../widgets/dom.js";
+import { h, write } from "../../widgets/dom.js";
 import { field, selection } from "../../widgets/fields.js";
 import { mayExport } from "../../results/report_choice.js";
 
-const FORMS = /** @type {const} */ (["csv", "parquet", "xdf", "bids", "fhir"]);
+const ARCHIVE = "archive"; // of the whole patient, for another clinic
+const FORMS = /** @type {const} */ (["csv", "parquet", "xdf", "bids", "fhir", ARCHIVE]);
 const ALL = "";
 
 /**
@@ -32,9 +34,16 @@ function choice(patient, code, sessions) {
   let form = FORMS[0];
   let session = ALL;
   const link = h("a", { class: "btn", download: "", "aria-label": t("export.go.label", { code }) }, t("export.go"));
+  const offer = h("p", {}, link);
+  const isOpen = sessions.some(({ ended }) => ended === null);
+  const words = h("p", { role: "status" });
   const draw = () => {
     const query = new URLSearchParams({ form, ...(session && { session }) });
-    link.setAttribute("href", `/api/v1/patients/${patient}/export?${query}`);
+    const isArchive = form === ARCHIVE;
+    link.setAttribute("href", `/api/v1/patients/${patient}/${isArchive ? ARCHIVE : `export?${query}`}`);
+    offer.hidden = isArchive && isOpen;
+    what.hidden = isArchive;
+    write(words, isArchive ? t(isOpen ? "export.archive.open" : "export.archive.how") : "");
   };
   const forms = selection(
     FORMS.map((value) => ({ value, label: t(`export.form.${value}`) })),
@@ -43,12 +52,14 @@ function choice(patient, code, sessions) {
   );
   const numbers = sessions.map(({ number }) => ({ value: String(number), label: t("export.session", { number }) }));
   const which = selection([{ value: ALL, label: t("export.all") }, ...numbers], session, (value) => ((session = value), draw()));
+  const what = field(t("export.what"), which);
   draw();
   return h(
     "div",
     { class: "stack" },
-    h("div", { class: "columns" }, field(t("export.form"), forms), field(t("export.what"), which)),
-    h("p", {}, link),
+    h("div", { class: "columns" }, field(t("export.form"), forms), what),
+    words,
+    offer,
     h("p", { class: "quiet small" }, t("export.wait")),
   );
 }

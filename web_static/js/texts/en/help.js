@@ -71,7 +71,7 @@ export default {
   "session.title": "Sessions and their records",
   "session.1": "Write here the goal in the patient's words, notes, and the totals of outcome scales.",
   "session.2": "A sign-off locks the session; only an owner can unlock it, with a reason.",
-  "session.3": "A patient's sessions stand in one list with the consents, share links and exports; tick two to see them side by side.",
+  "session.3": "A patient's sessions stand in one list with the consents, share links, exports and the archive for another clinic; tick two to see them side by side.",
   "share.title": "Shared records",
   "share.1": "A clinic shows you the records of one patient: you read them, and change nothing.",
   "share.2": "The PIN, which the clinic told you separately, opens them in this browser for an hour; five wrong ones close the link.",

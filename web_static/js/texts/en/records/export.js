@@ -1,4 +1,4 @@
-/** Texts of the export of a patient's recordings and measures. */
+/** Texts of the export of a patient's recordings and measures, and of the import of an archive. */
 export default {
   "export.title": "Export for other programs",
   "export.lead": "Recordings and measures as one zip file. It names the patient by the code, and says what was simulated.",
@@ -8,11 +8,18 @@ export default {
   "export.form.xdf": "XDF: for laboratories that measure movement",
   "export.form.bids": "BIDS-motion: for archives of research data",
   "export.form.fhir": "FHIR: measures for a hospital's records",
+  "export.form.archive": "Archive: everything, for another clinic with bodydrive",
   "export.what": "Sessions",
   "export.all": "All sessions",
   "export.session": "Session {number}",
   "export.go": "Export",
   "export.go.label": "Export of {code}",
   "export.wait": "Long recordings take a minute or more. The log keeps who exported what.",
+  "export.archive.how": "An owner of the other clinic imports the file on its page of patients.",
+  "export.archive.open": "A session of this patient is open: end it first, then make the archive.",
   "export.consent": "An export needs the patient's consent to sharing outside: ask, and enter it above.",
+  "import.go": "Import an archive",
+  "import.under-way": "{name} is being sent and checked. Large recordings take minutes; leave this page open.",
+  "import.done": "The patient {code} is imported.",
+  "import.known": "{code} was imported from this archive before: nothing was changed.",
 };

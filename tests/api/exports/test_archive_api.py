@@ -1,0 +1,160 @@
+"""The archive of a patient over the API: streamed to whoever may export, imported by an owner, whole or not at all."""
+
+import io
+import zipfile
+from contextlib import closing
+from datetime import date
+from pathlib import Path
+from typing import Any
+
+import pytest
+from exports.archive_clinics import rewrite
+from exports.exported_clinic import CODE, RUN, make_clinic
+from people_of_clinic import accepted, as_person, invited
+
+from app.api.exports import archive_import
+from app.exports.archive import make_archive
+from app.exports.archive_file import PATIENT, open_archive
+from app.recording.reader import read_run
+from app.store.database import Database
+from app.store.files.disk_watch import DiskRoom
+from app.store.records.consents import give_consent
+from app.store.tables import Patient
+
+
+@pytest.fixture(scope="module")
+def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the archive of a patient of another clinic."""
+    first = make_clinic(tmp_path_factory.mktemp("from"))
+    with closing(Database(first.database)) as database:
+        make_archive(database, 1, 1, "Ana", first.runs, first.state / "heron.zip")
+    return first.state / "heron.zip"
+
+
+def brought(clinic: Any, content: bytes | Path) -> Any:
+    sent = content if isinstance(content, bytes) else content.read_bytes()
+    return clinic("POST", "/archives", content=sent, headers={"Content-Type": "application/zip"})
+
+
+def state_of(clinic: Any) -> tuple[list[str], list[str]]:
+    """Return the patients, and the files of recordings, also of half imports."""
+    settings = clinic.client.app.state.people.settings
+    with clinic.client.app.state.people.database.transaction() as db:
+        codes = [patient.code for patient in db.query(Patient)]
+    kept = [*settings.runs.glob("*"), *settings.state.glob(".import-*")]
+    return codes, sorted(str(file) for file in kept)
+
+
+def test_an_archive_goes_to_another_clinic_and_leaves_it_with_the_same_hash(
+    signed_in: Any, package: Path, tmp_path: Path
+) -> None:
+    answer = brought(signed_in, package)
+    assert answer.status_code == 200, answer.text
+    patient = answer.json()["patient_id"]
+    assert answer.json() == {"patient_id": patient, "code": CODE, "is_new": True}
+    (row,) = [row for row in signed_in.log() if row.what == "archive imported"]
+    assert (row.person, row.details["patient"]) == ("Demo clinician", patient)
+    runs = signed_in.client.app.state.people.settings.runs
+    assert read_run(runs / RUN).damage == ""
+    before = state_of(signed_in)
+    assert brought(signed_in, package).json() == {"patient_id": patient, "code": CODE, "is_new": False}
+    assert state_of(signed_in) == before
+    (tmp_path / "again.zip").write_bytes(signed_in("GET", f"/patients/{patient}/archive").content)
+    with open_archive(tmp_path / "again.zip") as again, open_archive(package) as first:
+        assert again.listed.hash == first.listed.hash
+
+
+def test_an_archive_is_made_with_consent_and_without_an_open_session_only(calibrated: Any) -> None:
+    patient = calibrated.patient["id"]
+    address = f"/patients/{patient}/archive"
+    refused = calibrated("GET", address)
+    assert (refused.status_code, "has not consented" in refused.json()["detail"]) == (409, True)
+    with calibrated.client.app.state.people.database.transaction() as db:
+        give_consent(db, patient, "sharing", date(2025, 1, 1), "Ana")
+    refused = calibrated("GET", address)
+    assert (refused.status_code, "end it first" in refused.json()["detail"]) == (409, True)
+    assert [row for row in calibrated.log() if row.what == "export"] == []
+    calibrated.good("DELETE", "/session")
+    answer = calibrated("GET", address)
+    assert (answer.status_code, answer.headers["content-type"]) == (200, "application/zip")
+    assert calibrated.patient["code"] not in answer.headers["content-disposition"]
+    with zipfile.ZipFile(io.BytesIO(answer.content)) as opened:
+        assert opened.testzip() is None
+        assert PATIENT in opened.namelist()
+    (row,) = [row for row in calibrated.log() if row.what == "export"]
+    assert (row.details["patient"], row.details["form"]) == (patient, "archive")
+    assert list(calibrated.client.app.state.people.settings.state.glob(".export-*")) == []
+
+
+def twice(tables: Any) -> None:
+    tables["session"].append({**tables["session"][0], "id": 2})
+
+
+def half_a_sign(tables: Any) -> None:
+    tables["session"][0]["goal"] = "\ud800"
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (None, "This is no archive of bodydrive"),
+        (b"", "This is no archive of bodydrive"),
+        (twice, "row 2 of its table 'session' contradicts another one"),
+        (half_a_sign, "This is no archive of bodydrive"),
+    ],
+)
+def test_a_wrong_archive_is_one_sentence_and_changes_nothing(
+    signed_in: Any, package: Path, tmp_path: Path, change: Any, words: str
+) -> None:
+    before = state_of(signed_in)
+    if callable(change):
+        rewrite(package, tmp_path / "wrong.zip", patient=change)
+        answer = brought(signed_in, tmp_path / "wrong.zip")
+    else:
+        answer = brought(signed_in, package.read_bytes()[:-200] if change is None else change)
+    assert answer.status_code == 422, answer.text
+    sentence = answer.json()["detail"]
+    assert words in sentence
+    assert "/" not in sentence  # no folder of this machine
+    assert sentence.endswith(".")
+    assert state_of(signed_in) == before
+
+
+@pytest.mark.parametrize("number", ["1e999", "9" * 19, "9" * 5000])
+def test_a_number_that_no_database_holds_is_refused(signed_in: Any, package: Path, tmp_path: Path, number: str) -> None:
+    before = state_of(signed_in)
+    rewrite(package, tmp_path / "wrong.zip", text=("12.5", number))  # a measure
+    answer = brought(signed_in, tmp_path / "wrong.zip")
+    assert (answer.status_code, "This is no archive of bodydrive" in answer.json()["detail"]) == (422, True)
+    assert state_of(signed_in) == before
+
+
+def test_what_is_in_the_clinic_already_is_refused(signed_in: Any, package: Path) -> None:
+    signed_in.good("POST", "/patients", json={"code": "P-1", "pseudonym": "Heron"})
+    with signed_in.client.app.state.people.database.transaction() as db:
+        db.query(Patient).one().code = CODE
+    before = state_of(signed_in)
+    answer = brought(signed_in, package)
+    assert (answer.status_code, "belongs to another patient" in answer.json()["detail"]) == (409, True)
+    assert state_of(signed_in) == before
+
+
+def test_a_full_disk_or_a_file_without_end_is_refused(
+    signed_in: Any, package: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = state_of(signed_in)
+    given = {"Content-Type": "application/zip", "Content-Length": "9000000000"}
+    assert signed_in("POST", "/archives", content=b"PK", headers=given).status_code == 413
+    monkeypatch.setattr(archive_import, "disk_room", lambda _: DiskRoom(1000, ""))
+    answer = brought(signed_in, package)
+    assert (answer.status_code, "make room" in answer.json()["detail"]) == (507, True)
+    assert state_of(signed_in) == before
+
+
+def test_only_an_owner_imports(signed_in: Any, package: Path) -> None:
+    """A clinician is refused before anything is received."""
+    clinician = accepted(signed_in, invited(signed_in, "Ben", "clinician"))
+    before = state_of(signed_in)
+    with as_person(signed_in, clinician):
+        assert brought(signed_in, package).status_code == 403
+    assert state_of(signed_in) == before

@@ -1,0 +1,90 @@
+"""A whole patient goes from one clinic to another, by the pages of both: as a file that the first one gives."""
+
+import pytest
+from browser.served.clinic_app import ClinicApp, assert_quiet
+from browser.served.review_app import ReviewApp
+from playwright.sync_api import expect
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(240)]
+
+COURSE = "is being sent and checked"
+
+
+@pytest.fixture
+def first(tmp_path):
+    served = ReviewApp(tmp_path / "first")
+    served.start()
+    yield served
+    served.stop()
+
+
+@pytest.fixture
+def second(tmp_path):
+    served = ClinicApp(tmp_path / "second")
+    served.start()
+    yield served
+    served.stop()
+
+
+def choose(page, file):
+    with page.expect_file_chooser() as chooser:
+        page.get_by_role("button", name="Import an archive").click()
+    chooser.value.set_files(file)
+
+
+def exported(page, app, file):
+    """Give the consent, end the session that is open, and save the archive of the patient."""
+    page.goto(app.link)
+    expect(page.get_by_role("heading", level=1)).to_be_visible()
+    page.goto(f"{app.address}/#/session/patient/1")
+    page.get_by_role("button", name="Enter consent: Sharing outside").click()
+    card = page.locator(".card").filter(has=page.get_by_role("heading", name="Export for other programs"))
+    form = card.get_by_label("Form")
+    form.select_option("archive")
+    expect(card.get_by_text("A session of this patient is open: end it first")).to_be_visible()
+    expect(card.get_by_role("link")).to_have_count(0)
+    form.select_option("csv")
+    expect(card.get_by_role("link")).to_have_count(1)
+    expect(card.get_by_label("Sessions")).to_be_visible()
+    page.goto(f"{app.address}/#/patients")
+    page.get_by_role("button", name="End session").click()
+    expect(page.get_by_text("The session has ended")).to_be_visible()
+    page.goto(f"{app.address}/#/session/patient/1")
+    form.select_option("archive")
+    expect(card.get_by_label("Sessions")).to_be_hidden()
+    with page.expect_download() as download:
+        card.get_by_role("link", name="Export of P-1").click()
+    download.value.save_as(file)
+
+
+def test_a_patient_goes_to_another_clinic_by_the_pages_of_both(browser, page_log, first, second, tmp_path):
+    log = page_log(first.address)
+    page = log.watch(browser.new_context(viewport={"width": 390, "height": 844}).new_page())
+    exported(page, first, tmp_path / "heron.zip")
+    page.goto(f"{first.address}/#/patients")
+    choose(page, tmp_path / "heron.zip")
+    expect(page.get_by_role("alert")).to_have_text(
+        "Recordings of this archive are in this clinic already, and nothing was imported: their patient is here."
+    )
+    expect(page.get_by_text(COURSE)).to_have_count(0)
+    page.context.close()
+    assert_quiet(log)
+
+    log = page_log(second.address)
+    page = log.watch(browser.new_context(viewport={"width": 768, "height": 1024}).new_page())
+    second.sign_in(page)
+    expect(page.get_by_role("button", name="New patient")).to_be_visible()
+    (tmp_path / "letter.zip").write_bytes(b"Dear colleague")
+    choose(page, tmp_path / "letter.zip")
+    expect(page.get_by_role("alert")).to_contain_text("This is no archive of bodydrive")
+    choose(page, tmp_path / "heron.zip")
+    expect(page.get_by_text("The patient P-1 is imported.")).to_be_visible()
+    expect(page.get_by_role("alert")).to_have_count(0)
+    expect(page.locator(".person").filter(has_text="Heron")).to_contain_text("2 trials")
+    choose(page, tmp_path / "heron.zip")
+    expect(page.get_by_text("P-1 was imported from this archive before")).to_be_visible()
+    expect(page.locator(".person")).to_have_count(3)
+    (patient,) = [one for one in second.good("GET", "/patients") if one["code"] == "P-1"]
+    assert len(second.good("GET", f"/trials?patient={patient['id']}")) == len(first.trials)
+    page.context.close()
+    assert_quiet(log)
