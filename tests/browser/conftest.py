@@ -1,10 +1,12 @@
 """A real browser, and what it must not do: report an error, or ask another machine for anything."""
 
 import os
+import shlex
 import shutil
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
@@ -109,9 +111,26 @@ class PageLog:
             self.outside.append(url)
 
 
+# A browser stands for another machine: it must not take the processors from the program. Chromium of the superuser
+# raises the priority of some of its threads, unless that is forbidden.
+MODEST = """#!/bin/sh
+set -- {program} "$@"
+[ "$(id -u)" = 0 ] && command -v setpriv > /dev/null && set -- setpriv --bounding-set -sys_nice "$@"
+exec nice -n 5 "$@"
+"""
+
+
+def modest(program: str, folder: Path) -> Path:
+    """Return a program in `folder` that runs another one with less priority than the tests have."""
+    script = folder / "modest-browser"
+    script.write_text(MODEST.format(program=shlex.quote(program)))
+    script.chmod(0o755)
+    return script
+
+
 # One for each file: Playwright keeps an event loop running as long as it lives, and other tests start their own.
 @pytest.fixture(scope="module")
-def browser() -> Iterator[FewPicturesBrowser]:
+def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[FewPicturesBrowser]:
     """Chromium without a screen, drawing in software."""
     found = shutil.which("chromium")
     if found is None:
@@ -119,8 +138,9 @@ def browser() -> Iterator[FewPicturesBrowser]:
             pytest.fail("there is no chromium here: install Debian's package 'chromium'")
         pytest.skip("there is no chromium here: install Debian's package 'chromium' to run the browser tests")
     expect.set_options(timeout=PATIENCE)
+    program = modest(found, tmp_path_factory.mktemp("browser"))
     with sync_playwright() as playwright:
-        launched = playwright.chromium.launch(executable_path=found, args=list(CHROMIUM))
+        launched = playwright.chromium.launch(executable_path=program, args=list(CHROMIUM))
         yield FewPicturesBrowser(launched)
         launched.close()
 

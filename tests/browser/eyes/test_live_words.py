@@ -35,6 +35,21 @@ LISTEN = """() => {
   }).observe(document.body, { childList: true, subtree: true, characterData: true });
 }"""
 A_WHILE = 2500  # ms
+# The role of the notice of a page that has lost the program, without a cover over the page and with one.
+LOST_ROLES = """() => import("/js/shell/notices.js").then(({ notices }) => {
+  const live = Object.assign(new EventTarget(), { connected: false, receivedAt: 0, latest: null });
+  const [route, root] = [{ page: "controls", rest: [] }, document.querySelector("main")];
+  const app = Object.assign(new EventTarget(), { live, route, root, me: { signed_in: true } });
+  const notice = notices(app);
+  const roles = [];
+  for (const cover of [null, document.createElement("main")]) {
+    if (cover) document.body.append(cover);
+    live.dispatchEvent(new Event("connection"));
+    roles.push(notice.getAttribute("role"));
+    cover?.remove();
+  }
+  return roles;
+})"""
 # A card over the picture, outside every page: `show(why)` gives it one and the same fault, and a picture or none.
 CARD = """() => import("/js/widgets/trial_cue.js").then(({ trialCue }) => {
   const picture = { shows: "view", why: "" };
@@ -113,6 +128,12 @@ def test_a_picture_that_goes_and_comes_does_not_say_the_fault_again(page, clinic
         assert with_words(rows, words) == ["polite"], rows
         assert with_words(rows, "The shirt is silent.") == [], rows
     page.evaluate("() => removeCard()")
+    put_back(clinic)
+
+
+def test_a_lost_page_has_one_main_landmark_also_under_a_cover(page, clinic):
+    PLACES["settings"](page, clinic)
+    assert page.evaluate(LOST_ROLES) == ["main", None]
     put_back(clinic)
 
 

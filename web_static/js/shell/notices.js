@@ -19,10 +19,11 @@ export function notices(app) {
   let shown = "";
   const show = () => {
     const kind = app.me?.signed_in ? noticeKind(app, faultKey) : "";
+    // A screen reader does not find a page that is off: then the notice is all there is to read, unless a cover is.
+    const isAll = kind === "lost, page off" && ![...document.querySelectorAll("main")].some((one) => one !== app.root);
+    set(element, { role: isAll ? "main" : null });
     if (kind === shown) return;
     shown = kind;
-    // A screen reader does not find a page that is off: then the notice is all there is to read.
-    set(element, { role: kind === "lost, page off" ? "main" : null });
     set(element, { "aria-live": urgency(app.live.latest?.fault) });
     put(element, kind && note(app, kind));
   };
