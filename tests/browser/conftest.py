@@ -116,12 +116,12 @@ class PageLog:
 MODEST = """#!/bin/sh
 set -- {program} "$@"
 [ "$(id -u)" = 0 ] && command -v setpriv > /dev/null && set -- setpriv --bounding-set -sys_nice "$@"
-exec nice -n 5 "$@"
+exec "$@"
 """
 
 
 def modest(program: str, folder: Path) -> Path:
-    """Return a program in `folder` that runs another one with less priority than the tests have."""
+    """Return a program in `folder` that runs another one, which cannot raise its priority above that of the tests."""
     script = folder / "modest-browser"
     script.write_text(MODEST.format(program=shlex.quote(program)))
     script.chmod(0o755)
