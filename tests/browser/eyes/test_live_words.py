@@ -131,6 +131,22 @@ def test_a_picture_that_goes_and_comes_does_not_say_the_fault_again(page, clinic
     put_back(clinic)
 
 
+def test_the_button_that_takes_the_place_of_another_one_takes_its_focus(page, clinic):
+    PLACES["settings"](page, clinic)
+    page.evaluate(CARD)
+    page.evaluate("() => showFault('')")
+    page.locator(".fault-card button").first.focus()
+    for why in ("stale", ""):
+        page.evaluate("(why) => showFault(why)", why)
+        expect(page.locator(".fault-card button").first).to_be_focused()
+    page.evaluate("() => showFault('stale')")
+    page.locator(".fault-card button").last.focus()
+    page.evaluate("() => showFault('')")
+    expect(page.locator(".fault-card button").last).to_be_focused()
+    page.evaluate("() => removeCard()")
+    put_back(clinic)
+
+
 def test_a_lost_page_has_one_main_landmark_also_under_a_cover(page, clinic):
     PLACES["settings"](page, clinic)
     assert page.evaluate(LOST_ROLES) == ["main", None]

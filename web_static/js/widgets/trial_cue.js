@@ -82,7 +82,9 @@ function overView(app, fault, waits, onEnd, onPlan) {
     lacks = missing;
     write(next, missing ? t(`picture.${missing}`) : fault.next_step);
     const other = missing ? planButton("picture.plan.show", onPlan) : continueButton(app);
+    const isFocused = go === document.activeElement;
     go.replaceWith(other);
+    if (isFocused) other.focus();
     go = other;
   };
   return { element: card(fault.happened, next, waits, go, end), setMissing };
