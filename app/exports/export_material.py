@@ -18,6 +18,7 @@ from app.store.records.recorded_runs import RecordedRun, recorded_runs
 Form = Literal["csv", "parquet", "xdf", "bids", "fhir"]
 FORMS: tuple[Form, ...] = ("csv", "parquet", "xdf", "bids", "fhir")
 
+SIMULATED_WORDS = {True: "yes", False: "no", None: "unknown"}
 NOTHING = "There is nothing to export: nothing was recorded."
 
 SpreadsOf = Callable[[str, str, SourceGroup], dict[str, Spread]]
@@ -85,7 +86,7 @@ def exported_material(
 def run_facts(code: str, run: RecordedRun, meta: dict[str, Any], damage: str) -> dict[str, str]:
     """Return what each file of a recording says of it: whose, of what, with which source and software."""
     trial = run.trial
-    simulated = {True: "yes", False: "no", None: "unknown"}[run.source.simulated]
+    done = run.trial or run.test
     return {
         "patient": code,
         "session": str(run.session),
@@ -93,10 +94,11 @@ def run_facts(code: str, run: RecordedRun, meta: dict[str, Any], damage: str) ->
         "kind": run.kind,
         "task": run.task,
         "trial": "" if trial is None else str(trial.number),
+        "test": "" if run.test is None else str(run.test.number),
         "started": run.started.isoformat(),
         "source": source_words(run.source),
-        "simulated": simulated,
+        "simulated": SIMULATED_WORDS[run.source.simulated],
         "software": str(meta.get("software", "unknown")),
-        "parameters_hash": "" if trial is None else trial.parameters_hash,
+        "parameters_hash": "" if done is None else done.parameters_hash,
         "damage": damage,
     }

@@ -1,4 +1,4 @@
-"""The measures of trials as FHIR R4B: one Bundle of a Patient, a Device and an Observation for each measure.
+"""The measures of trials and two-minute tests as FHIR R4B: a Bundle of a Patient, a Device, and their Observations.
 
 See https://hl7.org/fhir/R4B/observation.html; units are UCUM codes.
 """
@@ -8,18 +8,20 @@ from typing import Any
 
 from app import __version__
 from app.exports.export_material import ExportMaterial
-from app.exports.measure_units import MEASURES, is_number
+from app.exports.measure_units import MEASURES, TEST_MEASURES, is_number
+from app.scoring.interface_test.interface_course import COMPLETE
 from app.source import source_words
-from app.store.records.recorded_runs import RecordedRun, RecordedTrial
+from app.store.records.recorded_runs import RecordedRun, RecordedTest, RecordedTrial
 
 UCUM = "http://unitsofmeasure.org"
 MEASURE_CODES = "urn:bodydrive:measure"
 PATIENT_CODES = "urn:bodydrive:patient-code"
+TEST_METHOD = "Two-minute test: targets on a cross, reached with a cursor, while no chair moves"
 TEST_DATA = {"system": "http://terminology.hl7.org/CodeSystem/v3-ActReason", "code": "HTEST"}  # nobody's health
 
 
 def fhir_bundle(material: ExportMaterial, verdicts: dict[int, dict[str, str]]) -> dict[str, Any]:
-    """Return the kept trials as a Bundle; the same trials give the same document."""
+    """Return the kept trials and the complete tests as a Bundle; the same ones give the same document."""
     patient, device = _address(material.code, "patient"), _address(__version__, "device")
     entries = [
         _entry(patient, {"resourceType": "Patient", "identifier": [_identifier(material.code)]}),
@@ -27,38 +29,46 @@ def fhir_bundle(material: ExportMaterial, verdicts: dict[int, dict[str, str]]) -
     ]
     for run in material.runs:
         if run.trial is not None and run.trial.kept:
-            words = verdicts.get(run.trial.id, {})
-            entries += [
-                _entry(
-                    _address(material.code, f"{run.folder.name}/{name}"),
-                    _observation(run, run.trial, name, words.get(name, ""), patient, device),
-                )
-                for name in MEASURES
-                if is_number(run.trial.measures.get(name))
-            ]
+            method, verdict = f"{run.trial.title}, path {run.trial.path}", verdicts.get(run.trial.id, {})
+            found = _observations(run, run.trial, f"trial {run.trial.number}", method, MEASURES, verdict)
+        elif run.test is not None and run.test.end == COMPLETE:
+            found = _observations(run, run.test, f"two-minute test {run.test.number}", TEST_METHOD, TEST_MEASURES, {})
+        else:
+            continue
+        who = {"subject": {"reference": patient}, "device": {"reference": device}}
+        entries += [
+            _entry(_address(material.code, f"{run.folder.name}/{name}"), {**one, **who}) for name, one in found.items()
+        ]
     return {"resourceType": "Bundle", "type": "collection", "entry": entries}
 
 
-def _observation(
-    run: RecordedRun, trial: RecordedTrial, name: str, verdict: str, patient: str, device: str
-) -> dict[str, Any]:
-    words, unit = MEASURES[name]
+def _observations(
+    run: RecordedRun,
+    done: RecordedTrial | RecordedTest,
+    what: str,
+    method: str,
+    measures: dict[str, tuple[str, str]],
+    verdicts: dict[str, str],
+) -> dict[str, dict[str, Any]]:
+    """Return an Observation for each measure that a trial or a test has, without its patient and device."""
     note = (
-        f"{source_words(run.source)}. Session {run.session}, trial {trial.number}. "
-        f"Map version {trial.map_version}, parameter set {trial.parameters_hash}."
+        f"{source_words(run.source)}. Session {run.session}, {what}. "
+        f"Map version {done.map_version}, parameter set {done.parameters_hash}."
     )
     return {
-        "resourceType": "Observation",
-        **({"meta": {"security": [TEST_DATA]}} if run.source.simulated else {}),
-        "status": "final",
-        "code": {"coding": [{"system": MEASURE_CODES, "code": name, "display": words}], "text": words},
-        "subject": {"reference": patient},
-        "device": {"reference": device},
-        "effectiveDateTime": trial.started.isoformat(),
-        "valueQuantity": {"value": trial.measures[name], "unit": unit, "system": UCUM, "code": unit},
-        "method": {"text": f"{trial.title}, path {trial.path}"},
-        **({"interpretation": [{"text": verdict}]} if verdict else {}),
-        "note": [{"text": note}],
+        name: {
+            "resourceType": "Observation",
+            **({"meta": {"security": [TEST_DATA]}} if run.source.simulated else {}),
+            "status": "final",
+            "code": {"coding": [{"system": MEASURE_CODES, "code": name, "display": words}], "text": words},
+            "effectiveDateTime": done.started.isoformat(),
+            "valueQuantity": {"value": done.measures[name], "unit": unit, "system": UCUM, "code": unit},
+            "method": {"text": method},
+            **({"interpretation": [{"text": verdicts[name]}]} if verdicts.get(name) else {}),
+            "note": [{"text": note}],
+        }
+        for name, (words, unit) in measures.items()
+        if is_number(done.measures.get(name))
     }
 
 

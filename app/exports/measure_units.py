@@ -1,4 +1,4 @@
-"""The measures of a trial that are exported as observations: their words, and their units as UCUM codes."""
+"""The measures of trials and two-minute tests that are exported: their words, and their units as UCUM codes."""
 
 from typing import Any
 
@@ -26,6 +26,13 @@ MEASURES: dict[str, tuple[str, str]] = {
     "pulses_per_metre": ("Commands per metre", "/m"),
     "sparc": ("Smoothness: spectral arc length", "1"),
     "ldlj": ("Smoothness: logarithmic dimensionless jerk", "1"),
+}
+TEST_MEASURES: dict[str, tuple[str, str]] = {
+    "acquisitions_per_minute": ("Two-minute test: targets per minute", "/min"),
+    "throughput": ("Two-minute test: throughput (ISO 9241-411, effective width)", "bit/s"),
+    "first_entry": ("Two-minute test: time to the first entry into a target", "s"),
+    "dial_in": ("Two-minute test: time from the first entry to the last one", "s"),
+    "path_efficiency": ("Two-minute test: straight way divided by the way of the cursor", "1"),
 }
 VERDICTS = {
     "better": "better than noise",

@@ -17,6 +17,7 @@ from app.exports import bids_form
 from app.exports.csv_form import write_csv
 from app.exports.export_material import ExportMaterial, Form, run_facts
 from app.exports.fhir_form import fhir_bundle
+from app.exports.interface_test_table import interface_test_csv
 from app.exports.parquet_form import write_parquet
 from app.exports.trial_table import trial_csv, verdict_words
 from app.exports.xdf_form import write_xdf
@@ -27,7 +28,7 @@ FIRST_DAY = (1980, 1, 1, 0, 0, 0)  # of the zip format; the same content gives t
 COPY = 1 << 20  # bytes
 PLAIN = {".parquet", ".zip"}  # compressed already
 FAST = 1  # level: numbers of sensors hardly get smaller with more time
-IGNORED = "trials.csv\nexport.json\n"  # of a BIDS validator
+IGNORED = "trials.csv\ninterface_tests.csv\nexport.json\n"  # of a BIDS validator
 
 Step = Callable[[Path], int]
 """Does one part of the work on the zip file, and returns up to which byte the file is final."""
@@ -49,6 +50,8 @@ def _begin(material: ExportMaterial, form: Form, package: Path) -> int:
         contents["bundle.json"] = _json(fhir_bundle(material, verdicts))
     else:
         contents["trials.csv"] = trial_csv(material, verdicts).encode()
+        if tests := interface_test_csv(material.code, material.runs):
+            contents["interface_tests.csv"] = tests.encode()
     with zipfile.ZipFile(package, "x") as opened, tempfile.TemporaryDirectory(dir=package.parent) as name:
         for file, content in contents.items():
             opened.writestr(entry(file), content, compresslevel=FAST)

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from app import __version__
 from app.csv_cells import csv_line
-from app.exports.export_material import ExportMaterial
+from app.exports.export_material import SIMULATED_WORDS, ExportMaterial
 from app.exports.measure_units import MEASURES, VERDICTS, is_number
 from app.scoring.verdict.verdicts import trial_verdicts
 from app.source import source_words
@@ -39,7 +39,7 @@ def _cells(code: str, run: RecordedRun, verdicts: dict[int, dict[str, str]]) -> 
     assert trial is not None
     yield from (code, run.session, run.number, trial.number, trial.title, trial.path)
     yield from (trial.started.isoformat(), trial.end or "", "yes" if trial.kept else "no", trial.reason or "")
-    yield from (source_words(run.source), {True: "yes", False: "no", None: "unknown"}[run.source.simulated])
+    yield from (source_words(run.source), SIMULATED_WORDS[run.source.simulated])
     yield from (trial.map_version, trial.parameters_hash, __version__)
     for name in MEASURES:
         value = trial.measures.get(name)

@@ -7,7 +7,14 @@ from app import __version__
 from app.reports.characters import without_invisible
 from app.reports.condition import NO_TABLE, condition_facts, controls_table
 from app.reports.document import Fact, Remark, Report, Table
-from app.reports.material import ParameterMaterial, ReportMaterial, SessionMaterial
+from app.reports.interface_test_report import interface_test_report
+from app.reports.material import (
+    InterfaceTestMaterial,
+    ParameterMaterial,
+    ReportMaterial,
+    SessionMaterial,
+    TaskMaterial,
+)
 from app.reports.measure_words import amount
 from app.reports.task_report import task_report
 from app.store.log_chain import Head
@@ -29,20 +36,23 @@ def compose(material: ReportMaterial) -> Report:
     """Return the document of a report."""
     sessions, parameters = material.sessions, material.parameters
     course = material.session is None
-    sources = list(dict.fromkeys(task.source for task in material.tasks))
+    measured: tuple[TaskMaterial | InterfaceTestMaterial, ...] = (*material.tasks, *material.tests)
+    sources = list(dict.fromkeys(one.source for one in measured))
+    several = len(sources) > 1
     return Report(
         title="Course of " + amount(len(sessions), "session") if course else f"Session {sessions[0].number}",
         code=without_invisible(material.code),
         clinic=without_invisible(material.clinic),
         made=_moment(material.made),
-        practice=any(task.group == "simulated" for task in material.tasks),
+        practice=any(one.group == "simulated" for one in measured),
         source="; ".join(sources) or "No trial counted, so there is no source of signals.",
         facts=_facts(material),
         goals=_goals(sessions, course=course),
         condition=() if parameters is None else condition_facts(parameters),
         controls=NO_TABLE if parameters is None else controls_table(parameters),
         condition_note=_condition_note(parameters),
-        tasks=tuple(task_report(task, material.session, name_source=len(sources) > 1) for task in material.tasks),
+        tasks=tuple(task_report(task, material.session, name_source=several) for task in material.tasks),
+        tests=tuple(interface_test_report(one, material.session, name_source=several) for one in material.tests),
         sessions=_sessions_table(sessions) if course else NO_TABLE,
         scales=_scales(sessions, course=course),
         notes=_notes(sessions, course=course),

@@ -73,6 +73,14 @@ class Table:
 
 
 @dataclass(frozen=True, slots=True)
+class InterfaceTestReport:
+    """The two-minute tests of one kind of source."""
+
+    lead: str  # how many there are, and of which source
+    table: Table
+
+
+@dataclass(frozen=True, slots=True)
 class Report:
     """Everything that a report shows."""
 
@@ -88,6 +96,7 @@ class Report:
     controls: Table  # which movement does what, with its gains
     condition_note: str
     tasks: tuple[TaskReport, ...]
+    tests: tuple[InterfaceTestReport, ...]  # two-minute tests, one for each kind of source
     sessions: Table  # of a course; without rows for one session
     scales: Table
     notes: tuple[Remark, ...]

@@ -6,7 +6,17 @@ All words are escaped. The drawings are SVG in the page, whose colours the style
 from collections.abc import Iterable
 from html import escape
 
-from app.reports.document import Drawing, Fact, MeasureRow, Paper, Remark, Report, Table, TaskReport
+from app.reports.document import (
+    Drawing,
+    Fact,
+    InterfaceTestReport,
+    MeasureRow,
+    Paper,
+    Remark,
+    Report,
+    Table,
+    TaskReport,
+)
 from app.settings import data_folder
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'"  # the file loads nothing, whatever stands in it
@@ -28,6 +38,7 @@ def render_html(report: Report, paper: Paper) -> bytes:
             *_section("Goal", map(_remark, report.goals)),
             *(part for task in report.tasks for part in _task(task)),
             *([] if report.tasks else _section("Trials", ["<p>No trial counted.</p>"])),
+            *(_section("Two-minute tests", map(_tests, report.tests)) if report.tests else ()),
             *_section("Condition", _condition(report)),
             *(_section("Sessions", [_table(report.sessions)]) if report.sessions.rows else ()),
             *_section("Scales", [_table(report.scales) or "<p>No scale was entered.</p>"]),
@@ -70,6 +81,10 @@ def _task(task: TaskReport) -> list[str]:
         ],
         title_is_markup=True,
     )
+
+
+def _tests(tests: InterfaceTestReport) -> str:
+    return f'<p class="quiet">{escape(tests.lead)}</p>{_table(tests.table)}'
 
 
 def _measure(row: MeasureRow) -> str:

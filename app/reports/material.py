@@ -8,15 +8,18 @@ from typing import Any
 
 from app.clock import utc_now
 from app.refusals import NotFound
+from app.scoring.interface_test.interface_course import StoredTest
+from app.scoring.interface_test.workload import Workload
 from app.scoring.verdict.spread import Spread
 from app.source import SourceGroup, source_words
 from app.store.database import Database, Transaction
+from app.store.interface_tests import interface_tests_of
 from app.store.learning_trials import CountedTrial, counted_trials
 from app.store.log_chain import Head
 from app.store.patients import find_patient
 from app.store.records.session_record import SessionRecord, session_record, sessions_of
 from app.store.runs import trials_of
-from app.store.tables import Clinic, Parameters, Patient, PatientSession, Profile, Trial
+from app.store.tables import Clinic, InterfaceTest, Parameters, Patient, PatientSession, Profile, Trial
 
 MOST_TASKS = 12  # in one report, those with the most trials
 
@@ -58,6 +61,24 @@ class TaskMaterial:
 
 
 @dataclass(frozen=True, slots=True)
+class ReportedTest:
+    """One two-minute test that has ended."""
+
+    session: int  # number
+    test: StoredTest
+    workload: float | None  # mean of the six answers, 0 to 100
+
+
+@dataclass(frozen=True, slots=True)
+class InterfaceTestMaterial:
+    """The two-minute tests of one kind of source, up to the end of what is reported; the newest last."""
+
+    group: SourceGroup
+    source: str
+    tests: tuple[ReportedTest, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class ParameterMaterial:
     """The newest parameter set that a reported trial was driven with, and how many others there were."""
 
@@ -83,6 +104,7 @@ class ReportMaterial:
     session: int | None  # number of the session; None: the course of all sessions
     sessions: tuple[SessionMaterial, ...]  # that are reported, the oldest first
     tasks: tuple[TaskMaterial, ...]
+    tests: tuple[InterfaceTestMaterial, ...]
     parameters: ParameterMaterial | None  # None: no trial was driven
     head: Head | None = None  # of the log, when the report was written into it
 
@@ -127,6 +149,7 @@ def _own_material(db: Transaction, patient: Patient, session: int | None, runs: 
         session=session,
         sessions=tuple(_session(db, one, trials) for one in reported),
         tasks=tuple(_tasks(db, patient, trials, last, runs)),
+        tests=tuple(_tests(db, patient, {one.number for one in reported}, last)),
         parameters=_parameters(db, trials),
     )
 
@@ -183,6 +206,31 @@ def _task(db: Transaction, patient: Patient, key: tuple[str, str, SourceGroup], 
         rows=[one.row() for one in counted],
         folders=tuple(runs / one.trial.run.folder for one in counted),
         clinic={},
+    )
+
+
+def _tests(db: Transaction, patient: Patient, reported: set[int], last: int) -> list[InterfaceTestMaterial]:
+    """Return the two-minute tests by kind of source, as far as a reported session has one of it."""
+    found: dict[SourceGroup, list[tuple[InterfaceTest, int]]] = {}
+    for test, session in interface_tests_of(db, patient.clinic_id, patient.id):
+        if test.status == "done" and session <= last:
+            found.setdefault(test.source.group, []).append((test, session))
+    return [
+        InterfaceTestMaterial(
+            group=group,
+            source=source_words(own[-1][0].source),
+            tests=tuple(_reported_test(test, session) for test, session in own),
+        )
+        for group, own in found.items()
+        if any(session in reported for _, session in own)
+    ]
+
+
+def _reported_test(test: InterfaceTest, session: int) -> ReportedTest:
+    return ReportedTest(
+        session=session,
+        test=StoredTest(test.number, test.end, test.plan, test.measures),
+        workload=None if test.workload is None else Workload.model_validate(test.workload).raw_tlx,
     )
 
 

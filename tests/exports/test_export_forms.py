@@ -6,6 +6,7 @@ import subprocess
 import sys
 import zipfile
 from contextlib import closing
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -13,14 +14,21 @@ import pyarrow.parquet as pa_parquet
 import pytest
 import pyxdf
 from exported_clinic import CODE, MEASURES, RUN, make_clinic
+from stored_interface_test import MEASURES as TEST_MEASURES
+from stored_interface_test import store_interface_test
 
+from app.clock import utc_now
 from app.exports.export_material import Form, exported_material
+from app.exports.measure_units import TEST_MEASURES as TEST_UNITS
 from app.exports.package import export_steps
 from app.exports.xdf_form import COMMANDS, POSE
 from app.recording.reader import read_run
 from app.refusals import Conflict
+from app.scoring.interface_test.workload import Workload
+from app.settings import Settings
 from app.store.database import Database
 from app.store.log_reading import read_log
+from app.store.tables import Run
 
 
 @pytest.fixture(scope="module")
@@ -34,10 +42,16 @@ def recorded(clinic):
 
 
 @pytest.fixture
-def export(clinic, tmp_path):
-    """Return a function that exports the patient, unpacks the zip file, and returns its folder."""
+def export(clinic, exported):
+    """Return a function that exports the patient of the clinic in a form."""
+    return partial(exported, clinic)
 
-    def run(form: Form, session: int | None = None) -> Path:
+
+@pytest.fixture
+def exported(tmp_path):
+    """Return a function that exports a clinic's patient, unpacks the zip file, and returns its folder."""
+
+    def run(clinic: Settings, form: Form, session: int | None = None) -> Path:
         with closing(Database(clinic.database)) as database:
             found = exported_material(database, 1, 1, session, form, "Ana", clinic.runs, lambda *_: {})
             with database.transaction() as db:
@@ -90,6 +104,44 @@ def test_the_table_of_trials_has_measures_verdicts_and_sources_and_no_formula(ex
     assert row["patient"] == f"'{CODE}"
     assert float(row["sparc [1]"]) == MEASURES["sparc"]
     assert not any(cell.startswith(("=", "@", "+")) for cell in row.values())
+
+
+@pytest.fixture(scope="module")
+def tested(tmp_path_factory):
+    """Return a clinic in which two two-minute tests followed the trial, one of them stopped."""
+    settings = make_clinic(tmp_path_factory.mktemp("tested"))
+    with closing(Database(settings.database)) as database, database.transaction() as db:
+        done = store_interface_test(db, 1)
+        done.workload = {**dict.fromkeys(Workload.model_fields), "effort": 60}
+        store_interface_test(db, 1, end="stopped")
+        for run in db.query(Run).filter_by(kind="interface_test"):
+            run.ended = utc_now()
+    return settings
+
+
+def test_two_minute_tests_are_a_table_of_their_own(exported, tested):
+    folder = exported(tested, "csv")
+    with (folder / "interface_tests.csv").open(newline="") as file:
+        done, stopped = csv.DictReader(file)
+    assert (done["test"], done["end"], stopped["end"]) == ("1", "complete", "stopped")
+    assert float(done["throughput [bit/s]"]) == TEST_MEASURES["throughput"]
+    assert (done["workload effort [0-100]"], done["workload mental [0-100]"]) == ("60", "")
+    assert done["simulated"] == "yes"
+    assert done["parameters_hash"]
+    with (folder / "trials.csv").open(newline="") as file:
+        assert len(list(csv.DictReader(file))) == 1
+
+
+def test_a_complete_two_minute_test_is_observations_and_a_stopped_one_is_not(exported, tested):
+    from fhir.resources.R4B.bundle import Bundle
+
+    bundle = Bundle.model_validate_json((exported(tested, "fhir") / "bundle.json").read_bytes())
+    of_tests = [one for entry in bundle.entry if "wo-minute test" in str((one := entry.resource).model_dump())]
+    found = {one.code.coding[0].code: float(one.valueQuantity.value) for one in of_tests}
+    assert found == {name: TEST_MEASURES[name] for name in TEST_UNITS}
+    assert len(of_tests) == len(found)
+    assert all("practice only" in one.note[0].text for one in of_tests)
+    assert len({entry.fullUrl for entry in bundle.entry}) == len(bundle.entry)
 
 
 def test_parquet_has_the_numbers_of_the_recording(export, recorded):

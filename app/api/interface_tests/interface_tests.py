@@ -1,7 +1,7 @@
 """The two-minute test before driving: targets on a cross, reached with a cursor, while no chair moves."""
 
 import asyncio
-from typing import Annotated, Any
+from typing import Annotated
 
 from fastapi import APIRouter, Query
 
@@ -12,7 +12,7 @@ from app.api.parts import Web
 from app.api.routes.source_view import SourceView
 from app.quantities import Document
 from app.refusals import Conflict
-from app.scoring.interface_test.interface_course import InterfaceCourse, interface_course
+from app.scoring.interface_test.interface_course import InterfaceCourse, StoredTest, counted_tests, interface_course
 from app.scoring.interface_test.interface_measures import InterfaceMeasures
 from app.scoring.interface_test.workload import Workload
 from app.scoring.verdict.measure_verdict import FEWEST
@@ -23,11 +23,8 @@ from app.store.interface_tests import find_interface_test, interface_tests_of, s
 from app.store.log import log_viewing, write_log
 from app.store.patients import find_patient
 from app.store.tables import InterfaceTest, PatientSession
-from app.world.cursor_task import CursorPlan
 
 router = APIRouter(prefix="/interface-tests", tags=["interface tests"])
-
-COMPLETE = "complete"
 
 
 class NewTest(Document):
@@ -111,7 +108,9 @@ def list_interface_tests(
         rows = interface_tests_of(db, who.clinic_id, patient)
         tests = [InterfaceTestView.of_row(test, session) for test, session in rows]
     group = source or (rows[-1][0].source.group if rows else None)
-    counted = _counted([test for test, _ in rows if test.source.group == group])
+    counted = counted_tests(
+        [StoredTest(test.number, test.end, test.plan, test.measures) for test, _ in rows if test.source.group == group]
+    )
     # Few tests need no curve and no large library: a first page does not wait for the computing process.
     course = interface_course(counted) if len(counted) < FEWEST else web.computing.ask(interface_course, counted)
     return InterfaceTestsView(tests=tests, source=group, course=course)
@@ -141,14 +140,3 @@ def _one(parts: PeopleParts, clinic_id: int, test_id: int) -> InterfaceTestView:
 
 def _view(db: Transaction, test: InterfaceTest) -> InterfaceTestView:
     return InterfaceTestView.of_row(test, db.get_one(PatientSession, test.session_id).number)
-
-
-def _counted(tests: list[InterfaceTest]) -> list[dict[str, Any]]:
-    """Return number and measures of the complete tests that asked the same as the newest of them."""
-    complete = [test for test in tests if test.end == COMPLETE and test.measures is not None]
-    plans = [CursorPlan.model_validate(test.plan) for test in complete]
-    return [
-        {"number": test.number, **(test.measures or {})}
-        for test, plan in zip(complete, plans, strict=True)
-        if plan.same_task(plans[-1])
-    ]

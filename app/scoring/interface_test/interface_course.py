@@ -1,12 +1,24 @@
 """A person's interface tests over sessions: which of them count, their curves, and what has changed."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 from app.quantities import Document
 from app.scoring.interface_test.interface_verdicts import InterfaceVerdicts, interface_verdicts
 from app.scoring.learning import fit_learning_curve
 from app.scoring.verdict.measure_comparison import INTERFACE_COMPARISONS
+from app.world.cursor_task import CursorPlan
+
+COMPLETE = "complete"
+
+
+class StoredTest(NamedTuple):
+    """An interface test as it was stored."""
+
+    number: int
+    end: str | None
+    plan: dict[str, Any]  # of app.world.cursor_task.CursorPlan
+    measures: dict[str, Any] | None  # None: the recording could not be read
 
 
 class CurveBand(Document):
@@ -24,6 +36,17 @@ class InterfaceCourse(Document):
     counted: list[int]  # numbers of the tests that count
     curves: dict[str, CurveBand]  # measure -> curve; only of those that a bent curve describes better than a level line
     comparisons: list[InterfaceVerdicts]  # of the newest test that counts
+
+
+def counted_tests(tests: Sequence[StoredTest]) -> list[dict[str, Any]]:
+    """Return number and measures of the complete tests that asked the same as the newest of them; keep the order."""
+    complete = [test for test in tests if test.end == COMPLETE and test.measures is not None]
+    plans = [CursorPlan.model_validate(test.plan) for test in complete]
+    return [
+        {"number": test.number, **(test.measures or {})}
+        for test, plan in zip(complete, plans, strict=True)
+        if plan.same_task(plans[-1])
+    ]
 
 
 def interface_course(tests: Sequence[Mapping[str, Any]]) -> InterfaceCourse:

@@ -1,4 +1,4 @@
-"""The recordings of a patient with the trials that they are of, as plain values for an export."""
+"""The recordings of a patient with the trials and two-minute tests that they are of, as plain values for an export."""
 
 from collections import Counter
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ from sqlalchemy.orm import Session
 
 from app.refusals import NotFound
 from app.source import Source
-from app.store.tables import Parameters, PatientSession, Profile, Run, Trial
+from app.store.tables import InterfaceTest, Parameters, PatientSession, Profile, Run, Trial
 
 NO_SESSION = "This patient has no session {number}: choose one that was opened."
 
@@ -35,8 +35,21 @@ class RecordedTrial:
 
 
 @dataclass(frozen=True, slots=True)
+class RecordedTest:
+    """One two-minute test, with what was measured."""
+
+    number: int
+    started: datetime
+    end: str | None
+    measures: dict[str, Any]
+    workload: dict[str, Any]  # answers, 0 to 100 each; empty: not asked
+    map_version: int
+    parameters_hash: str
+
+
+@dataclass(frozen=True, slots=True)
 class RecordedRun:
-    """One recording, and the trial that it is of; None: of a calibration, or of a drive of a real chair."""
+    """One recording, and the trial or the test that it is of; neither: a calibration, or a drive of a real chair."""
 
     session: int  # number of the session
     number: int  # 1, 2, 3 ... in its session
@@ -44,7 +57,8 @@ class RecordedRun:
     started: datetime
     folder: Path
     source: Source
-    trial: RecordedTrial | None
+    trial: RecordedTrial | None = None
+    test: RecordedTest | None = None
 
     @property
     def stem(self) -> str:
@@ -74,13 +88,23 @@ def recorded_runs(db: Session, patient_id: int, session: int | None, runs: Path)
         if db.scalar(chosen) is None:
             raise NotFound(NO_SESSION.format(number=session))
         query = query.where(PatientSession.number == session)
-    trials = _trials(db, patient_id)
+    trials, tests = _trials(db, patient_id), _tests(db, patient_id)
     counts: Counter[int] = Counter()
     found = []
     for run, number in db.execute(query.order_by(PatientSession.number, Run.started, Run.id)):
         counts[number] += 1
-        folder = runs / run.folder
-        found.append(RecordedRun(number, counts[number], run.kind, run.started, folder, run.source, trials.get(run.id)))
+        found.append(
+            RecordedRun(
+                session=number,
+                number=counts[number],
+                kind=run.kind,
+                started=run.started,
+                folder=runs / run.folder,
+                source=run.source,
+                trial=trials.get(run.id),
+                test=tests.get(run.id),
+            )
+        )
     return found
 
 
@@ -108,4 +132,26 @@ def _trials(db: Session, patient_id: int) -> dict[str, RecordedTrial]:
             parameters_hash=parameters_hash,
         )
         for trial, parameters_hash, version in db.execute(query)
+    }
+
+
+def _tests(db: Session, patient_id: int) -> dict[str, RecordedTest]:
+    """Return the patient's finished two-minute tests by the ids of their runs."""
+    query = (
+        select(InterfaceTest, Parameters.hash, Profile.version)
+        .join(Parameters, Parameters.id == InterfaceTest.parameters_id)
+        .join(Profile, Profile.id == Parameters.profile_id)
+        .where(InterfaceTest.patient_id == patient_id, InterfaceTest.status == "done")
+    )
+    return {
+        test.run_id: RecordedTest(
+            number=test.number,
+            started=test.started,
+            end=test.end,
+            measures=test.measures or {},
+            workload=test.workload or {},
+            map_version=version,
+            parameters_hash=parameters_hash,
+        )
+        for test, parameters_hash, version in db.execute(query)
     }

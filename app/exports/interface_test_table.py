@@ -1,0 +1,34 @@
+"""The two-minute tests of an export as a table: one row each, with its measures and the answers about workload."""
+
+from collections.abc import Iterator
+
+from app import __version__
+from app.csv_cells import csv_line
+from app.exports.export_material import SIMULATED_WORDS
+from app.exports.measure_units import TEST_MEASURES
+from app.scoring.interface_test.workload import Workload
+from app.source import source_words
+from app.store.records.recorded_runs import RecordedRun, RecordedTest
+
+ABOUT = (
+    *("patient", "session", "run", "test", "started", "end", "source", "simulated"),
+    *("map_version", "parameters_hash", "software"),
+)
+
+
+def interface_test_csv(code: str, runs: tuple[RecordedRun, ...]) -> str:
+    """Return the two-minute tests as CSV; what was not measured or answered is an empty cell. "" without tests."""
+    rows = [csv_line(list(_cells(code, run, run.test))) for run in runs if run.test is not None]
+    if not rows:
+        return ""
+    measures = [f"{name} [{unit}]" for name, (_, unit) in TEST_MEASURES.items()]
+    answers = [f"workload {name} [0-100]" for name in Workload.model_fields]
+    return "".join([csv_line([*ABOUT, *measures, *answers]), *rows])
+
+
+def _cells(code: str, run: RecordedRun, test: RecordedTest) -> Iterator[str | float | None]:
+    yield from (code, run.session, run.number, test.number, test.started.isoformat(), test.end or "")
+    yield from (source_words(run.source), SIMULATED_WORDS[run.source.simulated])
+    yield from (test.map_version, test.parameters_hash, __version__)
+    yield from (test.measures.get(name) for name in TEST_MEASURES)
+    yield from (test.workload.get(name) for name in Workload.model_fields)
