@@ -1,6 +1,7 @@
 """Requests to the machine: their result is reported, and the other threads keep ordinary scheduling."""
 
 import json
+import platform
 import subprocess
 import sys
 
@@ -23,6 +24,28 @@ thread.start()
 thread.join()
 print(json.dumps({"words": words, "gc": gc.isenabled(), "frozen": gc.get_freeze_count(), "policies": policies,
                   "names": {"fifo": os.SCHED_FIFO, "other": os.SCHED_OTHER}}))
+"""
+
+# Eight threads take memory at once. Then the areas beside the first one are counted: they begin at multiples of 64 MiB.
+AREAS = """
+import re, sys, threading
+import app.realtime
+
+if "shared" in sys.argv:
+    app.realtime.share_memory_areas()
+there = threading.Barrier(8)
+kept = []
+def take():
+    there.wait()
+    kept.append([bytes(2000) for _ in range(1000)])
+    there.wait()
+threads = [threading.Thread(target=take) for _ in range(8)]
+for thread in threads:
+    thread.start()
+for thread in threads:
+    thread.join()
+starts = re.findall(r"^([0-9a-f]+)-[0-9a-f]+ rw-p 0+ 00:00 0 *$", open("/proc/self/maps").read(), re.M)
+print(sum(int(start, 16) % 2**26 == 0 for start in starts))
 """
 
 
@@ -51,3 +74,13 @@ def test_without_the_right_to_it_the_loop_goes_on_and_says_so():
     assert "not granted" in found["words"][0]
     assert "not locked" in found["words"][1]
     assert found["policies"]["loop"] == found["names"]["other"]
+
+
+@pytest.mark.skipif(not platform.libc_ver()[0], reason="Only glibc has areas of memory.")
+def test_all_threads_share_two_areas_of_memory():
+    beside_the_first = [
+        int(subprocess.run([sys.executable, "-c", AREAS, word], capture_output=True, text=True, check=True).stdout)
+        for word in ("each", "shared")
+    ]
+    assert beside_the_first[0] > 1
+    assert beside_the_first[1] <= 1

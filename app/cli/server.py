@@ -23,7 +23,7 @@ from app.cli.port import PING_LIMIT
 from app.computing_process import ComputingProcess
 from app.process.command_channel import LinkLost
 from app.process.supervisor import ControlProcess
-from app.realtime import collect_garbage
+from app.realtime import collect_garbage, share_memory_areas
 from app.refusals import Refusal
 from app.settings import Settings
 
@@ -142,6 +142,7 @@ def _config(app: KeepsFailure | TabletPage, lifespan: Literal["on", "off"]) -> u
 
 def run_clinic(settings: Settings, listening: socket.socket, words: str, lan: Lan | None = None) -> None:
     """Serve until a signal, and print `words` after the start; refuse in one sentence when it cannot start."""
+    share_memory_areas()
     logging.basicConfig(level=logging.WARNING, format="bodydrive: %(message)s", stream=sys.stderr)
     # These log connections of browsers only; errors of this program go to the logger "bodydrive".
     for name in ("uvicorn", "uvicorn.error", "websockets", "asyncio"):
