@@ -151,6 +151,22 @@ def test_two_are_invited_accept_elsewhere_and_one_is_disabled(opened, served, ow
     expect(ben.get_by_text("Kingfisher")).to_be_visible()
     expect(rita.get_by_text("Otter")).to_be_visible()
     assert rita.get_by_text("Kingfisher").count() == 0
+    # A reviewer stops; only who may go on is offered Continue.
+    rita.locator("#stop").click()
+    expect(rita.get_by_text("The clinician beside the chair looks at it")).to_be_visible()
+    expect(rita.get_by_role("button", name="Continue")).to_have_count(0)
+    photograph(rita, "stopped")
+    ben.get_by_role("button", name="Continue").click()
+    expect(rita.get_by_text("The clinician beside the chair looks at it")).to_have_count(0)
+    # Whoever looks at the list sees what somebody else changes.
+    go_to(owner, "patients")
+    expect(owner.get_by_role("listitem").filter(has_text="P-73")).to_have_count(0)
+    ben.get_by_role("button", name="New patient").click()
+    ben.get_by_role("textbox", name="Code", exact=True).fill("P-73")
+    ben.get_by_label("Pseudonym", exact=True).fill("Heron")
+    ben.get_by_role("button", name="Add and start the session").click()
+    expect(owner.get_by_role("listitem").filter(has_text="P-73")).to_contain_text("here now")
+    go_to(owner, "people")
     again = opened(f"{served.address}/{for_ben}", "390x844")
     expect(again.get_by_role("heading", name="This invitation does not work")).to_be_visible()
     owner.reload()

@@ -117,9 +117,9 @@ export class App extends TypedEvents {
     this.toasts.clear();
     put(this.question);
     this.question.hidden = true;
-    if (words) this.toasts.show(words);
     this.dispatchEvent(new Event("me"));
     this.show();
+    if (words) this.toasts.show(words); // the page that was left has taken its messages with it
   }
 
   /** The page was unlocked: read what may have changed meanwhile; show the page when it was never there. */

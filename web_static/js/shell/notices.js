@@ -106,15 +106,18 @@ function note(app, kind) {
   const fault = app.live.latest?.fault;
   if (!fault) return null;
   const { happened, next_step: next } = fault;
-  return strip("", h("b", {}, happened), next, continueButton(app));
+  return strip("", h("b", {}, happened), mayGoOn(app) ? next : t("note.fault.others"), continueButton(app));
 }
+
+/** A reviewer looks, and stops; others go on. @param {App} app */
+const mayGoOn = (app) => app.me?.role !== "reviewer";
 
 /** The Continue button: it clears the stops that had come when it could first be pressed, and none that came later. @param {import("../main.js").App} app */
 export function continueButton(app) {
   let stops = 0;
   /** @param {boolean} off */
   const isOff = (off) => button.setAttribute("aria-disabled", String(off));
-  const button = h("button", { type: "button", class: "btn go continue" }, t("note.fault.continue"));
+  const button = h("button", { type: "button", class: "btn go continue", hidden: !mayGoOn(app) }, t("note.fault.continue"));
   isOff(true);
   setTimeout(() => {
     stops = app.live.latest?.stops ?? 0;

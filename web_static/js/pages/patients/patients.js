@@ -15,6 +15,7 @@ import { mayExport, reportChoice } from "../../results/report_choice.js";
 import { t } from "../../texts.js";
 
 const CONFLICT = 409;
+const NEWS = new Set(["session", "trial", "everything"]); // after which a row may differ
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
@@ -28,6 +29,14 @@ export async function show(app, root, { signal }) {
 
   const read = async () => {
     patients = await app.api.get("/patients");
+    showList();
+  };
+  /** @param {CustomEvent<string>} event */
+  const follow = async ({ detail }) => {
+    if (!NEWS.has(detail)) return;
+    const now = await app.api.get("/patients").catch(() => patients);
+    if (signal.aborted || JSON.stringify(now) === JSON.stringify(patients)) return; // an open report stays open
+    patients = now;
     showList();
   };
   // In a shirt that nobody wears there is nothing to look at before the calibration.
@@ -100,6 +109,7 @@ export async function show(app, root, { signal }) {
   const archive = isOwner ? archiveImport(app, read) : null;
   search.addEventListener("input", showList);
   app.addEventListener("session", showList, { signal });
+  app.live.addEventListener("changed", follow, { signal });
   showList();
   put(
     root,

@@ -31,6 +31,7 @@ export async function show(app, root, { signal }) {
   const lead = h("p", { class: "lead" }, state, " ", counts);
   const left = h("div", { class: "stack" });
   const right = h("div", { class: "stack" });
+  const columns = h("div", { class: "shirt-columns" });
   const below = h("div", {});
   const [next, nextKey] = app.session?.has_profile ? ["#/drive", "shirt.drive"] : ["#/calibrate", "shirt.calibrate"];
   const onward = h("a", { class: "btn go", href: next }, t(nextKey));
@@ -46,6 +47,7 @@ export async function show(app, root, { signal }) {
     drawn = new AbortController();
     signal.addEventListener("abort", () => drawn.abort(), { signal: drawn.signal });
     const { layout } = equipment;
+    put(columns, equipment.shirt ? [left, right] : [right, left]); // without a shirt, first the one thing to do
     put(left, lampsCard(layout ?? NO_LAYOUT));
     put(
       below,
@@ -55,7 +57,7 @@ export async function show(app, root, { signal }) {
     );
     drawRight();
     showWords();
-    onward.hidden = !equipment.shirt; // the one thing to do is to choose a shirt
+    onward.hidden = !equipment.shirt;
   };
   /** Forms are drawn again only where something differs: what is typed in them would be lost. @param {EquipmentView} answer */
   const take = (answer) => {
@@ -184,7 +186,7 @@ export async function show(app, root, { signal }) {
       { class: "body" },
       h("h1", { tabindex: "-1" }, t("shirt.title")),
       lead,
-      h("div", { class: "shirt-columns" }, left, right),
+      columns,
       below,
     ),
     h(

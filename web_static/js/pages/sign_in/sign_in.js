@@ -35,7 +35,7 @@ export async function show(app, root) {
       { class: "door card" },
       h("h1", { tabindex: "-1" }, t("sign-in.title")),
       h("p", { class: "lead" }, t("sign-in.lead")),
-      app.me?.demo ? h("p", {}, t("sign-in.demo")) : form,
+      app.me?.demo ? h("p", {}, t("sign-in.demo")) : [form, h("p", { class: "quiet small" }, t("sign-in.invited"))],
     ),
   );
 }
