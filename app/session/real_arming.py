@@ -25,7 +25,9 @@ from app.store.tables import PatientSession
 NOBODY = "Nobody is here: choose a patient on the Patients page first."
 NOT_CALIBRATED = "Nothing is calibrated yet: go to Calibrate and accept a result first."
 NO_CHAIR = "The virtual chair is chosen: choose a real one first."
-NOT_PRACTISED = "This set was never practised on the virtual chair: finish a trial with it, and keep it, first."
+NOT_PRACTISED = (
+    "This set was never practised on the virtual chair of this clinic: finish a trial with it, and keep it, first."
+)
 SHOW_THE_SWITCH = (
     "With “Keeps its speed” or “Keeps turning” a chair goes on by itself: press and release its stop switch once to "
     "show that it works, or choose “Follows the movement” on the Controls page."

@@ -1,4 +1,4 @@
-"""Practice on the virtual chair: how often a parameter set was driven, found by its hash."""
+"""Practice on the virtual chair of this clinic: how often a parameter set was driven, found by its hash."""
 
 from collections.abc import Iterator
 from datetime import datetime
@@ -10,6 +10,7 @@ from sqlalchemy.orm import Session
 from app.calibration.vocabulary import DriveParameters
 from app.refusals import Conflict
 from app.store.parameters import as_document
+from app.store.records.import_tables import ImportedSession
 from app.store.tables import Parameters, Profile, Run, Trial
 
 PRACTICE_ENDS = ("goal", "time-out", "by hand")  # a trial that a fault ended is no practice
@@ -28,7 +29,8 @@ NO_PRACTICE = Practice(0, None)
 class PracticeHistory:
     """Finds practice in a patient's trials. Hashes are computed anew: an older program stored them for fewer fields.
 
-    Only trials with the same kind of shirt as the one in use count: `simulated` is true when nobody wears it.
+    Only trials with the same kind of shirt as the one in use count: `simulated` is true when nobody wears it. Trials
+    that came with an archive do not count: shirt, limits and chairs were those of another clinic (decision 33).
     """
 
     def __init__(self) -> None:
@@ -56,14 +58,17 @@ class PracticeHistory:
 def _practice_trials(
     db: Session, patient_id: int, simulated: bool | None
 ) -> Iterator[tuple[Trial, Parameters, Profile]]:
-    """Yield the patient's finished and kept trials in which the chair was permitted to move, the newest first."""
+    """Yield the patient's finished and kept trials of this clinic in which the chair was permitted to move.
+
+    The newest comes first.
+    """
     found = db.execute(
         select(Trial, Parameters, Profile)
         .join(Parameters, Parameters.id == Trial.parameters_id)
         .join(Profile, Profile.id == Parameters.profile_id)
         .join(Run, Run.id == Trial.run_id)
         .where(Trial.patient_id == patient_id, Trial.kept.is_(True), Trial.end.in_(PRACTICE_ENDS))
-        .where(Run.simulated.is_(simulated))
+        .where(Run.simulated.is_(simulated), Trial.session_id.not_in(select(ImportedSession.session_id)))
         .order_by(Trial.id.desc())
     )
     yield from ((trial, row, profile) for trial, row, profile in found if trial.measures is not None)

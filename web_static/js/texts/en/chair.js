@@ -55,7 +55,7 @@ export default {
     other: "{count} trials on the virtual chair, last {when}",
   },
   "apply.differs": "What is different from “{title}” ({hash}), which was practised last:",
-  "apply.unpractised": "Nobody has driven the virtual chair with this set yet.",
+  "apply.unpractised": "Nobody has driven the virtual chair of this clinic with this set yet.",
   "apply.practise": "Practise it now",
   "differs.change": "{what}: {before} → {now}.",
   "differs.title": "The set's name: “{before}” → “{now}”.",
