@@ -123,6 +123,27 @@ def numbers(page):
     return page.locator(".rail a[data-first]:visible").evaluate_all("(all) => all.map((one) => one.dataset.first)")
 
 
+def only_who_may_go_on_is_offered_it(reviewer, clinician):
+    """Stop as a reviewer, and go on as a clinician."""
+    reviewer.locator("#stop").click()
+    expect(reviewer.get_by_text("The clinician beside the chair looks at it")).to_be_visible()
+    expect(reviewer.get_by_role("button", name="Continue")).to_have_count(0)
+    photograph(reviewer, "stopped")
+    clinician.get_by_role("button", name="Continue").click()
+    expect(reviewer.get_by_text("The clinician beside the chair looks at it")).to_have_count(0)
+
+
+def follows_a_new_patient(looks_on, clinician):
+    """Add a patient, whom somebody who looks at the list sees at once."""
+    row = looks_on.get_by_role("listitem").filter(has_text="P-73")
+    expect(row).to_have_count(0)
+    clinician.get_by_role("button", name="New patient").click()
+    clinician.get_by_role("textbox", name="Code", exact=True).fill("P-73")
+    clinician.get_by_label("Pseudonym", exact=True).fill("Heron")
+    clinician.get_by_role("button", name="Add and start the session").click()
+    expect(row).to_contain_text("here now")
+
+
 def test_two_are_invited_accept_elsewhere_and_one_is_disabled(opened, served, owner_cookies):
     owner = owner_page(opened, served, owner_cookies)
     go_to(owner, "people")
@@ -151,21 +172,9 @@ def test_two_are_invited_accept_elsewhere_and_one_is_disabled(opened, served, ow
     expect(ben.get_by_text("Kingfisher")).to_be_visible()
     expect(rita.get_by_text("Otter")).to_be_visible()
     assert rita.get_by_text("Kingfisher").count() == 0
-    # A reviewer stops; only who may go on is offered Continue.
-    rita.locator("#stop").click()
-    expect(rita.get_by_text("The clinician beside the chair looks at it")).to_be_visible()
-    expect(rita.get_by_role("button", name="Continue")).to_have_count(0)
-    photograph(rita, "stopped")
-    ben.get_by_role("button", name="Continue").click()
-    expect(rita.get_by_text("The clinician beside the chair looks at it")).to_have_count(0)
-    # Whoever looks at the list sees what somebody else changes.
+    only_who_may_go_on_is_offered_it(rita, ben)
     go_to(owner, "patients")
-    expect(owner.get_by_role("listitem").filter(has_text="P-73")).to_have_count(0)
-    ben.get_by_role("button", name="New patient").click()
-    ben.get_by_role("textbox", name="Code", exact=True).fill("P-73")
-    ben.get_by_label("Pseudonym", exact=True).fill("Heron")
-    ben.get_by_role("button", name="Add and start the session").click()
-    expect(owner.get_by_role("listitem").filter(has_text="P-73")).to_contain_text("here now")
+    follows_a_new_patient(owner, ben)
     go_to(owner, "people")
     again = opened(f"{served.address}/{for_ben}", "390x844")
     expect(again.get_by_role("heading", name="This invitation does not work")).to_be_visible()

@@ -34,6 +34,11 @@ RUN = """(context) => {
   element?.scrollIntoView({ block: "center", inline: "center", behavior: "instant" });
   // The foot of a page sticks to its lower edge: at the very end, nothing of the page lies behind it.
   element?.closest(".foot")?.parentElement.scrollTo({ top: 1e6, behavior: "instant" });
+  // Nothing shows through a dialog whose background is solid, but axe counts what lies behind it.
+  const dialog = element?.closest("[role=dialog]");
+  const isSolid = dialog && /^rgb\\(/.test(getComputedStyle(dialog).backgroundColor);
+  const behind = isSolid ? [...document.querySelectorAll("main")].filter((one) => !one.contains(dialog)) : [];
+  for (const one of behind) one.style.visibility = "hidden";
   return axe.run(element ?? document, {
     iframes: false,
     resultTypes: ["violations", "incomplete"],
@@ -50,7 +55,7 @@ RUN = """(context) => {
     const undecided = rows("undecided", incomplete)
       .filter(({ rule, why }) => rule === "color-contrast" || why.includes("encountered an error"));
     return [...rows("violation", violations), ...undecided];
-  });
+  }).finally(() => { for (const one of behind) one.style.visibility = ""; });
 }"""
 IN_DRAWING = """(targets) => targets.filter((target) => document.querySelector(target)?.closest("svg"))"""
 # After a change of size or theme: styles are computed and transitions have ended.
