@@ -6781,6 +6781,7 @@ export interface components {
             /** @enum {string} */
             state: "open" | "revoked" | "over" | "dead";
             openings: number;
+            last_opened: string | null;
             wrong_pins: number;
         };
         SharedView: {

@@ -10,6 +10,7 @@ from pydantic import Field
 from app.api.answers import Answer, MomentText
 from app.api.deps import Clinician, People, PeopleParts, RowId
 from app.api.own_address import link_words, own_address
+from app.api.parts import Web
 from app.api.sign_in.identity import SignedInPerson
 from app.api.sign_in.passwords import hash_of
 from app.quantities import Document
@@ -23,6 +24,7 @@ from app.store.sharing.share_links import (
     ShareState,
     add_share,
     find_share,
+    last_opened,
     new_pin,
     revoke_share,
     share_state,
@@ -31,6 +33,7 @@ from app.store.sharing.share_links import (
 
 router = APIRouter(tags=["sharing"])
 
+CHANGED = "shares"  # the event that tells pages that a link was made, tried, opened or revoked
 PAGE = "share.html#"  # followed by the token: what stands behind # is never sent to a server
 
 
@@ -50,6 +53,7 @@ class ShareRow(Answer):
     expires: MomentText
     state: ShareState
     openings: int
+    last_opened: MomentText | None
     wrong_pins: int
 
 
@@ -79,28 +83,34 @@ def list_shares(patient_id: RowId, who: Clinician, parts: PeopleParts) -> Shares
 
 @router.post("/patients/{patient_id}/shares", status_code=201)
 async def share_course(
-    patient_id: RowId, body: NewShare, request: Request, who: Clinician, parts: PeopleParts
+    patient_id: RowId, body: NewShare, request: Request, who: Clinician, parts: PeopleParts, web: Web
 ) -> MadeShare:
     """Make a link to all sessions of a patient, who consents to sharing."""
-    return await _make(parts, request, who, body.days, patient_id=patient_id)
+    made = await _make(parts, request, who, body.days, patient_id=patient_id)
+    web.live.tell(CHANGED)
+    return made
 
 
 @router.post("/sessions/{session_id}/shares", status_code=201)
 async def share_session(
-    session_id: RowId, body: NewShare, request: Request, who: Clinician, parts: PeopleParts
+    session_id: RowId, body: NewShare, request: Request, who: Clinician, parts: PeopleParts, web: Web
 ) -> MadeShare:
     """Make a link to one session of a patient, who consents to sharing."""
-    return await _make(parts, request, who, body.days, session_id=session_id)
+    made = await _make(parts, request, who, body.days, session_id=session_id)
+    web.live.tell(CHANGED)
+    return made
 
 
 @router.delete("/shares/{share_id}")
-def no_share(share_id: RowId, who: Clinician, parts: PeopleParts) -> SharesView:
+def no_share(share_id: RowId, who: Clinician, parts: PeopleParts, web: Web) -> SharesView:
     """Revoke a share link: nobody reads by it any more."""
     with parts.database.transaction(closing=True) as db:
         link = find_share(db, who.clinic_id, share_id)
         revoke_share(db, link)
         write_log(db, who.name, "share link revoked", patient=link.patient_id, share=share_id)
-        return SharesView(patient_id=link.patient_id, shares=_rows(db, link.patient_id))
+        answer = SharesView(patient_id=link.patient_id, shares=_rows(db, link.patient_id))
+    web.live.tell(CHANGED)
+    return answer
 
 
 async def _make(
@@ -145,6 +155,10 @@ async def _make(
 def _rows(db: Transaction, patient_id: int) -> list[ShareRow]:
     fields = ("id", "session_id", "person", "created", "expires", "openings", "wrong_pins")
     return [
-        ShareRow(**{name: getattr(link, name) for name in fields}, state=share_state(link))
+        ShareRow(
+            **{name: getattr(link, name) for name in fields},
+            state=share_state(link),
+            last_opened=last_opened(db, link.id),
+        )
         for link in shares_of(db, patient_id)
     ]

@@ -9,6 +9,7 @@ from pydantic import Field
 from app.api.deps import ForEveryone, People, PeopleParts
 from app.api.parts import Web
 from app.api.sharing.learning_views import TaskLearning, learning_of
+from app.api.sharing.share_links import CHANGED
 from app.api.sharing.stories import StoryView, story_view
 from app.api.sign_in.cookies import read_cookie, set_cookie
 from app.api.sign_in.hashing import Busy
@@ -56,7 +57,7 @@ class SharedView(Document):
 
 
 @router.post("/open", status_code=204)
-async def open_share(body: OpenShare, request: Request, response: Response, parts: PeopleParts) -> None:
+async def open_share(body: OpenShare, request: Request, response: Response, parts: PeopleParts, web: Web) -> None:
     """Let a browser read what a link shares, when the PIN is right; each try is counted before it is checked."""
     attempt = await parts.limits.code(address_of(request))
     found = await run_in_threadpool(_count, parts, body.token)
@@ -71,6 +72,7 @@ async def open_share(body: OpenShare, request: Request, response: Response, part
         await run_in_threadpool(_take_back, parts, share_id)
         await parts.limits.refuse(503, BUSY, BUSY_FOR)
     token = await run_in_threadpool(_note, parts, share_id, patient_id, is_right=is_right)
+    web.live.tell(CHANGED)
     if token is None:
         raise HTTPException(401, WRONG)
     attempt.take_back()

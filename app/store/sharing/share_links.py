@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from datetime import datetime, timedelta
 from typing import Literal
 
-from sqlalchemy import select
+from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
@@ -81,6 +81,12 @@ def add_share(
 def shares_of(db: Session, patient_id: int) -> list[ShareLink]:
     """Return the links of a patient, the newest first."""
     return list(db.scalars(select(ShareLink).where(ShareLink.patient_id == patient_id).order_by(ShareLink.id.desc())))
+
+
+def last_opened(db: Session, share_id: int) -> datetime | None:
+    """Return when a link was opened last, None when it never was."""
+    newest = db.scalar(select(func.max(ShareVisit.expires)).where(ShareVisit.share_id == share_id))
+    return None if newest is None else newest - VISIT
 
 
 def find_share(db: Session, clinic_id: int, share_id: int) -> ShareLink:

@@ -1,7 +1,7 @@
 """A share link: consent, PIN, at most 14 days, revocable, in the log; and nothing of anybody else with its cookie."""
 
 from concurrent.futures import ThreadPoolExecutor
-from datetime import timedelta
+from datetime import datetime, timedelta
 from typing import Any
 
 import pytest
@@ -84,6 +84,27 @@ def test_a_course_shows_story_and_figures_by_code_and_every_opening_is_logged(co
         assert link["pin"] != stored.pin_hash
         assert stored.openings == 1
         assert stored.wrong_pins == 0
+
+
+def test_an_opening_and_a_wrong_pin_are_told_to_open_pages_with_their_time(
+    consented: Clinic, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    events: list[str] = []
+    monkeypatch.setattr(consented.client.app.state.web.live, "tell", events.append)  # type: ignore[attr-defined]
+    link = made(consented)
+    (row,) = link["shares"]
+    assert (row["openings"], row["last_opened"], events) == (0, None, ["shares"])
+    before = utc_now()
+    with as_person(consented, {}):
+        assert opened(consented, link, wrong_pin(link)).status_code == 401
+        assert events == ["shares"] * 2
+        assert opened(consented, link).status_code == 204
+    assert events == ["shares"] * 3
+    (row,) = consented.good("GET", f"/patients/{consented.patient['id']}/shares")["shares"]
+    assert (row["openings"], row["wrong_pins"]) == (1, 1)
+    assert before <= datetime.fromisoformat(row["last_opened"]) <= utc_now()
+    consented.good("DELETE", f"/shares/{row['id']}")
+    assert events == ["shares"] * 4
 
 
 def test_a_link_to_a_session_shows_this_session_only(consented: Clinic, trial: int) -> None:

@@ -80,8 +80,7 @@ def test_a_link_is_shown_once_opened_counted_and_revoked(browser, app, page, car
 
     visitor, is_open = opens(browser, app, url.partition("#")[2], pin)
     assert is_open
-    page.reload()
-    expect(card.locator(".share-link")).to_contain_text("Opened once")
+    expect(card.locator(".share-link")).to_contain_text("Opened once, ")  # without a reload
     card.get_by_role("button", name="Revoke the link: Session 1").click()
     expect(page.get_by_text("it shows nothing more")).to_be_visible()
     expect(card.get_by_role("heading", name="Share links")).to_be_focused()
@@ -93,6 +92,30 @@ def test_a_link_is_shown_once_opened_counted_and_revoked(browser, app, page, car
     again, is_open = opens(browser, app, url.partition("#")[2], pin)
     assert not is_open
     again.context.close()
+
+
+def test_openings_appear_while_a_new_link_is_shown_and_the_list_of_ended_ones_is_unfolded(browser, app, page, card):
+    page.get_by_role("button", name="Enter consent: Sharing outside").click()
+    card.get_by_role("button", name="Make the link").click()
+    card.get_by_role("button", name="Done").click()
+    card.get_by_role("button", name="Revoke the link").click()
+    card.get_by_text("1 link that has ended").click()
+    card.get_by_role("button", name="Make the link").click()
+    token, pin = card.locator("pre").inner_text().partition("#")[2], card.locator(".typed-code").inner_text()
+    wrong = "000000" if pin != "000000" else "111111"
+    visitor, is_open = opens(browser, app, token, wrong)
+    assert not is_open
+    visitor.context.close()
+    expect(card.locator(".share-link").first).to_contain_text("Not opened yet · 1 wrong PIN")
+    button = card.get_by_role("button", name="Revoke the link")
+    button.focus()
+    visitor, is_open = opens(browser, app, token, pin)
+    assert is_open
+    visitor.context.close()
+    expect(card.locator(".share-link").first).to_contain_text("Opened once, ")
+    expect(button).to_be_focused()
+    expect(card.locator("details")).to_have_attribute("open", "")
+    expect(card.locator(".typed-code")).to_have_text(pin)
 
 
 def test_a_refusal_of_the_server_is_said_and_the_form_stays(app, page, card):

@@ -25,7 +25,7 @@ export async function show(app, root, { signal, rest: [, patient] }) {
   if (signal.aborted) return;
   const choice = sessionChoice();
   const leaves = h("div", { class: "leaves" });
-  const sharing = shares && sessions.length > 0 ? shareCard(app, consents, sessions, shares) : null;
+  const sharing = shares && sessions.length > 0 ? shareCard(app, consents, sessions, shares, signal) : null;
   /** @param {ConsentsView} now */
   const offer = (now) => {
     put(leaves, exportCard(app, now, sessions));

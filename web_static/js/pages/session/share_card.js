@@ -14,10 +14,10 @@ const FIRST_DAYS = "7";
 
 /**
  * @param {import("../../main.js").App} app @param {ConsentsView} consents @param {SessionRow[]} sessions
- * @param {SharesView} found
+ * @param {SharesView} found @param {AbortSignal} signal
  * @returns {{element: HTMLElement, setConsents: (now: ConsentsView) => void}}
  */
-export function shareCard(app, { patient_id: patient, code, consents }, sessions, { shares }) {
+export function shareCard(app, { patient_id: patient, code, consents }, sessions, { shares }, signal) {
   /** @param {ConsentsView["consents"]} all */
   const isGiven = (all) => all.some(({ consent, given }) => consent === "sharing" && given);
   let isConsented = isGiven(consents);
@@ -37,12 +37,12 @@ export function shareCard(app, { patient_id: patient, code, consents }, sessions
     });
   /** @param {ShareRow} link */
   const row = (link) => {
-    const { session_id: session, person, created, expires, state, openings, wrong_pins: wrong } = link;
+    const { session_id: session, person, created, expires, state, openings, last_opened: last, wrong_pins: wrong } = link;
     const what = whatWords(session);
     const isOpen = state === "open";
     const facts = [
       isOpen && t("shares.until", { moment: moment(expires) }),
-      openings ? t("shares.openings", { count: openings }) : t("shares.openings.none"),
+      openings ? t("shares.openings", { count: openings, moment: moment(last) }) : t("shares.openings.none"),
       wrong > 0 && t("shares.wrong", { count: wrong }),
       t("shares.made", { moment: isOpen ? moment(created) : day(created), person }),
     ];
@@ -66,10 +66,11 @@ export function shareCard(app, { patient_id: patient, code, consents }, sessions
   const draw = () => {
     const open = shares.filter(({ state }) => state === "open");
     const ended = shares.filter(({ state }) => state !== "open");
+    const isUnfolded = list.querySelector("details")?.open ?? false;
     put(
       list,
       open.length ? open.map(row) : h("p", { class: "quiet" }, t("shares.none")),
-      ended.length > 0 && h("details", {}, h("summary", {}, t("shares.ended", { count: ended.length })), ended.map(row)),
+      ended.length > 0 && h("details", { open: isUnfolded }, h("summary", {}, t("shares.ended", { count: ended.length })), ended.map(row)),
     );
   };
   const offer = () => put(place, isConsented ? form() : h("p", {}, t("shares.consent")));
@@ -110,6 +111,15 @@ export function shareCard(app, { patient_id: patient, code, consents }, sessions
     draw();
     offer();
   };
+  /** Links are opened, made and revoked elsewhere, too. @param {CustomEvent<string>} event */
+  const read = async ({ detail }) => {
+    if (detail !== "shares" && detail !== "everything") return;
+    const now = await app.api.get(`/patients/${patient}/shares`).catch(() => null);
+    if (signal.aborted || !now) return;
+    ({ shares } = now);
+    draw();
+  };
+  app.live.addEventListener("changed", read, { signal });
   draw();
   offer();
   const element = h("section", { class: "card stack" }, heading, h("p", { class: "quiet small" }, t("shares.lead")), list, place);

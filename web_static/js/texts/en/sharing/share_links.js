@@ -12,7 +12,7 @@ export default {
   "shares.state.dead": "Closed: five wrong PINs",
   "shares.until": "Until {moment}",
   "shares.openings.none": "Not opened yet",
-  "shares.openings": { one: "Opened once", other: "Opened {count} times" },
+  "shares.openings": { one: "Opened once, {moment}", other: "Opened {count} times, last {moment}" },
   "shares.wrong": { one: "{count} wrong PIN", other: "{count} wrong PINs" },
   "shares.made": "Made {moment} by {person}",
   "shares.ended": { one: "{count} link that has ended", other: "{count} links that have ended" },
