@@ -3678,6 +3678,40 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/patients/{patient_id}/archive/room": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["ArchiveRoomView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/archives": {
         parameters: {
             query?: never;
@@ -5203,6 +5237,10 @@ export interface components {
             why: string;
             refusal: string | null;
             looking: boolean;
+        };
+        ArchiveRoomView: {
+            bytes: number;
+            words: string;
         };
         Arrangement: {
             /** @default 0 */
@@ -7156,6 +7194,7 @@ export interface components {
 export type AcceptedInvitation = components['schemas']['AcceptedInvitation'];
 export type AdaptationModeChoice = components['schemas']['AdaptationModeChoice'];
 export type AdaptationView = components['schemas']['AdaptationView'];
+export type ArchiveRoomView = components['schemas']['ArchiveRoomView'];
 export type Arrangement = components['schemas']['Arrangement'];
 export type AttentionView = components['schemas']['AttentionView'];
 export type Back = components['schemas']['Back'];

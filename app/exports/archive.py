@@ -11,6 +11,7 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
 from app.disk_room import ROOM_TO_RECORD
 from app.exports.archive_file import RUN_ID, OpenArchive, archive_steps, open_archive
+from app.exports.archive_room import require_room_for
 from app.exports.package import Step
 from app.file_modes import OWNER_FOLDER
 from app.files import sync_folder
@@ -51,11 +52,13 @@ class ArchiveMaterial(NamedTuple):
         return archive_steps(self.clinic, self.rows, self.folders)
 
 
-def archive_material(database: Database, clinic_id: int, patient_id: int, person: str, runs: Path) -> ArchiveMaterial:
-    """Return what the archive of a patient is made from; log that `person` makes it.
+def archive_material(
+    database: Database, clinic_id: int, patient_id: int, person: str, runs: Path, place: Path
+) -> ArchiveMaterial:
+    """Return what the archive of a patient is made from; log that `person` makes it, in the folder `place`.
 
     `runs` is the folder of all recordings. NotFound when there is no such patient; Conflict without consent, or while
-    a session of the patient is open.
+    a session of the patient is open; DiskFull when the disk of `place` has no room for it.
     """
     with database.transaction() as db:
         find_patient(db, clinic_id, patient_id)
@@ -64,13 +67,15 @@ def archive_material(database: Database, clinic_id: int, patient_id: int, person
         clinic = clinic_name(db, clinic_id)
         if any(row["ended"] is None for row in rows["session"]):
             raise Conflict(OPEN)
+        folders = [runs / str(row["id"]) for row in rows["run"]]
+        require_room_for(folders, place)
         write_log(db, person, "export", patient=patient_id, session=None, form="archive", runs=len(rows["run"]))
-    return ArchiveMaterial(clinic, rows, [runs / str(row["id"]) for row in rows["run"]])
+    return ArchiveMaterial(clinic, rows, folders)
 
 
 def make_archive(database: Database, clinic_id: int, patient_id: int, person: str, runs: Path, package: Path) -> str:
     """Write the archive of a patient to `package` and return its hash; raises what `archive_material` raises."""
-    for step in archive_material(database, clinic_id, patient_id, person, runs).steps():
+    for step in archive_material(database, clinic_id, patient_id, person, runs, package.parent).steps():
         step(package)
     with open_archive(package) as made:
         return made.listed.hash

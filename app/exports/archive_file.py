@@ -68,7 +68,7 @@ def _begin(clinic: str, tables: Any, folders: list[Path], package: Path) -> int:
     patient = json.dumps({"tables": tables}, indent=1, sort_keys=True, ensure_ascii=False).encode()
     files = {PATIENT: FileEntry(bytes=len(patient), sha256=sha256(patient).hexdigest())}
     for folder in folders:
-        for name, file in _recorded(folder):
+        for name, file in recorded_files(folder):
             files[name] = FileEntry(bytes=file.stat().st_size, sha256=_hash_of(file))
     listed = ArchiveList(clinic=clinic, hash=hash_of(files), files=files)
     package.unlink(missing_ok=True)
@@ -80,12 +80,12 @@ def _begin(clinic: str, tables: Any, folders: list[Path], package: Path) -> int:
 
 def _add_recording(folder: Path, package: Path) -> int:
     with zipfile.ZipFile(package, "a") as opened:
-        for name, file in _recorded(folder):
+        for name, file in recorded_files(folder):
             add_file(opened, file, name, stored=True)
         return opened.start_dir
 
 
-def _recorded(folder: Path) -> list[tuple[str, Path]]:
+def recorded_files(folder: Path) -> list[tuple[str, Path]]:
     """Return the files of a recording that belong to an archive, with their names in it."""
     named = [(f"runs/{folder.name}/{file.name}", file) for file in sorted(folder.glob("*"))]
     return [(name, file) for name, file in named if RUN_FILE.fullmatch(name)]

@@ -11,7 +11,7 @@ from app.refusals import Conflict
 from app.source import UNKNOWN_SOURCE, Source
 from app.store.own_rows import own_row
 from app.store.records.sign_off import require_unsigned
-from app.store.tables import Run, Trial
+from app.store.tables import PatientSession, Run, Trial
 
 
 def add_run(db: Session, run_id: str, session_id: int, kind: str, folder: str, source: Source = UNKNOWN_SOURCE) -> Run:
@@ -30,6 +30,12 @@ def add_run(db: Session, run_id: str, session_id: int, kind: str, folder: str, s
     db.add(run)
     db.flush()
     return run
+
+
+def run_ids(db: Session, patient_id: int) -> list[str]:
+    """Return the ids of all runs of a patient."""
+    found = select(Run.id).join(PatientSession, PatientSession.id == Run.session_id)
+    return list(db.scalars(found.where(PatientSession.patient_id == patient_id)))
 
 
 def close_run(db: Session, run_id: str, rows: int | None, dropped: int | None) -> None:

@@ -15,8 +15,10 @@ from app.api.parts import Web
 from app.clock import utc_now
 from app.computing_process import ComputingProcess
 from app.exports.archive import archive_material
+from app.exports.archive_room import archive_room
 from app.exports.export_material import Form, exported_material
 from app.exports.package import Step, export_steps
+from app.quantities import Document
 from app.scoring.verdict.spread import Spread
 from app.session.clinic_spread import Task
 from app.source import SourceGroup
@@ -25,6 +27,13 @@ from app.store.files.passing_folder import passing_folder
 router = APIRouter(tags=["exports"])
 
 CHUNK = 1 << 18  # bytes
+
+
+class ArchiveRoomView(Document):
+    """The recordings of an archive; `words`: why there is no room for them, empty when there is."""
+
+    bytes: int
+    words: str
 
 
 @router.get("/patients/{patient_id}/export", response_class=StreamingResponse)
@@ -53,11 +62,20 @@ def export(
 def archive(patient_id: RowId, who: Exporter, parts: PeopleParts) -> StreamingResponse:
     """Return everything of a patient as one zip file, which another clinic can import.
 
-    409 without the patient's consent to sharing outside, or while a session of the patient is open.
+    409 without the patient's consent to sharing outside, or while a session of the patient is open; 507 without room
+    on the clinic's disk, where it is made.
     """
     settings = parts.settings
-    material = archive_material(parts.database, who.clinic_id, patient_id, who.name, settings.runs)
+    material = archive_material(parts.database, who.clinic_id, patient_id, who.name, settings.runs, settings.state)
     return _sent(material.steps(), "archive", settings.state)
+
+
+@router.get("/patients/{patient_id}/archive/room")
+def room(patient_id: RowId, who: Exporter, parts: PeopleParts) -> ArchiveRoomView:
+    """Return how large the recordings of a patient's archive are, and whether the clinic's disk has room for them."""
+    settings = parts.settings
+    found = archive_room(parts.database, who.clinic_id, patient_id, settings.runs, settings.state)
+    return ArchiveRoomView(**found._asdict())
 
 
 def _sent(steps: list[Step], form: str, state: Path) -> StreamingResponse:

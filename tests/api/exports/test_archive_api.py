@@ -13,6 +13,8 @@ from exports.exported_clinic import CODE, RUN, make_clinic
 from people_of_clinic import accepted, as_person, invited
 
 from app.api.exports import archive_import
+from app.disk_room import ROOM_TO_RECORD
+from app.exports import archive_room
 from app.exports.archive import make_archive
 from app.exports.archive_file import PATIENT, open_archive
 from app.recording.reader import read_run
@@ -84,6 +86,25 @@ def test_an_archive_is_made_with_consent_and_without_an_open_session_only(calibr
     (row,) = [row for row in calibrated.log() if row.what == "export"]
     assert (row.details["patient"], row.details["form"]) == (patient, "archive")
     assert list(calibrated.client.app.state.people.settings.state.glob(".export-*")) == []
+
+
+def test_an_archive_without_room_on_the_disk_is_refused_before_anything_is_made(
+    signed_in: Any, package: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    patient = brought(signed_in, package).json()["patient_id"]
+    room = signed_in.good("GET", f"/patients/{patient}/archive/room")
+    settings = signed_in.client.app.state.people.settings
+    assert room == {"bytes": sum(file.stat().st_size for file in (settings.runs / RUN).iterdir()), "words": ""}
+    needed = room["bytes"] + ROOM_TO_RECORD
+    monkeypatch.setattr(archive_room, "disk_room", lambda _: DiskRoom(needed - 1, ""))
+    refused = signed_in("GET", f"/patients/{patient}/archive")
+    words = refused.json()["detail"]
+    assert (refused.status_code, words.startswith("There is no room for this archive: 501 MB must")) == (507, True)
+    assert signed_in.good("GET", f"/patients/{patient}/archive/room") == {**room, "words": words}
+    assert [row for row in signed_in.log() if row.what == "export"] == []
+    assert list(settings.state.glob(".export-*")) == []
+    monkeypatch.setattr(archive_room, "disk_room", lambda _: DiskRoom(needed, ""))
+    assert signed_in("GET", f"/patients/{patient}/archive").status_code == 200
 
 
 def twice(tables: Any) -> None:

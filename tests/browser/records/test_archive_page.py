@@ -50,8 +50,16 @@ def exported(page, app, file):
     page.get_by_role("button", name="End session").click()
     expect(page.get_by_text("The session has ended")).to_be_visible()
     page.goto(f"{app.address}/#/session/patient/1")
+    without_room = '{"bytes": 6000, "words": "There is no room for this archive."}'
+    page.route("**/archive/room", lambda route: route.fulfill(body=without_room, content_type="application/json"))
     form.select_option("archive")
     expect(card.get_by_label("Sessions")).to_be_hidden()
+    expect(card.get_by_role("status")).to_have_text("There is no room for this archive.")
+    expect(card.get_by_role("link")).to_have_count(0)
+    page.unroute("**/archive/room")
+    form.select_option("csv")
+    form.select_option("archive")
+    expect(card.get_by_role("status")).to_contain_text("The recordings have ")
     with page.expect_download() as download:
         card.get_by_role("link", name="Export of P-1").click()
     download.value.save_as(file)

@@ -6,6 +6,7 @@
 import { t } from "../../texts.js";
 import { h, write } from "../../widgets/dom.js";
 import { field, selection } from "../../widgets/fields.js";
+import { size } from "../../widgets/format.js";
 import { mayExport } from "../../results/report_choice.js";
 
 const ARCHIVE = "archive"; // of the whole patient, for another clinic
@@ -24,12 +25,12 @@ export function exportCard(app, { patient_id: patient, code, consents }, session
     { class: "card" },
     h("h2", {}, t("export.title")),
     h("p", { class: "quiet small" }, t("export.lead")),
-    isShared ? choice(patient, code, sessions) : h("p", {}, t("export.consent")),
+    isShared ? choice(app, patient, code, sessions) : h("p", {}, t("export.consent")),
   );
 }
 
-/** @param {number} patient @param {string} code @param {SessionRow[]} sessions */
-function choice(patient, code, sessions) {
+/** @param {import("../../main.js").App} app @param {number} patient @param {string} code @param {SessionRow[]} sessions */
+function choice(app, patient, code, sessions) {
   /** @type {(typeof FORMS)[number]} */
   let form = FORMS[0];
   let session = ALL;
@@ -41,9 +42,16 @@ function choice(patient, code, sessions) {
     const query = new URLSearchParams({ form, ...(session && { session }) });
     const isArchive = form === ARCHIVE;
     link.setAttribute("href", `/api/v1/patients/${patient}/${isArchive ? ARCHIVE : `export?${query}`}`);
-    offer.hidden = isArchive && isOpen;
+    offer.hidden = isArchive; // until the disk of the clinic was looked at
     what.hidden = isArchive;
-    write(words, isArchive ? t(isOpen ? "export.archive.open" : "export.archive.how") : "");
+    write(words, isArchive && isOpen ? t("export.archive.open") : "");
+    if (isArchive && !isOpen) lookForRoom();
+  };
+  const lookForRoom = async () => {
+    const room = await app.toasts.attempt(() => app.api.get(`/patients/${patient}/archive/room`));
+    if (form !== ARCHIVE || !room) return;
+    offer.hidden = Boolean(room.words);
+    write(words, room.words || t("export.archive.how", { size: size(room.bytes) }));
   };
   const forms = selection(
     FORMS.map((value) => ({ value, label: t(`export.form.${value}`) })),
