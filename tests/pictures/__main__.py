@@ -12,9 +12,9 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import pairwise
 
-from browser.conftest import CHROMIUM
+from browser.conftest import CHROMIUM, PATIENCE
 from browser.driving import choose_task, go_on_until
-from browser.tablets import PATIENCE, go_to
+from browser.tablets import go_to
 from PIL import Image
 from playwright.sync_api import Page, expect, sync_playwright
 from processes.served_demo import bodydrive, printed_link
