@@ -20,7 +20,7 @@ export function importForm(app, onDraft) {
   const input = h("input", { type: "file", multiple: true, accept: ACCEPTED, id: "plan-files" });
   const more = h("div", { class: "stack" });
   const problem = h("p", { class: "problem", role: "alert" });
-  const go = h("button", { class: "btn go", disabled: true }, t("import.go"));
+  const go = h("button", { class: "btn go", disabled: true }, t("import.read"));
   /** @type {Options} */
   let options = () => ({});
   /** @type {string[] | null} */

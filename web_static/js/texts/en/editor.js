@@ -45,7 +45,7 @@ export default {
   "import.lead": "A DXF drawing, a PNG or JPEG picture, or a robot's map (its .yaml and its picture together).",
   "import.files": "File",
   "import.files.hint": "At most 20 MB. Nothing is saved until you say so.",
-  "import.go": "Read the file",
+  "import.read": "Read the file",
   "import.unit": "Drawn in",
   "import.unit.hint": "Many drawings say it themselves.",
   "import.unit.own": "as the drawing says",
