@@ -186,6 +186,7 @@ class Trial(Table):
     __table_args__ = (
         UniqueConstraint("patient_id", "floorplan", "path", "number"),
         Index(None, "floorplan", "path", "status"),
+        Index(None, "patient_id", "status", "kept"),
     )
     id: Mapped[int] = mapped_column(primary_key=True)
     clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))

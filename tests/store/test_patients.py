@@ -77,7 +77,11 @@ def test_one_session_at_a_time_counted_per_patient(db: Session, patient: Patient
     assert open_session(db, clinic) is None
     second = start_session(db, clinic, patient.id)
     assert second.number == 2
-    assert patient_figures(db, patient)[:2] == (2, 0)
+    figures = patient_figures(db, [patient, other, never := add_patient(db, clinic, "P-3", "Wren", "")])
+    assert figures[patient.id] == (2, 0, second.started)
+    assert figures[other.id][:2] == (1, 0)
+    assert figures[never.id] == (0, 0, None)
+    never.deleted = never.created
     assert [p.code for p in all_patients(db, clinic)] == ["P-1", "P-2"]
 
 
@@ -155,9 +159,9 @@ def test_trials_are_numbered_per_path_and_can_be_discarded(
     assert new_trial(db, patient, "b", parameters).number == 2
     assert new_trial(db, patient, "c", parameters, path="short").number == 1
     assert [trial.end for trial in close_interrupted_trials(db)] == ["fault", "fault"]
-    assert patient_figures(db, patient)[1] == 3
+    assert patient_figures(db, [patient])[patient.id].trials == 3
     keep_trial(db, patient.clinic_id, first.id, "tired")
-    assert patient_figures(db, patient)[1] == 2
+    assert patient_figures(db, [patient])[patient.id].trials == 2
     assert keep_trial(db, patient.clinic_id, first.id, None).discard_reason is None
     with pytest.raises(NotFound):
         find_trial(db, patient.clinic_id + 1, first.id)

@@ -1,4 +1,4 @@
-"""A key of a text stands in one file of the catalogue only: else the file that is read later gives its words to both."""
+"""A key of a text stands in one file of the catalogue only: a file that is read later would give its words to both."""
 
 import re
 from collections import defaultdict

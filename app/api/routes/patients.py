@@ -13,6 +13,7 @@ from app.quantities import Count, Document, Line, Name, Note, Title
 from app.store.database import Transaction
 from app.store.log import write_log
 from app.store.patients import (
+    PatientFigures,
     add_patient,
     all_patients,
     delete_patient,
@@ -83,16 +84,24 @@ class CurrentSession(Document):
 
 
 def _view(db: Transaction, patient: Patient) -> PatientView:
-    sessions, trials, last = patient_figures(db, patient)
+    return _views(db, [patient])[0]
+
+
+def _views(db: Transaction, patients: list[Patient]) -> list[PatientView]:
+    figures = patient_figures(db, patients)
+    return [_view_with(patient, figures[patient.id]) for patient in patients]
+
+
+def _view_with(patient: Patient, figures: PatientFigures) -> PatientView:
     return PatientView(
         id=patient.id,
         code=patient.code,
         pseudonym=patient.pseudonym,
         note=patient.note,
         created=patient.created.isoformat(),
-        sessions=sessions,
-        trials=trials,
-        last_seen=None if last is None else last.started.isoformat(),
+        sessions=figures.sessions,
+        trials=figures.trials,
+        last_seen=None if figures.last_seen is None else figures.last_seen.isoformat(),
     )
 
 
@@ -100,7 +109,7 @@ def _view(db: Transaction, patient: Patient) -> PatientView:
 def list_patients(who: Anyone, parts: PeopleParts) -> list[PatientView]:
     """List the patients, the last seen first."""
     with parts.database.transaction() as db:
-        return [_view(db, patient) for patient in all_patients(db, who.clinic_id)]
+        return _views(db, all_patients(db, who.clinic_id))
 
 
 @router.post("/patients", status_code=201)
