@@ -3719,7 +3719,25 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        get?: never;
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["ImportCourseView"] | null;
+                    };
+                };
+            };
+        };
         put?: never;
         post: {
             parameters: {
@@ -6016,10 +6034,18 @@ export interface components {
             counted: number;
             repetitions: number;
         };
+        ImportCourseView: {
+            /** @enum {string} */
+            step: "send" | "unpack";
+            done: number;
+            total: number;
+        };
         ImportedView: {
             patient_id: number;
             code: string;
             is_new: boolean;
+            sessions: number;
+            trials: number;
         };
         IncidentView: {
             id: number;
@@ -7283,6 +7309,7 @@ export type HttpValidationError = components['schemas']['HTTPValidationError'];
 export type HeadTrackerChoice = components['schemas']['HeadTrackerChoice'];
 export type HeadView = components['schemas']['HeadView'];
 export type HitCheck = components['schemas']['HitCheck'];
+export type ImportCourseView = components['schemas']['ImportCourseView'];
 export type ImportedView = components['schemas']['ImportedView'];
 export type IncidentView = components['schemas']['IncidentView'];
 export type InterfaceCourse = components['schemas']['InterfaceCourse'];

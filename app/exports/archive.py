@@ -1,7 +1,7 @@
 """The archive of a whole patient: made in one clinic, imported in another one."""
 
 import shutil
-from contextlib import closing
+from contextlib import closing, nullcontext
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -33,11 +33,13 @@ OPEN = "A session of this patient is open: end it first, then make the archive."
 
 
 class Imported(NamedTuple):
-    """The patient of an archive, and whether the import added it."""
+    """The patient of an archive, whether the import added it, and how much came in with it."""
 
     patient_id: int
     code: str
     is_new: bool
+    sessions: int = 0
+    trials: int = 0  # finished and kept
 
 
 class ArchiveMaterial(NamedTuple):
@@ -81,8 +83,13 @@ def make_archive(database: Database, clinic_id: int, patient_id: int, person: st
         return made.listed.hash
 
 
-def import_archive(database: Database, clinic_id: int, file: Path, person: str, runs: Path) -> Imported:
+def import_archive(
+    database: Database, clinic_id: int, file: Path, person: str, runs: Path, unpacked: Path | None = None
+) -> Imported:
     """Import the archive in `file`; one that was imported before changes nothing.
+
+    Its recordings are unpacked in `unpacked`, a folder on the disk of `runs` that is made; without one, in a folder
+    that is removed.
 
     Raises
     ------
@@ -100,12 +107,13 @@ def import_archive(database: Database, clinic_id: int, file: Path, person: str, 
         if disk_room(runs.parent).free < archive.recording_bytes + ROOM_TO_RECORD:
             raise DiskFull(NO_ROOM)
         runs.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
-        with passing_folder(runs.parent, "import") as folder:
+        with passing_folder(runs.parent, "import") if unpacked is None else nullcontext(unpacked) as folder:
+            folder.mkdir(mode=OWNER_FOLDER, exist_ok=True)
             archive.unpack_recordings(folder)
             return _add(database, clinic_id, archive, rows, person, folder, runs)
 
 
-def import_apart(clinic: Path, clinic_id: int, file: Path, person: str, runs: Path) -> Imported:
+def import_apart(clinic: Path, clinic_id: int, file: Path, person: str, runs: Path, unpacked: Path) -> Imported:
     """Import an archive in a process of its own, which then has little memory; `clinic` is the file of the database.
 
     Raises what `import_archive` raises.
@@ -113,7 +121,7 @@ def import_apart(clinic: Path, clinic_id: int, file: Path, person: str, runs: Pa
     limit_memory()
     try:
         with closing(Database(clinic)) as database:
-            return import_archive(database, clinic_id, file, person, runs)
+            return import_archive(database, clinic_id, file, person, runs, unpacked)
     except MemoryError as error:
         raise ValueError(WRONG.format(file=file, why="it needs too much memory")) from error
 
@@ -176,7 +184,9 @@ def _add(
         for target in moved:
             shutil.rmtree(target, ignore_errors=True)
         raise
-    return Imported(patient_id, rows["patient"][0]["code"], is_new=True)
+    trials = sum(row["status"] == "done" and row["kept"] is True for row in rows["trial"])
+    code, sessions = rows["patient"][0]["code"], len(rows["session"])
+    return Imported(patient_id, code, is_new=True, sessions=sessions, trials=trials)
 
 
 def _note(db: Transaction, patient_id: int, archive: OpenArchive, person: str) -> None:

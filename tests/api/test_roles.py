@@ -52,6 +52,7 @@ FOR_OWNERS = {
     "PUT /limits",
     "PUT /clinic-prior",
     "POST /sessions/{session_id}/unlock",
+    "GET /archives",
     "POST /archives",
     "POST /computer/measurement",
     "GET /backups",

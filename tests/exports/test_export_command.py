@@ -69,7 +69,7 @@ def test_a_patient_goes_to_another_clinic_by_two_commands(bodydrive, tmp_path):
     assert code == 0
     assert "Its hash is" in out
     take = ("archive", "import", "heron.zip", "--state", tmp_path / "other")
-    assert bodydrive(*take)[:2] == (0, f"The patient {CODE} is imported.\n")
+    assert bodydrive(*take)[:2] == (0, f"The patient {CODE} is imported. Sessions: 1. Finished and kept trials: 1.\n")
     assert bodydrive(*take)[1].endswith("nothing was changed.\n")
     (tmp_path / "heron.zip").write_bytes(b"PK")
     code, _out, err = bodydrive(*take)

@@ -10,7 +10,7 @@ from fastapi import APIRouter, Request
 from fastapi.concurrency import contextmanager_in_threadpool
 
 from app.api.deps import Owner, People, PeopleParts
-from app.api.exports.export_file import bytes_in
+from app.api.exports.import_courses import ImportCourse, Step
 from app.api.foreign_files import refusal
 from app.api.sign_in.identity import SignedInPerson
 from app.computing_process import ComputingProcess
@@ -28,11 +28,31 @@ ZIP = {"requestBody": {"required": True, "content": {"application/zip": {"schema
 
 
 class ImportedView(Document):
-    """The patient of an archive; not new: the archive was imported before, and nothing was changed."""
+    """The patient of an archive, and what came in; not new: it was imported before, and nothing came in."""
 
     patient_id: int
     code: str
     is_new: bool
+    sessions: int
+    trials: int  # finished and kept
+
+
+class ImportCourseView(Document):
+    """How far an import is: bytes of this step; 0 of 0 while that is not known."""
+
+    step: Step
+    done: int
+    total: int
+
+
+@router.get("/archives")
+def import_course(who: Owner, parts: PeopleParts) -> ImportCourseView | None:
+    """Return how far the import is that the person who asks has begun, null when there is none."""
+    course = parts.imports.of(who.person_id)
+    if course is None:
+        return None
+    done, total = course.bytes()
+    return ImportCourseView(step=course.step, done=done, total=total)
 
 
 @router.post("/archives", openapi_extra=ZIP)
@@ -42,16 +62,19 @@ async def bring_archive(request: Request, who: Owner, parts: PeopleParts) -> Imp
     409 when the clinic has the patient's code or recordings already, 507 when there is no room.
     """
     async with contextmanager_in_threadpool(passing_folder(parts.settings.state, "import")) as folder:
-        file = folder / "archive.zip"
-        with file.open("xb") as opened:
-            waiting = bytearray()
-            async for piece in request.stream():
-                waiting += piece
-                if len(waiting) >= PIECE:
-                    await asyncio.to_thread(_write, opened, waiting, folder)
-                    waiting = bytearray()
-            await asyncio.to_thread(_write, opened, waiting, folder)
-        imported = await asyncio.to_thread(_import, file, who, parts)
+        announced = request.headers.get("content-length", "")
+        total = int(announced) if announced.isdecimal() else 0
+        with parts.imports.begun(who.person_id, folder, total) as course:
+            with course.file.open("xb") as opened:
+                waiting = bytearray()
+                async for piece in request.stream():
+                    waiting += piece
+                    if len(waiting) >= PIECE:
+                        await asyncio.to_thread(_write, opened, waiting, folder)
+                        waiting = bytearray()
+                await asyncio.to_thread(_write, opened, waiting, folder)
+            course.begin_to_unpack()
+            imported = await asyncio.to_thread(_import, course, who, parts)
     return ImportedView(**imported._asdict())
 
 
@@ -61,12 +84,12 @@ def _write(opened: BinaryIO, content: bytearray, folder: Path) -> None:
     opened.write(content)
 
 
-def _import(file: Path, who: SignedInPerson, parts: People) -> Imported:
+def _import(course: ImportCourse, who: SignedInPerson, parts: People) -> Imported:
     """Import a file; it may take as long as it goes on unpacking recordings."""
     settings = parts.settings
-    question = partial(import_apart, settings.database, who.clinic_id, file, who.name, settings.runs)
+    given = settings.database, who.clinic_id, course.file, who.name, settings.runs, course.recordings
     try:
         with closing(ComputingProcess()) as computing:
-            return computing.ask_while(lambda: sum(map(bytes_in, settings.state.glob(".import-*"))), question)
+            return computing.ask_while(course.moved, partial(import_apart, *given))
     except ValueError as error:
-        raise refusal(error, [f"{file}: "]) from error
+        raise refusal(error, [f"{course.file}: "]) from error

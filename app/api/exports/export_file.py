@@ -1,8 +1,7 @@
 """The recordings and measures of a patient, or everything as an archive, as one zip file, sent while it is made."""
 
-import os
 from collections.abc import Iterator
-from contextlib import closing, suppress
+from contextlib import closing
 from functools import partial
 from pathlib import Path
 from typing import Annotated
@@ -22,7 +21,7 @@ from app.quantities import Document
 from app.scoring.verdict.spread import Spread
 from app.session.clinic_spread import Task
 from app.source import SourceGroup
-from app.store.files.passing_folder import passing_folder
+from app.store.files.passing_folder import bytes_in, passing_folder
 
 router = APIRouter(tags=["exports"])
 
@@ -96,16 +95,6 @@ def _content(steps: list[Step], state: Path) -> Iterator[bytes]:
             yield from _between(package, sent, final)
             sent = final
         yield from _between(package, sent, package.stat().st_size)
-
-
-def bytes_in(folder: Path) -> int:
-    """Return the bytes of all files in a folder, which grow while an export or import goes on."""
-    total = 0
-    for place, _, files in os.walk(folder):
-        for name in files:
-            with suppress(FileNotFoundError):  # a part that is packed already
-                total += (Path(place) / name).stat().st_size
-    return total
 
 
 def _between(file: Path, start: int, end: int) -> Iterator[bytes]:

@@ -59,6 +59,9 @@ def import_file(
         except (Refusal, ValueError) as refusal:
             raise InputError(str(refusal)) from refusal
     if found.is_new:
-        typer.echo(f"The patient {found.code} is imported.")
+        typer.echo(
+            f"The patient {found.code} is imported. Sessions: {found.sessions}. "
+            f"Finished and kept trials: {found.trials}."
+        )
     else:
         typer.echo(f"The patient {found.code} was imported from this archive before: nothing was changed.")

@@ -27,6 +27,16 @@ def passing_folder(state: Path, use: Use) -> Iterator[Path]:
         yield Path(name)
 
 
+def bytes_in(folder: Path) -> int:
+    """Return the bytes of all files in a folder, which grow while an export or import goes on."""
+    total = 0
+    for place, _, files in os.walk(folder):
+        for name in files:
+            with suppress(FileNotFoundError):  # a part that is packed already
+                total += (Path(place) / name).stat().st_size
+    return total
+
+
 def remove_passing_folders(state: Path) -> None:
     """Remove what killed imports and exports have left in the clinic's folder; those that go on keep theirs."""
     with _locked(state):

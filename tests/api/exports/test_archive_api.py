@@ -1,6 +1,7 @@
 """The archive of a patient over the API: streamed to whoever may export, imported by an owner, whole or not at all."""
 
 import io
+import shutil
 import zipfile
 from contextlib import closing
 from datetime import date
@@ -53,13 +54,14 @@ def test_an_archive_goes_to_another_clinic_and_leaves_it_with_the_same_hash(
     answer = brought(signed_in, package)
     assert answer.status_code == 200, answer.text
     patient = answer.json()["patient_id"]
-    assert answer.json() == {"patient_id": patient, "code": CODE, "is_new": True}
+    assert answer.json() == {"patient_id": patient, "code": CODE, "is_new": True, "sessions": 1, "trials": 1}
     (row,) = [row for row in signed_in.log() if row.what == "archive imported"]
     assert (row.person, row.details["patient"]) == ("Demo clinician", patient)
     runs = signed_in.client.app.state.people.settings.runs
     assert read_run(runs / RUN).damage == ""
     before = state_of(signed_in)
-    assert brought(signed_in, package).json() == {"patient_id": patient, "code": CODE, "is_new": False}
+    again = {"patient_id": patient, "code": CODE, "is_new": False, "sessions": 0, "trials": 0}
+    assert brought(signed_in, package).json() == again
     assert state_of(signed_in) == before
     (tmp_path / "again.zip").write_bytes(signed_in("GET", f"/patients/{patient}/archive").content)
     with open_archive(tmp_path / "again.zip") as again, open_archive(package) as first:
@@ -170,6 +172,41 @@ def test_a_full_disk_or_a_file_without_end_is_refused(
     answer = brought(signed_in, package)
     assert (answer.status_code, "make room" in answer.json()["detail"]) == (507, True)
     assert state_of(signed_in) == before
+
+
+def test_whoever_imports_can_ask_how_far_it_is(signed_in: Any, package: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    size = package.stat().st_size
+    seen: list[Any] = []
+
+    def written(opened: Any, content: bytearray, folder: Path) -> None:
+        write(opened, content, folder)
+        opened.flush()
+        seen.append(signed_in.good("GET", "/archives"))
+
+    def imported(course: Any, who: Any, parts: Any) -> Any:
+        seen.append(signed_in.good("GET", "/archives"))
+        (course.recordings / "run").mkdir(parents=True)
+        (course.recordings / "run" / "part").write_bytes(bytes(10))
+        seen.append(signed_in.good("GET", "/archives"))
+        shutil.rmtree(course.recordings)  # as at the end, when the recordings are moved to their place
+        seen.append(signed_in.good("GET", "/archives"))
+        return bring(course, who, parts)
+
+    write, bring = archive_import._write, archive_import._import
+    monkeypatch.setattr(archive_import, "_write", written)
+    monkeypatch.setattr(archive_import, "_import", imported)
+    assert signed_in.good("GET", "/archives") is None
+    assert brought(signed_in, package).status_code == 200
+    assert seen == [
+        {"step": "send", "done": size, "total": size},
+        {"step": "unpack", "done": 0, "total": size},
+        {"step": "unpack", "done": 10, "total": size},
+        {"step": "unpack", "done": 10, "total": size},
+    ]
+    assert signed_in.good("GET", "/archives") is None
+    clinician = accepted(signed_in, invited(signed_in, "Ben", "clinician"))
+    with as_person(signed_in, clinician):
+        assert signed_in("GET", "/archives").status_code == 403
 
 
 def test_only_an_owner_imports(signed_in: Any, package: Path) -> None:

@@ -17,6 +17,7 @@ from recorded_trial import record_trial
 from app import computing_process
 from app.api.exports import export_file
 from app.recording.reader import read_run
+from app.store.files.passing_folder import bytes_in
 from app.store.records.consents import give_consent
 from app.store.tables import Trial
 from building import make_parameters
@@ -74,7 +75,7 @@ def test_the_bytes_of_all_parts_are_its_progress(tmp_path: Path) -> None:
     (tmp_path / "part").mkdir()
     (tmp_path / "part" / "a").write_bytes(b"12")
     (tmp_path / "export.zip").write_bytes(b"3")
-    assert export_file.bytes_in(tmp_path) == 3
+    assert bytes_in(tmp_path) == 3
 
 
 def test_a_patient_or_session_that_is_not_there_is_not_exported(driven: Any) -> None:

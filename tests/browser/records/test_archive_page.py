@@ -32,6 +32,20 @@ def choose(page, file):
     chooser.value.set_files(file)
 
 
+def let_wait(page):
+    """Let an import wait, and answer how far a large one is; return the list that its request is added to."""
+    waiting = []
+
+    def answer(route):
+        if route.request.method == "POST":
+            waiting.append(route)
+        else:
+            route.fulfill(json={"step": "unpack", "done": 30_000_000, "total": 120_000_000})
+
+    page.route("**/api/v1/archives", answer)
+    return waiting
+
+
 def exported(page, app, file):
     """Give the consent, end the session that is open, and save the archive of the patient."""
     page.goto(app.link)
@@ -85,8 +99,14 @@ def test_a_patient_goes_to_another_clinic_by_the_pages_of_both(browser, page_log
     (tmp_path / "letter.zip").write_bytes(b"Dear colleague")
     choose(page, tmp_path / "letter.zip")
     expect(page.get_by_role("alert")).to_contain_text("This is no archive of bodydrive")
+    waiting = let_wait(page)
     choose(page, tmp_path / "heron.zip")
-    expect(page.get_by_text("The patient P-1 is imported.")).to_be_visible()
+    expect(page.get_by_text("Checking and unpacking: 30.0 MB of 120.0 MB")).to_be_visible()
+    assert page.get_by_role("progressbar", name="How much of this step is done").evaluate("(bar) => bar.value") == 0.25
+    waiting[0].continue_()
+    expect(page.get_by_text("The patient P-1 is imported: 1 session, 2 trials.")).to_be_visible()
+    expect(page.get_by_role("progressbar")).to_have_count(0)
+    page.unroute("**/api/v1/archives")
     expect(page.get_by_role("alert")).to_have_count(0)
     expect(page.locator(".person").filter(has_text="Heron")).to_contain_text("2 trials")
     choose(page, tmp_path / "heron.zip")

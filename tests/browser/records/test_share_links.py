@@ -73,6 +73,7 @@ def test_a_link_is_shown_once_opened_counted_and_revoked(browser, app, page, car
     assert url == card.locator("pre").inner_text()
     # Another consent changes nothing of what is shown once.
     page.get_by_role("button", name="Enter consent: Recording").click()
+    expect(page.get_by_role("button", name="Withdraw the consent: Recording")).to_be_focused()
     expect(card.locator(".typed-code")).to_have_text(pin)
     card.get_by_role("button", name="Done").click()
     expect(card.get_by_role("button", name="Make the link")).to_be_focused()

@@ -106,7 +106,7 @@ export async function show(app, root, { signal }) {
     put(form, newPatientForm(app, { onAdded: (patient) => open(patient), onClose: () => (form.hidden = true) }));
     form.querySelector("input")?.focus();
   };
-  const archive = isOwner ? archiveImport(app, read) : null;
+  const archive = isOwner ? archiveImport(app, read, signal) : null;
   search.addEventListener("input", showList);
   app.addEventListener("session", showList, { signal });
   app.live.addEventListener("changed", follow, { signal });

@@ -20,6 +20,9 @@ export default {
   "export.consent": "An export needs the patient's consent to sharing outside: ask, and enter it above.",
   "import.go": "Import an archive",
   "import.under-way": "{name} is being sent and checked. Large recordings take minutes; leave this page open.",
-  "import.done": "The patient {code} is imported.",
+  "import.progress": "How much of this step is done",
+  "import.send": "Sending: {done} of {total}",
+  "import.unpack": "Checking and unpacking: {done} of {total}",
+  "import.done": "The patient {code} is imported: {sessions}, {trials}.",
   "import.known": "{code} was imported from this archive before: nothing was changed.",
 };
