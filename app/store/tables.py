@@ -10,6 +10,8 @@ from sqlalchemy.types import TypeDecorator
 
 from app.source import Source
 
+COUNTED = "kept = 1 AND status = 'done' AND measures != 'null'"  # a trial that is compared with others
+
 
 class Moment(TypeDecorator[datetime]):
     """A moment in UTC; SQLite stores no time zone, so it is added again on reading."""
@@ -187,6 +189,7 @@ class Trial(Table):
         UniqueConstraint("patient_id", "floorplan", "path", "number"),
         Index(None, "floorplan", "path", "status"),
         Index(None, "patient_id", "status", "kept"),
+        Index("ix_trial_counted", "clinic_id", "patient_id", "floorplan", "path", "run_id", sqlite_where=text(COUNTED)),
     )
     id: Mapped[int] = mapped_column(primary_key=True)
     clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))

@@ -1,5 +1,6 @@
-"""An index of the trials by their patient, by which the list of patients counts them without reading their measures."""
+"""Indexes of the trials by their patient: lists count them, and find those that are compared, without reading them."""
 
+import sqlalchemy as sa
 from alembic import op
 
 revision = "0017"
@@ -9,10 +10,18 @@ depends_on = None
 
 
 def upgrade() -> None:
-    """Add it."""
+    """Add them."""
     op.create_index("ix_trial_patient_id_status_kept", "trial", ["patient_id", "status", "kept"], unique=False)
+    op.create_index(
+        "ix_trial_counted",
+        "trial",
+        ["clinic_id", "patient_id", "floorplan", "path", "run_id"],
+        unique=False,
+        sqlite_where=sa.text("kept = 1 AND status = 'done' AND measures != 'null'"),
+    )
 
 
 def downgrade() -> None:
-    """Drop it: an older program reads every trial of a patient."""
+    """Drop them: an older program reads every trial of a patient."""
+    op.drop_index("ix_trial_counted", table_name="trial")
     op.drop_index("ix_trial_patient_id_status_kept", table_name="trial")
