@@ -138,13 +138,25 @@ def archive_to_make(page: Any, clinic: EyesClinic) -> None:
     ).to_be_visible()
 
 
-def refused_archive(page: Any, clinic: EyesClinic) -> None:
-    words = {"detail": "This is no archive of bodydrive, or it was cut: name another file."}
-    page.route("**/api/v1/archives", lambda route: route.fulfill(status=422, json=words))
-    opened("patients")(page, clinic)
+def choose_archive(page: Any) -> None:
     file = {"name": "letter.zip", "mimeType": "application/zip", "buffer": b"Dear colleague"}
     page.locator("input[type=file][accept^='.zip']").set_input_files(file)  # type: ignore[arg-type]
+
+
+def refused_archive(page: Any, clinic: EyesClinic) -> None:
+    opened("patients")(page, clinic)
+    choose_archive(page)
     expect(page.get_by_text("This is no archive")).to_be_visible()
+
+
+def archive_under_way(page: Any, clinic: EyesClinic) -> None:
+    course = {"step": "send", "done": 30_000_000, "total": 120_000_000}
+    waiting: list[Any] = []  # the import goes on
+    answers = {"GET": lambda route: route.fulfill(json=course), "POST": waiting.append}
+    opened("patients")(page, clinic)
+    page.route("**/api/v1/archives", lambda route: answers[route.request.method](route))
+    choose_archive(page)
+    expect(page.get_by_text("Sending: 30.0 MB of 120.0 MB")).to_be_visible()
 
 
 def share_link(page: Any, clinic: EyesClinic) -> None:
@@ -202,4 +214,5 @@ SESSION_PLACES: dict[str, Open] = {
 ARCHIVE_PLACES: dict[str, Open] = {
     "session, archive": archive_to_make,
     "patients, archive refused": refused_archive,
+    "patients, archive under way": archive_under_way,
 }
