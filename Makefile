@@ -37,7 +37,7 @@ BROWSERS := tests/browser
 test: $(VENV)/.installed-test check
 	$(BIN)/python -m pytest $(SIDE_BY_SIDE) $(addprefix --ignore=,$(PROCESSES) $(BROWSERS))
 	$(BIN)/python -m pytest $(ONE_BY_ONE) $(PROCESSES)
-	$(BIN)/python -m pytest $(SIDE_BY_SIDE) $(BROWSERS)
+	$(BIN)/python -m pytest $(SIDE_BY_SIDE) -n 2 $(BROWSERS)
 
 browser: $(VENV)/.installed-test
 	$(BIN)/python -m pytest $(SIDE_BY_SIDE) -n 2 -m long $(BROWSERS)

@@ -227,7 +227,8 @@ def stops_when_hidden_or_loaded_again(page, keep):
 
 def ends_by_hand(page, keep, chair):
     go_to(page, "shirt")
-    expect(page.get_by_text("A real chair is being driven.")).to_be_visible()
+    driven = page.get_by_text("A real chair is being driven.")
+    go_on_until(page, driven.is_visible, "the word that a chair is driven")
     back = page.get_by_role("link", name="Go there")
     go_on_until(page, back.is_visible, "the way back to the drive")
     back.click()

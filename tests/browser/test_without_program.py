@@ -85,8 +85,7 @@ def a_page_with_the_word_of_another_is_refused_and_takes_one_of_its_own(driven, 
         other.wait_for_timeout(100)
     assert driven.evaluate(WORD_OF) == word
     driven.bring_to_front()
-    driven.get_by_role("button", name="Continue").click()
-    expect(driven.locator(".fault-card")).to_have_count(0)
+    go_on_until(driven, lambda: driven.locator(".fault-card").count() == 0, "the end of the halt")
 
 
 def a_page_that_does_not_hear_the_chair_does_not_keep_it_driving(driven, other):
