@@ -5,9 +5,11 @@ import os
 
 import psutil
 import pytest
+from argon2 import PasswordHasher, extract_parameters
 
 from app.api.sign_in import hashing
 from app.api.sign_in.hashing import Busy, Hashing
+from app.api.sign_in.hashing_process import answer
 from app.refusals import Unavailable
 
 
@@ -41,6 +43,33 @@ def test_a_password_is_its_own_and_no_others():
         return [await made.matches(*one) for one in given]
 
     assert with_hashing(story) == [True, False, False, False, True]
+
+
+class CountingHasher(PasswordHasher):
+    """Counts how often argon2 ran, and with what."""
+
+    def __init__(self):
+        super().__init__(time_cost=1, memory_cost=64, parallelism=1)
+        self.ran = []
+
+    def hash(self, password, **more):
+        self.ran.append((self.time_cost, self.memory_cost, self.parallelism))
+        return super().hash(password, **more)
+
+    def verify(self, stored, password):
+        used = extract_parameters(stored)
+        self.ran.append((used.time_cost, used.memory_cost, used.parallelism))
+        return super().verify(stored, password)
+
+
+def test_somebody_unknown_costs_the_work_of_a_wrong_password():
+    hasher = CountingHasher()
+    stored = answer(hasher, {"do": "hash", "password": "the right one"})["hash"]
+    hasher.ran.clear()
+    for kept in (stored, None):
+        assert answer(hasher, {"do": "verify", "stored": kept, "password": "a wrong one"}) == {"matches": False}
+    known, unknown = hasher.ran
+    assert known == unknown
 
 
 def test_it_gives_way_to_every_other_process_and_ends_with_the_program():

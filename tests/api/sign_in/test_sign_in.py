@@ -9,6 +9,7 @@ from fake_clinic import BASE, Clinic
 from running_app import running
 
 from app.api.sign_in import set_up
+from app.api.sign_in.hashing import Hashing
 from app.settings import Settings
 
 
@@ -77,11 +78,20 @@ def test_the_set_up_code_lasts_half_an_hour(real: Any, monkeypatch: pytest.Monke
     assert "restart" in answer.json()["detail"]
 
 
-def test_a_wrong_password_and_an_unknown_name_are_told_alike(real: Any) -> None:
+def test_a_wrong_password_and_an_unknown_name_are_told_alike(real: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     real.good("POST", "/auth/setup", json=OWNER)
     real.good("POST", "/auth/sign-out")
+    checked: list[bool] = []  # whether there was a hash; each check is the work of one (test_hashing.py)
+    matches = Hashing.matches
+
+    async def noted(hashing: Hashing, stored: str | None, password: str) -> bool:
+        checked.append(stored is not None)
+        return await matches(hashing, stored, password)
+
+    monkeypatch.setattr(Hashing, "matches", noted)
     wrong = real("POST", "/auth/sign-in", json={"name": "Ada", "password": "nothing like it"})
     unknown = real("POST", "/auth/sign-in", json={"name": "Eve", "password": "nothing like it"})
+    assert checked == [True, False]
     assert (wrong.status_code, wrong.json()) == (unknown.status_code, unknown.json())
     assert wrong.status_code == 401
     assert real.good("POST", "/auth/sign-in", json={"name": "Ada", "password": OWNER["password"]})["name"] == "Ada"
