@@ -87,7 +87,9 @@ compiled: $(VENV)/.installed-test
 	$(BIN)/python tests/compiled/equal_drives.py $(COMPILED)
 	PYTHONPATH=$(COMPILED) $(BIN)/pytest $(SIDE_BY_SIDE) $(COMPILED_TESTS)
 
+# The long tests that need no browser, then injuries at random moments.
 drills: $(VENV)/.installed-test
+	$(BIN)/python -m pytest $(ONE_BY_ONE) -n 2 -m long $(addprefix --ignore=,$(BROWSERS))
 	PYTHONPATH=tests $(BIN)/python -m drills --jobs 2 --out docs/drills.md
 
 soak: $(VENV)/.installed-test

@@ -1,4 +1,7 @@
-"""Every page in every state that a person meets, each opened from nothing by `PLACES[name](page, clinic)`."""
+"""Every page in every state that a person meets, each opened from nothing by `PLACES[name](page, clinic)`.
+
+A name without a comma is a page in its first state; "shirt, lamp" is another state of the page "shirt".
+"""
 
 from typing import Any
 
@@ -201,10 +204,10 @@ PLACES: dict[str, Open] = {
     "interface_test, over": interface_test_over,
     "attention": attention,
     "review": review(""),
-    "review, trial": review("/trial/{first}"),
+    "review trial": review("/trial/{first}"),
     "review, unread": unread,
     "review, comments": commented,
-    "review, compare": review("/compare/{first}/{second}"),
+    "review compare": review("/compare/{first}/{second}"),
     **SESSION_PLACES,
     "settings": at("settings"),
     "settings, pair": at("settings", "Pair a chair"),
@@ -222,9 +225,9 @@ PLACES: dict[str, Open] = {
     "backup": at("backup"),
     "backup, erase": erasure,
     "drive": opened("drive"),
-    "drive, tasks": opened("drive/tasks"),
-    "drive, chairs": opened("drive/chairs"),
-    "drive, screen": opened("drive/screen"),
+    "drive tasks": opened("drive/tasks"),
+    "drive chairs": opened("drive/chairs"),
+    "drive screen": opened("drive/screen"),
     "drive, pair a screen": at("drive/screen", "Pair a screen"),
     "drive, over": trial_over,
     "drive, runs": trial_runs,
@@ -237,10 +240,10 @@ PLACES: dict[str, Open] = {
     "tablet": document("tablet.html"),
     "share link, none": document("share.html"),
     "share link, PIN": document("share.html#a-link"),
-    "share link, opened": shared_records,
+    "share link": shared_records,
     "share link, help": shared_help,
     "docs": document("docs/"),
-    "docs, clinicians": document("docs/clinicians"),
+    "docs clinicians": document("docs/clinicians"),
     "other session": other_session,
     "no connection": no_connection,
     **ARCHIVE_PLACES,

@@ -205,11 +205,11 @@ SESSION_PLACES: dict[str, Open] = {
     "session, sign off": signing_session,
     "session, signed": signed_session,
     "session, note": revised_note,
-    "session, patient": opened("session/patient/1"),
+    "session patient": opened("session/patient/1"),
     "session, no sharing": without_sharing,
     "session, share link": share_link,
-    "session, compare": compared_sessions,
-    "session, story": opened("session/story/1"),
+    "session compare": compared_sessions,
+    "session story": opened("session/story/1"),
 }
 ARCHIVE_PLACES: dict[str, Open] = {
     "session, archive": archive_to_make,

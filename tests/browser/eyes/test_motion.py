@@ -6,7 +6,7 @@ from browser.eyes.places import PLACES, put_back
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
 
-NAMES = ("shirt", "calibrate, runs", "controls", "drive, over", "review, trial", "stereo", "tablet", "patient's screen")
+NAMES = ("shirt", "calibrate, runs", "controls", "drive, over", "review trial", "stereo", "tablet", "patient's screen")
 # What moves after everything that opens was turned over, and every switch was pressed.
 MOVES = """() => {
   document.querySelectorAll("details").forEach((one) => (one.open = !one.open));

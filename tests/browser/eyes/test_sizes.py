@@ -12,7 +12,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.timeout(600)]
 SIZES = ["768x1024", pytest.param("1280x800", marks=pytest.mark.long), pytest.param("390x844", marks=pytest.mark.long)]
 SHORT = (
     "sign_in", "patients, new", "shirt, open", "calibrate", "controls, open", "drive", "drive, stopped", "drive, over",
-    "interface_test, over", "review", "review, trial", "review, comments", "settings, paired", "plans", "plans, edit",
+    "interface_test, over", "review", "review trial", "review, comments", "settings, paired", "plans", "plans, edit",
     "people, invite", "log", "chair", "session, share link",
 )  # fmt: skip
 # A link within a sentence is a part of the text; a box beside words is touched by its words too.

@@ -37,7 +37,7 @@ def test_forced_colours_leave_bars_and_the_current_step(page, clinic):
 
 def test_forced_colours_leave_the_line_of_a_slider(page, clinic):
     look_as(page, ("1280x800", "forced"))
-    PLACES["review, trial"](page, clinic)
+    PLACES["review trial"](page, clinic)
     slider = picture(page, ".play-bar input[type=range]")
     right = slider[:, slider.shape[1] // 2 :]  # the handle is at the left
     assert contrast(right, np.zeros(3)).max() >= SEEN
