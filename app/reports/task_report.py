@@ -17,7 +17,6 @@ from app.scoring.verdict.measure_verdict import Verdict, Word, series_of
 from app.scoring.verdict.verdicts import SessionVerdicts, task_verdicts
 
 MOST_OWN, MOST_PAST = 10, 30  # trajectories of the newest session and of earlier ones: more could not be told apart
-_OF_CURVE = {"number", "session", "reached"}  # of a trial, besides the measure
 TONES: dict[Word, Tone] = {"better": "good", "worse": "bad", "within": "", "too few": ""}
 
 
@@ -30,12 +29,12 @@ def task_report(task: TaskMaterial, session: int | None, *, name_source: bool) -
     """
     rows = task.rows
     newest = max(row["session"] for row in rows)
-    found = task_verdicts(rows, task.clinic)
-    compared = _comparison(found.sessions, newest, course=session is None)
     names = leading_measures(rows[-1])
-    trajectories, words = _trajectories(task, session, compared)
     main = names[0] if names else "time"
-    curve = learning_curves([{name: row[name] for name in _OF_CURVE | {main} if name in row} for row in rows]).get(main)
+    found = task_verdicts(rows, task.clinic, [main])
+    compared = _comparison(found.sessions, newest, course=session is None)
+    trajectories, words = _trajectories(task, session, compared)
+    curve = learning_curves(rows, [main]).get(main)
     return TaskReport(
         title=task.title,
         lead=" ".join([f"{task.source}."] * name_source + [_trials_words(rows, session), _compared_words(compared)]),

@@ -1,7 +1,7 @@
 """Learning curves over trials, and plain sentences that describe them."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -92,7 +92,9 @@ def fit_learning_curve(n: Sequence[float], values: Sequence[float]) -> LearningC
     return LearningCurve(number, series, mann_kendall(values), tuple(curves))
 
 
-def learning_curves(trials: Sequence[Mapping[str, Any]], *, every_model: bool = False) -> dict[str, dict[str, Any]]:
+def learning_curves(
+    trials: Sequence[Mapping[str, Any]], names: Iterable[str] = MEASURES, *, every_model: bool = False
+) -> dict[str, dict[str, Any]]:
     """Return, for each measure that the trials have, sentences and the fitted curve, ready for JSON.
 
     Parameters
@@ -101,6 +103,8 @@ def learning_curves(trials: Sequence[Mapping[str, Any]], *, every_model: bool = 
         In the order driven; each has measures by name, and may have `number` (or `trial`), from 1, `session` (its
         number) and `reached`. A trial that did not reach the goal is left out: its distance, area and time are those
         of a part of the path.
+    names
+        The measures that are asked for; each takes some 10 ms.
     every_model
         Whether to return the curves that were not chosen, too.
 
@@ -112,9 +116,10 @@ def learning_curves(trials: Sequence[Mapping[str, Any]], *, every_model: bool = 
     "power", "level" or None) and "others": [{"form", "aicc_more", "n", "value", "low", "high"}], the better first.
     """
     curves: dict[str, dict[str, Any]] = {}
-    for name, measure in MEASURES.items():
+    for name in names:
         if not any(name in trial for trial in trials):
             continue
+        measure = MEASURES[name]
         rows = [
             (float(trial.get("number", trial.get("trial", index))), float(trial[name]), trial.get("session"))
             for index, trial in enumerate(trials, start=1)

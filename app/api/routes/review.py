@@ -4,13 +4,14 @@ from collections import Counter
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Query
+from pydantic import AfterValidator
 
 from app.api.deps import Anyone, PeopleParts, RowId
 from app.api.parts import Web
 from app.api.routes.source_view import RequestedGroup
 from app.quantities import Document
 from app.refusals import Conflict
-from app.scoring.learning import learning_curves
+from app.scoring.learning import MEASURES, learning_curves
 from app.scoring.verdict.verdicts import TaskVerdicts, TrialVerdicts, task_verdicts, trial_verdicts
 from app.session.clinic_spread import Task
 from app.source import SourceGroup
@@ -23,6 +24,12 @@ from app.store.tables import Trial
 router = APIRouter(tags=["review"])
 
 MOST_TRAJECTORIES = 30  # the newest; more could not be told apart
+
+
+def _known_measure(name: str) -> str:
+    if name not in MEASURES:
+        raise ValueError(f"is no measure: choose one of {', '.join(MEASURES)}")
+    return name
 
 
 class TrialLine(Document):
@@ -54,8 +61,9 @@ def learning(
     who: Anyone,
     parts: PeopleParts,
     web: Web,
+    measure: Annotated[str | None, AfterValidator(_known_measure)] = None,
 ) -> LearningView:
-    """Return the learning curve of a patient on one path."""
+    """Return the learning curve of a patient on one path; curves and deterioration in one measure or in every one."""
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
         every = counted_trials(db, who.clinic_id, patient_id, floorplan, path)
@@ -63,6 +71,7 @@ def learning(
     clinic = web.spread.of_others(Task(who.clinic_id, floorplan, path, source), patient_id)
     counted = [one for one in every if one.group == source]
     rows = [one.row() for one in counted]
+    names = list(MEASURES) if measure is None else [measure]
     newest = [one.trial for one in counted[-MOST_TRAJECTORIES:]]
     found = web.trajectories.all([web.runs.folder_of(trial.run_id) for trial in newest])
     lines = [
@@ -74,8 +83,8 @@ def learning(
         source=source,
         others=dict(Counter(one.group for one in every if one.group != source)),
         trials=rows,
-        curves=web.computing.ask(learning_curves, rows, every_model=True),
-        verdicts=web.computing.ask(task_verdicts, rows, clinic),
+        curves=web.computing.ask(learning_curves, rows, names, every_model=True),
+        verdicts=web.computing.ask(task_verdicts, rows, clinic, names),
         trajectories=lines,
         path=[(x, y) for x, y in counted[-1].trial.path_points] if counted else [],
     )

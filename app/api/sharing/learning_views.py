@@ -49,9 +49,8 @@ def _learning(
     web: WebParts, task: Task, patient_id: int, shown: list[CountedTrial], until: list[CountedTrial]
 ) -> TaskLearning:
     rows = [one.row() for one in shown]
-    compared = web.computing.ask(
-        task_verdicts, [one.row() for one in until], web.spread.of_others(task, patient_id)
-    ).sessions
+    clinic = web.spread.of_others(task, patient_id)
+    compared = web.computing.ask(task_verdicts, [one.row() for one in until], clinic, ()).sessions
     newest = [one.trial for one in shown[-MOST_TRAJECTORIES:]]
     lines = web.trajectories.all([web.runs.folder_of(trial.run_id) for trial in newest])
     return TaskLearning(

@@ -1,6 +1,6 @@
 """Whether a person's sessions have become worse than their learning curve foretells: a cumulative sum (CUSUM)."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 import numpy as np
 
@@ -56,15 +56,17 @@ def _surprise(before: Series, session: Series, clinic: Spread | None, least: flo
     return normal_score(float(session.value.mean() - foretold[0]), total)
 
 
-def deteriorations(rows: Rows, clinic: Mapping[str, Spread]) -> dict[str, str]:
-    """Return, for each measure that has become worse, a sentence that says since when, and what to do.
+def deteriorations(rows: Rows, clinic: Mapping[str, Spread], names: Collection[str] = COMPARISONS) -> dict[str, str]:
+    """Return, for each measure of `names` that has become worse, a sentence that says since when, and what to do.
 
     `rows` are a person's trials in one task, `clinic` the median spread of each measure.
     """
     found = {}
     for name, measure in COMPARISONS.items():
+        if name not in names or measure.better is None:
+            continue
         series, _ = series_of(rows, name)
-        if measure.better is None or not len(series.value):
+        if not len(series.value):
             continue
         *_, since = worse_since(series, clinic.get(name), measure.better, least_spread(name, series.value))
         if since is not None:

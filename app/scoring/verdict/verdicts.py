@@ -1,5 +1,7 @@
 """The verdicts of a person's trials in one task: one trial against an earlier one, a session against earlier ones."""
 
+from collections.abc import Collection
+
 from app.quantities import Document
 from app.scoring.verdict.deterioration import deteriorations
 from app.scoring.verdict.measure_comparison import COMPARISONS
@@ -54,10 +56,11 @@ def trial_verdicts(rows: Rows, clinic: ClinicSpreads, later: int, earlier: int |
     return TrialVerdicts(earlier=earlier, familiarisation=pair, verdicts=verdicts)
 
 
-def task_verdicts(rows: Rows, clinic: ClinicSpreads) -> TaskVerdicts:
-    """Compare the newest session with the one before and the first, and look for a deterioration.
+def task_verdicts(rows: Rows, clinic: ClinicSpreads, names: Collection[str] = COMPARISONS) -> TaskVerdicts:
+    """Compare the newest session with the one before and the first, and look for a deterioration in `names`.
 
-    `rows` and `clinic` as for `trial_verdicts`. Sessions without a trial that is compared do not count.
+    `rows` and `clinic` as for `trial_verdicts`. Sessions without a trial that is compared do not count. To look for a
+    deterioration takes ten times as long as the comparison: name the measures whose sentence is shown.
     """
     sessions = list(dict.fromkeys(row["session"] for row in rows if not row["familiarisation"]))
     if len(sessions) < 2:
@@ -73,7 +76,7 @@ def task_verdicts(rows: Rows, clinic: ClinicSpreads) -> TaskVerdicts:
                 verdicts[name] = verdict
         pair = _count(rows, earlier), _count(rows, sessions[-1])
         compared.append(SessionVerdicts(earlier=earlier, later=sessions[-1], trials=pair, verdicts=verdicts))
-    return TaskVerdicts(sessions=compared, deterioration=deteriorations(rows, clinic))
+    return TaskVerdicts(sessions=compared, deterioration=deteriorations(rows, clinic, names))
 
 
 def _count(rows: Rows, session: int) -> int:

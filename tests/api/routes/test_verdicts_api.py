@@ -47,10 +47,10 @@ def store_course_of_one(db: Any, clinic: int, patient: int, plan: FloorPlan) -> 
     return store_course(db, clinic, patient, plan, [[measures(3.0)]], WORN)[0]
 
 
-def task(clinic: Any) -> Any:
+def task(clinic: Any, **more: str) -> Any:
     plan = find_place(PLAN)
     assert isinstance(plan, FloorPlan)
-    query = {"floorplan": PLAN, "path": plan.paths[0].name}
+    query = {"floorplan": PLAN, "path": plan.paths[0].name, **more}
     return clinic.good("GET", f"/patients/{clinic.heron}/learning", params=query)
 
 
@@ -62,6 +62,18 @@ def test_the_newest_session_is_better_than_noise_and_the_first_trials_of_a_day_d
     assert before["verdicts"]["e_diff"]["word"] == first["verdicts"]["e_diff"]["word"] == "better"
     assert before["verdicts"]["time"]["word"] == "within"
     assert answer["verdicts"]["deterioration"] == {}
+
+
+def test_the_curve_of_one_measure_is_that_of_all_of_them(course: Any) -> None:
+    every, one = task(course), task(course, measure="e_diff")
+    assert one["curves"] == {"e_diff": every["curves"]["e_diff"]}
+    assert len(every["curves"]) > 1
+    assert {**one, "curves": None} == {**every, "curves": None}
+    refused = course(
+        "GET", f"/patients/{course.heron}/learning", params={"floorplan": PLAN, "path": "x", "measure": "E_diff"}
+    )
+    assert refused.status_code == 422
+    assert "is no measure: choose one of dist, " in refused.json()["detail"]
 
 
 def test_a_trial_has_its_verdict_against_the_one_before_and_against_a_chosen_one(course: Any) -> None:

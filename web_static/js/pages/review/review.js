@@ -73,10 +73,11 @@ export async function show(app, root, { signal, rest }) {
     choosePath();
     chooseMeasure();
     const where = `floorplan=${encodeURIComponent(path.floorplan)}&path=${encodeURIComponent(path.name)}&source=${group}`;
+    const curve = MEASURES[measure] ? `&measure=${measure}` : "";
     chooseGroup();
     const known = plans.some(({ name }) => name === path.floorplan);
     const [answer, plan] = await Promise.all([
-      app.api.get(`/patients/${patient.id}/learning?${where}`),
+      app.api.get(`/patients/${patient.id}/learning?${where}${curve}`),
       known ? app.api.get(`/floorplans/${path.floorplan}`) : null,
     ]);
     if (until.aborted) return;
