@@ -34,6 +34,7 @@ PARTS = {
     "stop": Part("bench.web.stop", "measure_stop", "Stop on the tablet to the frame that stops a real chair"),
     "flood": Part("bench.web.busy", "measure_flood", "Stop on the tablet while 40 people sign in"),
     "pages": Part("bench.web.busy", "measure_first_pages", "Stop on the tablet while pages are opened first"),
+    "records": Part("bench.web.busy", "measure_records", "Stop on the tablet while records are made and reviewed"),
     "period": Part("bench.period", "measure_period", "how evenly a real chair is told, under load and junk"),
     "decode": Part("bench.chain", "measure_decode", "decoding a recording"),
     "fit": Part("bench.fit", "measure_fit", "fitting a calibration"),

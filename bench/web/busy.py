@@ -9,7 +9,7 @@ import numpy as np
 from app.clock import MonotonicClock, monotonic
 from bench.children import ask, started
 from bench.row import Row
-from bench.web.clinic import furnish_clinic
+from bench.web.clinic import furnish_clinic, furnish_course
 from bench.web.stop import request, served
 
 SIGN_INS = 40  # at once
@@ -29,6 +29,12 @@ def measure_first_pages(runs: int = RUNS, rounds: int = ROUNDS, stops: int = STO
     """Return the same ratio while pages are opened for which the computing process has to start and load libraries."""
     what = "Stop while pages are opened for the first time: p99 over that without"
     return [_row(what, REACH_PAGES, "bench.processes.first_pages", furnish_clinic, runs, rounds, stops)]
+
+
+def measure_records(runs: int = RUNS, rounds: int = ROUNDS, stops: int = STOPS) -> list[Row]:
+    """Return the same ratio while a report of a course and an export are made, and a review is opened."""
+    what = "Stop while a report, an export and a review are made: p99 over that without"
+    return [_row(what, REACH_PAGES, "bench.processes.first_pages", furnish_course, runs, rounds, stops)]
 
 
 def _row(

@@ -1,19 +1,26 @@
-"""A clinic with trials for a benchmark."""
+"""Clinics with trials for a benchmark."""
 
 import math
 from pathlib import Path
 
+from sqlalchemy import select
+
 from app.cli.demonstration import furnish
+from app.clock import utc_now
 from app.settings import Settings, data_folder
-from app.source import Source
+from app.source import STUDY_SOURCE, Source
 from app.store.database import Database
 from app.store.parameters import current_parameters
 from app.store.patients import end_session, open_session
 from app.store.people import add_person, sign_in, the_clinic
+from app.store.records.consents import give_consent
 from app.store.runs import add_run, add_trial, finish_trial
+from app.store.tables import Trial
 from app.world.floorplan import load_floorplan
+from bench.course import PLAN, store_course
 
 TRIALS = 22  # as in the paper
+SESSIONS = 10  # of a course
 SIMULATED = Source(shirt="simulator", body="person", chair="virtual", simulated=True)
 
 
@@ -49,3 +56,21 @@ def furnish_clinic(state: Path) -> list[str]:
     database.close()
     learning = f"learning?floorplan={plan.name}&path={path.name}&source={SIMULATED.group}"
     return [token, f"/patients/{session.patient_id}/{learning}"]
+
+
+def furnish_course(state: Path) -> list[str]:
+    """Make a clinic with a course of 10 sessions; return the token of a sign-in, a report, an export and a review."""
+    settings = Settings(state=state)
+    database = Database(settings.database)
+    store_course(database, settings.runs, SESSIONS)
+    with database.transaction() as db:
+        clinic = the_clinic(db)
+        if clinic is None:
+            raise RuntimeError("the clinic of the benchmark was not made")
+        give_consent(db, 1, "sharing", utc_now().date(), "bench")
+        token = sign_in(db, add_person(db, clinic, "Ada", "owner", None), "bench")
+        path = db.scalars(select(Trial.path)).first()
+    database.close()
+    review = f"learning?floorplan={PLAN}&path={path}&source={STUDY_SOURCE.group}&measure=e_diff"
+    pages = ("report?form=pdf", f"export?form=csv&session={SESSIONS}", review)
+    return [token, *(f"/patients/1/{page}" for page in pages)]

@@ -12,13 +12,15 @@ from recorded_trial import store_trial
 
 from app.api.sign_in.identity import COOKIE
 from app.cli.demonstration import furnish
-from app.clock import monotonic
+from app.clock import monotonic, utc_now
 from app.settings import Settings, data_folder
 from app.source import Source
 from app.store.database import Database
 from app.store.parameters import current_parameters
 from app.store.patients import open_session
 from app.store.people import add_person, find_person, sign_in, the_clinic
+from app.store.records.consents import give_consent
+from app.store.runs import close_run
 from app.world.floorplan import load_floorplan
 
 PLAN = load_floorplan(data_folder() / "floorplans" / "apartment.json")
@@ -33,6 +35,9 @@ PAGES = (
     "/patients/1/maps",
     "/adaptation",
     "/log/check",
+    "/sessions/1/story",
+    "/patients/1/report?form=pdf",
+    "/patients/1/export?form=fhir",
 )
 SLOW = ("pandas", "pyarrow", "scipy", "sklearn")  # libraries that answers are computed with
 BUSY = 0.1  # s: a machine that is late by so much may stop the chair
@@ -53,6 +58,8 @@ def furnish_with_trials(settings: Settings) -> str:
         for number in range(TRIALS):
             measures = {"reached": True, "e_diff": 1.0 + math.exp(-number / 3), "time": 60.0}
             store_trial(db, f"run{number}", (session, row), PLAN, SIMULATED, measures)
+            close_run(db, f"run{number}", None, None)
+        give_consent(db, session.patient_id, "sharing", utc_now().date(), "Ada")
         person = find_person(db, "Ada")
         assert person is not None
         token = sign_in(db, person, "test")

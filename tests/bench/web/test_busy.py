@@ -1,4 +1,4 @@
-from bench.web.busy import measure_first_pages, measure_flood
+from bench.web.busy import measure_first_pages, measure_flood, measure_records
 
 
 def test_stops_are_timed_without_and_with_sign_ins_under_way():
@@ -12,3 +12,10 @@ def test_stops_are_timed_while_pages_are_opened_for_the_first_time():
     (row,) = measure_first_pages(runs=1, rounds=1, stops=20)
     assert row.figure > 0
     assert '{"200": ' in row.details
+
+
+def test_stops_are_timed_while_records_are_made():
+    (row,) = measure_records(runs=1, rounds=1, stops=40)
+    assert row.figure > 0
+    assert '{"200": ' in row.details
+    assert row.details.count(": ") == 2  # all answers had that status
