@@ -149,6 +149,9 @@ def _secret_to_read(source: Path) -> "Secret | None":
     from app.backup.restoring import needs_passphrase
     from app.backup.sealing import secret_of
 
+    newest = max(source.glob("*.backup"), default=None)  # the names of a folder begin with the time
+    if newest is not None:
+        raise InputError(f"{source} is a folder of backups: name one of its files; the newest is {newest}.")
     if not source.is_file():
         raise InputError(f"There is no backup {source}: name a file.")
     try:

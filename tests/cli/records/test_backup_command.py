@@ -68,6 +68,10 @@ def test_a_folder_with_a_passphrase(
     file = f"stick/{json.loads(out)['name']}"
     assert bodydrive("backup", "stick", "--state", "clinic")[0] == 0  # the folder says that it is encrypted
     (file,) = [f"stick/{one.name}" for one in (tmp_path / "stick").glob("*.backup")]
+    for words in (("restore", "stick", "--state", "new"), ("backup", "stick", "--check")):
+        code, _, err = bodydrive(*words)
+        assert code == 2
+        assert err.endswith(f"stick is a folder of backups: name one of its files; the newest is {file}.\n")
     assert bodydrive("restore", file, "--state", "new")[0] == 0
     monkeypatch.setenv("BODYDRIVE_PASSPHRASE", "this is another one")
     assert "passphrase is wrong" in bodydrive("restore", file, "--state", "newer")[2]
