@@ -19,7 +19,7 @@ export function sessionVerdicts({ verdicts: { sessions, deterioration } }, measu
     worse && h("p", { class: "problem" }, worse),
     sessions.length === 0 && h("p", { class: "quiet" }, t("verdict.none")),
     sessions.map((one) => comparison(one, measure)),
-    noiseNote(),
+    sessions.length > 0 && noiseNote(),
   );
 }
 
