@@ -3514,6 +3514,40 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/patients/{patient_id}/trajectories": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["TrajectoriesView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/trials/{trial_id}/verdicts": {
         parameters: {
             query?: never;
@@ -6187,11 +6221,6 @@ export interface components {
                 [key: string]: unknown;
             };
             verdicts: components["schemas"]["TaskVerdicts"];
-            trajectories: components["schemas"]["TrialLine"][];
-            path: [
-                number,
-                number
-            ][];
         };
         LevelView: {
             name: string;
@@ -7064,6 +7093,13 @@ export interface components {
         TitleChoice: {
             title: string;
         };
+        TrajectoriesView: {
+            trajectories: components["schemas"]["TrialLine"][];
+            path: [
+                number,
+                number
+            ][];
+        };
         TrajectoryView: {
             t: number[];
             x: number[];
@@ -7442,6 +7478,7 @@ export type TaskLearning = components['schemas']['TaskLearning'];
 export type TaskVerdicts = components['schemas']['TaskVerdicts'];
 export type Timeline = components['schemas']['Timeline'];
 export type TitleChoice = components['schemas']['TitleChoice'];
+export type TrajectoriesView = components['schemas']['TrajectoriesView'];
 export type TrajectoryView = components['schemas']['TrajectoryView'];
 export type TrialDetail = components['schemas']['TrialDetail'];
 export type TrialLine = components['schemas']['TrialLine'];

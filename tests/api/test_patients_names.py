@@ -10,14 +10,15 @@ from fake_clinic import Clinic
 from app.settings import Settings
 
 PATIENT = {"code": "P-77", "pseudonym": "Bartailed", "note": "likes the window"}
-# What an address may hold besides numbers: names of plans and their paths, of objects and files, a step of the
-# calibration, a role, a source of signals, a choice, the form of a file, and random words. `person` is one who may sign
-# in: never a patient.
+# What an address may hold besides numbers: names of plans and their paths, of measures, objects and files, a step of
+# the calibration, a role, a source of signals, a choice, the form of a file, and random words. `person` is one who may
+# sign in: never a patient.
 WORDS_OF_ADDRESSES = {
     *(
         "name",
         "floorplan",
         "path",
+        "measure",
         "kind",
         "identity",
         "step",

@@ -105,6 +105,7 @@ FOR_REVIEWERS = {
     "GET /drives",
     "GET /drives/summary",
     "GET /patients/{patient_id}/learning",
+    "GET /patients/{patient_id}/trajectories",
     "GET /patients/{patient_id}/next-task",
     "GET /patients/{patient_id}/quality",
     "GET /patients/{patient_id}/maps",

@@ -17,7 +17,11 @@ from app.api.sign_in.identity import COOKIE
 PAGES = {  # what a page asks for; of another patient each time
     "patients' list": ("/patients",),
     "who needs attention": ("/attention",),
-    "review of a patient": ("/trials?patient={patient}", "/patients/{patient}/learning?{task}&measure=e_diff"),
+    "review of a patient": (
+        "/trials?patient={patient}",
+        "/patients/{patient}/learning?{task}&measure=e_diff",
+        "/patients/{patient}/trajectories?{task}",
+    ),
     "quality of control": ("/patients/{patient}/quality?{task}",),
     "a trial": ("/trials/{trial}", "/trials/{trial}/verdicts"),
     "replay of a trial": ("/trials/{trial}/timeline",),

@@ -9,13 +9,15 @@ from pydantic import AfterValidator
 from app.api.deps import Anyone, PeopleParts, RowId
 from app.api.parts import Web
 from app.api.routes.source_view import RequestedGroup
+from app.api.sign_in.identity import SignedInPerson
 from app.quantities import Document
 from app.refusals import Conflict
 from app.scoring.learning import MEASURES, learning_curves
 from app.scoring.verdict.verdicts import TaskVerdicts, TrialVerdicts, task_verdicts, trial_verdicts
 from app.session.clinic_spread import Task
 from app.source import SourceGroup
-from app.store.learning_trials import counted_trials
+from app.store.database import Database
+from app.store.learning_trials import CountedTrial, counted_trials
 from app.store.log import log_viewing
 from app.store.patients import find_patient
 from app.store.runs import find_trial
@@ -23,6 +25,7 @@ from app.store.tables import Trial
 
 router = APIRouter(tags=["review"])
 
+PlaceName = Annotated[str, Query(max_length=64)]
 MOST_TRAJECTORIES = 30  # the newest; more could not be told apart
 
 
@@ -41,13 +44,18 @@ class TrialLine(Document):
 
 
 class LearningView(Document):
-    """Kept trials of one source on one path over all sessions, with learning curves and trajectories."""
+    """Kept trials of one source on one path over all sessions, with learning curves."""
 
     source: SourceGroup  # of all that is shown; trials of another one are in no curve with these
     others: dict[SourceGroup, int]  # how many kept trials there are of the other sources
     trials: list[dict[str, Any]]
     curves: dict[str, Any]
     verdicts: TaskVerdicts
+
+
+class TrajectoriesView(Document):
+    """The trajectories of the newest kept trials of one source on one path, and the path as it was driven last."""
+
     trajectories: list[TrialLine]
     path: list[tuple[float, float]]
 
@@ -55,8 +63,8 @@ class LearningView(Document):
 @router.get("/patients/{patient_id}/learning")
 def learning(
     patient_id: RowId,
-    floorplan: Annotated[str, Query(max_length=64)],
-    path: Annotated[str, Query(max_length=64)],
+    floorplan: PlaceName,
+    path: PlaceName,
     source: RequestedGroup,
     who: Anyone,
     parts: PeopleParts,
@@ -64,30 +72,51 @@ def learning(
     measure: Annotated[str | None, AfterValidator(_known_measure)] = None,
 ) -> LearningView:
     """Return the learning curve of a patient on one path; curves and deterioration in one measure or in every one."""
-    with parts.database.transaction(closing=True) as db:
-        find_patient(db, who.clinic_id, patient_id)
-        every = counted_trials(db, who.clinic_id, patient_id, floorplan, path)
-        log_viewing(db, who.name, patient_id)
+    every = _counted(parts.database, who, patient_id, floorplan, path)
     clinic = web.spread.of_others(Task(who.clinic_id, floorplan, path, source), patient_id)
     counted = [one for one in every if one.group == source]
     rows = [one.row() for one in counted]
     names = list(MEASURES) if measure is None else [measure]
-    newest = [one.trial for one in counted[-MOST_TRAJECTORIES:]]
-    found = web.trajectories.all([web.runs.folder_of(trial.run_id) for trial in newest])
-    lines = [
-        TrialLine(number=trial.number, x=line.x, y=line.y)
-        for trial, line in zip(newest, found, strict=True)
-        if line is not None
-    ]
     return LearningView(
         source=source,
         others=dict(Counter(one.group for one in every if one.group != source)),
         trials=rows,
         curves=web.computing.ask(learning_curves, rows, names, every_model=True),
         verdicts=web.computing.ask(task_verdicts, rows, clinic, names),
-        trajectories=lines,
-        path=[(x, y) for x, y in counted[-1].trial.path_points] if counted else [],
     )
+
+
+@router.get("/patients/{patient_id}/trajectories")
+def trajectories(
+    patient_id: RowId,
+    floorplan: PlaceName,
+    path: PlaceName,
+    source: RequestedGroup,
+    who: Anyone,
+    parts: PeopleParts,
+    web: Web,
+) -> TrajectoriesView:
+    """Return the newest trajectories of a patient on one path; recordings that were not read before take a moment."""
+    every = _counted(parts.database, who, patient_id, floorplan, path)
+    newest = [one.trial for one in every if one.group == source][-MOST_TRAJECTORIES:]
+    found = web.trajectories.all([web.runs.folder_of(trial.run_id) for trial in newest])
+    return TrajectoriesView(
+        trajectories=[
+            TrialLine(number=trial.number, x=line.x, y=line.y)
+            for trial, line in zip(newest, found, strict=True)
+            if line is not None
+        ],
+        path=[(x, y) for x, y in newest[-1].path_points] if newest else [],
+    )
+
+
+def _counted(database: Database, who: SignedInPerson, patient_id: int, floorplan: str, path: str) -> list[CountedTrial]:
+    """Return the kept trials of a patient on one path, and log who views them."""
+    with database.transaction(closing=True) as db:
+        find_patient(db, who.clinic_id, patient_id)
+        found = counted_trials(db, who.clinic_id, patient_id, floorplan, path)
+        log_viewing(db, who.name, patient_id)
+    return found
 
 
 @router.get("/trials/{trial_id}/verdicts")

@@ -64,11 +64,14 @@ def test_by_hand_discard_keep_and_the_learning_page(ready: Any) -> None:
         assert (ended["id"], ended["end"], ended["number"]) == (trial["id"], "by hand", number)
         assert ready.process.run == 0
     assert ready("POST", "/trials/current/end", json={"reason": "by hand"}).status_code == 409
-    page = f"/patients/{ready.patient['id']}/learning?floorplan={ready.where['floorplan']}&path={ready.where['path']}"
+    task = f"floorplan={ready.where['floorplan']}&path={ready.where['path']}"
+    page = f"/patients/{ready.patient['id']}/learning?{task}"
     learning = ready.good("GET", page)
     assert [row["number"] for row in learning["trials"]] == [1, 2]
     assert learning["curves"]["dist"]["fit"] is None
-    assert len(learning["trajectories"]) == 2
+    drawn = ready.good("GET", f"/patients/{ready.patient['id']}/trajectories?{task}")
+    assert [line["number"] for line in drawn["trajectories"]] == [1, 2]
+    assert len(drawn["path"]) >= 2
     assert ready("POST", f"/trials/{trial['id']}/discard", json={"reason": ""}).status_code == 422
     assert ready.good("POST", f"/trials/{trial['id']}/discard", json={"reason": "tired"})["kept"] is False
     assert [row["number"] for row in ready.good("GET", page)["trials"]] == [1]

@@ -6,10 +6,10 @@ const AROUND = 0.8; // m of the building shown around what was driven
 
 /**
  * @typedef {import("../plan/floor_plan.js").Point} Point
- * @param {Pick<import("types/api").LearningView, "trajectories" | "path">} learning
+ * @param {import("types/api").TrajectoriesView} driven
  * @param {Pick<import("../plan/floor_plan.js").FloorPlan, "walls"> | null} plan @param {AbortSignal} signal
  */
-export function trajectoriesChart(learning, plan, signal) {
+export function trajectoriesChart(driven, plan, signal) {
   return chart(t("review.trajectories"), signal, (colours) => {
     const wall = {
       mode: "lines",
@@ -19,9 +19,9 @@ export function trajectoriesChart(learning, plan, signal) {
     };
     /** @type {PlotlyTrace[]} */
     const traces = (plan?.walls ?? []).map((line) => ({ ...wall, ...columns(line) }));
-    const newest = learning.trajectories.length - 1;
-    const share = Math.max(0.4, 1 / Math.max(1, learning.trajectories.length ** 0.4));
-    learning.trajectories.forEach((one, i) =>
+    const newest = driven.trajectories.length - 1;
+    const share = Math.max(0.4, 1 / Math.max(1, driven.trajectories.length ** 0.4));
+    driven.trajectories.forEach((one, i) =>
       traces.push({
         mode: "lines",
         x: one.x,
@@ -36,8 +36,8 @@ export function trajectoriesChart(learning, plan, signal) {
         hovertemplate: `${t("review.trial")} ${one.number}<extra></extra>`,
       }),
     );
-    const path = columns(learning.path);
-    if (learning.path.length)
+    const path = columns(driven.path);
+    if (driven.path.length)
       traces.push({
         mode: "lines",
         ...path,
@@ -46,8 +46,8 @@ export function trajectoriesChart(learning, plan, signal) {
         hoverinfo: "skip",
       });
     const all = {
-      x: [...path.x, ...learning.trajectories.flatMap(({ x }) => x)],
-      y: [...path.y, ...learning.trajectories.flatMap(({ y }) => y)],
+      x: [...path.x, ...driven.trajectories.flatMap(({ x }) => x)],
+      y: [...path.y, ...driven.trajectories.flatMap(({ y }) => y)],
     };
     /** @param {string} words @param {number[]} values */
     const axis = (words, values) => ({

@@ -73,23 +73,28 @@ export async function show(app, root, { signal, rest }) {
     choosePath();
     chooseMeasure();
     const where = `floorplan=${encodeURIComponent(path.floorplan)}&path=${encodeURIComponent(path.name)}&source=${group}`;
-    const curve = MEASURES[measure] ? `&measure=${measure}` : "";
+    const ofMeasure = MEASURES[measure] ? `&measure=${measure}` : "";
     chooseGroup();
     const known = plans.some(({ name }) => name === path.floorplan);
     const [answer, plan] = await Promise.all([
-      app.api.get(`/patients/${patient.id}/learning?${where}${curve}`),
+      app.api.get(`/patients/${patient.id}/learning?${where}${ofMeasure}`),
       known ? app.api.get(`/floorplans/${path.floorplan}`) : null,
     ]);
     if (until.aborted) return;
     const learning = /** @type {Learning} */ (answer);
-    const charts = await Promise.all([curveCard(learning, measure, opens, until), trajectoriesChart(learning, plan, until)]);
+    const curve = await curveCard(learning, measure, opens, until);
     if (until.aborted) return;
     const counts = learning.trials.length > 0;
     const quality = h("div", {});
+    const trajectories = h("div", { class: "chart" });
     /** @param {unknown} error */
     const fail = (error) => until.aborted || app.toasts.show(failureWords(error));
-    // The server may have to read old recordings for it, so the curve is drawn first.
-    if (counts) qualitySection(app, patient, where, until).then((one) => put(quality, one), fail);
+    // The server may have to read old recordings for these, so the curve is drawn first.
+    if (counts) {
+      const made = app.api.get(`/patients/${patient.id}/trajectories?${where}`);
+      made.then((lines) => trajectoriesChart(lines, plan, until)).then((one) => trajectories.replaceWith(one), fail);
+      qualitySection(app, patient, where, until).then((one) => put(quality, one), fail);
+    }
     put(
       place,
       counts && sessionVerdicts(learning, measure),
@@ -97,8 +102,8 @@ export async function show(app, root, { signal, rest }) {
         h(
           "div",
           { class: learning.trials.length > WIDE ? "charts wide" : "charts" },
-          charts[0],
-          h("section", { class: "card" }, h("h2", {}, t("review.trajectories"), " ", groupMark(learning.source)), charts[1]),
+          curve,
+          h("section", { class: "card" }, h("h2", {}, t("review.trajectories"), " ", groupMark(learning.source)), trajectories),
         ),
       !counts && h("p", { class: "card quiet" }, t(Object.keys(learning.others).length ? "review.other-source" : "review.no-kept")),
       quality,
