@@ -65,6 +65,8 @@ def test_a_change_has_one_word_on_every_page(served, browser, page_log):
     expect(card.locator("b.change.good").first).to_contain_text("better than noise")
     expect(page.locator(".trials tbody tr").filter(has_text="getting used to it")).to_have_count(12)
     expect(page.locator(".trials")).not_to_contain_text(re.compile(r"\d\d\.\d\d m²"))
+    curve = page.locator(".js-plotly-plot").first
+    assert curve.evaluate("(chart) => chart.layout.yaxis.range[1]") < 8  # the 65 m2 that do not count take no room
     card.locator("summary").first.click()
     expect(card.locator("tbody tr").filter(has_text="Time").first).to_contain_text("within noise")
     keep("review")

@@ -21,7 +21,7 @@ export function curveChart(learning, measure, fit, open, signal) {
   const title = [t(`measure.${measure}`), unit && `(${unit})`].filter(Boolean).join(" ");
   // The fitted band may be far wider than all that was measured: it does not count.
   const values = [
-    ...rows.map((row) => inUnit(measure, measured(row, measure))),
+    ...rows.map((row) => (comparable(measure, row) ? inUnit(measure, measured(row, measure)) : below(rows, measure))),
     ...(fit?.value ?? []).map((value) => inUnit(measure, value)),
     ...(measure === "dist" && rows.length ? [Number(rows[rows.length - 1].path_length)] : []),
   ];
