@@ -31,4 +31,6 @@ def test_sign_in_view_export_change_arming_and_stop_are_in_the_log(calibrated: A
         assert done[what].person == me["name"], what
         assert began <= done[what].at <= utc_now() + timedelta(seconds=1), what
     check = calibrated.good("GET", "/log/check")
-    assert (check["whole"], check["rows"]) == (True, len(calibrated.log()))
+    assert check["whole"]
+    # The live process writes rows of its own: some may come while the check runs, or after it.
+    assert before + len(rows) <= check["rows"] <= len(calibrated.log())
