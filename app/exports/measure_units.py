@@ -16,7 +16,7 @@ MEASURES: dict[str, tuple[str, str]] = {
     "stages_done": ("Number of stages done", "1"),
     "follow_error_rms": ("Root mean square error of the distance to the leader", "m"),
     "follow_error_max": ("Largest error of the distance to the leader", "m"),
-    "follow_near": ("Share of the time near the wanted distance", "1"),
+    "follow_near": ("Share of the time near the asked distance", "1"),
     "heading_error_deg": ("Error of the heading", "deg"),
     "turn_drift": ("Largest distance from the place of the turn", "m"),
     "cones_touched": ("Number of cones touched", "1"),

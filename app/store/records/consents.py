@@ -18,8 +18,8 @@ CONSENTS: tuple[Consent, ...] = ("recording", "clinic_prior", "sharing")
 NEEDED: dict[str, str] = {
     "recording": "{code} has not consented to recording: ask, and enter the date on the page of consents. Practice "
     "with the simulated shirt needs no consent.",
-    "clinic_prior": "{code} has not consented to the use of trials for the clinic's prior: ask, and enter the date on "
-    "the page of consents.",
+    "clinic_prior": "{code} has not consented to the use for other patients of the clinic: ask, and enter the date "
+    "on the page of consents.",
     "sharing": "{code} has not consented to sharing outside the clinic: ask, and enter the date on the page of "
     "consents.",
 }

@@ -87,7 +87,7 @@ export default {
   },
   "result.maps.in-phase": "Drive that comes with the asked movement",
   "result.maps.hit": "How much of the movement drives",
-  "result.maps.false": "Drive while at rest, a minute",
+  "result.maps.false": "Drives at rest, times a minute",
   "result.maps.kept": "The standard calibration drives: the one learnt from the cues would not be better for this joint.",
   "result.maps.details": "The standard calibration is the main direction of the movement (PCA), the other a linear map guided by the cues.",
   "result.bar": "{joint}: clear main movement {percent}; the study had 80 to 90 %",

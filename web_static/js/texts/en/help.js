@@ -8,7 +8,7 @@ export default {
   "first.reviewer.title": "Three things, the first time",
   "first.reviewer.stop": "STOP, on every page, stops the chair at once: also for you, from elsewhere.",
   "first.reviewer.patients": "Patient: the sessions of each patient, with the story of what was done and said.",
-  "first.reviewer.review": "Review: whom to look at, whether last week was better, told apart from chance, and your comments on a replay.",
+  "first.reviewer.review": "Review: who to look at, whether last week was better, told apart from chance, and your comments on a replay.",
   "first.done": "Got it",
   "help.close": "Close",
   "help.more": "More in the pages for clinicians",
