@@ -1770,6 +1770,40 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/calibration/fit-earlier": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["CalibrationView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/calibration/accept": {
         parameters: {
             query?: never;
@@ -5430,6 +5464,8 @@ export interface components {
             } | null;
             others: number;
             may_drive_now: boolean;
+            earlier: components["schemas"]["EarlierView"] | null;
+            may_fit_earlier: boolean;
         };
         CameraChoice: {
             view?: ("eye" | "chase" | "top" | "free") | null;
@@ -5764,6 +5800,10 @@ export interface components {
             radius: number;
             /** @default 2 */
             height: number;
+        };
+        EarlierView: {
+            version: number;
+            created: string;
         };
         Effect: {
             seconds: number;
@@ -7315,6 +7355,7 @@ export type DraftView = components['schemas']['DraftView'];
 export type DriveParameters = components['schemas']['DriveParameters'];
 export type DriveView = components['schemas']['DriveView'];
 export type Dune = components['schemas']['Dune'];
+export type EarlierView = components['schemas']['EarlierView'];
 export type Effect = components['schemas']['Effect'];
 export type EndTrial = components['schemas']['EndTrial'];
 export type EquipmentView = components['schemas']['EquipmentView'];

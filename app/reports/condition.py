@@ -18,7 +18,12 @@ MODE_WORDS: Final = {
     "mode_u1": {"acceleration": "cruises on", "velocity": "follows the movement"},
     "mode_u2": {"acceleration": "goes on", "velocity": "follows the movement"},
 }
-ORIGIN_WORDS: Final = {"calibration": "", "adaptation": ", adapted", "back": ", taken back"}
+ORIGIN_WORDS: Final = {
+    "calibration": "",
+    "adaptation": ", adapted",
+    "donning": ", fitted to how the shirt sat",
+    "back": ", taken back",
+}
 METHOD_WORDS: Final = {"pca": "standard", "guided": "learnt from the cues", "prior": "learnt from other people"}
 NO_TABLE: Final = Table((), ())
 CONTROLS_HEAD: Final = ("Control", "Movement", "Counts from", "Full at", "Gain")

@@ -35,7 +35,7 @@ def sensor_warnings(trial: TrialAssessment) -> list[ControlWarning]:
                 joint=where,
                 words=f"The shirt sits otherwise than when it was calibrated: {len(outside)} sensors ({where}) lay "
                 f"outside their calibrated range in trial {trial.number}, and these joints' gestures did nothing.",
-                advice="Set the shirt straight. When it was put on again, calibrate again.",
+                advice="Set the shirt straight. When it was put on again, fit the calibration to it: see Calibrate.",
             )
         )
     return warnings

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from app.calibration.adaptation.donning_fit import fit_to_donning
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import Repetition, Stretch, repetitions_of_run, stretch_of_run
 from app.calibration.guided.guided_map import with_guided_maps
@@ -15,7 +16,7 @@ from app.calibration.prior.map_prior import MapPrior
 from app.calibration.prior.prior_map import decoded_by_others, with_prior_maps
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
-from app.calibration.vocabulary import recorded_parameters
+from app.calibration.vocabulary import DriveParameters, recorded_parameters
 from app.faults import State
 from app.layout import ShirtLayout
 from app.recording.reader import Columns, read_run
@@ -62,6 +63,17 @@ def fit_recordings(
     if prior is None:
         return profile
     return decoded_by_others(with_prior_maps(profile, prior, pieces.free, pieces.stretches).profile)
+
+
+def fit_recordings_to_donning(
+    parameters: DriveParameters,
+    calibrated: CalibrationProfile,
+    recorded: list[tuple[Step, Path]],
+    prior: MapPrior | None,
+) -> DriveParameters:
+    """Return the parameters for the shirt as it sits in the recorded free movement; ValueError when they cannot be."""
+    pieces = _pieces([(step, folder) for step, folder in recorded if step.kind == "free"])
+    return fit_to_donning(parameters, calibrated, pieces.free, pieces.sample_rate, prior)
 
 
 def entry_of_recordings(layout: ShirtLayout, recorded: list[tuple[Step, Path]]) -> PersonEntry:

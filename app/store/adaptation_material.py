@@ -9,7 +9,7 @@ from sqlalchemy.orm import Session
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
 from app.scoring.map_losses.trial_history import MOST_TRIALS
-from app.store.map_versions import family, version_row
+from app.store.map_versions import calibration_behind, family
 from app.store.parameters import as_document, current_parameters
 from app.store.tables import Parameters, Patient, Profile, Run, Trial
 
@@ -62,7 +62,7 @@ def material_for(db: Session, patient_id: int, session_id: int, *, simulated: bo
     last = [(trial, version) for trial, version, _ in newest if trial.session_id == session_id][:LAST_TRIALS][::-1]
     return AdaptationMaterial(
         as_document(row, profile),
-        CalibrationProfile.model_validate(version_row(db, patient_id, min(versions)).document),
+        calibration_behind(db, profile),
         tuple(trial.id for trial, _ in last),
         [trial.run_id for trial, _ in last],
         sum(version == profile.version for _, version in last),

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from datetime import datetime
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from sqlalchemy import select
 from sqlalchemy.orm import Session
@@ -22,7 +22,7 @@ class MapVersion(NamedTuple):
     """One version of a patient's map."""
 
     version: int
-    origin: str  # calibration, adaptation, back
+    origin: str  # calibration, adaptation, donning, back
     parent: int | None
     difference: dict[str, Any] | None
     created: datetime
@@ -30,7 +30,13 @@ class MapVersion(NamedTuple):
 
 
 def save_adapted(
-    db: Session, patient_id: int, session_id: int, adapted: DriveParameters, difference: dict[str, Any]
+    db: Session,
+    patient_id: int,
+    session_id: int,
+    adapted: DriveParameters,
+    difference: dict[str, Any],
+    *,
+    origin: Literal["adaptation", "donning"] = "adaptation",
 ) -> Profile:
     """Make an adapted set the current one, on the next version of the patient's map."""
     _row, now = current_parameters(db, patient_id)
@@ -40,7 +46,7 @@ def save_adapted(
         session_id,
         adapted.profile,
         simulated=now.simulated,
-        origin="adaptation",
+        origin=origin,
         parent=now.version,
         difference=difference,
     )
@@ -103,6 +109,12 @@ def versions_of(db: Session, patient_id: int) -> list[MapVersion]:
 def version_row(db: Session, patient_id: int, version: int) -> Profile:
     """Return one version of a patient's map."""
     return db.execute(select(Profile).where(Profile.patient_id == patient_id, Profile.version == version)).scalar_one()
+
+
+def calibration_behind(db: Session, profile: Profile) -> CalibrationProfile:
+    """Return the calibration that a version of the map comes from."""
+    first = min(family(db, profile.patient_id, profile.version))
+    return CalibrationProfile.model_validate(version_row(db, profile.patient_id, first).document)
 
 
 def family(db: Session, patient_id: int, version: int) -> set[int]:

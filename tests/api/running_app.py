@@ -19,6 +19,7 @@ from app.calibration.prior.documents import PersonEntry
 from app.calibration.prior.map_prior import MapPrior
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
+from app.calibration.vocabulary import DriveParameters
 from app.layout import ShirtLayout
 from app.recording.recorded_trajectory import RecordedTrajectory, read_trajectory
 from app.scoring.control_quality import ControlQuality
@@ -27,6 +28,7 @@ from app.session.recordings import (
     check_recording,
     entry_of_recordings,
     fit_recordings,
+    fit_recordings_to_donning,
     measure_recording,
     quality_of_recording,
 )
@@ -45,6 +47,7 @@ class RunningApp:
             check_recording: lambda _folder, _duration: self._answers["judge"],
             fit_recordings: self._fit,
             entry_of_recordings: self._entry,
+            fit_recordings_to_donning: self._fit_to_donning,
             measure_recording: lambda _folder, _plan, _path: self._answers["measures"],
             read_trajectory: lambda _folder: RecordedTrajectory(*(np.array(column) for column in line)),
             shown_trajectories: lambda folders: [line for _ in folders],
@@ -74,6 +77,19 @@ class RunningApp:
             raise ValueError(self._answers["fit"])
         self._answers["fitted"] = [step.id for step, _ in recorded], prior
         return profile_for(layout)
+
+    def _fit_to_donning(
+        self,
+        parameters: DriveParameters,
+        _calibrated: CalibrationProfile,
+        recorded: list[tuple[Step, Path]],
+        _prior: MapPrior | None,
+    ) -> DriveParameters:
+        if "fit" in self._answers:
+            raise ValueError(self._answers["fit"])
+        self._answers["fitted"] = [step.id for step, _ in recorded]
+        high = tuple(value + 0.5 for value in parameters.profile.high)
+        return parameters.model_copy(update={"profile": parameters.profile.model_copy(update={"high": high})})
 
     def _entry(self, _layout: ShirtLayout, _recorded: list[tuple[Step, Path]]) -> PersonEntry:
         if "entry" not in self._answers:

@@ -88,7 +88,7 @@ def test_several_sensors_outside_their_range_mean_that_the_shirt_moved():
     outside = (bad("e1", 1.0, silent=False), bad("e3", 1.0, silent=False))
     (warning,) = control_warnings([trial(1, bad=outside)]).warnings
     assert (warning.kind, "2 sensors" in warning.words) == ("map", True)
-    assert "calibrate again" in warning.advice
+    assert "see Calibrate" in warning.advice
     assert kinds([trial(1, bad=outside[:1])]) == ["sensor"]
 
 

@@ -6,6 +6,7 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Path
 from pydantic import Field
 
+from app.api.answers import Answer, MomentText
 from app.api.deps import Clinician, People, PeopleParts
 from app.api.parts import Web, WebParts
 from app.api.sign_in.identity import SignedInPerson
@@ -51,6 +52,13 @@ class RunningStep(Document):
     started_run: int | None
 
 
+class EarlierView(Answer):
+    """The patient's calibration of an earlier time, in the same kind of shirt."""
+
+    version: int
+    created: MomentText
+
+
 class CalibrationView(Document):
     """The state of the calibration."""
 
@@ -60,6 +68,8 @@ class CalibrationView(Document):
     result: dict[str, Any] | None
     others: int  # other people who are known in this shirt; 0: too few to drive by
     may_drive_now: bool
+    earlier: EarlierView | None  # can be fitted to how the shirt sits today, in place of a new calibration
+    may_fit_earlier: bool
 
 
 def _steps(progress: Progress) -> list[dict[str, Any]]:
@@ -161,6 +171,8 @@ async def _view(web: WebParts, session: PatientSession) -> CalibrationView:
         result=None if progress.profile is None else _result(progress, progress.profile),
         others=progress.others,
         may_drive_now=progress.may_drive_now,
+        earlier=None if progress.earlier is None else EarlierView.of(progress.earlier),
+        may_fit_earlier=progress.may_fit_earlier,
     )
 
 
@@ -240,6 +252,18 @@ async def drive_now(who: Clinician, parts: PeopleParts, web: Web) -> Calibration
         await web.calibration.fit_from_others(session.id)
         await _accept(who, parts, web, session)
     for event in ("calibration", "controls", "session"):
+        web.live.tell(event)
+    return await _view(web, session)
+
+
+@router.post("/fit-earlier")
+async def fit_earlier(who: Clinician, web: Web) -> CalibrationView:
+    """Fit the patient's earlier calibration to the shirt as it sits today, and use it at once."""
+    async with web.session.undisturbed("fit the calibration"):
+        session = await web.session.needed_session(who.clinic_id)
+        await web.calibration.fit_earlier(session.id, who.name)
+        await web.session.try_load_parameters()
+    for event in ("calibration", "controls", "adaptation"):
         web.live.tell(event)
     return await _view(web, session)
 

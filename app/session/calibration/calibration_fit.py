@@ -1,18 +1,23 @@
-"""Fits a session's calibration from its recorded steps and from other people, and adds it to what is known of them."""
+"""Fits a calibration from its recorded steps, from other people, or from this person's earlier calibration."""
 
 from pathlib import Path
 
+from app.calibration.adaptation.donning_fit import joints_followed
+from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
 from app.computing_process import ComputingProcess
 from app.layout import ShirtLayout
 from app.refusals import Conflict
-from app.session.calibration.calibration_progress import Progress
+from app.session.calibration.calibration_progress import EarlierCalibration, Progress
 from app.session.calibration.clinic_prior import ClinicPrior, Garment
 from app.session.equipment.shirt import Equipment
-from app.session.recordings import entry_of_recordings, fit_recordings
+from app.session.recordings import entry_of_recordings, fit_recordings, fit_recordings_to_donning
 from app.session.runs import SessionRuns
 from app.store.calibrations import is_calibration_simulated, recordings_of
 from app.store.database import Database
+from app.store.log import write_log
+from app.store.map_versions import calibration_behind, save_adapted
+from app.store.parameters import as_document, current_parameters, newest_profile
 from app.store.tables import PatientSession
 
 
@@ -41,6 +46,38 @@ class CalibrationFit:
         with self._database.transaction() as db:
             session = db.get_one(PatientSession, session_id)
             session.result, session.accepted = profile.model_dump(mode="json"), False
+
+    def earlier(self, session_id: int, layout: ShirtLayout) -> EarlierCalibration | None:
+        """Return the calibration that the patient drives with, None without one in this kind of shirt."""
+        with self._database.transaction() as db:
+            row = newest_profile(db, db.get_one(PatientSession, session_id).patient_id)
+            if row is None or row.simulated is not self._equipment.simulated:
+                return None
+            if CalibrationProfile.model_validate(row.document).layout != layout:
+                return None
+            return EarlierCalibration(row.version, row.created)
+
+    def fit_earlier(self, session_id: int, progress: Progress, person: str) -> None:
+        """Fit the patient's earlier calibration to this session's free movement, as the next map where it differs."""
+        layout, recorded = self._recorded(session_id, progress)
+        prior = self._prior.of_others(session_id, garment(layout, self._equipment))
+        with self._database.transaction() as db:
+            patient = db.get_one(PatientSession, session_id).patient_id
+            row, profile = current_parameters(db, patient)
+            before, calibrated = as_document(row, profile), calibration_behind(db, profile)
+        try:
+            after = self._computing.ask(fit_recordings_to_donning, before, calibrated, recorded, prior)
+        except ValueError as error:
+            raise Conflict(str(error)) from error
+        followed = joints_followed(before.profile, after.profile)
+        if not followed:
+            return
+        difference = {"joints": {joint: {"range_moved": True} for joint in followed}}
+        with self._database.transaction() as db:
+            if as_document(*current_parameters(db, patient)).hash != before.hash:
+                raise Conflict("The controls were changed meanwhile: try again.")
+            saved = save_adapted(db, patient, session_id, after, difference, origin="donning")
+            write_log(db, person, "calibration fitted to the shirt", patient=patient, version=saved.version)
 
     def learn(self, session_id: int, progress: Progress) -> bool:
         """Add the calibration to the clinic's prior; return whether it could be added."""

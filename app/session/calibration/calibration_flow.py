@@ -127,6 +127,18 @@ class CalibrationFlow:
         if words:
             raise Conflict(words)
 
+    async def fit_earlier(self, session_id: int, person: str) -> None:
+        """Fit the patient's earlier calibration to the shirt as it sits today, as the patient's next map.
+
+        Conflict, in a sentence, when that cannot be done.
+        """
+        progress = await self.progress(session_id)
+        if not progress.may_fit_earlier:
+            raise Conflict("Rest and move freely first, as a patient who was calibrated in this shirt before.")
+        if self._running is not None:
+            raise Conflict("A step is being recorded: wait for its end, or cancel it first.")
+        await asyncio.to_thread(self._fit.fit_earlier, session_id, progress, person)
+
     async def learn(self, session_id: int) -> bool:
         """Add an accepted calibration to the clinic's prior; return whether it could be added."""
         return await asyncio.to_thread(self._fit.learn, session_id, await self.progress(session_id))
@@ -256,6 +268,7 @@ class CalibrationFlow:
             profile=None if result is None else CalibrationProfile.model_validate(result),
             accepted=session.accepted,
             others=0 if layout is None else self._prior.people(session_id, garment(layout, self._equipment)),
+            earlier=None if layout is None or result is not None else self._fit.earlier(session_id, layout),
         )
 
     def _begin(self, session_id: int, layout: ShirtLayout) -> None:

@@ -1,10 +1,19 @@
 """The state of the calibration of one session, for the page that shows it."""
 
 from dataclasses import dataclass
+from datetime import datetime
+from typing import NamedTuple
 
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
 from app.layout import ShirtLayout
+
+
+class EarlierCalibration(NamedTuple):
+    """The version of the patient's map that drives until this session's calibration is accepted."""
+
+    version: int
+    created: datetime
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,9 +29,18 @@ class Progress:
     profile: CalibrationProfile | None
     accepted: bool
     others: int  # other people who are known in this shirt; 0: too few to drive by
+    earlier: EarlierCalibration | None  # one in the same kind of shirt; None once this session has a result
 
     @property
     def may_drive_now(self) -> bool:
         """Whether rest and free movement are done, and other people can stand in for the prompted movements."""
-        needed = [step.id for step in self.steps if step.kind != "prompt"]
-        return self.others > 0 and all(self.status[step][0] == "done" for step in needed)
+        return self.others > 0 and self._moved_freely
+
+    @property
+    def may_fit_earlier(self) -> bool:
+        """Whether rest and free movement are done, and an earlier calibration can be fitted to them."""
+        return self.earlier is not None and self._moved_freely
+
+    @property
+    def _moved_freely(self) -> bool:
+        return all(self.status[step.id][0] == "done" for step in self.steps if step.kind != "prompt")

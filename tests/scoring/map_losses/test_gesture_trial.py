@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from calibration.driven_trial import put_on_again, trial, with_map_of
+from calibration.adaptation.driven_trial import put_on_again, trial, with_map_of
 from calibration.simulated_person import JOINTS, SimulatedPerson, calibrate, layout_of
 
 from app.calibration.adaptation.movement import Movement

@@ -13,7 +13,7 @@ const SESSIONS = 0.94;
 const MANY = 6; // sessions: from then on the word stands only at the first
 const ROOM = 40; // numbers of maps that fit side by side over the whole width
 /** The mark of a map by where it comes from. @type {Record<string, string>} */
-const SYMBOLS = { calibration: "diamond", adaptation: "triangle-up", back: "triangle-left" };
+const SYMBOLS = { calibration: "diamond", adaptation: "triangle-up", donning: "square", back: "triangle-left" };
 
 /** The sessions: number, and from which to which trial. @param {LearningTrial[]} rows trials in order */
 function sessions(rows) {

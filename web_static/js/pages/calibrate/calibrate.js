@@ -71,7 +71,7 @@ export async function show(app, root, { signal }) {
     watched = null;
     const next = calibration.steps.find((step) => step.id === calibration.current);
     if (!isGood || !actions.isAuto || !next || next.kind === "result" || next.status === "done" || next.status === "skipped") return;
-    if (id === "free" && calibration.may_drive_now) return; // a person chooses: drive now, or go on
+    if (id === "free" && (calibration.may_drive_now || calibration.may_fit_earlier)) return; // a person chooses: drive now, or go on
     timer = setTimeout(() => start(next.id), PAUSE);
   };
   /** @type {Actions} */
@@ -81,6 +81,7 @@ export async function show(app, root, { signal }) {
     cancel: (step) => call(() => api.post(`/calibration/steps/${step}/cancel`)),
     skip: (step) => call(() => api.post(`/calibration/steps/${step}/skip`)),
     driveNow: () => driveNow(),
+    fitEarlier: () => fitEarlier(),
     chooseMap: (joint, map) => call(() => api.post("/calibration/map", { joint, map })),
     setAuto: (on) => {
       localStorage.setItem(AUTO_PLACE, on ? "on" : "off");
@@ -103,6 +104,12 @@ export async function show(app, root, { signal }) {
       const sitsOtherwise = result?.joints.some(({ prior }) => prior && Object.keys(prior.arrangement).length > 0);
       if (sitsOtherwise) await readAgain(); // the result says so before anybody drives
       else await beginNextTask(app, here.patient.id);
+    });
+  const fitEarlier = () =>
+    app.toasts.attempt(async () => {
+      await api.post("/calibration/fit-earlier");
+      await app.readSession();
+      await beginNextTask(app, here.patient.id);
     });
   const accept = () =>
     app.toasts.attempt(async () => {

@@ -8,6 +8,7 @@
 import { t } from "../../texts.js";
 import { cueCircle } from "../../widgets/cue_circle.js";
 import { h, write } from "../../widgets/dom.js";
+import { day } from "../../widgets/format.js";
 import { toggle } from "../../widgets/fields.js";
 import { drawTraces, middle, QUIET_SPAN } from "../../charts/joint_strips.js";
 import { pads } from "../../widgets/pads.js";
@@ -18,7 +19,7 @@ const READY = { person: "self", recorded: "self", visitor: "visitor" };
 
 /**
  * @typedef {{go: (id: string) => void, start: (id: string) => void, cancel: (id: string) => void, skip: (id: string) => void,
- *   chooseMap: (joint: string, map: "pca" | "guided" | "prior") => void, driveNow: () => void,
+ *   chooseMap: (joint: string, map: "pca" | "guided" | "prior") => void, driveNow: () => void, fitEarlier: () => void,
  *   setAuto: (on: boolean) => void, isAuto: boolean, readonly isGoingOn: boolean}} Actions
  */
 
@@ -28,7 +29,7 @@ const READY = { person: "self", recorded: "self", visitor: "visitor" };
  * @returns {{title: string, lead: Child, body: Child, foot: Child[]}}
  */
 export function calibrateStep(app, calibration, equipment, actions, signal) {
-  const { steps, current, running, others, may_drive_now: mayDriveNow } = calibration;
+  const { steps, current, running } = calibration;
   const at = steps.findIndex(({ id }) => id === current);
   const step = steps[at];
   const isRunning = running?.step === current;
@@ -57,22 +58,34 @@ export function calibrateStep(app, calibration, equipment, actions, signal) {
   const body = h(
     "div",
     { class: "step-body" },
-    mayDriveNow && !running && driveNowCard(others, actions),
+    !running && readyCard(calibration, step, actions),
     circle,
     step.words && !isRunning && h("p", { class: "problem", role: "alert" }, step.words),
     stepTrace(app, equipment.layout, step, signal),
     isVisitor && pads(app, signal).element,
   );
-  return { title: step.title, lead, body, foot: foot(steps, at, isRunning, Boolean(running), mayDriveNow, actions) };
+  const isReady = calibration.may_drive_now || calibration.may_fit_earlier;
+  return { title: step.title, lead, body, foot: foot(steps, at, isRunning, Boolean(running), isReady, actions) };
 }
 
-/** What other people's movements make possible before this person's own are known. @param {number} others @param {Actions} actions */
-function driveNowCard(others, actions) {
+/**
+ * What makes driving possible before the prompted movements: this person's earlier calibration, or else other people.
+ * @param {Calibration} calibration @param {CalibrationStep} step @param {Actions} actions
+ */
+function readyCard({ earlier, may_fit_earlier: mayFitEarlier, others, may_drive_now: mayDriveNow }, step, actions) {
+  const of = earlier && { version: earlier.version, day: day(earlier.created) };
+  if (mayFitEarlier) return card(t("calibrate.earlier.lead", of ?? {}), t("calibrate.earlier.go"), actions.fitEarlier);
+  if (mayDriveNow) return card(t("calibrate.now.lead", { count: others }), t("calibrate.now.go"), actions.driveNow);
+  return of && step.kind !== "prompt" && h("p", { class: "card small" }, t("calibrate.earlier", of));
+}
+
+/** @param {string} lead @param {string} go @param {() => void} run */
+function card(lead, go, run) {
   return h(
     "section",
     { class: "card drive-now" },
-    h("div", {}, h("h2", {}, t("calibrate.now")), h("p", { class: "small" }, t("calibrate.now.lead", { count: others }))),
-    h("button", { type: "button", class: "btn go", onclick: actions.driveNow }, t("calibrate.now.go")),
+    h("div", {}, h("h2", {}, t("calibrate.now")), h("p", { class: "small" }, lead)),
+    h("button", { type: "button", class: "btn go", onclick: run }, go),
   );
 }
 
@@ -86,10 +99,10 @@ function idleWords(step, equipment, { isGoingOn }) {
 
 /**
  * @param {CalibrationStep[]} steps @param {number} at @param {boolean} isRunning this step is being recorded
- * @param {boolean} isBusy any step is @param {boolean} mayDriveNow then "Drive now" is the main button
+ * @param {boolean} isBusy any step is @param {boolean} isReady then the button that drives is the main one
  * @param {Actions} actions @returns {Child[]}
  */
-function foot(steps, at, isRunning, isBusy, mayDriveNow, actions) {
+function foot(steps, at, isRunning, isBusy, isReady, actions) {
   const step = steps[at];
   /** @param {string} words @param {() => void} run */
   const button = (words, run, tone = "", isOff = false) =>
@@ -97,7 +110,7 @@ function foot(steps, at, isRunning, isBusy, mayDriveNow, actions) {
   if (isRunning)
     return [button(t("calibrate.cancel"), () => actions.cancel(step.id)), h("span", { class: "grow" }), auto(actions)];
   const isDone = step.status === "done";
-  const tone = mayDriveNow ? "" : "go";
+  const tone = isReady ? "" : "go";
   return [
     at > 0 && button(t("back"), () => actions.go(steps[at - 1].id), "", isBusy),
     isDone && button(t("calibrate.again"), () => actions.start(step.id), "", isBusy),

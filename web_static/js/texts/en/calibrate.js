@@ -26,6 +26,11 @@ export default {
   "calibrate.now.lead":
     "{count} other people have moved in this shirt. Their movements stand in for this person's own, on the virtual chair. The movements that follow here make it better, one joint at a time, now or later.",
   "calibrate.now.go": "Drive now",
+  "calibrate.earlier":
+    "There is a calibration of {day} (version {version}). After rest and free movement it can be fitted to how the shirt sits today, in place of a new one.",
+  "calibrate.earlier.lead":
+    "The calibration of {day} (version {version}) can be fitted to how the shirt sits today; the controls stay as they are. The movements that follow here make a new calibration instead.",
+  "calibrate.earlier.go": "Fit it and drive",
   "calibrate.wait": "Wait",
   "calibrate.fitting": "Working out what each movement looks like…",
   "cue.ready": "Get ready",

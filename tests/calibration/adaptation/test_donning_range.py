@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from driven_trial import trial
+from calibration.adaptation.driven_trial import trial
+from calibration.simulated_person import JOINTS, SimulatedPerson, calibrate, layout_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from simulated_person import JOINTS, SimulatedPerson, calibrate, layout_of
 
 from app.calibration.adaptation.donning_range import LARGEST_RATIO, fit_ranges
 from app.calibration.adaptation.movement import Movement

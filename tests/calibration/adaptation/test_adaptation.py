@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 import pytest
-from driven_trial import put_on_again, trial, with_map_of
+from calibration.adaptation.driven_trial import put_on_again, trial, with_map_of
+from calibration.simulated_person import JOINTS, SimulatedPerson, calibrate, layout_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from simulated_person import JOINTS, SimulatedPerson, calibrate, layout_of
 
 from app.calibration.adaptation.joint_loss import JointLoss
 from app.calibration.adaptation.joint_proposal import AT_ITS_END
