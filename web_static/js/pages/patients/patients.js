@@ -15,6 +15,7 @@ import { mayExport, reportChoice } from "../../results/report_choice.js";
 import { t } from "../../texts.js";
 
 const CONFLICT = 409;
+const SECOND_TAP = 1000; // ms: so late may a hasty second tap on a button come
 const NEWS = new Set(["session", "trial", "everything"]); // after which a row may differ
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
@@ -54,8 +55,10 @@ export async function show(app, root, { signal }) {
       goOn();
     });
   };
+  let endedAt = -Infinity; // ms
   /** @param {PatientView} patient */
   const remove = async (patient) => {
+    if (performance.now() - endedAt < SECOND_TAP) return; // the bin took the place of "End session" under the finger
     try {
       await app.api.remove(`/patients/${patient.id}`);
     } catch (error) {
@@ -89,6 +92,7 @@ export async function show(app, root, { signal }) {
     inTurn(async () => {
       if (!(await app.toasts.attempt(() => app.api.remove("/session")))) return;
       await app.readSession({ isOwn: true });
+      endedAt = performance.now();
       showList();
       app.toasts.show(t("patients.ended"));
     });
