@@ -26,13 +26,15 @@ const WRITTEN = {
  * A card that fills itself; it is hidden while nothing is calibrated.
  * @param {import("../api.js").Api} api @param {Record<string, string>} labels joint name -> label
  * @param {(() => void) | null} onTake what the tap on the suggestion does, null where it cannot be taken yet
+ * @param {(found: Discovery) => void} [onFound] who else wants what was found
  */
-export function discoveryCard(api, labels, onTake) {
+export function discoveryCard(api, labels, onTake, onFound = () => {}) {
   const card = h("section", { class: "card discovery", hidden: true });
   const read = async () => {
     try {
       const found = await api.get("/calibration/gestures");
       put(card, h("h2", {}, t("found.title")), content(found, labels, onTake));
+      onFound(found);
       card.hidden = false;
     } catch {
       card.hidden = true; // the page that contains the card says what is missing
@@ -132,7 +134,7 @@ function scoreBar(score) {
 }
 
 /** @param {{false_per_minute: number | null} | null} prediction */
-function falseWords(prediction) {
+export function falseWords(prediction) {
   const rate = prediction?.false_per_minute;
   if (typeof rate !== "number" || !Number.isFinite(rate)) return number(null, 1);
   return rate < LEAST_SAID ? t("found.less", { value: LEAST_SAID }) : number(rate, 1);

@@ -1,7 +1,7 @@
 /**
  * The calibration wizard: its steps are kept by the server, so that a reload comes back to the same one.
  * @import { App } from "../../main.js"
- * @import { CalibrationView } from "types/api"
+ * @import { CalibrationView, Discovery } from "types/api"
  * @import { Calibration, CalibrationResult } from "types/documents"
  * @import { Child } from "types/dom"
  * @import { Actions } from "./calibrate_step.js"
@@ -13,6 +13,7 @@ import { discoveryCard } from "../../widgets/discovery_card.js";
 import { h, put } from "../../widgets/dom.js";
 import { emptyPage, patientHere } from "../../shell/nobody.js";
 import { leftOutWords, resultView } from "./calibration_result.js";
+import { showExpected } from "./map_origin.js";
 import { stepBar } from "./step_bar.js";
 import { t } from "../../texts.js";
 
@@ -197,7 +198,7 @@ function resultPage(app, calibration, actions, accept) {
   return {
     title: t("result.title"),
     lead: h("p", { class: "lead" }, t("result.lead")),
-    body: [resultView(result, actions.start, actions.chooseMap), foundGestures(app, result)],
+    body: resultBody(app, result, actions),
     foot: [
       back,
       h("span", { class: "grow" }, result.accepted ? t("result.accepted") : leftOutWords(result.left_out)),
@@ -206,16 +207,22 @@ function resultPage(app, calibration, actions, accept) {
   };
 }
 
+/** A card for each joint, and all movements that were found. @param {App} app @param {CalibrationResult} result @param {Actions} actions */
+function resultBody(app, result, actions) {
+  const joints = resultView(result, actions.start, actions.chooseMap);
+  return [joints, foundGestures(app, result, ({ gestures }) => showExpected(joints, gestures))];
+}
+
 /**
  * All movements that were found; the suggestion can be taken once the calibration is in use.
- * @param {App} app @param {CalibrationResult} result
+ * @param {App} app @param {CalibrationResult} result @param {(found: Discovery) => void} onFound
  */
-function foundGestures(app, result) {
+function foundGestures(app, result, onFound) {
   const labels = Object.fromEntries(result.joints.map(({ name, label }) => [name, label]));
   const take = () =>
     app.toasts.attempt(async () => {
       await app.api.post("/controls/suggest");
       app.go("#/controls");
     });
-  return discoveryCard(app.api, labels, result.accepted ? take : null);
+  return discoveryCard(app.api, labels, result.accepted ? take : null, onFound);
 }

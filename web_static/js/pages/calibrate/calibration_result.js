@@ -16,7 +16,6 @@ import { sittingCard, whereFrom } from "./map_origin.js";
 const STUDY = { low: 0.8, high: 0.9 }; // the paper's explained variance of PC1
 const OWN = 0.75; // from here a cell is painted in full, with the text in the other colour
 const WASH = 0.5; // strongest paint below that: dark text stays readable on it
-const TONES = { good: "", usable: "att", repeat: "bad" };
 
 /** @param {CalibrationResult} result @param {OnRepeat} onRepeat @param {OnMap} onMap */
 export function resultView(result, onRepeat, onMap) {
@@ -40,7 +39,7 @@ function jointCard(joint, reason, onRepeat, onMap) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, joint.label, h("span", { class: `tag ${TONES[joint.grade]}` }, t(`result.${joint.grade}`))),
+    h("h2", {}, joint.label, joint.grade === "repeat" && h("span", { class: "tag bad" }, t("result.repeat"))),
     h(
       "div",
       { class: "evr", role: "img", "aria-label": t("result.bar", { joint: joint.label, percent: evr }) },

@@ -1,9 +1,11 @@
 /**
  * Where the calibration of a joint comes from, what is expected of it, and how the shirt sits there.
+ * @import { FoundGesture } from "types/api"
  * @import { Arrangement, Forecast, JointResult } from "types/documents"
  */
 import { t } from "../../texts.js";
-import { h, s } from "../../widgets/dom.js";
+import { falseWords } from "../../widgets/discovery_card.js";
+import { h, put, s } from "../../widgets/dom.js";
 import { number } from "../../widgets/format.js";
 
 const SIZE = 96; // px of the picture
@@ -11,7 +13,7 @@ const ROUND = 34; // px, radius of the ring of sensors
 const TURN = 22; // px, radius of the arrow inside
 
 /** @param {JointResult} joint with a map */
-export function whereFrom({ map, prior }) {
+export function whereFrom({ name, map, prior }) {
   const others = map === "prior" ? prior : null;
   const origin = others ? (others.repetitions ? "both" : "others") : "own";
   return h(
@@ -20,7 +22,29 @@ export function whereFrom({ map, prior }) {
     h("p", { class: "quiet" }, t(`result.from.${origin}`)),
     others && !others.repetitions && h("p", {}, t("result.from.others.lead", { count: others.people })),
     others && others.repetitions > 0 && expected(others.hits, others.false_per_minute),
+    !others && h("div", { class: "expected", "data-joint": name }),
   );
+}
+
+/** What is expected of each joint that drives by own movement, once it is known. @param {Element} page @param {FoundGesture[]} gestures */
+export function showExpected(page, gestures) {
+  for (const place of page.querySelectorAll(".expected")) {
+    const joint = place.getAttribute("data-joint");
+    put(place, expectedOfOwn(gestures.find((one) => one.joint === joint && one.direction === 1)));
+  }
+}
+
+/** @param {FoundGesture | undefined} gesture */
+function expectedOfOwn(gesture) {
+  const { hit_rate: hits, hit_at_least: least, false_per_minute: falsely, counted_at_most: most } = gesture?.prediction ?? {};
+  const said = [
+    typeof hits === "number" &&
+      h("p", {}, t("result.expected.own.hits", { value: number(100 * hits, 0), bound: number(100 * (least ?? 0), 0) })),
+    typeof falsely === "number" &&
+      typeof most === "number" &&
+      h("p", {}, t("result.expected.own.false", { value: falseWords({ false_per_minute: falsely }), bound: number(most, 0) })),
+  ];
+  return said.some(Boolean) ? said : [h("p", {}, t("result.expected.none"))];
 }
 
 /** @param {Forecast | null} hits @param {Forecast | null} falsely */
