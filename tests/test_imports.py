@@ -6,6 +6,7 @@ import sys
 import tomllib
 from pathlib import Path
 
+from app.cli.main import COMMANDS
 from folders import ROOT
 
 FILES = sorted((ROOT / "app").rglob("*.py"))
@@ -171,5 +172,13 @@ def test_a_start_loads_no_library_that_only_some_functions_use():
     heavy = set(settings["banned-module-level-imports"])
     modules = ["app.api.app", *sorted(module for module in MODULES if module.startswith("app.cli."))]
     code = f"import sys, {', '.join(modules)}; print(*{heavy} & set(sys.modules))"
+    seen = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert seen.stdout.split() == []
+
+
+def test_the_help_of_a_command_loads_no_database_and_no_server():
+    modules = sorted({module for module, _ in COMMANDS.values()})
+    forbidden = ["sqlalchemy", "alembic", "fastapi", "uvicorn", "viser", "argon2"]
+    code = f"import sys, {', '.join(modules)}; print(*[m for m in {forbidden} if m in sys.modules])"
     seen = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert seen.stdout.split() == []

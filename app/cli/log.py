@@ -10,7 +10,6 @@ import typer
 
 from app.cli.errors import InputError
 from app.settings import Settings, state_folder
-from app.store.log_chain import verify_log
 
 CHANGED = 1  # exit code
 
@@ -35,6 +34,8 @@ def verify(
 
     The exit code is 0 when the log is whole, 1 when it was changed, 2 when it cannot be read.
     """
+    from app.store.log_chain import verify_log
+
     settings = Settings(state=(state or state_folder()).expanduser().resolve())
     if not settings.database.is_file():
         raise InputError(f"There is no clinic in {settings.state}: give its folder with --state.")

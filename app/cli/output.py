@@ -2,12 +2,15 @@
 
 import os
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import typer
 
 from app.cli.errors import InputError
 from app.files import write_atomically
-from app.signals.signals import Signals
+
+if TYPE_CHECKING:
+    from app.signals.signals import Signals
 
 
 def write_output(out: Path, content: bytes, *sources: Path) -> None:
@@ -39,12 +42,12 @@ def check_new_folder(folder: Path) -> None:
         raise InputError(f"--out {folder}: nothing may be written in {standing}, choose another place")
 
 
-def dialect_summary(recorded: Signals) -> dict[str, dict[str, str]]:
+def dialect_summary(recorded: "Signals") -> dict[str, dict[str, str]]:
     """Return the dialect of a CSV file for `--json`; empty for other files."""
     return {} if recorded.dialect is None else {"dialect": recorded.dialect._asdict()}
 
 
-def print_dialect(recorded: Signals, file: Path) -> None:
+def print_dialect(recorded: "Signals", file: Path) -> None:
     """Write to stdout the dialect of a CSV file that does not use the usual signs."""
     if recorded.dialect is not None and recorded.dialect.words:
         typer.echo(f"{file}: {recorded.dialect.words}")

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 from app.refusals import NotFound
 from app.scoring.verdict.spread import Spread
@@ -14,9 +14,6 @@ from app.store.log import write_log
 from app.store.patients import find_patient
 from app.store.records.consents import require_consent
 from app.store.records.recorded_runs import RecordedRun, recorded_runs
-
-Form = Literal["csv", "parquet", "xdf", "bids", "fhir"]
-FORMS: tuple[Form, ...] = ("csv", "parquet", "xdf", "bids", "fhir")
 
 SIMULATED_WORDS = {True: "yes", False: "no", None: "unknown"}
 NOTHING = "There is nothing to export: nothing was recorded."

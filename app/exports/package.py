@@ -15,8 +15,9 @@ from typing import Any
 from app import __version__
 from app.exports import bids_form
 from app.exports.csv_form import write_csv
-from app.exports.export_material import ExportMaterial, Form, run_facts
+from app.exports.export_material import ExportMaterial, run_facts
 from app.exports.fhir_form import fhir_bundle
+from app.exports.forms import Form
 from app.exports.interface_test_table import interface_test_csv
 from app.exports.parquet_form import write_parquet
 from app.exports.trial_table import trial_csv, verdict_words

@@ -18,7 +18,7 @@ Answer = TypeVar("Answer")
 FIRST_LIBRARY = "sklearn.decomposition"
 LATER_LIBRARIES = (
     *("shapely", "scipy.signal", "scipy.optimize", "scipy.stats"),
-    *("statsmodels.regression.linear_model", "statsmodels.tools.eval_measures", "matplotlib.figure"),
+    *("statsmodels.regression.linear_model", "statsmodels.tools.eval_measures", "matplotlib.backends.backend_agg"),
 )
 
 

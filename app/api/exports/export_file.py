@@ -15,7 +15,8 @@ from app.clock import utc_now
 from app.computing_process import ComputingProcess
 from app.exports.archive import archive_material
 from app.exports.archive_room import archive_room
-from app.exports.export_material import Form, exported_material
+from app.exports.export_material import exported_material
+from app.exports.forms import Form
 from app.exports.package import Step, export_steps
 from app.quantities import Document
 from app.scoring.verdict.spread import Spread

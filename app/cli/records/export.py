@@ -10,7 +10,7 @@ import typer
 from app.cli.clinic_folder import open_clinic
 from app.cli.errors import InputError
 from app.cli.output import check_new_folder
-from app.exports.export_material import FORMS, Form
+from app.exports.forms import FORMS, Form
 from app.refusals import Refusal
 from app.settings import Settings, state_folder
 

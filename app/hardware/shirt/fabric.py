@@ -188,7 +188,7 @@ class Fabric:
         loop += side
         if self._properties.peak:
             np.power(moved / dt, self._properties.peak_power, out=speed)
-        values = self._matrix.dot(self._movement)  # `@` takes twice as long
+        values: NDArray[np.float64] = self._matrix.dot(self._movement)  # `@` takes twice as long
         values += self._drift.take()
         values += self._noise.take()
         values += self._offsets
