@@ -11,6 +11,7 @@ import pytest
 from alembic.config import Config
 from alembic.script import ScriptDirectory
 from sqlalchemy import text
+from store.newest_schema import newest_schema, statements
 
 from app.refusals import DiskFull, Refusal, Unavailable
 from app.store.backup import back_up
@@ -18,7 +19,7 @@ from app.store.database import Database, make_engine
 from app.store.log import write_log
 from app.store.migrations.versions import v0005_learning
 from app.store.people import the_clinic
-from app.store.schema import MIGRATIONS, NEWEST, migrate, revision_of
+from app.store.schema import MIGRATIONS, NEWEST, NEWEST_SCHEMA, migrate, revision_of
 
 CONFIG = Config()
 CONFIG.set_main_option("script_location", str(MIGRATIONS))
@@ -69,6 +70,13 @@ def copies(folder: Path) -> list[Path]:
 
 def test_the_newest_revision_is_that_of_the_last_migration() -> None:
     assert REVISIONS[-1] == NEWEST
+
+
+def test_a_new_database_has_exactly_the_tables_that_all_migrations_make(tmp_path: Path) -> None:
+    assert NEWEST_SCHEMA.read_text() == newest_schema(tmp_path), "a migration is newer: run `make schema`"
+    Database(tmp_path / "clinic.sqlite").close()
+    assert statements(tmp_path / "clinic.sqlite") == statements(tmp_path / "newest.sqlite")
+    assert revision_of(tmp_path / "clinic.sqlite") == NEWEST
 
 
 @pytest.mark.parametrize("revision", REVISIONS)
