@@ -16,6 +16,8 @@ NICENESS = 10  # a tenth of the processor time of an ordinary process on the sam
 SWITCH_INTERVAL = 1e-4  # s for which the recorder may hold the interpreter when the loop needs it
 M_ARENA_MAX = -8  # mallopt(3)
 AREAS = 2  # of memory, for all threads
+SELDOM = 50_000  # new objects until the interpreter looks for garbage, where many are made and few are garbage
+USUAL = gc.get_threshold()
 MCL_CURRENT, MCL_FUTURE, MCL_ONFAULT = 1, 2, 4
 LOCK = MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT  # lock pages when they are first used, not when they are reserved
 
@@ -33,10 +35,16 @@ def go_real_time() -> list[str]:
     return words
 
 
+def collect_seldom() -> None:
+    """Look for garbage seldom, until `collect_garbage`: a start makes many objects and little garbage."""
+    gc.set_threshold(SELDOM)
+
+
 def collect_garbage() -> None:
     """Collect garbage; call this only while the chair stands."""
     gc.collect()
     gc.freeze()
+    gc.set_threshold(*USUAL)
 
 
 def share_memory_areas() -> None:

@@ -4,7 +4,8 @@ import os
 import socket
 import sys
 import tempfile
-from contextlib import ExitStack
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -15,12 +16,14 @@ from app.cli.errors import InputError
 from app.cli.port import bind, bind_here, proxy_network, public_name
 from app.files import write_atomically
 from app.network import link
+from app.realtime import collect_seldom
 from app.refusals import Refusal
 from app.settings import Settings, new_code, state_folder
 from app.world.floorplan import FloorPlan, load_floorplan
 
 if TYPE_CHECKING:
     from app.cli.host.lan import Lan
+    from app.process.supervisor import Launch
 
 Port = Annotated[int, typer.Option(min=0, max=65_535, help="The port to listen on; 0 takes any free one.")]
 Host = Annotated[str, typer.Option(help="The address to listen on, one of this machine alone.")]
@@ -52,17 +55,21 @@ Name = Annotated[str | None, typer.Option(help="The name, or NAME:PORT, by which
 
 def demo(port: Port = 8080, host: Host = "127.0.0.1", floorplans: Plans = None) -> None:
     """Open a throw-away demonstration clinic: a simulated shirt, a patient, and the virtual chair."""
+    collect_seldom()
     plans = [_floorplan(file) for file in floorplans or []]
-    with bind_here(host, port) as listening, tempfile.TemporaryDirectory(prefix="bodydrive-demo-") as folder:
+    with ExitStack() as stack:
+        listening = stack.enter_context(bind_here(host, port))
+        folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="bodydrive-demo-"))
         bound = int(listening.getsockname()[1])
         settings = Settings(state=Path(folder), host=host, port=bound, demo_code=new_code())
         keep_private(settings)
+        launched = stack.enter_context(_control_process())
         _furnish_demonstration(settings, plans)
         words = [
             "A demonstration, kept nowhere. Ctrl-C ends it.",
             f"{link('http', host, bound)}#demo={settings.demo_code}",
         ]
-        _run(settings, listening, words)
+        _run(settings, launched, listening, words)
     _leave()
 
 
@@ -79,6 +86,7 @@ def serve(
     """Open a clinic; its database and recordings are kept."""
     from app.cli.host.lan import Lan, bind_local, own_files
 
+    collect_seldom()
     if (behind_proxy is None) != (name is None):
         raise InputError("--behind-proxy and --name belong together: give the proxy's address, and its name.")
     if behind_proxy is not None and lan:
@@ -101,6 +109,7 @@ def serve(
         write_address = stack.enter_context(held(folder))
         settings = Settings(state=folder)
         warnings = keep_private(settings)
+        launched = stack.enter_context(_control_process())
         others = stack.enter_context(Lan(hosts, port, settings.authority, own)) if lan else None
         settings = Settings(
             state=folder,
@@ -122,14 +131,31 @@ def serve(
                 f"{opened}#setup={settings.setup_code}",
             ]
         words += [] if others is None else others.look()
-        _run(settings, listening, words, others)
+        _run(settings, launched, listening, words, others)
     _leave()
 
 
-def _run(settings: Settings, listening: socket.socket, words: list[str], others: "Lan | None" = None) -> None:
+@contextmanager
+def _control_process() -> Iterator["Launch"]:
+    """Launch the control process, which starts beside this one."""
+    from app.process.supervisor import launched
+
+    with ExitStack() as stack:
+        try:
+            begun = stack.enter_context(launched())
+        except OSError as error:
+            raise InputError(
+                f"The control process cannot be started ({error.strerror}): close other programs, then try again."
+            ) from error
+        yield begun
+
+
+def _run(
+    settings: Settings, launched: "Launch", listening: socket.socket, words: list[str], others: "Lan | None" = None
+) -> None:
     from app.cli.server import run_clinic
 
-    run_clinic(settings, listening, "\n".join(words), others)
+    run_clinic(settings, launched, listening, "\n".join(words), others)
 
 
 def _leave() -> None:

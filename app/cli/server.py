@@ -14,6 +14,7 @@ import typer
 import uvicorn
 
 from app.api.app import WebApp, create_app, say_goodbye
+from app.api.assembly import StartProcess
 from app.api.failed_start import KeepsFailure
 from app.api.tablet_page import TabletPage
 from app.api.view.view_keeper import ServedScene
@@ -22,7 +23,7 @@ from app.cli.host.lan import Lan
 from app.cli.port import PING_LIMIT
 from app.computing_process import ComputingProcess
 from app.process.command_channel import LinkLost
-from app.process.supervisor import ControlProcess
+from app.process.supervisor import ControlProcess, Launch
 from app.realtime import collect_garbage, share_memory_areas
 from app.refusals import Refusal
 from app.settings import Settings
@@ -140,8 +141,13 @@ def _config(app: KeepsFailure | TabletPage, lifespan: Literal["on", "off"]) -> u
     )
 
 
-def run_clinic(settings: Settings, listening: socket.socket, words: str, lan: Lan | None = None) -> None:
-    """Serve until a signal, and print `words` after the start; refuse in one sentence when it cannot start."""
+def run_clinic(
+    settings: Settings, launched: Launch, listening: socket.socket, words: str, lan: Lan | None = None
+) -> None:
+    """Serve until a signal, and print `words` after the start; refuse in one sentence when it cannot start.
+
+    `launched` is the first control process; where one is lost, another is started.
+    """
     share_memory_areas()
     logging.basicConfig(level=logging.WARNING, format="bodydrive: %(message)s", stream=sys.stderr)
     # These log connections of browsers only; errors of this program go to the logger "bodydrive".
@@ -149,10 +155,20 @@ def run_clinic(settings: Settings, listening: socket.socket, words: str, lan: La
         logging.getLogger(name).setLevel(logging.CRITICAL)
     settings.runs.mkdir(parents=True, exist_ok=True)
     scene = partial(ServedScene, models=settings.models)
-    app = create_app(settings, ControlProcess.start, ComputingProcess(), scene)
+    app = create_app(settings, _starts(launched), ComputingProcess(), scene)
     server = WebServer(app, listening, words, lan)
     if not asyncio.run(server.run_until_signal()):
         raise InputError(why_not_started(server.failure))
+
+
+def _starts(launched: Launch) -> StartProcess:
+    """Return what starts a control process: the first time it waits for the launched one."""
+    first = [launched]
+
+    async def start() -> ControlProcess:
+        return await (ControlProcess.of(first.pop()) if first else ControlProcess.start())
+
+    return start
 
 
 def why_not_started(failure: Exception | None) -> str:

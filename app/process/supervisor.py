@@ -5,8 +5,10 @@ import os
 import socket
 import sys
 import uuid
-from collections.abc import Sequence
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from subprocess import DEVNULL, Popen, TimeoutExpired
 from typing import Any
 
 import numpy as np
@@ -20,10 +22,57 @@ LIMITS = {"end_run": 120.0, "stop": 2.0}
 QUIT_LIMIT = 3.0  # s, in which the chair stops and an open recording is closed
 
 
+@dataclass(frozen=True, slots=True)
+class Launch:
+    """A control process that was launched and may not yet take commands; it ends when `link` is closed."""
+
+    process: Popen[bytes]
+    link: socket.socket  # our end
+    ring: str  # name of the shared memory that it makes
+
+
+def launch(*options: str) -> Launch:
+    """Launch a control process with these command line options; raise OSError when the system refuses."""
+    ours, theirs = socket.socketpair()
+    ring = f"bodydrive-{os.getpid()}-{uuid.uuid4().hex[:12]}"
+    command = [sys.executable, "-m", "app.pipeline.process", "--link-fd", str(theirs.fileno()), "--ring", ring]
+    try:
+        process = Popen(
+            [*command, *options],
+            pass_fds=[theirs.fileno()],
+            stdin=DEVNULL,
+            start_new_session=True,  # Ctrl-C reaches the web process only, which then ends this process in order
+        )
+    except OSError:
+        ours.close()
+        raise
+    finally:
+        theirs.close()
+    return Launch(process, ours, ring)
+
+
+@contextmanager
+def launched(*options: str) -> Iterator[Launch]:
+    """Launch a control process for the time of a `with` statement; raise OSError when the system refuses.
+
+    It loads its libraries while the caller loads others.
+    """
+    begun = launch(*options)
+    try:
+        yield begun
+    finally:
+        begun.link.close()
+        try:
+            begun.process.wait(QUIT_LIMIT)
+        except TimeoutExpired:
+            begun.process.kill()
+            begun.process.wait()
+
+
 class ControlProcess:
     """The web process's handle of one running control process."""
 
-    def __init__(self, process: asyncio.subprocess.Process, client: ControlClient, ring: TickRing) -> None:
+    def __init__(self, process: Popen[bytes], client: ControlClient, ring: TickRing) -> None:
         self._process = process
         self.client = client
         self.ring = ring
@@ -36,32 +85,25 @@ class ControlProcess:
         ------
         LinkLost
             When it does not start.
+        OSError
+            When the system refuses another process.
         """
-        ours, theirs = socket.socketpair()
-        name = f"bodydrive-{os.getpid()}-{uuid.uuid4().hex[:12]}"
-        try:
-            process = await asyncio.create_subprocess_exec(
-                *_command(theirs.fileno(), name, options),
-                pass_fds=[theirs.fileno()],
-                stdin=asyncio.subprocess.DEVNULL,
-                start_new_session=True,  # Ctrl-C reaches the web process only, which then ends this process in order
-            )
-        except OSError:
-            ours.close()
-            raise
-        finally:
-            theirs.close()
-        client = await ControlClient.open(ours)
+        return await cls.of(launch(*options))
+
+    @classmethod
+    async def of(cls, launched: Launch) -> "ControlProcess":
+        """Return the handle of a launched process when it takes commands; raise LinkLost when it never does."""
+        client = await ControlClient.open(launched.link)
         try:
             await client.call("status", limit=START_LIMIT)
-            ring = TickRing.attach(name)
+            ring = TickRing.attach(launched.ring)
         except (LinkLost, OSError) as error:
             await client.close()
-            await _end(process)
+            await _end(launched.process)
             raise LinkLost("The control process did not start: look for its message on the console.") from error
         # Both processes have the memory open: without a name it is freed however the processes end.
         ring.unlink()
-        return cls(process, client, ring)
+        return cls(launched.process, client, ring)
 
     @property
     def pid(self) -> int:
@@ -86,7 +128,7 @@ class ControlProcess:
 
     async def died(self) -> None:
         """Return when the process has ended or has closed its end of the channel."""
-        ended = asyncio.ensure_future(self._process.wait())
+        ended = asyncio.ensure_future(asyncio.to_thread(self._process.wait))
         closed = asyncio.ensure_future(self.client.wait_closed())
         try:
             await asyncio.wait({ended, closed}, return_when=asyncio.FIRST_COMPLETED)
@@ -96,8 +138,7 @@ class ControlProcess:
 
     def kill(self) -> None:
         """Kill the process at once; a real chair then stops by its own watchdog. May be called from any thread."""
-        with suppress(ProcessLookupError):
-            self._process.kill()
+        self._process.kill()
 
     async def close(self) -> None:
         """Let the process stop the chair and end; release the ring's memory."""
@@ -108,18 +149,13 @@ class ControlProcess:
         self.ring.close()
 
 
-def _command(link: int, ring: str, options: Sequence[str]) -> list[str]:
-    return [sys.executable, "-m", "app.pipeline.process", "--link-fd", str(link), "--ring", ring, *options]
-
-
-async def _end(process: asyncio.subprocess.Process) -> None:
+async def _end(process: Popen[bytes]) -> None:
     """Wait until the process has ended; terminate it, then kill it, when it does not end by itself."""
     for end in (process.terminate, process.kill):
         try:
-            await asyncio.wait_for(process.wait(), QUIT_LIMIT)
-        except TimeoutError:
-            with suppress(ProcessLookupError):
-                end()
+            await asyncio.to_thread(process.wait, QUIT_LIMIT)
+        except TimeoutExpired:
+            end()
         else:
             return
-    await process.wait()
+    await asyncio.to_thread(process.wait)

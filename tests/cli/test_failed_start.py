@@ -13,8 +13,8 @@ from folders import ROOT
 # The real program, whose control process cannot be started.
 PROGRAM = """
 from app.process.supervisor import ControlProcess
-async def start(*_): raise {error}
-ControlProcess.start = start
+async def of(_): raise {error}
+ControlProcess.of = of
 from app.cli.main import main
 main()
 """

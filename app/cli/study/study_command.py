@@ -2,7 +2,6 @@
 
 import dataclasses
 import functools
-import gc
 import json
 import os
 import re
@@ -20,6 +19,7 @@ from app.clock import stopwatch
 from app.figures.paper import FigureFormat
 from app.figures.study_figures import draw_seeds, draw_study
 from app.hardware.body.person_parameters import NOVICE
+from app.realtime import collect_seldom
 from app.study.experiment import StudyResult, run_study
 from app.study.second_process import second_process
 from app.study.seeds import MEASURES, run_seeds
@@ -38,7 +38,6 @@ MOST_SESSIONS = 100
 MOST_SEEDS = 1000
 LARGEST_SEED = 2**31 - 1
 MOST_JOBS = 256
-SELDOM = 50_000  # new objects until garbage is looked for: a drive makes many small ones, and few circles
 OF_A_STUDY = re.compile(
     r"(study\.json|trials\.csv|trajectories\.parquet|(trajectories|errors)(-seed-\d+)?\.(png|svg)"
     r"|sessions\.csv|table\.txt|adaptation\.json|interface_tests\.(csv|json)|interface_table\.txt)"
@@ -88,7 +87,7 @@ def study(
         raise InputError(f"--map {map_kind} goes with --adapt: say how the calibration adapts, or leave it out")
     _check_out(out, overwrite)
     plan = find_floorplan(floorplan)
-    gc.set_threshold(SELDOM)
+    collect_seldom()
     processes = jobs or len(os.sched_getaffinity(0))
     started = stopwatch()
     try:
