@@ -4,7 +4,7 @@ from typing import Annotated, Literal, Self
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field, model_validator
+from pydantic import ConfigDict, Field, model_validator
 
 from app.calibration.prior.arrangement import RingMoments
 from app.calibration.prior.features import KINDS
@@ -24,7 +24,13 @@ Amount = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1e9)]
 Array = NDArray[np.float64]
 
 
-class MomentsDocument(Document):
+class PriorPart(Document):
+    """Base of the documents here; pydantic compiles each when it is first used, which takes 0.1 s of a start."""
+
+    model_config = ConfigDict(defer_build=True)
+
+
+class MomentsDocument(PriorPart):
     """Moments of the features of k channels; symmetric matrices as their upper triangles, row by row."""
 
     gram: Triangle
@@ -58,7 +64,7 @@ class MomentsDocument(Document):
         return self
 
 
-class RingDocument(Document):
+class RingDocument(PriorPart):
     """Sums over people of what tells the sensors of a ring apart; pairs as upper triangles without the diagonal."""
 
     people: Amount
@@ -93,7 +99,7 @@ class RingDocument(Document):
         return self
 
 
-class JointEntry(Document):
+class JointEntry(PriorPart):
     """What one person adds to the map of one joint: means over this person's recordings."""
 
     alive: Annotated[tuple[bool, ...], Field(min_length=1, max_length=MAX_CHANNELS)]  # channels that could be used
@@ -103,7 +109,7 @@ class JointEntry(Document):
     moments: MomentsDocument
 
 
-class PersonEntry(Document):
+class PersonEntry(PriorPart):
     """What one person adds to a prior."""
 
     recordings: Annotated[int, Field(strict=True, ge=1)]
@@ -111,7 +117,7 @@ class PersonEntry(Document):
     rings: dict[Name, RingDocument] = Field(default_factory=dict)
 
 
-class JointSums(Document):
+class JointSums(PriorPart):
     """Sums over people of what each adds to the map of one joint."""
 
     people: Annotated[int, Field(strict=True, ge=FEWEST_RELEASED)]
@@ -122,7 +128,7 @@ class JointSums(Document):
     moments: MomentsDocument
 
 
-class ReleasedPeople(Document):
+class ReleasedPeople(PriorPart):
     """The codes of the people of a clinic's own prior whose entries are in a release, per joint and per ring."""
 
     joints: dict[Name, tuple[Name, ...]] = Field(default_factory=dict)
@@ -140,7 +146,7 @@ class ReleasedPeople(Document):
         return type(self)(joints=joints, rings=rings)
 
 
-class OwnPrior(Document):
+class OwnPrior(PriorPart):
     """A clinic's own prior: one entry per person, so that a person can be taken out again. It never leaves."""
 
     format: Literal["bodydrive-prior"] = "bodydrive-prior"
@@ -177,7 +183,7 @@ class OwnPrior(Document):
         return self.model_copy(update={"people": people, "released": self.released.without(code)})
 
 
-class ReleasedPrior(Document):
+class ReleasedPrior(PriorPart):
     """Sums over at least eight people, in which nobody can be found again: what may leave a clinic."""
 
     format: Literal["bodydrive-prior"] = "bodydrive-prior"
