@@ -41,7 +41,10 @@ def channels_used(parameters: DriveParameters) -> NDArray[np.bool_]:
 
 def periods_between(time_step: float, sample_rate: float) -> float:
     """Return how many whole sample periods lie in `time_step` (s): one, or more where frames are missing."""
-    return min(max(1.0, float(round(time_step * sample_rate))), max(1.0, LONGEST_GAP * sample_rate))
+    periods = time_step * sample_rate
+    if periods < 1.5:
+        return 1.0  # the usual case, in the shortest way
+    return min(float(round(periods)), max(1.0, LONGEST_GAP * sample_rate))
 
 
 class Decoder:
@@ -181,18 +184,19 @@ class Decoder:
 
     def _step_plain(self, products: list[float], per_second: float) -> None:
         """Decode a frame without a bad channel, when every gesture is plain: the usual case, in the shortest way."""
-        for i in self._indices:
-            self.score[i] = score = products[i] - self._offsets[i]
-            smooth = self._filters[i].step(score - self._unseen[i])
-            self.rate[i] = rate = (smooth - self._smooth[i]) * per_second
-            self._smooth[i] = smooth
+        scores, rates, smooths, drives, activations = self.score, self.rate, self._smooth, self.drive, self.activation
+        for i, low_pass_filter in enumerate(self._filters):
+            scores[i] = score = products[i] - self._offsets[i]
+            smooth = low_pass_filter.step(score - self._unseen[i])
+            rates[i] = rate = (smooth - smooths[i]) * per_second
+            smooths[i] = smooth
             above = rate - self._dead_zone[i]
             if above <= 0.0:
-                self.drive[i] = self.activation[i] = 0.0
+                drives[i] = activations[i] = 0.0
             else:
-                self.drive[i] = above
+                drives[i] = above
                 activation = above * self._per_range[i]
-                self.activation[i] = activation if activation < 1.0 else 1.0
+                activations[i] = activation if activation < 1.0 else 1.0
                 self.is_active = True
 
     def _step_prior(self, products: list[float]) -> None:
