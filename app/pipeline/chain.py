@@ -177,5 +177,6 @@ class Chain:
             time_step = 1.0 / self._sample_rate
         self._t_device = frame.t_device
         self._frame_t = frame.t
-        decoder.step(frame.values, time_step)
-        self._loss.step(frame.t, int(periods_between(time_step, self._sample_rate)) - 1)
+        periods = periods_between(time_step, self._sample_rate)
+        decoder.step(frame.values, periods)
+        self._loss.step(frame.t, int(periods) - 1)

@@ -116,12 +116,11 @@ class Decoder:
         for i in self._indices:
             self.activation[i] = self.drive[i] = 0.0
 
-    def step(self, values: NDArray[np.float32], time_step: float) -> None:
-        """Decode one frame (n_channels,), `time_step` (s) of the shirt's own clock after the frame before."""
+    def step(self, values: NDArray[np.float32], periods: float) -> None:
+        """Decode one frame (n_channels,), `periods` whole sample periods after the frame before."""
         was_bad = self.bad
         bad_channels = self._health.step(values)
         frame = self._health.frame
-        periods = periods_between(time_step, self._sample_rate)
         if bad_channels is None:
             self.bad = self._none_bad
             trusted = frame

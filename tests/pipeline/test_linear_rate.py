@@ -9,7 +9,7 @@ from scipy.signal import butter, lfilter
 from app.calibration.prior.features import features
 from app.calibration.profile import AVERAGING_TIMES, GuidedMap, MapCheck, PriorMap
 from app.calibration.vocabulary import DriveParameters
-from app.pipeline.decoder import Decoder
+from app.pipeline.decoder import Decoder, periods_between
 from app.pipeline.replay.batch import decode_block
 from building import make_parameters, make_signals
 
@@ -68,11 +68,12 @@ def changed(parameters, gesture, **fields):
 
 def stream(parameters, device, values):
     """Return score, rate and activation (n, n_gestures) frame by frame."""
-    decoder = Decoder(parameters, parameters.profile.sample_rate)
+    sample_rate = parameters.profile.sample_rate
+    decoder = Decoder(parameters, sample_rate)
     rows = []
-    steps = np.diff(device, prepend=device[0] - 1 / parameters.profile.sample_rate)
+    steps = np.diff(device, prepend=device[0] - 1 / sample_rate)
     for frame, step in zip(values, steps, strict=True):
-        decoder.step(frame, step)
+        decoder.step(frame, periods_between(step, sample_rate))
         rows.append([list(decoder.score), list(decoder.rate), list(decoder.activation)])
     return np.array(rows).transpose(1, 0, 2)
 
@@ -210,7 +211,7 @@ def test_after_a_reset_the_past_is_forgotten(parameters):
     for _ in range(2):
         decoder.reset()
         for frame in values:
-            decoder.step(frame, 0.01)
+            decoder.step(frame, 1.0)
         runs.append(list(decoder.rate))
     assert runs[0] == runs[1]
 
@@ -221,5 +222,5 @@ def test_rest_is_rest(parameters):
     decoder = Decoder(parameters, 100.0)
     still = np.tile(np.full(52, 7.0, dtype=np.float32), (15, 1))  # shorter than a flat line is
     for frame in still:
-        decoder.step(frame, 0.01)
+        decoder.step(frame, 1.0)
         assert decoder.rate[0] == pytest.approx(0.0, abs=1e-9)

@@ -192,8 +192,8 @@ def _step_by_step(
     """Return rate, drive and activation from the loop's decoder: the baseline of a displacement has a memory."""
     decoder = Decoder(parameters, sample_rate)
     rows = np.empty((3, len(values), len(parameters.gestures)))
-    for i, frame in enumerate(values):
-        decoder.step(frame, periods[i] / sample_rate)
+    for i, (frame, since) in enumerate(zip(values, periods.tolist(), strict=True)):
+        decoder.step(frame, since)
         if silent[i].all():
             decoder.quieten()
         rows[:, i] = decoder.rate, decoder.drive, decoder.activation
