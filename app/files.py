@@ -5,6 +5,8 @@ import tempfile
 from errno import EEXIST, EISDIR
 from pathlib import Path
 
+Stamp = tuple[int, int, int]
+
 
 def write_atomically(path: Path, content: bytes, mode: int | None = None) -> None:
     """Write `content` to `path`, so that readers find the old file or the new one, also after a power cut.
@@ -33,6 +35,12 @@ def write_atomically(path: Path, content: bytes, mode: int | None = None) -> Non
         part.unlink(missing_ok=True)
         raise
     sync_folder(path.parent)
+
+
+def stamp(file: Path) -> Stamp:
+    """Return a file's number, its size and the time of its last change (ns): another writing changes one of them."""
+    status = file.stat()
+    return status.st_ino, status.st_size, status.st_mtime_ns
 
 
 def _file_mode_mask() -> int:

@@ -70,6 +70,7 @@ from app.store.database import Database
 from app.store.files.plans import OwnPlans
 from app.store.files.replacements import replaced_files
 from app.store.log_chain import warn_of_changed_log
+from app.world.scene import bundled_places
 
 PREFIX = "/api/v1"
 ROUTES = (
@@ -154,11 +155,15 @@ def create_app(
         web = make_parts(settings, database, start_process, computing, open_scene)
         app.state.people, app.state.web = parts, web
         await start_parts(database, web)
-        checking = asyncio.create_task(asyncio.to_thread(warn_of_changed_log, settings.database))
+        # The places are validated before the first page asks for them.
+        beside = [
+            asyncio.create_task(asyncio.to_thread(warn_of_changed_log, settings.database)),
+            asyncio.create_task(asyncio.to_thread(bundled_places)),
+        ]
         try:
             yield
         finally:
-            await asyncio.gather(checking, return_exceptions=True)
+            await asyncio.gather(*beside, return_exceptions=True)
             await parts.sockets.close_all()
             await parts.hashing.close()
             await end_parts(web)

@@ -1,12 +1,14 @@
 """Scenes: practice places with tasks, some at several levels of difficulty. A scene at one level is a floor plan."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from pathlib import Path
 from typing import Annotated, Any, Literal, NamedTuple, get_args
 
 from pydantic import Field, ValidationError
 
+from app.files import Stamp, stamp
 from app.quantities import Document, Line, Name, Title
 from app.sentences import one_sentence
 from app.settings import data_folder
@@ -101,10 +103,19 @@ def bundled_places() -> dict[str, DrivingPlace]:
     ValueError
         When one of the files is damaged.
     """
+    scenes, floorplans = tuple(bundled_scenes().values()), tuple(bundled_floorplans().values())
+    return dict(_validated(scenes, floorplans, tuple(stamp(file) for file in (*scenes, *floorplans))))
+
+
+@lru_cache(maxsize=1)
+def _validated(
+    scenes: Sequence[Path], floorplans: Sequence[Path], _stamps: tuple[Stamp, ...]
+) -> Mapping[str, DrivingPlace]:
+    """Return the places of these files, read again only when one of the files has changed."""
     places: dict[str, DrivingPlace] = {}
-    for file in bundled_scenes().values():
+    for file in scenes:
         places |= places_in(file)
-    return places | {name: DrivingPlace(load_floorplan(file)) for name, file in bundled_floorplans().items()}
+    return places | {file.stem: DrivingPlace(load_floorplan(file)) for file in floorplans}
 
 
 def places_in(file: Path) -> dict[str, DrivingPlace]:

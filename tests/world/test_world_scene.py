@@ -1,11 +1,13 @@
 import json
 import math
+import shutil
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from app.settings import data_folder
 from app.world.collision import Collision
 from app.world.encounter import Encounters
 from app.world.floorplan import bundled_floorplans
@@ -215,3 +217,19 @@ def test_a_harder_level_is_harder(name):
     easy, hard = PLACES[f"{name}.easy"].plan, PLACES[f"{name}.hard"].plan
     assert easy.model_dump(exclude={"name", "title"}) != hard.model_dump(exclude={"name", "title"})
     assert [path.name for path in easy.paths] == [path.name for path in hard.paths]
+
+
+def test_the_bundled_places_are_validated_once_and_again_after_a_change(tmp_path, monkeypatch):
+    for folder in ("scenes", "floorplans"):
+        shutil.copytree(data_folder() / folder, tmp_path / folder)
+    for module in ("scene", "floorplan"):
+        monkeypatch.setattr(f"app.world.{module}.data_folder", lambda: tmp_path)
+    before = bundled_places()
+    assert all(place is before[name] for name, place in bundled_places().items())
+    base = tmp_path / "floorplans" / "clinic.json"  # other scenes are made from it
+    document = json.loads(base.read_text())
+    base.write_text(json.dumps(document | {"wall_height": 2.25}))
+    after = bundled_places()
+    inherited = [name for name, place in after.items() if place.scene and place.scene.floorplan == "clinic"]
+    assert inherited
+    assert {after[name].plan.wall_height for name in ("clinic", *inherited)} == {2.25}
