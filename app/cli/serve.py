@@ -4,8 +4,7 @@ import os
 import socket
 import sys
 import tempfile
-from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, closing
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -63,13 +62,13 @@ def demo(port: Port = 8080, host: Host = "127.0.0.1", floorplans: Plans = None) 
         bound = int(listening.getsockname()[1])
         settings = Settings(state=Path(folder), host=host, port=bound, demo_code=new_code())
         keep_private(settings)
-        launched = stack.enter_context(_control_process())
+        launch = stack.enter_context(closing(_launch()))
         _furnish_demonstration(settings, plans)
         words = [
             "A demonstration, kept nowhere. Ctrl-C ends it.",
             f"{link('http', host, bound)}#demo={settings.demo_code}",
         ]
-        _run(settings, launched, listening, words)
+        _run(settings, launch, listening, words)
     _leave()
 
 
@@ -109,7 +108,7 @@ def serve(
         write_address = stack.enter_context(held(folder))
         settings = Settings(state=folder)
         warnings = keep_private(settings)
-        launched = stack.enter_context(_control_process())
+        launch = stack.enter_context(closing(_launch()))
         others = stack.enter_context(Lan(hosts, port, settings.authority, own)) if lan else None
         settings = Settings(
             state=folder,
@@ -131,31 +130,28 @@ def serve(
                 f"{opened}#setup={settings.setup_code}",
             ]
         words += [] if others is None else others.look()
-        _run(settings, launched, listening, words, others)
+        _run(settings, launch, listening, words, others)
     _leave()
 
 
-@contextmanager
-def _control_process() -> Iterator["Launch"]:
-    """Launch the control process, which starts beside this one."""
-    from app.process.supervisor import launched
+def _launch() -> "Launch":
+    """Launch the control process, which loads its libraries while this one loads its own."""
+    from app.process.supervisor import launch
 
-    with ExitStack() as stack:
-        try:
-            begun = stack.enter_context(launched())
-        except OSError as error:
-            raise InputError(
-                f"The control process cannot be started ({error.strerror}): close other programs, then try again."
-            ) from error
-        yield begun
+    try:
+        return launch()
+    except OSError as error:
+        raise InputError(
+            f"The control process cannot be started ({error.strerror}): close other programs, then try again."
+        ) from error
 
 
 def _run(
-    settings: Settings, launched: "Launch", listening: socket.socket, words: list[str], others: "Lan | None" = None
+    settings: Settings, launch: "Launch", listening: socket.socket, words: list[str], others: "Lan | None" = None
 ) -> None:
     from app.cli.server import run_clinic
 
-    run_clinic(settings, launched, listening, "\n".join(words), others)
+    run_clinic(settings, launch, listening, "\n".join(words), others)
 
 
 def _leave() -> None:

@@ -142,11 +142,11 @@ def _config(app: KeepsFailure | TabletPage, lifespan: Literal["on", "off"]) -> u
 
 
 def run_clinic(
-    settings: Settings, launched: Launch, listening: socket.socket, words: str, lan: Lan | None = None
+    settings: Settings, launch: Launch, listening: socket.socket, words: str, lan: Lan | None = None
 ) -> None:
     """Serve until a signal, and print `words` after the start; refuse in one sentence when it cannot start.
 
-    `launched` is the first control process; where one is lost, another is started.
+    `launch` is the first control process; where one is lost, another is started.
     """
     share_memory_areas()
     logging.basicConfig(level=logging.WARNING, format="bodydrive: %(message)s", stream=sys.stderr)
@@ -155,18 +155,18 @@ def run_clinic(
         logging.getLogger(name).setLevel(logging.CRITICAL)
     settings.runs.mkdir(parents=True, exist_ok=True)
     scene = partial(ServedScene, models=settings.models)
-    app = create_app(settings, _starts(launched), ComputingProcess(), scene)
+    app = create_app(settings, _starts(launch), ComputingProcess(), scene)
     server = WebServer(app, listening, words, lan)
     if not asyncio.run(server.run_until_signal()):
         raise InputError(why_not_started(server.failure))
 
 
-def _starts(launched: Launch) -> StartProcess:
-    """Return what starts a control process: the first time it waits for the launched one."""
-    first = [launched]
+def _starts(launch: Launch) -> StartProcess:
+    """Return what starts a control process: the first time it waits for that of `launch`."""
+    first = [launch]
 
     async def start() -> ControlProcess:
-        return await (ControlProcess.of(first.pop()) if first else ControlProcess.start())
+        return await (ControlProcess.after(first.pop()) if first else ControlProcess.start())
 
     return start
 

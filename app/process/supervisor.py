@@ -5,8 +5,7 @@ import os
 import socket
 import sys
 import uuid
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from dataclasses import dataclass
 from subprocess import DEVNULL, Popen, TimeoutExpired
 from typing import Any
@@ -24,11 +23,20 @@ QUIT_LIMIT = 3.0  # s, in which the chair stops and an open recording is closed
 
 @dataclass(frozen=True, slots=True)
 class Launch:
-    """A control process that was launched and may not yet take commands; it ends when `link` is closed."""
+    """A new control process, which loads its libraries before it takes commands; it ends when `link` is closed."""
 
     process: Popen[bytes]
     link: socket.socket  # our end
     ring: str  # name of the shared memory that it makes
+
+    def close(self) -> None:
+        """End the process, if it still runs."""
+        self.link.close()
+        try:
+            self.process.wait(QUIT_LIMIT)
+        except TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
 
 
 def launch(*options: str) -> Launch:
@@ -51,24 +59,6 @@ def launch(*options: str) -> Launch:
     return Launch(process, ours, ring)
 
 
-@contextmanager
-def launched(*options: str) -> Iterator[Launch]:
-    """Launch a control process for the time of a `with` statement; raise OSError when the system refuses.
-
-    It loads its libraries while the caller loads others.
-    """
-    begun = launch(*options)
-    try:
-        yield begun
-    finally:
-        begun.link.close()
-        try:
-            begun.process.wait(QUIT_LIMIT)
-        except TimeoutExpired:
-            begun.process.kill()
-            begun.process.wait()
-
-
 class ControlProcess:
     """The web process's handle of one running control process."""
 
@@ -88,22 +78,22 @@ class ControlProcess:
         OSError
             When the system refuses another process.
         """
-        return await cls.of(launch(*options))
+        return await cls.after(launch(*options))
 
     @classmethod
-    async def of(cls, launched: Launch) -> "ControlProcess":
-        """Return the handle of a launched process when it takes commands; raise LinkLost when it never does."""
-        client = await ControlClient.open(launched.link)
+    async def after(cls, launch: Launch) -> "ControlProcess":
+        """Return the handle of a new process when it takes commands; raise LinkLost when it never does."""
+        client = await ControlClient.open(launch.link)
         try:
             await client.call("status", limit=START_LIMIT)
-            ring = TickRing.attach(launched.ring)
+            ring = TickRing.attach(launch.ring)
         except (LinkLost, OSError) as error:
             await client.close()
-            await _end(launched.process)
+            await _end(launch.process)
             raise LinkLost("The control process did not start: look for its message on the console.") from error
         # Both processes have the memory open: without a name it is freed however the processes end.
         ring.unlink()
-        return cls(launched.process, client, ring)
+        return cls(launch.process, client, ring)
 
     @property
     def pid(self) -> int:

@@ -104,11 +104,11 @@ def bundled_places() -> dict[str, DrivingPlace]:
         When one of the files is damaged.
     """
     scenes, floorplans = tuple(bundled_scenes().values()), tuple(bundled_floorplans().values())
-    return dict(_validated(scenes, floorplans, tuple(stamp(file) for file in (*scenes, *floorplans))))
+    return dict(_places_of(scenes, floorplans, tuple(stamp(file) for file in (*scenes, *floorplans))))
 
 
 @lru_cache(maxsize=1)
-def _validated(
+def _places_of(
     scenes: Sequence[Path], floorplans: Sequence[Path], _stamps: tuple[Stamp, ...]
 ) -> Mapping[str, DrivingPlace]:
     """Return the places of these files, read again only when one of the files has changed."""

@@ -13,8 +13,8 @@ from folders import ROOT
 # The real program, whose control process cannot be started.
 PROGRAM = """
 from app.process.supervisor import ControlProcess
-async def of(_): raise {error}
-ControlProcess.of = of
+async def after(_): raise {error}
+ControlProcess.after = after
 from app.cli.main import main
 main()
 """

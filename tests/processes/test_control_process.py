@@ -7,6 +7,7 @@ import signal
 import socket
 import subprocess
 import sys
+from contextlib import closing
 
 import numpy as np
 import pytest
@@ -16,7 +17,7 @@ from processes.udp_shirt import RATE, UdpShirtSender, free_port, shirt_config
 from app.faults import Fault, State
 from app.pipeline.process import main
 from app.process.command_channel import LinkLost
-from app.process.supervisor import ControlProcess
+from app.process.supervisor import ControlProcess, launch
 from app.recording.reader import read_run
 from app.session.control_link import ControlLink
 from building import make_parameters
@@ -162,6 +163,13 @@ code = main(["--link-fd", str(theirs.detach()), "--ring", sys.argv[2]])
 asking.join()
 print(json.dumps({"code": code, "answers": answers, "modules": sorted({name.split(".")[0] for name in sys.modules})}))
 """
+
+
+def test_a_new_process_that_nobody_comes_to_use_ends_and_leaves_no_memory_behind():
+    with closing(launch()) as new:
+        assert new.process.poll() is None
+    assert new.process.returncode is not None
+    assert new.ring not in shared_memory()
 
 
 def test_in_use_it_loads_no_web_database_or_fitting_library(tmp_path):
