@@ -8,7 +8,8 @@ import numpy as np
 
 from app import __version__
 from app.clock import MonotonicClock, stopwatch, utc_now
-from app.exports.export_material import FORMS, ExportMaterial
+from app.exports.export_material import ExportMaterial
+from app.exports.forms import FORMS
 from app.exports.package import export_steps
 from app.messages import NO_CUE, SensorFrame, Tick
 from app.process.ring import TickRing
