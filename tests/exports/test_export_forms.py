@@ -18,7 +18,8 @@ from stored_interface_test import MEASURES as TEST_MEASURES
 from stored_interface_test import store_interface_test
 
 from app.clock import utc_now
-from app.exports.export_material import Form, exported_material
+from app.exports.export_material import exported_material
+from app.exports.forms import Form
 from app.exports.measure_units import TEST_MEASURES as TEST_UNITS
 from app.exports.package import export_steps
 from app.exports.xdf_form import COMMANDS, POSE
