@@ -80,3 +80,12 @@ def test_a_file_name_stands_for_one_subject():
     repeated = {name: files for name, files in places.items() if len(files) > 1}
     assert {name: files for name, files in repeated.items() if name not in SAME_SUBJECT} == {}
     assert set(SAME_SUBJECT) <= set(repeated)  # no entry without need
+
+
+def test_a_test_has_a_name_of_its_own():
+    """Test files are imported by their names alone, so that two of one name cannot be collected together."""
+    tests = [file for file in FILES if file.parts[0] == "tests" and file.name.startswith("test_")]
+    places = defaultdict(list)
+    for file in tests:
+        places[file.name].append(str(file))
+    assert {name: files for name, files in places.items() if len(files) > 1} == {}
