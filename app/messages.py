@@ -1,4 +1,4 @@
-"""The messages at the rate of the shirt: frames and head poses in, ticks out."""
+"""The messages of each turn of the loop: frames, head poses and states of the chair in, ticks out."""
 
 import math
 from dataclasses import dataclass, field
@@ -79,6 +79,20 @@ class Tick:
     head_pitch: float = math.nan  # rad, up positive
     head_roll: float = math.nan  # rad, towards the right shoulder positive
     head_age: float = math.nan  # s since the head pose came
+
+
+@dataclass(slots=True)
+class ChairState:
+    """Where a chair is and how it moves."""
+
+    x: float  # m
+    y: float  # m
+    theta: float  # rad
+    v: float  # m/s, forwards; less than commanded when a wall holds the virtual chair
+    omega: float  # rad/s
+    in_contact: bool
+    contacts: int  # beginnings of contact since the chair was placed
+    scene_t: float = 0.0  # s of permitted motion since the chair was placed: the time of what moves by itself
 
 
 # A Tick and its place in the run as one flat record: a slot of the ring between the processes.

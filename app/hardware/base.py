@@ -13,7 +13,7 @@ from app.geometry import Pose, Twist
 from app.hardware.body.cursor_view import CursorView
 from app.hardware.shirt.sender_choice import SenderChoice
 from app.layout import ShirtLayout
-from app.messages import HeadPose, SensorFrame, Tick
+from app.messages import ChairState, HeadPose, SensorFrame, Tick
 from app.speeds import Speeds
 from app.world.floorplan import FloorPlan, PrescribedPath
 
@@ -172,20 +172,6 @@ class HeadTracker(Protocol):
     def close(self) -> None:
         """Release the device; closing twice does no harm."""
         ...
-
-
-@dataclass(slots=True)
-class ChairState:
-    """Where a chair is and how it moves."""
-
-    x: float  # m
-    y: float  # m
-    theta: float  # rad
-    v: float  # m/s, forwards; less than commanded when a wall holds the virtual chair
-    omega: float  # rad/s
-    in_contact: bool
-    contacts: int  # beginnings of contact since the chair was placed
-    scene_t: float = 0.0  # s of permitted motion since the chair was placed: the time of what moves by itself
 
 
 class Chair(Protocol):

@@ -1,6 +1,7 @@
 """Which channels are bad, and whether too many frames are lost."""
 
 from collections import deque
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,11 +10,11 @@ from app.calibration.profile import CalibrationProfile
 
 Frame = NDArray[np.float32] | NDArray[np.float64]
 
-FLAT_TIME = 0.2  # s: a fabric sensor always shows noise; a signal that stays constant for so long is a broken line
-RANGE_FACTOR = 1.5  # of the calibrated half-range: a value beyond it is not from this body
-SMALLEST_HALF_RANGE = 1e-9  # signal units, for a channel that did not change in the calibration
-LOSS_WINDOW = 1.0  # s
-LOSS_LIMIT = 0.1  # share of frames
+FLAT_TIME: Final = 0.2  # s: a fabric sensor always shows noise; a signal constant for so long is a broken line
+RANGE_FACTOR: Final = 1.5  # of the calibrated half-range: a value beyond it is not from this body
+SMALLEST_HALF_RANGE: Final = 1e-9  # signal units, for a channel that did not change in the calibration
+LOSS_WINDOW: Final = 1.0  # s
+LOSS_LIMIT: Final = 0.1  # share of frames
 
 
 class ChannelHealth:

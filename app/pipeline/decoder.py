@@ -1,6 +1,7 @@
 """From a frame to gestures: project, smooth, differentiate, dead-zone (signal-chain.md, section 3)."""
 
 import math
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,8 +13,8 @@ from app.pipeline.linear_rate import PARTS, GuidedRate, linear_projection
 from app.pipeline.low_pass import LowPass
 from app.pipeline.prior_rates import PriorRates
 
-BASELINE_TIME = 30.0  # s: time constant of the baseline of a displacement gesture
-LONGEST_GAP = 1.0  # s: a longer gap between two frames counts as this long
+BASELINE_TIME: Final = 30.0  # s: time constant of the baseline of a displacement gesture
+LONGEST_GAP: Final = 1.0  # s: a longer gap between two frames counts as this long
 
 
 def projection(parameters: DriveParameters) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

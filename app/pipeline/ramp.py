@@ -5,8 +5,9 @@ The gate limits every requested twist with ramps; the shaper reaches its target 
 
 import math
 from dataclasses import dataclass
+from typing import Final
 
-SLACK = 1e-9  # of a limit: a rounding error is no violation
+SLACK: Final = 1e-9  # of a limit: a rounding error is no violation
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,29 +7,30 @@ and every doubt ends in a ramp to standstill that no earlier step of the chain c
 import math
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist
 from app.pipeline.shaping import forward_ramp, turn_ramp
 from app.speeds import Speeds
 
-NEUTRAL_TIME = 0.5  # s at rest before motion (ISO 7176-14, control signal at switch-on)
-NEUTRAL_PATIENCE = 5.0  # s of the neutral check after which a fault is latched
-SHIRT_STALE = 0.05  # s without a frame after which gestures count as neutral
-SHIRT_SILENT = 0.2  # s without a frame after which the chair is disarmed (as after a 200 ms stall in ArduPilot)
-LOSSY_LIMIT = 1.5  # s of too many lost frames: one burst leaves the window after 1 s; a cruising chair stops sooner
-SLOW_SHIRT = 60.0  # Hz: below this rate the two limits above are counted in periods
-STALE_PERIODS, SILENT_PERIODS = 3, 12
-WEB_SILENT = 0.3  # s without a heartbeat of the web process
-SCREEN_SILENT = 0.3  # s without a report of the screen that armed the chair
-CHAIR_SILENT = 0.3  # s without telemetry, which comes every 0.1 s
-LOOP_STALL = 0.3  # s between two ticks, as for a missing heartbeat
-BAD_GESTURES = 2  # number of gestures with bad channels that ends the drive
-STOP_DECELERATION = 3.0  # m/s2: the upper end of what powered chairs do
-STOP_TURN_DECELERATION = 6.0  # rad/s2
-STOP_TIME = 0.25  # s: longest stop from any permitted speed
-LARGEST_STEP = 0.1  # s: a longer pause between two ticks counts as this long for motion and ramps
+NEUTRAL_TIME: Final = 0.5  # s at rest before motion (ISO 7176-14, control signal at switch-on)
+NEUTRAL_PATIENCE: Final = 5.0  # s of the neutral check after which a fault is latched
+SHIRT_STALE: Final = 0.05  # s without a frame after which gestures count as neutral
+SHIRT_SILENT: Final = 0.2  # s without a frame after which the chair is disarmed (as after a 200 ms stall in ArduPilot)
+LOSSY_LIMIT: Final = 1.5  # s of too many lost frames: one burst leaves the window after 1 s; cruising stops sooner
+SLOW_SHIRT: Final = 60.0  # Hz: below this rate the two limits above are counted in periods
+STALE_PERIODS: Final = 3
+SILENT_PERIODS: Final = 12
+WEB_SILENT: Final = 0.3  # s without a heartbeat of the web process
+SCREEN_SILENT: Final = 0.3  # s without a report of the screen that armed the chair
+CHAIR_SILENT: Final = 0.3  # s without telemetry, which comes every 0.1 s
+LOOP_STALL: Final = 0.3  # s between two ticks, as for a missing heartbeat
+BAD_GESTURES: Final = 2  # number of gestures with bad channels that ends the drive
+STOP_DECELERATION: Final = 3.0  # m/s2: the upper end of what powered chairs do
+STOP_TURN_DECELERATION: Final = 6.0  # rad/s2
+STOP_TIME: Final = 0.25  # s: longest stop from any permitted speed
+LARGEST_STEP: Final = 0.1  # s: a longer pause between two ticks counts as this long for motion and ramps
 
 
 class ChairCondition(IntEnum):
@@ -41,9 +42,11 @@ class ChairCondition(IntEnum):
 
 
 # Members of enumerations that each tick looks up: a look-up by the name of its class costs 0.1 us.
-ARMED, CHECKING = State.ARMED, State.CHECKING
-NO_FAULT = Fault.NONE
-READY, INHIBITED = ChairCondition.READY, ChairCondition.INHIBITED
+ARMED: Final = State.ARMED
+CHECKING: Final = State.CHECKING
+NO_FAULT: Final = Fault.NONE
+READY: Final = ChairCondition.READY
+INHIBITED: Final = ChairCondition.INHIBITED
 
 
 @dataclass(slots=True)

@@ -2,13 +2,14 @@
 
 import math
 from collections.abc import Sequence
+from typing import Final
 
 from app.calibration.vocabulary import DriveParameters
 from app.geometry import Twist
 from app.pipeline.ramp import Ramp
 from app.speeds import Speeds
 
-TURN_BUILD_UP = 1.0  # s: full u2 in acceleration mode reaches the full turn rate after this time
+TURN_BUILD_UP: Final = 1.0  # s: full u2 in acceleration mode reaches the full turn rate after this time
 
 
 def forward_ramp(speeds: Speeds) -> Ramp:

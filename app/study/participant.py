@@ -4,12 +4,12 @@ import numpy as np
 
 from app.cues import Cue
 from app.geometry import Pose
-from app.hardware.base import BodyView, ChairState, LeaderView
+from app.hardware.base import BodyView, LeaderView
 from app.hardware.body.cursor_view import CursorView
 from app.hardware.body.person import Person
 from app.hardware.shirt.fabric import Fabric
 from app.layout import ShirtLayout
-from app.messages import SensorFrame
+from app.messages import ChairState, SensorFrame
 from app.world.cursor_task import CursorTask
 from app.world.movers import MoverState
 

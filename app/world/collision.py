@@ -2,6 +2,7 @@
 
 import math
 from itertools import pairwise
+from typing import Final
 
 import numpy as np
 
@@ -9,11 +10,11 @@ from app.world.floorplan import FloorPlan
 from app.world.kinematics import CHAIR_RADIUS
 from app.world.obstacles import Box, Cylinder
 
-NEAR = 0.8  # m around the chair within which edges are cached; the cache is renewed after half of this distance
-STEP = 0.1  # m; longer movements are divided into steps far shorter than the chair's radius, so that no wall is skipped
-TOUCH = 1e-3  # m; nearer than this counts as touching
-ROUNDING = 1e-9  # m; tolerance for rounding errors of distances
-PUSHES = 8  # a corner of two walls needs two pushes; after this many the chair stays where it was
+NEAR: Final = 0.8  # m around the chair within which edges are cached; the cache is renewed after half of this distance
+STEP: Final = 0.1  # m; longer movements are divided into such steps, so that no wall is skipped
+TOUCH: Final = 1e-3  # m; nearer than this counts as touching
+ROUNDING: Final = 1e-9  # m; tolerance for rounding errors of distances
+PUSHES: Final = 8  # a corner of two walls needs two pushes; after this many the chair stays where it was
 
 # A segment and the distance that the chair's middle keeps from it: start x, start y, unit direction x, direction y,
 # length, distance. A cylinder is a segment of length zero.

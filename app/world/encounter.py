@@ -2,11 +2,12 @@
 
 import math
 from collections.abc import Sequence
+from typing import Final
 
 from app.world.kinematics import CHAIR_RADIUS
 from app.world.movers import Mover, Track
 
-TOUCH = 1e-3  # m; nearer than this counts as touching
+TOUCH: Final = 1e-3  # m; nearer than this counts as touching
 
 
 class Encounters:

@@ -1,8 +1,9 @@
 """Kinematics of the chair: the unicycle of the paper."""
 
 import math
+from typing import Final
 
-CHAIR_RADIUS = 0.32  # m, of the chair's circular footprint: a powered chair is 0.64 m wide
+CHAIR_RADIUS: Final = 0.32  # m, of the chair's circular footprint: a powered chair is 0.64 m wide
 
 
 def unicycle(x: float, y: float, theta: float, v: float, omega: float, dt: float) -> tuple[float, float, float]:

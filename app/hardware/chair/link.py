@@ -13,7 +13,7 @@ from typing import Literal
 
 from app.faults import State
 from app.geometry import STANDSTILL, Pose, Twist
-from app.hardware.base import ORIGIN, ChairState, HardwareError
+from app.hardware.base import ORIGIN, HardwareError
 from app.hardware.chair.key import Key, KeyRefused, read_key
 from app.hardware.chair.odometry import arc
 from app.hardware.chair.packet import (
@@ -30,7 +30,7 @@ from app.hardware.chair.packet import (
 from app.hardware.chair.simulator import FASTEST
 from app.hardware.chair.telemetry import SILENT, ChairTelemetry, telemetry_words
 from app.hardware.configs import RealChairConfig
-from app.messages import Tick
+from app.messages import ChairState, Tick
 from app.speeds import Speeds
 
 PERIOD = 0.02  # s between two commands

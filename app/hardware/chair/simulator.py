@@ -1,12 +1,11 @@
 """The virtual chair on a floor plan, stopped by walls: a unicycle, or a wheelchair with lag, castors and slip."""
 
 import math
-from typing import Literal, get_args
+from typing import Final, Literal, get_args
 
 from app.faults import State
 from app.geometry import STANDSTILL, Pose, Twist
-from app.hardware.base import ChairState
-from app.messages import Tick
+from app.messages import ChairState, Tick
 from app.speeds import HIGHEST_SPEEDS, Speeds
 from app.world import dynamics, kinematics
 from app.world.collision import Collision
@@ -16,9 +15,9 @@ from app.world.floorplan import FloorPlan
 
 Dynamics = Literal["unicycle", "wheelchair"]
 
-LONGEST_STEP = 0.1  # s: during a longer pause the chair does not drive on
-FREE_AGAIN = 0.25  # s without touching after which the next touch is a new contact
-FASTEST = 10.0  # m/s or rad/s: a faster twist, or a NaN, is no command of a wheelchair
+LONGEST_STEP: Final = 0.1  # s: during a longer pause the chair does not drive on
+FREE_AGAIN: Final = 0.25  # s without touching after which the next touch is a new contact
+FASTEST: Final = 10.0  # m/s or rad/s: a faster twist, or a NaN, is no command of a wheelchair
 
 
 class VirtualChair:
