@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from contextlib import AbstractContextManager
 from pathlib import Path as FilePath
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.source import STUDY_SOURCE, source_words
+from app.study.choices import FigureFormat
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.obstacles import Cylinder
 
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-FigureFormat = Literal["png", "svg"]
 Trajectory = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 WALL = "#b8bcc2"

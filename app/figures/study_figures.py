@@ -3,8 +3,9 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-from app.figures.paper import FigureFormat, Trajectory, errors_figure, save_figure, trajectories_figure
+from app.figures.paper import Trajectory, errors_figure, save_figure, trajectories_figure
 from app.figures.seed_errors import errors_over_seeds_figure
+from app.study.choices import FigureFormat
 from app.study.experiment import StudyResult
 from app.study.seeds import MEASURES, comparable_table
 

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from app.calibration.vocabulary import standard_parameters
 from app.scoring.interface_test.interface_measures import InterfaceMeasures
-from app.study.sessions import CalibratedParticipant, PersonKind, begin_session, calibrated_participant, each_seed
+from app.study.choices import PersonKind
+from app.study.sessions import CalibratedParticipant, begin_session, calibrated_participant, each_seed
 from app.study.simulated_interface_test import do_interface_test
 from app.study.simulated_trial import drive_trial, score_trial
 from app.world.cursor_task import CursorPlan

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
-from typing import Literal, TypeVar
+from typing import TypeVar
 
 import numpy as np
 
@@ -20,15 +20,14 @@ from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.hardware.body.person import Person
 from app.hardware.body.person_parameters import DETERIORATING, IMPROVING, PRACTISED, PersonParameters
 from app.scoring.map_losses.trial_history import NOTHING_READ, PastTrial, losses_of, read_trials
+from app.study.choices import Mode, PersonKind, StudyMap
 from app.study.experiment import SAMPLE_RATE, SEEDS_APART, shirt_layout
 from app.study.participant import Participant
-from app.study.simulated_calibration import StudyMap, calibrate, record_step
+from app.study.simulated_calibration import calibrate, record_step
 from app.study.simulated_trial import FrameLog, StudyTrial, drive_trial, score_trial
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 Rows = TypeVar("Rows")
-Mode = Literal["off", "suggest", "auto"]
-PersonKind = Literal["steady", "improving", "deteriorating", "redonned"]
 
 PERSONS: dict[PersonKind, PersonParameters] = {
     "steady": PRACTISED,

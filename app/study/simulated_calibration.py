@@ -1,7 +1,6 @@
 """The calibration of a study's participant, with the script and the fit of the application."""
 
 from collections.abc import Sequence
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,9 +13,9 @@ from app.calibration.script import Step, calibration_script
 from app.cues import cue_index
 from app.layout import ShirtLayout
 from app.messages import NO_CUE
+from app.study.choices import StudyMap
 from app.study.participant import Participant
 
-StudyMap = Literal["pca", "guided"]
 StepRecording = tuple[Step, NDArray[np.float32], NDArray[np.int32]]
 """A step, its frames (n, n_channels), and the index of each frame's cue (n,)."""
 

@@ -1,35 +1,19 @@
 """`bodydrive study`: the paper's experiment with simulated people, faster than real time."""
 
-import dataclasses
-import functools
-import json
 import os
 import re
-import sys
+from functools import partial
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from app.cli.errors import InputError
 from app.cli.output import check_new_folder
-from app.cli.study.study_interface import study_interface
-from app.cli.study.study_sessions import study_sessions
-from app.clock import stopwatch
-from app.figures.paper import FigureFormat
-from app.figures.study_figures import draw_seeds, draw_study
-from app.hardware.body.person_parameters import NOVICE
-from app.realtime import collect_seldom
-from app.study.experiment import StudyResult, run_study
-from app.study.second_process import second_process
-from app.study.seeds import MEASURES, run_seeds
-from app.study.seeds_files import seeds_summary, sentences, write_seeds
-from app.study.sessions import Mode, PersonKind
-from app.study.simulated_calibration import StudyMap
-from app.study.simulated_trial import StudyTrial
-from app.study.study_files import check_folder, summary, write_study
-from app.world.floorplan import FloorPlan, load_floorplan
-from app.world.scene import bundled_places, find_place
+from app.study.choices import FigureFormat, Mode, PersonKind, StudyMap
+
+if TYPE_CHECKING:
+    from app.world.floorplan import FloorPlan
 
 MOST_TRIALS = 1000
 STUDY_TRIALS = 22  # the paper's
@@ -77,6 +61,11 @@ def study(
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
 ) -> None:
     """Let a simulated person calibrate, then drive a path again and again, and score every trial."""
+    from app.cli.study.study_interface import study_interface
+    from app.cli.study.study_sessions import study_sessions
+    from app.cli.study.study_trials import study_trials
+    from app.realtime import collect_seldom
+
     if seed + seeds - 1 > LARGEST_SEED:
         raise InputError(f"--seed {seed} leaves no room for --seeds {seeds}: the largest seed is {LARGEST_SEED}")
     if adapt is not None and no_learning:
@@ -87,9 +76,6 @@ def study(
         raise InputError(f"--map {map_kind} goes with --adapt: say how the calibration adapts, or leave it out")
     _check_out(out, overwrite)
     plan = find_floorplan(floorplan)
-    collect_seldom()
-    processes = jobs or len(os.sched_getaffinity(0))
-    started = stopwatch()
     try:
         chosen = plan.path_named(path) if path is not None else plan.paths[0]
     except ValueError as error:
@@ -98,49 +84,29 @@ def study(
         raise InputError(
             f"--path {chosen.name}: it has no line to be scored beside, choose a path that is driven along"
         )
-    if adapt is not None or interface_test:
-        run = study_interface if adapt is None else functools.partial(study_sessions, adapt=adapt, map_kind=map_kind)
-        run(
-            out,
-            person=person,
-            sessions=sessions,
-            trials=trials or SESSION_TRIALS,
-            seeds=range(seed, seed + seeds),
-            floorplan=plan,
-            path=chosen,
-            processes=processes,
-            as_json=as_json,
-        )
-        return
-    trials = trials or STUDY_TRIALS
-    driver = dataclasses.replace(NOVICE, learns=not no_learning)
-    try:
-        if seeds == 1:
-            progress = None if as_json else _Progress(trials)
-            with second_process(processes) as second:
-                result = run_study(trials, seed, plan, chosen.name, progress, driver, second)
-                draw = functools.partial(draw_study, result, figure_format=figure_format)
-                write_study(result, out, draw, overwrite, second)
-            document, lines = summary(result), [result.learning[name]["text"] for name in MEASURES]
-        else:
-            tell = None if as_json else _tell_of_seed
-            results = run_seeds(range(seed, seed + seeds), trials, plan, chosen.name, driver, tell, processes)
-            write_seeds(results, out, lambda folder: draw_seeds(results, folder, figure_format), overwrite)
-            document, lines = seeds_summary(results), sentences(results)
-    except ValueError as error:
-        raise InputError(str(error)) from error
-    except OSError as error:
-        raise InputError(f"--out {out} cannot be written ({error.strerror}): choose another place") from error
-    if as_json:
-        typer.echo(json.dumps({"out": str(out), **document}, allow_nan=False))
-        return
-    for sentence in lines:
-        typer.echo(sentence)
-    typer.echo(f"{trials * seeds} trials in {stopwatch() - started:.1f} s, written to {out}")
+    collect_seldom()
+    run: partial[None]
+    if adapt is not None:
+        run = partial(study_sessions, person=person, sessions=sessions, adapt=adapt, map_kind=map_kind)
+    elif interface_test:
+        run = partial(study_interface, person=person, sessions=sessions)
+    else:
+        run = partial(study_trials, learns=not no_learning, figure_format=figure_format, overwrite=overwrite)
+    run(
+        out,
+        trials=trials or (STUDY_TRIALS if run.func is study_trials else SESSION_TRIALS),
+        seeds=range(seed, seed + seeds),
+        floorplan=plan,
+        path=chosen,
+        processes=jobs or len(os.sched_getaffinity(0)),
+        as_json=as_json,
+    )
 
 
 def _check_out(out: Path, overwrite: bool) -> None:
     """Raise InputError unless the folder is new or empty, or holds a study that may be overwritten."""
+    from app.study.study_files import check_folder
+
     check_new_folder(out)
     if out.is_dir() and (foreign := sorted(entry.name for entry in out.iterdir() if not OF_A_STUDY(entry.name))):
         raise InputError(f"--out {out} holds '{foreign[0]}', which is no part of a study: name a new or empty folder")
@@ -150,7 +116,7 @@ def _check_out(out: Path, overwrite: bool) -> None:
         raise InputError(f"--out {error}") from error
 
 
-def find_floorplan(name: str) -> FloorPlan:
+def find_floorplan(name: str) -> "FloorPlan":
     """Return the bundled floor plan or scene at a level of this name, or the one in the file of this name.
 
     Raises
@@ -158,6 +124,9 @@ def find_floorplan(name: str) -> FloorPlan:
     InputError
         When there is neither.
     """
+    from app.world.floorplan import load_floorplan
+    from app.world.scene import bundled_places, find_place
+
     try:
         place = find_place(name)
         if place is None and not (name and os.path.exists(name)):
@@ -166,22 +135,3 @@ def find_floorplan(name: str) -> FloorPlan:
         return place or load_floorplan(Path(name))
     except ValueError as error:
         raise InputError(f"--floorplan {error}") from error
-
-
-class _Progress:
-    """Reports the progress on stderr."""
-
-    def __init__(self, trials: int) -> None:
-        self._trials = trials
-
-    def __call__(self, trial: StudyTrial) -> None:
-        measures: dict[str, Any] = trial.measures
-        reached = "" if measures["reached"] else ", goal not reached"
-        sys.stderr.write(
-            f"trial {trial.number} of {self._trials}: distance driven {measures['dist']:.1f} m, "
-            f"area off the path {measures['e_diff']:.2f} m², {measures['time']:.0f} s{reached}\n"
-        )
-
-
-def _tell_of_seed(result: StudyResult) -> None:
-    sys.stderr.write(f"seed {result.seed}: {len(result.trials)} trials driven\n")

@@ -11,8 +11,8 @@ import typer
 from app.cli.errors import InputError
 from app.clock import stopwatch
 from app.source import STUDY_SOURCE, source_words
+from app.study.choices import PersonKind
 from app.study.interface_sessions import InterfaceSession, interface_summary, interface_table, run_interface_seeds
-from app.study.sessions import PersonKind
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 ROWS, TABLE, SUMMARY = "interface_tests.csv", "interface_table.txt", "interface_tests.json"

@@ -13,9 +13,9 @@ import typer
 from app.cli.errors import InputError
 from app.clock import stopwatch
 from app.source import STUDY_SOURCE, source_words
+from app.study.choices import Mode, PersonKind, StudyMap
 from app.study.comparison import compare, table
-from app.study.sessions import Mode, PersonKind, SessionTrial, run_participants
-from app.study.simulated_calibration import StudyMap
+from app.study.sessions import SessionTrial, run_participants
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 ROWS, TABLE, SUMMARY = "sessions.csv", "table.txt", "adaptation.json"
