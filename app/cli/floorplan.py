@@ -5,15 +5,10 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from pydantic import ValidationError
 
 from app.cli.errors import InputError
 from app.cli.output import write_output
-from app.sentences import one_sentence
-from app.world.floorplan import load_floorplan
-from app.world.imports.draft import plan_of
-from app.world.imports.options import THRESHOLD, Options
-from app.world.scene import bundled_places, is_scene, places_in
+from app.world.imports.options import THRESHOLD
 
 floorplan_app = typer.Typer(
     help="List the places that come with the software, check one, or make one from a file.",
@@ -45,6 +40,11 @@ def import_file(
     as_json: AsJson = False,
 ) -> None:
     """Make a floor plan from a ROS map, a DXF drawing or a picture: walls, and a path to drive."""
+    from pydantic import ValidationError
+
+    from app.sentences import one_sentence
+    from app.world.imports.draft import plan_of
+    from app.world.imports.options import Options
     from app.world.imports.plan_files import import_plan
 
     if out.suffix != ".json":
@@ -94,6 +94,8 @@ def import_file(
 @floorplan_app.command("list")
 def list_plans(as_json: AsJson = False) -> None:
     """List what can be driven in and comes with the software: scenes by level, buildings, and their tasks."""
+    from app.world.scene import bundled_places
+
     try:
         plans = [offer.plan for offer in bundled_places().values()]
     except (ValueError, FileNotFoundError) as error:
@@ -123,6 +125,9 @@ def check_plan(
     file: Annotated[Path, typer.Argument(metavar="FILE.json", help="A floor plan or a scene.")], as_json: AsJson = False
 ) -> None:
     """Say whether a floor plan or a scene can be driven in, and if not, what is wrong where."""
+    from app.world.floorplan import load_floorplan
+    from app.world.scene import is_scene, places_in
+
     try:
         plans = list(places_in(file)) if is_scene(file) else [load_floorplan(file).name]
     except ValueError as error:

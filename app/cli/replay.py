@@ -5,16 +5,16 @@ import math
 import socket
 from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from app.cli.errors import InputError
 from app.clock import Clock, MonotonicClock
-from app.hardware.base import HardwareError
-from app.hardware.shirt.packet import encode
-from app.hardware.shirt.playback import FrameFile, FramePlayer, read_frames
 from app.hardware.shirt.sender import STANDARD_ADDRESS
+
+if TYPE_CHECKING:
+    from app.hardware.shirt.playback import FrameFile
 
 SLOWEST, FASTEST = 0.01, 100.0  # times the recorded rate
 
@@ -27,6 +27,9 @@ def replay(
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
 ) -> None:
     """Play a recorded run as a shirt source: its frames as datagrams, at their own times. Ctrl-C ends it."""
+    from app.hardware.base import HardwareError
+    from app.hardware.shirt.playback import read_frames
+
     if not SLOWEST <= speed <= FASTEST:
         raise InputError(f"--speed {speed:g}: give a number between {SLOWEST:g} and {FASTEST:g}")
     family, address = parse_address(to)
@@ -65,12 +68,15 @@ def parse_address(text: str) -> tuple[socket.AddressFamily, tuple[str, int]]:
 
 
 def play(
-    file: FrameFile, send: Callable[[bytes], str], clock: Clock, loop: bool, speed: float
+    file: "FrameFile", send: Callable[[bytes], str], clock: Clock, loop: bool, speed: float
 ) -> tuple[int, bool, str]:
     """Send the frames at their recorded times divided by `speed`, each with its recorded device time.
 
     Return how many frames were sent, whether Ctrl-C ended the replay, and the error that `send` returned.
     """
+    from app.hardware.shirt.packet import encode
+    from app.hardware.shirt.playback import FramePlayer
+
     player = FramePlayer(file, loop)
     start = clock.now()
     sent = 0

@@ -2,16 +2,14 @@
 
 import json
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
-import numpy as np
 import typer
-from numpy.typing import NDArray
 
 from app.cli.errors import InputError
-from app.scoring.path_measures import Measures, path_measures
-from app.signals.columns import read_columns, require_column
-from app.world.path import Path as Line
+
+if TYPE_CHECKING:
+    from app.scoring.path_measures import Measures
 
 EXTRAS = ("in_contact", "contacts", "u1", "u2")  # optional columns of the trajectory that give further measures
 LARGEST_RADIUS = 1000.0  # m
@@ -52,14 +50,18 @@ def score(
     typer.echo(json.dumps(measures) if as_json else _table(measures))
 
 
-def score_files(trajectory: Path, path: Path, goal_radius: float) -> Measures:
+def score_files(trajectory: Path, path: Path, goal_radius: float) -> "Measures":
     """Return the measures of the trajectory in one file along the path in another."""
+    import numpy as np
+
+    from app.scoring.path_measures import path_measures
+    from app.signals.columns import read_columns, require_column
+    from app.world.path import Path as Line
+
     try:
         driven = read_columns(trajectory, only=("t", "x", "y", *EXTRAS))
         t, x, y = (require_column(driven, trajectory, name) for name in ("t", "x", "y"))
-        extras: dict[str, NDArray[np.float64]] = {
-            name: require_column(driven, trajectory, name) for name in EXTRAS if name in driven
-        }
+        extras = {name: require_column(driven, trajectory, name) for name in EXTRAS if name in driven}
         prescribed = read_columns(path, only=("x", "y"))
         points = np.column_stack([require_column(prescribed, path, name) for name in ("x", "y")])
     except ValueError as error:
@@ -79,7 +81,7 @@ def score_files(trajectory: Path, path: Path, goal_radius: float) -> Measures:
         raise InputError(f"{trajectory}: {error}") from error
 
 
-def _table(measures: Measures) -> str:
+def _table(measures: "Measures") -> str:
     lines = []
     for name, value in measures.items():
         label, unit = WORDS[name]

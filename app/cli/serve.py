@@ -18,11 +18,11 @@ from app.network import link
 from app.realtime import collect_seldom
 from app.refusals import Refusal
 from app.settings import Settings, new_code, state_folder
-from app.world.floorplan import FloorPlan, load_floorplan
 
 if TYPE_CHECKING:
     from app.cli.host.lan import Lan
     from app.process.supervisor import Launch
+    from app.world.floorplan import FloorPlan
 
 Port = Annotated[int, typer.Option(min=0, max=65_535, help="The port to listen on; 0 takes any free one.")]
 Host = Annotated[str, typer.Option(help="The address to listen on, one of this machine alone.")]
@@ -161,14 +161,16 @@ def _leave() -> None:
     os._exit(0)
 
 
-def _floorplan(file: Path) -> FloorPlan:
+def _floorplan(file: Path) -> "FloorPlan":
+    from app.world.floorplan import load_floorplan
+
     try:
         return load_floorplan(file)
     except ValueError as error:
         raise InputError(str(error)) from error
 
 
-def _furnish_demonstration(settings: Settings, plans: list[FloorPlan]) -> None:
+def _furnish_demonstration(settings: Settings, plans: "list[FloorPlan]") -> None:
     from app.cli.demonstration import furnish
     from app.store.database import Database
 

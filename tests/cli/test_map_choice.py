@@ -9,7 +9,7 @@ from typer.testing import CliRunner
 
 from app.calibration.profile import CalibrationProfile, GuidedMap, MapCheck
 from app.cli.calibration.map_choice import checks, choose, comparison
-from app.cli.decode import read_parameters
+from app.cli.decoded_file import read_parameters
 from app.cli.errors import InputError
 from app.cli.main import build
 from app.layout import Channel, Joint, ShirtLayout

@@ -1,20 +1,22 @@
 """The choice of the map in `bodydrive calibrate`, and the check of both maps on held-out repetitions."""
 
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
-from app.calibration.profile import CalibrationProfile, JointMap, MapCheck, MapKind
 from app.cli.errors import InputError
+
+if TYPE_CHECKING:
+    from app.calibration.profile import CalibrationProfile, JointMap, MapCheck, MapKind
 
 MapChoice = Literal["pca", "guided", "prior", "best"]
 KEPT = "It keeps the standard calibration."
 
 
 def choose(
-    profile: CalibrationProfile,
+    profile: "CalibrationProfile",
     chosen: MapChoice,
     reasons: dict[str, str],
     prior_reasons: dict[str, str] | None = None,
-) -> tuple[CalibrationProfile, list[str]]:
+) -> "tuple[CalibrationProfile, list[str]]":
     """Return the profile with the chosen map of each joint, and a sentence for each joint without it.
 
     `reasons` say why a joint has no guided map, `prior_reasons` why none from other people (None without a prior).
@@ -47,7 +49,7 @@ def choose(
     return profile.model_copy(update={"joints": joints}), words
 
 
-def _map_of(joint: JointMap, chosen: MapChoice) -> MapKind:
+def _map_of(joint: "JointMap", chosen: MapChoice) -> "MapKind":
     """Return the map that decodes a joint: the chosen one where there is one, the best one that is offered, or PCA."""
     if chosen == "prior":
         return "pca" if joint.prior is None else "prior"
@@ -56,7 +58,7 @@ def _map_of(joint: JointMap, chosen: MapChoice) -> MapKind:
     return joint.best_map if chosen == "best" else "pca"
 
 
-def checks(joint: JointMap, reasons: dict[str, str]) -> dict[str, object]:
+def checks(joint: "JointMap", reasons: dict[str, str]) -> dict[str, object]:
     """Return the map in use and the checks of both maps, or the reason why there is no guided map."""
     if joint.guided is None:
         return {"map": joint.map, "offered": False, "reason": reasons[joint.name]}
@@ -73,7 +75,7 @@ def checks(joint: JointMap, reasons: dict[str, str]) -> dict[str, object]:
     }
 
 
-def comparison(profile: CalibrationProfile, reasons: dict[str, str], width: int) -> list[str]:
+def comparison(profile: "CalibrationProfile", reasons: dict[str, str], width: int) -> list[str]:
     """Return the table of both maps on the held-out repetitions, then the reasons for missing guided maps."""
     both = [(joint.name, joint.guided) for joint in profile.joints if joint.guided]
     lines = []
@@ -95,5 +97,5 @@ def comparison(profile: CalibrationProfile, reasons: dict[str, str], width: int)
     return lines + [f"{name}: {reason}" for name, reason in reasons.items()]
 
 
-def _figures(check: MapCheck) -> tuple[str, str, str]:
+def _figures(check: "MapCheck") -> tuple[str, str, str]:
     return f"{check.in_phase:.1%}", f"{check.hit_rate:.1%}", f"{check.false_per_minute:.1f}"

@@ -1,26 +1,24 @@
-"""What the command line says of maps from other people, and the movements that they are learnt from."""
+"""What the command line says of maps from other people."""
 
-import math
-from pathlib import Path
-
-from app.calibration.fit.repetitions import Stretch, stretches_of_prompts
+from app.calibration.prior.prior_map import PriorFit
 from app.calibration.profile import Arrangement, Forecast, JointMap
-from app.calibration.prompts_file import read_prompts
-from app.layout import ShirtLayout
-from app.signals.signals import Signals
 
 
-def prompted_stretches(recorded: Signals, table: Path, shirt: ShirtLayout, until: float | None = None) -> list[Stretch]:
-    """Return one stretch per joint of a table of prompts, for the maps from other people.
+def prior_summary(known: PriorFit) -> dict[str, object]:
+    """Return what `--json` says of the maps from other people and of how the shirt sits."""
+    return {
+        "prior": {joint.name: _facts(joint, known.reasons) for joint in known.profile.joints},
+        "arrangement": {ring: found.model_dump(mode="json") for ring, found in known.arrangement.items()},
+    }
 
-    Between the first and the last prompt of a joint, what is not prompted counts as rest, however long it is.
-    """
-    rows = read_prompts(table, shirt, float(recorded.t[0]), float(recorded.t[-1]))
-    return stretches_of_prompts(recorded.t, recorded.values, rows, recorded.sample_rate, until, longest_pause=math.inf)
+
+def prior_report(known: PriorFit) -> list[str]:
+    """Return the lines about maps from other people, one per joint, and about how the shirt sits, one per ring."""
+    joints = [_joint_words(joint, known.reasons) for joint in known.profile.joints]
+    return joints + [_arrangement_words(ring, found) for ring, found in known.arrangement.items()]
 
 
-def prior_facts(joint: JointMap, reasons: dict[str, str]) -> dict[str, object]:
-    """Return what `--json` says of a joint's map from other people, or why there is none."""
+def _facts(joint: JointMap, reasons: dict[str, str]) -> dict[str, object]:
     prior = joint.prior
     if prior is None:
         return {"offered": False, "reason": reasons[joint.name]}
@@ -43,8 +41,7 @@ def _forecast(forecast: Forecast | None) -> object:
     return "not known" if forecast is None else forecast.model_dump(mode="json")
 
 
-def prior_words(joint: JointMap, reasons: dict[str, str]) -> str:
-    """Return the line of a joint's map from other people for people to read."""
+def _joint_words(joint: JointMap, reasons: dict[str, str]) -> str:
     prior = joint.prior
     if prior is None:
         return f"{joint.name}: {reasons[joint.name]}"
@@ -59,8 +56,7 @@ def prior_words(joint: JointMap, reasons: dict[str, str]) -> str:
     )
 
 
-def arrangement_words(ring: str, arrangement: Arrangement) -> str:
-    """Return how a ring of sensors sits, in words."""
+def _arrangement_words(ring: str, arrangement: Arrangement) -> str:
     if arrangement == Arrangement():
         return f"Ring {ring}: it sits as on other people."
     places = f"turned by {arrangement.shift} {'place' if arrangement.shift == 1 else 'places'}"

@@ -1,0 +1,55 @@
+"""What `bodydrive calibrate` prints of a calibration, for people and as JSON."""
+
+from pathlib import Path
+
+from app.calibration.fit.profile_fit import joints_without_map
+from app.calibration.profile import CalibrationProfile
+from app.cli.calibration.map_choice import checks, comparison
+
+KINDS = {"pca": "standard", "guided": "cues", "prior": "people"}
+PRINTED = ("evr", "span", "sign", "grade", "reason", "dead_zone", "full")
+
+
+def _rate(share: float) -> str:
+    """Return a threshold as a share of the full movement per second."""
+    return f"{100 * share:.0f} % / s"
+
+
+def summary(profile: CalibrationProfile, reasons: dict[str, str], out: Path) -> dict[str, object]:
+    """Return the object of `--json`; a joint without a map has a grade and a reason, but no numbers."""
+    without = {
+        name: {**dict.fromkeys(PRINTED), "grade": "repeat", "reason": reason}
+        for name, reason in joints_without_map(profile).items()
+    }
+    mapped = {
+        joint.name: {word: getattr(joint, word) for word in PRINTED}
+        | dict(zip(("dead_zone", "full"), joint.thresholds, strict=True))
+        for joint in profile.joints
+    }
+    maps = {joint.name: checks(joint, reasons) for joint in profile.joints}
+    return {"joints": mapped | without, "maps": maps, "profile": str(out)}
+
+
+def report(profile: CalibrationProfile, reasons: dict[str, str], out: Path) -> str:
+    """Return a table for people: one line per joint, then the reasons, then the file of the profile."""
+    without = joints_without_map(profile)
+    width = max(len(name) for name in ("joint", *profile.layout.joint_names))
+    head = f"{'clear':>6}  {'span':>10}  sign  {'grade':6}  {'counts from':>11}  {'full at':>9}  calibration"
+    lines = [f"{'joint':{width}}  {head}"]
+    lines += [
+        f"{joint.name:{width}}  {joint.evr:6.1%}  {joint.span:10.4g}  {'+' if joint.sign > 0 else '-':>4}  "
+        f"{joint.grade:6}  {_rate(joint.thresholds[0]):>11}  {_rate(joint.thresholds[1]):>9}  {KINDS[joint.map]}"
+        for joint in profile.joints
+    ]
+    nothing = f"{'-':>6}  {'-':>10}  {'-':>4}  {'repeat':6}  {'-':>11}  {'-':>9}  -"
+    lines += [f"{name:{width}}  {nothing}" for name in without]
+    lines += [
+        "",
+        "Clear: share of the main movement. Span: of the full movement, in the signals' own unit.",
+        "",
+    ]
+    lines += [f"{joint.name}: {joint.reason}" for joint in profile.joints]
+    lines += [f"{name}: {reason}" for name, reason in without.items()]
+    lines += [f"Channel {name} is left out: {why}." for name, why in profile.left_out.items()]
+    lines += ["", *comparison(profile, reasons, width), "", f"The profile is in {out}"]
+    return "\n".join(lines)
