@@ -125,7 +125,7 @@ worlds: $(VENV)/.installed-test
 bench: $(VENV)/.installed-test
 	$(BIN)/python -m bench $(PART)
 
-# Simulated people who are called better or worse than noise: the tables of docs/learning.md; about five minutes.
+# Simulated people who are called better or worse than noise: the tables of docs/learning/verdicts.md; about five minutes.
 verdicts: $(VENV)/.installed-test
 	$(BIN)/python -m bench.verdicts --people $(or $(PEOPLE),1000)
 

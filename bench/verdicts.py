@@ -1,6 +1,6 @@
 """Checks the verdicts "better than noise" and "worse than noise" on many simulated people.
 
-`python -m bench.verdicts` prints the tables of docs/learning.md, "Better, or noise?". A simulated person has a level, a
+`python -m bench.verdicts` prints the tables of docs/learning/verdicts.md. A simulated person has a level, a
 spread between trials and a spread between sessions, both as shares of the level. The clinic's median comes from other
 simulated people, twenty for each clinic.
 """
@@ -211,7 +211,7 @@ def alarms(course: str, people: int, seed: int = 1) -> tuple[float, float]:
 def main(
     people: Annotated[int, typer.Option(min=20, help="Simulated people of each row.")] = 1000,
 ) -> None:
-    """Print the tables of docs/learning.md, "Better, or noise?"."""
+    """Print the tables of docs/learning/verdicts.md."""
     print_verdicts(people)
     print_cells(people)
     typer.echo("")

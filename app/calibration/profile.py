@@ -33,7 +33,7 @@ class Arrangement(Document):
 
 
 class MapCheck(Document):
-    """The check of one map on held-out repetitions (docs/learning.md, "The guided map")."""
+    """The check of one map on held-out repetitions (docs/learning/guided-map.md)."""
 
     in_phase: Fraction  # share of all activation during the prompted movements
     hit_rate: Fraction  # share of the time of the prompted movements with activation

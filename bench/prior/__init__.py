@@ -1,1 +1,1 @@
-"""The tables of docs/learning.md, "The prior": people kept apart, real and simulated."""
+"""The tables of docs/learning/prior-measured.md: people kept apart, real and simulated."""

@@ -176,7 +176,7 @@ def main(
     people: Annotated[int, typer.Option(min=6, help="Simulated people.")] = 20,
     seed: Annotated[int, typer.Option(help="Of the cues' lead on the real knit.")] = 1,
 ) -> None:
-    """Print the tables of docs/learning.md, "The prior"."""
+    """Print the tables of docs/learning/prior-measured.md."""
     typer.echo(step_cost())
     if FOLDER.exists():
         knit = [with_ring(one) for one in knit_people(seed)]

@@ -174,7 +174,7 @@ def test_a_map_with_other_channels_is_not_compared():
 
 @pytest.mark.parametrize(("name", "expected"), [("steady", set()), ("turned", {"map"}), ("channel dies", {"sensor"})])
 def test_a_simulated_person_earns_the_right_warning(name, expected):
-    """One seed and few trials; the table of many is in docs/learning.md."""
+    """One seed and few trials; the table of many is in docs/learning/quality.md."""
     condition = CONDITIONS[name]._replace(sessions=2, trials=2)
     said = warnings_by_session(sessions_of(condition, 3, "clinic", "first-corner"))
     assert said[1] == []

@@ -1,4 +1,4 @@
-"""Simulated people over sessions, and the warnings of their trials. As a program: the table of docs/learning.md.
+"""Simulated people over sessions, and their trials' warnings. As a program: the table of docs/learning/quality.md.
 
 `python tests/scoring/warning_cases.py --seeds 20`, or with `--only turned` one of the conditions.
 """

@@ -1,7 +1,7 @@
 """The person who learns shows a trend, the one who does not shows none: a small study on a short path.
 
-What 20 people do on the clinic's path takes half an hour of a processor and stands in docs/learning.md. Here two people
-who learn as fast as the published ranges allow drive 12 m eight times.
+What 20 people do on the clinic's path takes half an hour of a processor; docs/learning/simulated-person.md says it.
+Here two people who learn as fast as the published ranges allow drive 12 m eight times.
 """
 
 import dataclasses

@@ -28,8 +28,8 @@ def fit_to_donning(
     """Return the parameters for the shirt as it sits in ten seconds of free movement.
 
     Only the ranges of the channels and their means follow (`donning_range.py`). Weights, thresholds and controls stay,
-    because a new donning hardly changes what a map reads (docs/learning.md, "Does it help?"). A ring of sensors that is
-    turned on the limb would change it, so that it is refused.
+    because a new donning hardly changes what a map reads (docs/learning/adapting.md, "Does it help?"). A ring of
+    sensors that is turned on the limb would change it, so that it is refused.
 
     Parameters
     ----------

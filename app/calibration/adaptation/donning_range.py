@@ -3,7 +3,7 @@
 Putting a shirt on again changes how strongly each channel answers and where its level lies. Both can be told from free
 movement, without cues: how far each channel moves in comparison with the others of its joint. How far all of them move
 together says how large the movements were, not how the shirt sits, and changes nothing. Neither do the maps change:
-over the channels of a joint the changes cancel (docs/learning.md, "Does it help?").
+over the channels of a joint the changes cancel (docs/learning/adapting.md, "Does it help?").
 """
 
 from typing import NamedTuple

@@ -13,7 +13,7 @@ RIDGE = 0.01  # of each feature's own power
 GAIN_UNCERTAINTY = 1.1  # factor on a channel's moments with itself: its gain differs from person to person
 WORTH = 30.0  # s of a person's own frames that other people's moments count for; 10 to 60 s do equally well
 # Deviations from the mean rate of strokes, whose slow edges are not labelled: chosen on the real knit, where 0.73
-# hits less and 1.05 is active at rest (docs/learning.md).
+# hits less and 1.05 is active at rest (docs/learning/prior.md).
 DEAD_ZONE_DEVIATIONS = -0.9
 FULL_DEVIATIONS = 1.46  # about the 90 % quantile of the rates above the dead-zone
 

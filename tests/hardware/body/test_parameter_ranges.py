@@ -40,7 +40,7 @@ def test_a_number_outside_is_named_with_its_range() -> None:
 
 
 def test_the_table_of_the_documentation_is_this_one() -> None:
-    text = (ROOT / "docs" / "learning.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "learning" / "simulated-person.md").read_text(encoding="utf-8")
     novice = numbers_of(NOVICE)
     for name, known in RANGES.items():
         row = f"| `{name}` | {novice[name]:g} | {known.low:g} to {known.high:g} | {known.unit} | {known.source} |"

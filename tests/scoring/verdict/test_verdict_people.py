@@ -1,6 +1,6 @@
 """Simulated people: without a change few are called better or worse, and after twice the MDC nearly all are better.
 
-The seeds are fixed. `make verdicts` prints the tables of docs/learning.md, with the rows tested here.
+The seeds are fixed. `make verdicts` prints the tables of docs/learning/verdicts.md, with the rows tested here.
 """
 
 import pytest
