@@ -124,6 +124,14 @@ def test_a_trial_that_missed_the_goal_is_not_compared_in_its_area_but_in_its_sta
     assert value_of(rows[-1], "e_diff") is None
 
 
+@pytest.mark.parametrize("measure", ["follow_error_rms", "follow_error_max", "follow_near"])
+def test_whoever_stops_following_at_once_has_followed_no_better(measure: str) -> None:
+    rows = rows_of([0.6, 0.61, 0.6, 0.62, 0.01], measure=measure)
+    rows[-1]["reached"] = False
+    assert value_of(rows[-1], measure) is None
+    assert measure not in trial_verdicts(rows, CLINIC, 105, None).verdicts
+
+
 def test_a_measure_without_a_direction_has_no_verdict() -> None:
     rows = rows_of([0.3, 0.31, 0.3], [0.6, 0.61, 0.6], measure="mean_speed")
     assert "mean_speed" not in task_verdicts(rows, {}).sessions[0].verdicts

@@ -12,9 +12,9 @@ import { number, signed } from "../widgets/format.js";
  */
 export const MEASURES = {
   stages_done: { unit: "", digits: 0, better: "high", needsGoal: false, of: "stages" },
-  follow_error_rms: { unit: "m", digits: 2, better: "low", needsGoal: false },
-  follow_error_max: { unit: "m", digits: 2, better: "low", needsGoal: false },
-  follow_near: { unit: "%", digits: 0, factor: 100, better: "high", needsGoal: false },
+  follow_error_rms: { unit: "m", digits: 2, better: "low", needsGoal: true },
+  follow_error_max: { unit: "m", digits: 2, better: "low", needsGoal: true },
+  follow_near: { unit: "%", digits: 0, factor: 100, better: "high", needsGoal: true },
   heading_error_deg: { unit: "°", digits: 0, better: "low", needsGoal: true },
   turn_drift: { unit: "m", digits: 2, better: "low", needsGoal: true },
   cones_touched: { unit: "", digits: 0, better: "low", needsGoal: true, of: "cones" },
@@ -55,6 +55,11 @@ export function measured(measures, name) {
 /** The three measures that say most about a task, by what was measured. @param {Measures} measures @returns {string[]} */
 export function leadingMeasures(measures) {
   return LARGE.find(({ has }) => has.every((name) => measured(measures, name) !== null))?.large ?? [];
+}
+
+/** The measures in large figures: none of a trial that does not count. @param {{kept: boolean, measures: Measures | null}} trial */
+export function largeMeasures({ kept, measures }) {
+  return kept && measures ? leadingMeasures(measures).filter((name) => comparable(name, measures)) : [];
 }
 
 /** A measure's value in its unit; NaN without one. @param {string} name @param {number | null | undefined} value */

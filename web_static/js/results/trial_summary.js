@@ -7,7 +7,7 @@
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
-import { best, comparable, figure, measured, MEASURES, leadingMeasures, unitOf, withUnit } from "./measures.js";
+import { best, comparable, figure, largeMeasures, leadingMeasures, measured, MEASURES, unitOf, withUnit } from "./measures.js";
 import { planPicture } from "../plan/plan_svg.js";
 import { scrollTable } from "../widgets/scroll_table.js";
 import { groupOf } from "./source_group.js";
@@ -30,7 +30,7 @@ export function earlierTrials(trial, trials) {
 export function trialSummary(trial, trials, plan, found) {
   const earlier = earlierTrials(trial, trials);
   const { measures } = trial;
-  const large = measures ? leadingMeasures(measures).filter((name) => comparable(name, measures)) : [];
+  const large = largeMeasures(trial);
   return h(
     "div",
     { class: "stack" },
@@ -40,7 +40,7 @@ export function trialSummary(trial, trials, plan, found) {
     isFamiliarisation(found, trial.id) && h("p", { class: "card quiet" }, t("verdict.familiarisation")),
     measures && large.length > 0 && h("div", { class: "large-figures" }, large.map((name) => largeFigure(name, measures, found))),
     measures?.parts ? stagesCard(/** @type {StageResult[]} */ (measures.parts)) : null,
-    h("div", { class: "summary-columns" }, drivenCard(trial, plan), measures && tableCard(measures, earlier, found)),
+    h("div", { class: "summary-columns" }, drivenCard(trial, plan), measures && tableCard(measures, earlier, trial.kept ? found : null)),
   );
 }
 
