@@ -1,13 +1,11 @@
 /** The large cue of a calibration: the words, legible from 2 m, and a ring that fills with the time of the cue. */
 import { h, s, set, write } from "../widgets/dom.js";
-import { discRadius } from "../widgets/cue_circle.js";
+import { discRadius, ringShare } from "../widgets/cue_circle.js";
 import { t } from "../texts.js";
 
 const RADIUS = 118;
 const ROUND = 2 * Math.PI * RADIUS;
 const FURTHEST = 0.3; // s for which the ring goes on without a message; then it stops, because the run may have stopped too
-const CALM = matchMedia("(prefers-reduced-motion: reduce)");
-const CALM_STEPS = 4; // of the ring, for people who prefer reduced motion
 const COUNTED = new Set(["ready", "rest", "free"]); // whole seconds; the others are too short to be counted
 
 /**
@@ -35,9 +33,8 @@ export function cueLayer(live, signal) {
   const draw = (cue) => {
     const time = Math.min(cue.length, cue.t + Math.min(live.age, FURTHEST));
     const share = time / cue.length;
-    const filled = CALM.matches ? Math.floor(share * CALM_STEPS) / CALM_STEPS : share;
-    set(ring, { "stroke-dasharray": ROUND, "stroke-dashoffset": ROUND * (1 - filled) });
-    set(disc, { r: discRadius(cue.kind, CALM.matches ? Number(share > 0.5) : share) });
+    set(ring, { "stroke-dasharray": ROUND, "stroke-dashoffset": ROUND * (1 - ringShare(share)) });
+    set(disc, { r: discRadius(cue.kind, share) });
     write(seconds, COUNTED.has(cue.kind) ? String(Math.ceil(cue.length - time)) : "");
   };
   const turn = () => {

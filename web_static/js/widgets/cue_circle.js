@@ -12,6 +12,8 @@ const ROUND = 2 * Math.PI * RADIUS;
 const DISC_SMALL = 34; // radius at rest
 const DISC_LARGE = 100; // radius at the end of the movement
 const LONG_WORD = 8; // letters; longer ones are written smaller, to stay inside the ring
+const CALM = matchMedia("(prefers-reduced-motion: reduce)");
+const CALM_STEPS = 4; // of the ring, for people who prefer reduced motion
 const COUNTED = new Set(["ready", "rest", "free"]); // whole seconds; the others are too short to be counted
 
 /** What a cue asks for, in one word or two. @param {{kind: string, joint: string | null}} cue */
@@ -66,7 +68,7 @@ export function cueCircle(app, step, { isRunning, idleWords, signal, onCue }) {
     const cue = step.cues[now.index];
     if (!cue) return idle();
     const share = (now.t - cue.start) / (cue.end - cue.start);
-    set(ring, { "stroke-dashoffset": ROUND * (1 - share) });
+    set(ring, { "stroke-dashoffset": ROUND * (1 - ringShare(share)) });
     set(disc, { r: discRadius(cue.kind, share) });
     const left = cue.end - now.t;
     write(seconds, t("cue.seconds", { seconds: COUNTED.has(cue.kind) ? Math.ceil(left) : number(left, 1) }));
@@ -91,9 +93,18 @@ export function cueCircle(app, step, { isRunning, idleWords, signal, onCue }) {
   return element;
 }
 
-/** The radius of the disc, which grows and shrinks smoothly to lead the movement. @param {string} kind of the cue @param {number} share of its time, 0..1 */
+/** How much of the ring is filled: it grows smoothly, or in a few steps where reduced motion is preferred. @param {number} share of the cue's time, 0..1 */
+export function ringShare(share) {
+  return CALM.matches ? Math.floor(share * CALM_STEPS) / CALM_STEPS : share;
+}
+
+/**
+ * The radius of the disc, which grows and shrinks smoothly to lead the movement, or at once in the middle of the cue
+ * where reduced motion is preferred.
+ * @param {string} kind of the cue @param {number} share of its time, 0..1
+ */
 export function discRadius(kind, share) {
-  const ease = 0.5 - 0.5 * Math.cos(Math.PI * Math.min(1, Math.max(0, share)));
+  const ease = CALM.matches ? Number(share > 0.5) : 0.5 - 0.5 * Math.cos(Math.PI * Math.min(1, Math.max(0, share)));
   if (kind === "move") return DISC_SMALL + (DISC_LARGE - DISC_SMALL) * ease;
   if (kind === "return") return DISC_LARGE - (DISC_LARGE - DISC_SMALL) * ease;
   return DISC_SMALL;
