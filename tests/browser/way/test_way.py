@@ -143,6 +143,9 @@ def test_somebody_never_calibrated_drives_after_three_taps(opened):
     drives(page)
     ends(page)
     assert taps <= MOST_UNCALIBRATED
+    go_to(page, "calibrate")  # where the map of each joint comes from, with a way on
+    expect(page.get_by_text("From other people", exact=True).first).to_be_visible()
+    expect(page.get_by_role("button", name="Drive now")).to_be_visible()
 
 
 @pytest.mark.long

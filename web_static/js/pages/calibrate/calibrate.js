@@ -134,7 +134,7 @@ export async function show(app, root, { signal }) {
     const choice = document.activeElement?.closest(".segments")?.getAttribute("aria-label"); // the label of the choice of a map that has the focus
     const isResult = calibration.current === "result";
     const view = isResult
-      ? resultPage(app, calibration, actions, accept)
+      ? resultPage(app, calibration, actions, { accept, drive: () => beginNextTask(app, here.patient.id) })
       : calibrateStep(app, calibration, equipment, actions, drawn.signal);
     put(
       root,
@@ -165,10 +165,11 @@ export async function show(app, root, { signal }) {
 }
 
 /**
- * @param {App} app @param {Calibration} calibration @param {Actions} actions @param {() => void} accept
+ * @param {App} app @param {Calibration} calibration @param {Actions} actions
+ * @param {{accept: () => void, drive: () => Promise<unknown>}} next what can follow the result
  * @returns {{title: string, lead: Child, body: Child, foot: Child[]}}
  */
-function resultPage(app, calibration, actions, accept) {
+function resultPage(app, calibration, actions, { accept, drive }) {
   const { result, steps, running } = calibration;
   const missing = steps.filter(({ kind, status }) => kind !== "result" && status !== "done" && status !== "skipped");
   const [lastPrompt, last] = steps.slice(-2);
@@ -180,7 +181,7 @@ function resultPage(app, calibration, actions, accept) {
       body: h("div", { class: "working", role: "status" }),
       foot: [back],
     };
-  if (missing.length || !result) {
+  if (!result || (missing.length && !result.accepted)) {
     const words = missing.length ? t("result.missing.lead", { count: missing.length }) : last.words;
     const buttons = missing.map((step) =>
       h("button", { type: "button", class: "btn", onclick: () => actions.go(step.id) }, step.title),
@@ -192,12 +193,10 @@ function resultPage(app, calibration, actions, accept) {
       foot: [back],
     };
   }
-  const onwards = result.accepted
-    ? h("a", { class: "btn go", href: "#/controls" }, t("result.go-on"))
-    : h("button", { type: "button", class: "btn go", onclick: accept }, t("result.accept"));
+  const onwards = onwardsOf(result, missing.length, accept, drive);
   return {
     title: t("result.title"),
-    lead: h("p", { class: "lead" }, t("result.lead")),
+    lead: h("p", { class: "lead" }, missing.length ? t("result.others.lead", { count: missing.length }) : t("result.lead")),
     body: resultBody(app, result, actions),
     foot: [
       back,
@@ -205,6 +204,17 @@ function resultPage(app, calibration, actions, accept) {
       onwards,
     ],
   };
+}
+
+/**
+ * The main button below a result: use it, drive with other people's part in it, or go on to the controls.
+ * @param {CalibrationResult} result @param {number} missing how many movements other people stand in for
+ * @param {() => void} accept @param {() => Promise<unknown>} drive
+ */
+function onwardsOf(result, missing, accept, drive) {
+  if (!result.accepted) return h("button", { type: "button", class: "btn go", onclick: accept }, t("result.accept"));
+  if (missing) return h("button", { type: "button", class: "btn go", onclick: drive }, t("calibrate.now.go"));
+  return h("a", { class: "btn go", href: "#/controls" }, t("result.go-on"));
 }
 
 /** A card for each joint, and all movements that were found. @param {App} app @param {CalibrationResult} result @param {Actions} actions */

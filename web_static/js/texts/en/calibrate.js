@@ -104,6 +104,10 @@ export default {
   "result.accept": "Use this calibration",
   "result.accepted": "This calibration is in use.",
   "result.go-on": "Go on to the controls",
+  "result.others.lead": {
+    one: "{count} movement was not prompted: there, other people's calibrations stand in. Drive now, or repeat that joint.",
+    other: "{count} movements were not prompted: there, other people's calibrations stand in. Drive now, or repeat a joint.",
+  },
   "result.missing": "The result comes when every step is done.",
   "result.missing.lead": { one: "One step is missing.", other: "{count} steps are missing." },
   "result.restart": "Begin anew",
