@@ -1,4 +1,4 @@
-"""The thread that updates the scene with the newest tick, sixty times a second."""
+"""The thread that updates the scene with the newest tick: often while a page shows it, otherwise seldom."""
 
 import threading
 from collections.abc import Callable
@@ -11,8 +11,8 @@ from app.clock import MonotonicClock
 from app.scene.role_servers import RoleServers
 from app.scene.session_scene import Scene
 
-RATE: Final = 60.0  # Hz
-STAMP_EVERY: Final = 0.1  # s
+UPDATE_EVERY: Final = 1 / 60  # s, while a page shows the scene
+STAMP_EVERY: Final = 0.1  # s; also between two updates that no page shows: the trajectory is followed all the same
 
 ReadNewest = Callable[[], "np.void | None"]
 
@@ -50,7 +50,8 @@ class SceneThread:
                 self.scene.tell_time(now, now - moved_at)
                 stamp_at = now + STAMP_EVERY
             # A late update is skipped: the next deadline is counted from now.
-            deadline = max(deadline + 1 / RATE, clock.now())
+            pause = UPDATE_EVERY if self.scene.is_watched else STAMP_EVERY
+            deadline = max(deadline + pause, clock.now())
             self._ended.wait(max(deadline - clock.now(), 0.0))
 
 

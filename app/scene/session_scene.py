@@ -55,6 +55,11 @@ class Scene:
         """Whether the clinician's plots are shown."""
         return self._plots.is_open
 
+    @property
+    def is_watched(self) -> bool:
+        """Whether a page shows this scene now."""
+        return any(self._servers[role].get_clients() for role in ROLES)
+
     def view(self, role: Role) -> View:
         """Return the view of a role."""
         return self._views[role].view

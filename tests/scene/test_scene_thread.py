@@ -4,8 +4,8 @@ import pytest
 from scene_messages import messages, tick
 
 from app.clock import MonotonicClock
-from app.scene.scene_thread import start_scene
-from app.scene.session_scene import CLOCK_NODE
+from app.scene.scene_thread import SceneThread, start_scene
+from app.scene.session_scene import CLOCK_NODE, Scene
 
 
 def test_the_thread_follows_the_newest_tick_and_stamps_the_picture(servers):
@@ -49,3 +49,36 @@ def test_the_same_tick_is_drawn_once(servers):
         clock.sleep_until(clock.now() + 0.01)
     thread.stop()
     assert len(drawn) <= 1
+
+
+class CountedScene:
+    """Stands for a scene, and counts the time stamps that it is asked to send."""
+
+    def __init__(self, *, is_watched):
+        self.is_watched = is_watched
+        self.stamps = 0
+
+    def follow(self, found):
+        pass
+
+    def tell_time(self, *_):
+        self.stamps += 1
+
+
+@pytest.mark.parametrize("is_watched", [True, False])
+def test_a_scene_that_no_page_shows_is_updated_as_seldom_as_its_clock(is_watched):
+    scene, asked = CountedScene(is_watched=is_watched), []
+    thread = SceneThread(scene, lambda: asked.append(None))
+    thread.start()
+    clock = MonotonicClock()
+    while scene.stamps < 4 or (is_watched and len(asked) <= 2 * scene.stamps + 1):
+        clock.sleep_until(clock.now() + 0.01)
+    thread.stop()
+    assert is_watched or len(asked) <= 2 * scene.stamps + 1
+
+
+def test_a_scene_is_watched_while_a_page_shows_it(servers):
+    scene = Scene(servers)
+    assert not scene.is_watched
+    servers["patient"].get_clients = lambda: {0: object()}
+    assert scene.is_watched
