@@ -13,7 +13,9 @@ from urllib.parse import urlsplit
 import pytest
 from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, Request, expect, sync_playwright
 
-PATIENCE = 60_000  # ms until a page shows what is expected: a busy machine that draws in software is slow
+from app.realtime import NICENESS
+
+PATIENCE = 120_000  # ms until a page shows what is expected: a busy machine that draws in software is slow
 CHROMIUM = (
     "--headless=new",
     "--no-sandbox",
@@ -27,9 +29,10 @@ CHROMIUM = (
     "--no-first-run",
 )
 
-# Without a limit, software draws as many pictures of a page and of its 3D view as the processors can: five in a second
-# leave time for other tests.
+# Without a limit, software draws as many pictures of a page and of its 3D view as the processors can: five in a second,
+# and the 3D view in a quarter of its pixels, leave time for other tests.
 FEW_PICTURES = """(() => {
+  if (window !== top) Object.defineProperty(window, "devicePixelRatio", { get: () => 0.5 });
   const pause = 190;  // ms
   const next = window.requestAnimationFrame.bind(window), cancel = window.cancelAnimationFrame.bind(window);
   const pending = new Map();
@@ -111,10 +114,11 @@ class PageLog:
             self.outside.append(url)
 
 
-# A browser stands for another machine: it must not take the processors from the program. Chromium of the superuser
-# raises the priority of some of its threads, unless that is forbidden.
+# A browser stands for another machine: it must not take the processors from the program, nor from the processes that
+# compute for it at low priority. Chromium of the superuser raises the priority of some of its threads, unless that is
+# forbidden.
 MODEST = """#!/bin/sh
-set -- {program} "$@"
+set -- nice -n {niceness} {program} "$@"
 [ "$(id -u)" = 0 ] && command -v setpriv > /dev/null && set -- setpriv --bounding-set -sys_nice "$@"
 exec "$@"
 """
@@ -123,7 +127,7 @@ exec "$@"
 def modest(program: str, folder: Path) -> Path:
     """Return a program in `folder` that runs another one, which cannot raise its priority above that of the tests."""
     script = folder / "modest-browser"
-    script.write_text(MODEST.format(program=shlex.quote(program)))
+    script.write_text(MODEST.format(program=shlex.quote(program), niceness=NICENESS))
     script.chmod(0o755)
     return script
 

@@ -161,6 +161,11 @@ def go_on(page):
     until_driving(page)
 
 
+def stops(page, words, cause, undo=lambda: None):
+    """Let `cause` stop the drive, until the page gives the reason in `words`; `undo` takes the cause back."""
+    stops_because(page, page.locator(".drive-state"), words, cause, lambda: (undo(), go_on(page)))
+
+
 def is_refused_while_silent_and_unpractised(page, keep):
     missing = page.locator("#missing")
     expect(told_by_chair(page)).to_contain_text("Does not answer")
@@ -192,33 +197,30 @@ def is_armed_when_nothing_is_missing(page, keep, chair):
 
 
 def stops_by_key_and_by_touch(page, keep, bend):
-    state, speed = page.locator(".drive-state"), page.locator(".drive-speed .giant")
+    speed = page.locator(".drive-speed .giant")
     bend_until(page, speed, 0.1, bend)
     keep("chair-drives")
     page.get_by_role("button", name="Speed dial, share of the speeds −").click()
     expect(page.locator(".dial output")).to_have_text("90 %")
     until_driving(page)
-    page.keyboard.press("Space")
-    expect(state).to_contain_text("Stop was pressed on the screen")
+    stops(page, "Stop was pressed on the screen", lambda: page.keyboard.press("Space"))
     expect(speed).to_contain_text("0.00")
     expect(told_by_chair(page)).to_contain_text("Stands, disarmed")
     keep("chair-stopped")
     go_on(page)
-    page.locator("#stop").dispatch_event("pointerdown")
-    expect(state).to_contain_text("Stop was pressed on the screen")
+    stops(page, "Stop was pressed on the screen", lambda: page.locator("#stop").dispatch_event("pointerdown"))
     go_on(page)
 
 
 def stops_when_hidden_or_loaded_again(page, keep):
     state = page.locator(".drive-state")
-    page.evaluate(HIDE)
-    expect(state).to_contain_text("was hidden or left")
+    stops(page, "was hidden or left", lambda: page.evaluate(HIDE), lambda: page.evaluate(SHOW))
     expect(state).to_contain_text(WAITS)
     expect(told_by_chair(page)).to_contain_text("Stands, disarmed")
     page.evaluate(SHOW)
     keep("chair-was-hidden")
     go_on(page)
-    stops_because(page, state, "stood still for too long", lambda: page.evaluate(FREEZE), lambda: go_on(page))
+    stops(page, "stood still for too long", lambda: page.evaluate(FREEZE))
     go_on(page)
     page.reload()
     expect(state).to_contain_text(LEFT)
@@ -233,8 +235,7 @@ def ends_by_hand(page, keep, chair):
     go_on_until(page, back.is_visible, "the way back to the drive")
     back.click()
     until_driving(page)
-    chair.press()
-    expect(page.locator(".drive-state")).to_contain_text("own stop switch")
+    stops(page, "own stop switch", chair.press, chair.release)
     chair.release()
     page.get_by_role("button", name="End drive").last.click()
     expect(page.get_by_role("heading", name="The drive is over")).to_be_visible()

@@ -9,6 +9,7 @@ from api.fake_clinic import FakeProcess
 
 from app.api.app import create_app
 from app.cli.port import bind
+from app.cli.server import LAST_ANSWERS
 from app.computing_process import ComputingProcess
 from app.settings import Settings
 
@@ -25,7 +26,9 @@ class ServedClinic:
 
         self._socket = bind("127.0.0.1", port)
         self.app = create_app(settings, start_process, ComputingProcess())
-        config = uvicorn.Config(self.app, log_level="error", ws_per_message_deflate=False)
+        config = uvicorn.Config(
+            self.app, log_level="error", ws_per_message_deflate=False, timeout_graceful_shutdown=LAST_ANSWERS
+        )
         self._server = uvicorn.Server(config)
         self._thread = threading.Thread(target=self._server.run, args=([self._socket],), daemon=True)
         self.address = f"http://127.0.0.1:{self._socket.getsockname()[1]}"
@@ -46,3 +49,4 @@ class ServedClinic:
         """End it and wait for that."""
         self._server.should_exit = True
         self._thread.join(20)
+        assert not self._thread.is_alive()
