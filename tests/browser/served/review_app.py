@@ -4,9 +4,12 @@ python tests/browser/served/review_app.py --port 8131
 """
 
 import argparse
+import atexit
+import shutil
 import sys
 import tempfile
 import threading
+from functools import cache
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # for its own start, outside of the tests
@@ -33,7 +36,23 @@ SIMULATED = Source(shirt="simulator", body="person", chair="virtual", simulated=
 
 
 def furnish(settings: Settings) -> list[int]:
-    """Make the clinic with its trials; return their ids."""
+    """Make the clinic with its trials; return their ids.
+
+    It is made once for all tests of a process, because its trials take seconds to record, and is then copied.
+    """
+    folder, trials = _furnished()
+    shutil.copytree(folder, settings.state, dirs_exist_ok=True)
+    return list(trials)
+
+
+@cache
+def _furnished() -> tuple[Path, list[int]]:
+    folder = Path(tempfile.mkdtemp())
+    atexit.register(shutil.rmtree, folder)
+    return folder, _record(Settings(state=folder))
+
+
+def _record(settings: Settings) -> list[int]:
     plan = find_place(PLAN)
     assert isinstance(plan, FloorPlan)
     path = plan.paths[0]

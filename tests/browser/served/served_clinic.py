@@ -1,5 +1,6 @@
 """A clinic's real web application in a thread of this process, its control link answering without a process."""
 
+import atexit
 import threading
 import time
 from collections.abc import Callable
@@ -14,6 +15,21 @@ from app.computing_process import ComputingProcess
 from app.settings import Settings
 
 
+class SharedComputing(ComputingProcess):
+    """A computing process that the end of one application leaves to the next: to load its libraries takes seconds."""
+
+    def close(self) -> None:
+        """Leave it running."""
+
+    def end(self) -> None:
+        """End it, with the process of the tests."""
+        super().close()
+
+
+COMPUTING = SharedComputing()
+atexit.register(COMPUTING.end)
+
+
 class ServedClinic:
     """Serves from `start` to `stop`; `process` is the newest one that stands for the control process."""
 
@@ -25,7 +41,7 @@ class ServedClinic:
             return self._processes[-1]
 
         self._socket = bind("127.0.0.1", port)
-        self.app = create_app(settings, start_process, ComputingProcess())
+        self.app = create_app(settings, start_process, COMPUTING)
         config = uvicorn.Config(
             self.app, log_level="error", ws_per_message_deflate=False, timeout_graceful_shutdown=LAST_ANSWERS
         )
