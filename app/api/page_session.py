@@ -18,7 +18,7 @@ NOBODY = "none"
 ID = re.compile(r"[1-9][0-9]{0,9}")
 
 UNNAMED = (
-    f"The request does not name the session that its page shows: send its id, or '{NOBODY}' while nobody is here, "
+    f"The request does not name the session that its page shows: send its id, or '{NOBODY}' while no session is open, "
     f"in the header {HEADER}."
 )
 

@@ -150,7 +150,7 @@ def summary(findings: Sequence[Finding]) -> Finding:
     """Return in a sentence whether the machine will do."""
     verdicts = {finding.verdict for finding in findings}
     if "bad" in verdicts:
-        return Finding("bad", "This computer will not do as it is.")
+        return Finding("bad", "This computer is not good enough for driving as it is.")
     if "attention" in verdicts:
-        return Finding("attention", "This computer will do, and something could be better.")
-    return Finding("good", "This computer will do.")
+        return Finding("attention", "This computer is good enough for driving, and something could be better.")
+    return Finding("good", "This computer is good enough for driving.")

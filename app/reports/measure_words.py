@@ -21,7 +21,7 @@ MEASURE_WORDS: Final[dict[str, MeasureWords]] = {
     "follow_error_rms": MeasureWords("Usual error of the distance to the leader", 2),
     "follow_error_max": MeasureWords("Largest error of the distance to the leader", 2),
     "follow_near": MeasureWords("Share of time near the asked distance", 0),
-    "heading_error_deg": MeasureWords("Angle beside the mark", 0),
+    "heading_error_deg": MeasureWords("Angle off the mark", 0),
     "turn_drift": MeasureWords("Moved off the spot", 2),
     "cones_touched": MeasureWords("Cones touched", 0),
     "gap_clearance": MeasureWords("Narrowest clearance in a gap", 2),

@@ -39,7 +39,7 @@ MEASURES: dict[str, Measure] = {
     "follow_error_rms": Measure("The usual error of the distance to the leader", "m"),
     "follow_error_max": Measure("The largest error of the distance to the leader", "m"),
     "follow_near": Measure("The share of time near the asked distance", "%", 100.0),
-    "heading_error_deg": Measure("The angle beside the mark", "°"),
+    "heading_error_deg": Measure("The angle off the mark", "°"),
     "turn_drift": Measure("The way off the spot", "m"),
     "cones_touched": Measure("The number of cones touched", ""),
     "gap_clearance": Measure("The narrowest clearance in a gap", "m"),

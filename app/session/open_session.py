@@ -101,7 +101,7 @@ class SessionFlow:
 
         session = await asyncio.to_thread(_read)
         if session is None:
-            raise Conflict("Nobody is here: choose a patient on the Patients page first.")
+            raise Conflict("No session is open: choose a patient on the Patients page first.")
         return session
 
     async def session_changed(self) -> None:

@@ -37,7 +37,7 @@ def require_page_session(db: Transaction) -> None:
 
 def _now(db: Transaction, now: PatientSession | None) -> str:
     if now is None:
-        return "The session was ended on another screen, and nobody is here now."
+        return "The session was ended on another screen, and no session is open now."
     by = f" by {now.opened_by}" if now.opened_by else ""
     return f"{_code(db, now)} was opened on another screen{by} at {_clock(now.started)}."
 

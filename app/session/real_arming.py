@@ -22,11 +22,11 @@ from app.store.patients import open_session
 from app.store.practice import NO_PRACTICE, Practice, PracticeHistory
 from app.store.tables import PatientSession
 
-NOBODY = "Nobody is here: choose a patient on the Patients page first."
-NOT_CALIBRATED = "Nothing is calibrated yet: go to Calibrate and accept a result first."
+NOBODY = "No session is open: choose a patient on the Patients page first."
+NOT_CALIBRATED = "Nothing is calibrated yet: calibrate first, and tap “Use this calibration”."
 NO_CHAIR = "The virtual chair is chosen: choose a real one first."
 NOT_PRACTISED = (
-    "This set was never practised on the virtual chair of this clinic: finish a trial with it, and keep it, first."
+    "This set was never practised on the virtual chair of this clinic: finish a trial with it first, and let it count."
 )
 SHOW_THE_SWITCH = (
     "With “Keeps its speed” or “Keeps turning” a chair goes on by itself: press and release its stop switch once to "

@@ -101,7 +101,7 @@ def test_the_refusal_says_who_is_open_who_opened_it_when_and_whose_page_this_is(
     assert in_session.good("GET", "/adaptation")["mode"] == "off"
     in_session.good("DELETE", "/session")
     ended = in_session("POST", "/adaptation/propose", headers={"Patient-Session": before})
-    assert "was ended on another screen, and nobody is here now" in ended.json()["detail"]
+    assert "was ended on another screen, and no session is open now" in ended.json()["detail"]
 
 
 def test_a_change_that_waited_while_the_session_changed_does_nothing(in_session: Any) -> None:

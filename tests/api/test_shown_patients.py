@@ -105,7 +105,7 @@ def test_no_answer_to_a_reviewer_names_another_patient(reviewed: Clinic) -> None
         assert [patient["code"] for patient in reviewed.good("GET", "/patients")] == [SHOWN]
         assert reviewed.good("GET", "/session")["session"] is None
         assert reviewed.good("GET", "/start")["session"]["patient"] is None
-        assert "Nobody is here" in reviewed("GET", "/adaptation").json()["detail"]
+        assert "No session is open" in reviewed("GET", "/adaptation").json()["detail"]
         assert reviewed.good("GET", "/drives/summary")["parameters"] is None
 
 

@@ -91,7 +91,7 @@ def test_a_suggestion_is_looked_at_applied_and_taken_back(tablet):
     drive_for_a_while(page)
     expect(page.get_by_role("link", name="A change of the calibration is suggested")).to_have_count(0)
     go_to(page, "adapt")
-    expect(page.get_by_text("nothing is lost: the calibration stays as it is")).to_be_visible()
+    expect(page.get_by_text("the calibration fits as well as before, and stays as it is")).to_be_visible()
     keep("adapt-nothing-lost")
 
     count_from_later(page)

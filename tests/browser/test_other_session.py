@@ -132,8 +132,10 @@ def test_a_page_that_belongs_to_no_session_is_left_alone_and_names_the_new_one(t
     go(second, "controls")
     served.good("DELETE", "/session")
     cover = second.locator(COVER)
-    expect(cover).to_contain_text("The session of patient B-12 was ended on another screen, and nobody is here now.")
-    expect(first.locator(".who")).to_contain_text("Nobody is here")
+    expect(cover).to_contain_text(
+        "The session of patient B-12 was ended on another screen, and no session is open now."
+    )
+    expect(first.locator(".who")).to_contain_text("No session is open")
 
 
 def test_who_starts_a_session_before_the_end_of_another_one_is_answered_is_not_refused(tablets):

@@ -17,7 +17,7 @@ from folders import SCREENSHOTS
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
 
 SIZES = {"1280x800": (1280, 800), "768x1024": (768, 1024)}
-LOST = "This screen has lost the program"
+LOST = "No connection to the program"
 WAITS = re.compile("We wait for (your clinician|the shirt)")
 # What sticks out of the window, or makes it scroll.
 OUTSIDE = """() => {

@@ -149,7 +149,7 @@ def follows_a_new_patient(looks_on, clinician):
     clinician.get_by_role("textbox", name="Code", exact=True).fill("P-73")
     clinician.get_by_label("Pseudonym", exact=True).fill("Heron")
     clinician.get_by_role("button", name="Add and start the session").click()
-    expect(row).to_contain_text("here now")
+    expect(row).to_contain_text("session open")
 
 
 def test_two_are_invited_accept_elsewhere_and_one_is_disabled(opened, served, owner_cookies):

@@ -244,7 +244,7 @@ def test_a_paired_screen_sees_it_and_it_comes_back_by_itself(browser, tmp_path, 
         until(page, LIVE, seconds=60)
         process.send_signal(signal.SIGTERM)
         process.communicate(timeout=60)
-        lost = page.get_by_text("Connection lost")
+        lost = page.get_by_text("No connection to the program")
         expect(lost).to_be_visible()
         process = served(port, state)
         printed_link(process)

@@ -6,7 +6,7 @@ from processes.test_demo_process import bodydrive, printed_link
 
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(300)]
 
-SHORT = {("turning.easy", "left"): "Angle beside the mark", ("backing.easy", "back"): "Distance driven"}
+SHORT = {("turning.easy", "left"): "Angle off the mark", ("backing.easy", "back"): "Distance driven"}
 
 
 def test_a_turn_and_a_way_back_are_driven_and_measured_as_such(browser, page_log):

@@ -87,6 +87,6 @@ def test_a_screen_is_judged_by_its_pictures_a_second() -> None:
 
 def test_the_worst_finding_decides() -> None:
     good, attention, bad = (Finding(verdict, "") for verdict in ("good", "attention", "bad"))  # type: ignore[arg-type]
-    assert summary([good]).words == "This computer will do."
+    assert summary([good]).words == "This computer is good enough for driving."
     assert summary([good, attention]).verdict == "attention"
-    assert "will not do" in summary([bad, attention]).words
+    assert "not good enough" in summary([bad, attention]).words

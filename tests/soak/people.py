@@ -33,7 +33,7 @@ CLOSED_WITHIN = 10.0  # s
 WAITS = re.compile("We wait for (your clinician|the shirt)")
 NO_CONNECTION = "No connection to the program"
 FAST = 0.2  # m/s
-LOST = "This screen has lost the program"
+LOST = "No connection to the program"
 OVER = re.compile("Finished|Stopped")
 PROMPT = "Bend your right elbow"
 

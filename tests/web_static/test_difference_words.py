@@ -23,10 +23,10 @@ CASES = [
     (gesture(dead_zone=0.25), "right_elbow counts from: 20 → 25 % / s."),
     (gesture(full=1.2), "right_elbow full at: 100 → 120 % / s."),
     (gesture(feature="displacement"), "right_elbow: moving → holding."),
-    (gesture(direction=-1), "right_elbow, going back: counts in the other direction."),
+    (gesture(direction=-1), "right_elbow, going back: now counts in the other direction."),
     (changed(bindings=()), "Faster: right_elbow, gain 1 → nothing."),
     (changed(profile=small_profile(("right_elbow", "left_elbow", "left_wrist"))), "The calibration is another one."),
-    (changed(gestures=STANDARD.gestures[1:]), "right_elbow: is no movement any more."),
+    (changed(gestures=STANDARD.gestures[1:]), "right_elbow: no longer used."),
     (
         changed(gestures=tuple(reversed(STANDARD.gestures))),
         "The same movements and numbers, noted in another order.",

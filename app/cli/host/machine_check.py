@@ -25,7 +25,7 @@ def check(
     ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print the findings as one JSON document.")] = False,
 ) -> None:
-    """Measure what this computer grants, and say whether it will do; exit code 1 when it will not."""
+    """Measure what this computer grants, and say whether it is good enough for driving; exit code 1 when it is not."""
     from app.host.machine_check import summary
 
     if not as_json:

@@ -19,7 +19,7 @@ def test_before_anybody_is_here_there_is_nothing_to_arm(signed_in: Clinic) -> No
     assert (summary["chair"], summary["parameters"], summary["speeds"]) == (None, None, None)
     assert summary["practised"] == {"trials": 0, "last": None}
     assert [sentence.split(":")[0] for sentence in summary["refusals"]] == [
-        "Nobody is here",
+        "No session is open",
         "The virtual chair is chosen",
     ]
     signed_in.begin_session()

@@ -114,7 +114,7 @@ def computer_measured(page: Any, clinic: EyesClinic) -> None:
     go(page, clinic, "computer")
     words = {"good": "The clock is set by the network.", "attention": "Free disk: 4 GB.", "bad": "Port 8443 is taken."}
     findings = [{"verdict": verdict, "words": sentence} for verdict, sentence in words.items()]
-    machine = {"verdict": "bad", "words": "This computer will not do.", "findings": findings}
+    machine = {"verdict": "bad", "words": "This computer is not good enough for driving.", "findings": findings}
     found = {"machine": machine, "screens": findings[:2]}
     page.route("**/computer/measurement", lambda route: route.fulfill(json=found))
     tap(page, "Measure for")

@@ -89,7 +89,7 @@ def fulfil(found, route):
 def test_the_headline_counts_the_screens_that_will_not_do(opened, served):
     page = opened()
     go(page, "computer")
-    machine = {"verdict": "good", "words": "This computer will do.", "findings": []}
+    machine = {"verdict": "good", "words": "This computer is good enough for driving.", "findings": []}
     slow = {"verdict": "bad", "words": "A screen draws 3 pictures a second."}
     fluent = {"verdict": "good", "words": "A screen draws 60 pictures a second."}
     headlines = {}
@@ -100,7 +100,7 @@ def test_the_headline_counts_the_screens_that_will_not_do(opened, served):
         page.get_by_role("button", name=re.compile("Measure")).click()
         expect(page.locator(".findings li")).to_have_count(len(screens))
         headlines[screens.count(slow)] = page.locator(".findings").first.locator(".summary").inner_text()
-    assert "This computer will do." in headlines[0]
+    assert "This computer is good enough for driving." in headlines[0]
     assert "screen" not in headlines[0]
-    assert "This computer will do. 1 screen that is open now will not do." in headlines[1]
-    assert "2 screens that are open now will not do." in headlines[2]
+    assert "This computer is good enough for driving. 1 screen that is open now is not good enough." in headlines[1]
+    assert "2 screens that are open now are not good enough." in headlines[2]

@@ -1,7 +1,7 @@
 /** Texts of the owner's page "This computer". What was found comes in words from the server (app/host/machine_check.py). */
 export default {
   "rail.computer": "This computer",
-  "computer.lead": "Whether this computer, and the screens that are open now, will do for driving.",
+  "computer.lead": "Whether this computer, and the screens that are open now, are good enough for driving.",
   "computer.settings.go": "Measure this computer",
   "computer.owner": "Only an owner measures this computer: ask one.",
   "computer.measured":
@@ -14,11 +14,11 @@ export default {
   "computer.machine": "This computer",
   "computer.screens": "Screens that are open now",
   "computer.screens.bad": {
-    one: "{count} screen that is open now will not do.",
-    other: "{count} screens that are open now will not do.",
+    one: "{count} screen that is open now is not good enough.",
+    other: "{count} screens that are open now are not good enough.",
   },
   "computer.no-screens": "No screen is open.",
   "computer.verdict.good": "Good",
   "computer.verdict.attention": "Could be better",
-  "computer.verdict.bad": "Will not do",
+  "computer.verdict.bad": "Not good enough",
 };

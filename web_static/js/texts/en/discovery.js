@@ -26,7 +26,7 @@ export default {
   "found.less": "under {value}",
   "found.check": "How sure is that?",
   "found.check.lead":
-    "Each forecast was made from one part of the recordings and checked on the rest. So few data prove little: the last numbers say how little.",
+    "Each forecast was made from one part of the recordings and checked on the rest. So few repetitions prove little: the last numbers say how little.",
   "found.check.rest":
     "Forecast from the first rest: {predicted} false activations a minute. Counted in another {seconds} s: {counted}. All {all} s together prove fewer than {bound} a minute (95 %).",
   "found.check.hits":

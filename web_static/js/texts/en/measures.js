@@ -19,7 +19,7 @@ export default {
   "measure.cones_touched": "Cones touched",
   "measure.gap_clearance": "Narrowest clearance in a gap",
   "measure.door_contacts": "Contacts with door or gap",
-  "measure.heading_error_deg": "Angle beside the mark",
+  "measure.heading_error_deg": "Angle off the mark",
   "measure.turn_drift": "Moved off the spot",
   "measure.stages_done": "Stages done",
   "measure.of": "of {count}",

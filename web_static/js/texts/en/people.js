@@ -17,7 +17,7 @@ export default {
   "people.role.reviewer": "Reviewer",
   "people.role.owner.about": "An owner does what a clinician does, and also manages people, limits, chairs and the log.",
   "people.role.clinician.about": "A clinician works with all patients: calibrates, drives and reviews.",
-  "people.role.reviewer.about": "A reviewer looks at the patients that an owner chose, and changes nothing.",
+  "people.role.reviewer.about": "A reviewer reads the records of the patients that an owner chose, may comment on their trials, and changes nothing else.",
   "people.patients": "Patients",
   "people.patients.all": "All patients",
   "people.patients.chosen": "Chosen patients",

@@ -55,7 +55,7 @@ export default {
   "replay.mark": "Replay",
   "replay.picture": "Picture of the replay",
   "replay.picture.off": "The replay in 3D is off: {why}",
-  "replay.picture.loading": "The picture is coming …",
+  "replay.picture.loading": "The picture is coming…",
   "replay.picture.webgl": "This screen cannot draw the 3D view (its browser offers no WebGL 2), so the replay is shown in the drawn plan.",
   "replay.picture.context": "the browser took its graphics away. Choose Plan, or wait until it is back.",
   "replay.picture.again": "Show it in 3D",

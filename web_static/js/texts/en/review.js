@@ -8,7 +8,7 @@ export default {
   "source.group.count": "{group} ({count})",
   "over.source": "Source: {source}.",
   "review.column.source": "Source",
-  "review.other-source": "No trial of this source was kept on this path: choose other trials above.",
+  "review.other-source": "No trial of this source counts on this path: choose other trials above.",
   "review.title": "What was learnt",
   "review.patient": "Patient",
   "review.path": "Task",

@@ -2,8 +2,8 @@
 export default {
   "prior.title": "Help for new patients",
   "prior.lead":
-    "An accepted calibration of a patient who consents teaches the shirt how people move. A new patient can then drive the virtual chair after ten seconds of movement.",
-  "prior.on": "Learn from accepted calibrations",
+    "Each calibration that is taken into use, of a patient who consents, teaches the shirt how people move. A new patient can then drive the virtual chair after ten seconds of movement.",
+  "prior.on": "Learn from calibrations in use",
   "prior.few": {
     one: "One patient has taught the shirt in use; {needed} are needed.",
     other: "{count} patients have taught the shirt in use; {needed} are needed.",
@@ -19,7 +19,7 @@ export default {
   "limits.saving": "saving…",
   "limits.saved": "saved",
   "log.lead": "Who signed in, looked, changed something, drove and stopped, and when. Rows are only ever added.",
-  "log.checking": "The log is being checked …",
+  "log.checking": "The log is being checked…",
   "log.check": "Check again",
   "tablets.title": "Tablets",
   "tablets.lead": "Another tablet or computer opens these pages over the clinic's network, encrypted.",
@@ -35,7 +35,7 @@ export default {
   "chairs.unpair": "Unpair",
   "chairs.unpair.label": "Unpair {name}",
   "chairs.unpair.title": "Unpair “{name}”?",
-  "chairs.unpair.lead": "Its key is deleted here, and it stops obeying. To drive it again, pair it anew.",
+  "chairs.unpair.lead": "Its key is deleted here, so this program can no longer drive it. To drive it again, pair it anew.",
   "chairs.unpaired": "“{name}” is not paired any more.",
   "pair.title": "Pair a chair",
   "pair.lead": "The chair's own computer runs the receiver. It needs a key, which is made now.",

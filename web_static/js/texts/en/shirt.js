@@ -28,7 +28,7 @@ export default {
   "quality.railed": "At its limit",
   "quality.flat": "Flat",
   "quality.noisy": "Noisy",
-  "quality.nan": "No number",
+  "quality.nan": "Impossible values",
   "quality.unused": "Not used",
   "quality.silent": "Silent",
   "quality.good.words": "It follows the body.",

@@ -1,11 +1,11 @@
 /** Texts of the stereo page. */
 export default {
   "stereo.open": "Two eyes",
-  "stereo.open.why": "The patient’s view in depth. On a paired screen, write stereo.html for patient.html in the address.",
+  "stereo.open.why": "The patient’s view in depth. On a paired screen, write stereo.html in place of patient.html in the address.",
   "stereo.open.link": "Open",
   "stereo.title": "bodydrive · stereo view",
   "stereo.settings": "How the two eyes see",
-  "stereo.lost": "Connection lost, trying again. Nothing to do: the picture comes back by itself.",
+  "stereo.lost": "No connection to the program. The picture comes back by itself.",
   "stereo.waiting": "There is no picture at the moment. It comes by itself when a session goes on.",
   "stereo.refused.title": "This screen may not see the view yet",
   "stereo.refused.clinician": "Clinicians: sign in on this screen, then open this page again.",

@@ -2,7 +2,7 @@
 export default {
   title: "Connect this device",
   lead: "Your clinic's machine encrypts all it sends. This device first has to learn that it may trust this machine: once, in a few minutes.",
-  checking: "Checking this device …",
+  checking: "Checking this device…",
   trusted: "This device trusts the clinic's machine.",
   "trusted.lead": "Nothing more is needed here. In the menu of the browser, on the next page, you can add bodydrive to the home screen.",
   go: "Go on to bodydrive",

@@ -15,7 +15,7 @@ export default {
   "export.go": "Export",
   "export.go.label": "Export of {code}",
   "export.wait": "Long recordings take a minute or more. The log keeps who exported what.",
-  "export.archive.how": "The recordings have {size}. An owner of the other clinic imports the file on its page of patients.",
+  "export.archive.how": "The recordings take {size}. An owner of the other clinic imports the file on its Patients page.",
   "export.archive.open": "A session of this patient is open: end it first, then make the archive.",
   "export.consent": "An export needs the patient's consent to sharing outside: ask, and enter it above.",
   "import.go": "Import an archive",

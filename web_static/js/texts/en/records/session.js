@@ -92,7 +92,7 @@ export default {
   "consent.recording": "Recording",
   "consent.recording.hint": "Signals and trials are recorded with a worn shirt. Practice with the simulated shirt needs no consent.",
   "consent.clinic_prior": "Use for other patients of the clinic",
-  "consent.clinic_prior.hint": "Trials help to tell change from noise, and movements help new patients to drive sooner. Nobody can be recognised; withdrawn, it is taken out again.",
+  "consent.clinic_prior.hint": "Trials help to tell change from noise, and movements help new patients to drive sooner. Nobody can be recognised in it. When the consent is withdrawn, they are taken out again.",
   "consent.sharing": "Sharing outside",
   "consent.sharing.hint": "Records may leave the clinic as a share link or an export.",
   "consent.given": "Given {day}",
@@ -109,6 +109,6 @@ export default {
   "consent.history": "History",
   "consent.past": "{day} to {withdrawn}, withdrawn by {person}",
   "consent.needed": "{code} has not consented to recording.",
-  "consent.needed.why": "With a worn shirt nothing is recorded before: ask, and enter it.",
+  "consent.needed.why": "With a worn shirt nothing is recorded without it: ask the patient, and enter the consent.",
   "consent.needed.go": "Enter consent",
 };

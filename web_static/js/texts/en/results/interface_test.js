@@ -8,7 +8,7 @@ export default {
   "test.wait": "The test begins.",
   "test.phase.ready": "Rest. The first target comes in a moment.",
   "test.phase.running": "Bring the dot into the target, and keep it there for a second.",
-  "test.phase.over": "Finished. It is being worked out.",
+  "test.phase.over": "Finished. The result is being worked out.",
   "test.count": { one: "{count} target reached", other: "{count} targets reached" },
   "test.start": "Start the test",
   "test.end-it": "End the test",
@@ -40,8 +40,8 @@ export default {
   "test.means.acquisitions_per_minute": "How many targets were reached and kept for a second, for each minute of the test.",
   "test.means.throughput":
     "How much information the movements carry: who is twice as fast at the same precision has twice as much. Higher is better; it is not given for fewer than eight targets.",
-  "test.means.first_entry": "From the appearance of a target until the dot is in it for the first time, in the mean of the targets reached.",
-  "test.means.dial_in": "From there until the dot is in it for good: 0 where no target is left again.",
+  "test.means.first_entry": "From the appearance of a target until the dot is in it for the first time: the mean of the targets reached.",
+  "test.means.dial_in": "From there until the dot stays in it: 0 when the dot leaves no target again.",
   "test.means.path_efficiency": "The straight way over the way that the dot took: 100 % is straight.",
   "test.publications":
     "In publications: acquisition rate, throughput after ISO 9241-411 with the effective width, first-entry time, dial-in time, path efficiency.",
