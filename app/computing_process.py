@@ -24,7 +24,7 @@ from app.refusals import Conflict, DiskFull, Unavailable
 IDLE_LIMIT: Final = 300.0  # s without a question, after which the process ends and gives its memory back
 ANSWER_LIMIT: Final = 120.0  # s
 LOOK_EVERY: Final = 0.05  # s between two looks whether the answer is still wanted
-ENDED: Final = "What computes figures has ended: try again."
+ENDED: Final = "The process that computes figures has ended: try again."
 TOO_LONG: Final = f"This took more than {ANSWER_LIMIT:.0f} s to compute: close other programs, then try again."
 
 # What the functions import late. The process loads them while nobody asks, in the order in which they are used.

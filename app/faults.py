@@ -54,13 +54,13 @@ EXPLANATIONS: dict[Fault, Explanation] = {
     Fault.STOP_KEY: Explanation("Stop was pressed on the keyboard.", "Look around, then tap Continue."),
     Fault.NOT_NEUTRAL: Explanation(
         "The body was not at rest within 5 seconds.",
-        "Ask the patient to rest, or raise in Controls from where the active movement counts, then tap Continue.",
+        "Ask the patient to rest, or raise “Counts from” of the active movement in Controls, then tap Continue.",
     ),
     Fault.SHIRT_SILENT: Explanation(
         "The shirt stopped sending.", "Check its battery and cable on the Shirt page, then tap Continue."
     ),
     Fault.SHIRT_LOSSY: Explanation(
-        "More than a tenth of the shirt's signals got lost.",
+        "More than a tenth of the shirt's signals were lost.",
         "Bring the shirt's transmitter closer, then tap Continue.",
     ),
     Fault.CHANNELS_BAD: Explanation(
@@ -68,7 +68,7 @@ EXPLANATIONS: dict[Fault, Explanation] = {
         "See the lamps on the Shirt page; repeat the calibration without the bad sensors.",
     ),
     Fault.WEB_SILENT: Explanation(
-        "The application sent nothing to the control process.",
+        "The program sent nothing to the control process.",
         "Wait for the page to return, then start again.",
     ),
     Fault.SCREEN_LOST: Explanation(
@@ -103,7 +103,7 @@ EXPLANATIONS: dict[Fault, Explanation] = {
         "Look around, release the switch, then tap Continue.",
     ),
     Fault.CHAIR_SILENT: Explanation(
-        "The chair stopped answering, and stops by itself.",
+        "The chair no longer answers; it stops by itself.",
         "Check the chair's power and the network, then tap Continue.",
     ),
     Fault.CHAIR_DISARMED: Explanation(

@@ -21,7 +21,7 @@ def sentence_of(problems: Sequence[Mapping[str, Any]], where: str) -> str:
     sentence = f"{start}: {_problem(first)}"
     others = len(problems) - 1
     if others:
-        sentence += f" ({others} more {'problem' if others == 1 else 'problems'} of this kind in it)"
+        sentence += f" ({others} more {'problem' if others == 1 else 'problems'} in it)"
     return sentence
 
 
@@ -63,4 +63,4 @@ def _problem(problem: Mapping[str, Any]) -> str:
     quoted = repr(problem.get("input"))
     if len(quoted) > LONGEST_QUOTE:
         quoted = quoted[:LONGEST_QUOTE] + "..."
-    return f"{message[:1].lower()}{message[1:]}, but it is {quoted}"
+    return f"{message[:1].lower()}{message[1:]}, but it is {quoted}: correct it"

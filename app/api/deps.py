@@ -79,14 +79,18 @@ def viewer(role: Role, connection: HTTPConnection, parts: PeopleParts, who: WhoA
 async def clinician(who: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
     """Return the person who is signed in; 403 for reviewers, who may only look."""
     if who.role not in DRIVERS:
-        raise HTTPException(403, "You may look at sessions, not change them: ask an owner for the right.")
+        raise HTTPException(
+            403, "A reviewer reads and comments, and changes nothing else: ask an owner for more rights."
+        )
     return who
 
 
 async def exporter(who: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
     """Return the person who is signed in; 403 without the right to take reports and exports out of the clinic."""
     if who.role not in EXPORTERS:
-        raise HTTPException(403, "You may look at records, not take them out of the clinic: ask a clinician for it.")
+        raise HTTPException(
+            403, "A reviewer takes no records out of the clinic: ask a clinician for a report or an export."
+        )
     return who
 
 

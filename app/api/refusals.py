@@ -39,7 +39,7 @@ async def _broken(request: Request, error: Exception) -> JSONResponse:
     if isinstance(error, OSError) and error.errno == errno.ENOSPC:
         return _answer(507, NO_ROOM)
     logging.getLogger("bodydrive").error("%s %s failed", request.method, request.url.path, exc_info=error)
-    return _answer(500, "Something went wrong inside the application: try again, and report it if it happens again.")
+    return _answer(500, "Something went wrong inside the program: try again, and report it if it happens again.")
 
 
 def _note(request: Request, error: OtherClinicRow) -> None:

@@ -12,7 +12,7 @@ SPREAD_LIMITS = (0.30, 0.60)  # of the repetitions' peaks, upper limits
 PROMPTED_SHARE_LIMITS = (0.30, 0.10)  # of the span
 CROSS_TALK_LIMIT = 0.30  # above it, two gestures are active together
 AGREEMENT_LIMITS = (0.90, 0.70)  # of the repetitions' directions
-UNPROMPTED = "It was not prompted: its sign is arbitrary and may be the wrong way round, so prompt it."
+UNPROMPTED = "It was not prompted, so which way it counts is not known: prompt it."
 LARGEST_ANGLE = 30.0  # degrees between free and prompted movement
 ORDER: dict[Grade, int] = {"good": 0, "usable": 1, "repeat": 2}
 
@@ -116,9 +116,9 @@ def _of_prompts(found: JointMeasurements) -> list[tuple[Grade, str]]:
 
 def _of_channels(found: JointMeasurements) -> list[tuple[Grade, str]]:
     if found.channels == 1 and found.channels_out:
-        return [("usable", "Only one of its channels is left: check the others on the Shirt page.")]
+        return [("usable", "Only one of its sensors is left: check the others on the Shirt page.")]
     if found.channels_out:
-        return [("good", f"Channels left out: {found.channels_out} of {found.channels + found.channels_out}.")]
+        return [("good", f"Sensors left out: {found.channels_out} of {found.channels + found.channels_out}.")]
     return []
 
 

@@ -39,8 +39,8 @@ class Gesture(Document):
     def _full_is_above_dead_zone(self) -> Self:
         if self.full < self.dead_zone + 0.01:
             raise ValueError(
-                f"gesture '{self.name}': full ({self.full:g}) must be at least 0.01 above "
-                f"the dead-zone ({self.dead_zone:g})"
+                f"gesture '{self.name}': “Full at” ({self.full:.0%}) must be at least 1 % above “Counts from” "
+                f"({self.dead_zone:.0%}): raise it"
             )
         return self
 

@@ -48,7 +48,7 @@ def about(
         listed = {"packages": [package._asdict() for package in packages]} if licences else {}
         typer.echo(json.dumps(facts | listed))
         return
-    built = "with its middle compiled" if IS_COMPILED else "as plain Python"
+    built = "with its calculations compiled" if IS_COMPILED else "as plain Python"
     typer.echo(f"bodydrive {__version__}, built {built} ({EQUAL})\n{python}, {platform.platform()}")
     if packages:
         typer.echo("\n".join(["", *_table(packages)]))

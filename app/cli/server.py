@@ -180,6 +180,6 @@ def why_not_started(failure: Exception | None) -> str:
             "The control process did not start, so there is nothing to show: look at the messages above and try again."
         )
     return (
-        f"The application did not start, because of {type(failure).__name__}: {failure}. "
+        f"The program did not start, because of {type(failure).__name__}: {failure}. "
         "Correct this if you can, then start it again; otherwise report this line."
     )

@@ -133,7 +133,7 @@ class Commands:
         self._require_no_drive()
         shirt = self._setup.network_shirt
         if shirt is None or not shirt.use_sender(fields.sender):
-            raise CommandRefused("This sender sends no frames of this shirt: look again who does.")
+            raise CommandRefused("This sender sends no frames of this shirt: look at the Shirt page which sender does.")
         return {}
 
     def _body(self, fields: command_fields.Device, command_id: int) -> None:
@@ -144,7 +144,7 @@ class Commands:
         body = self._setup.simulated_shirt.body if self._setup.simulated_shirt else None
         move = getattr(body, "move", None)
         if move is None:
-            raise CommandRefused("Nobody is in the shirt whom keys could move: choose yourself as the body first.")
+            raise CommandRefused("The keys move nobody in this shirt: choose “You” as the body first.")
         try:
             move(fields.joints)
         except ValueError as error:

@@ -41,7 +41,7 @@ class Runs:
         setup.chain.gate.disarm()
         loop.send_to_chair()
         if not setup.stands:
-            raise CommandRefused("The chair still comes to its stop: try again in a moment.")
+            raise CommandRefused("The chair is still coming to a stop: try again in a moment.")
         writer = self._new_writer(fields)
         setup.chain.reset()
         if fields.kind == "drive":

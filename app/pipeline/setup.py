@@ -165,7 +165,7 @@ class Setup:
             raise CommandRefused(misfit)
         if parameters is not None and parameters.turn_cruise_time is None:
             raise CommandRefused(
-                "These controls have no time-out of turning: open the Controls page and save them anew."
+                "These controls do not say when turning stops by itself: open the Controls page and save them anew."
             )
         self.parameters = parameters
         self.hash = parameters.hash if parameters else None
@@ -226,7 +226,7 @@ class Setup:
         if self.shirt is None:
             return ""
         if self.shirt.layout.channel_names != parameters.profile.layout.channel_names:
-            return "These controls were made for a shirt with other channels: calibrate with this shirt."
+            return "These controls were made for a shirt with other sensors: calibrate with this shirt."
         if self.sample_rate <= 2.0 * parameters.cutoff:  # no filter has a cutoff above half the sample rate
             return (
                 f"Tremor damping of {parameters.cutoff:g} Hz needs more than {2 * parameters.cutoff:g} frames a "

@@ -161,7 +161,7 @@ class ControlClient:
 
     def _write(self, message: Message) -> None:
         if self.closed:
-            raise LinkLost("The control process is gone.")
+            raise LinkLost("The control process has ended, and a new one starts: try again in a moment.")
         self._writer.write(json.dumps(message, separators=(",", ":"), allow_nan=False).encode() + b"\n")
 
     async def _read(self) -> None:
@@ -177,4 +177,6 @@ class ControlClient:
             self._closed.set()
             for answer in self._waiting.values():
                 if not answer.done():
-                    answer.set_exception(LinkLost("The control process is gone."))
+                    answer.set_exception(
+                        LinkLost("The control process has ended, and a new one starts: try again in a moment.")
+                    )

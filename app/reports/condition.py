@@ -15,8 +15,8 @@ CONTROL_WORDS: Final = {
     "stop": "Stop",
 }
 MODE_WORDS: Final = {
-    "mode_u1": {"acceleration": "cruises on", "velocity": "follows the movement"},
-    "mode_u2": {"acceleration": "goes on", "velocity": "follows the movement"},
+    "mode_u1": {"acceleration": "keeps its speed", "velocity": "follows the movement"},
+    "mode_u2": {"acceleration": "keeps turning", "velocity": "follows the movement"},
 }
 ORIGIN_WORDS: Final = {
     "calibration": "",
@@ -39,8 +39,8 @@ def condition_facts(parameters: ParameterMaterial) -> tuple[Fact, ...]:
     of_body = {True: ", of a simulated shirt", False: "", None: ", source not recorded"}[parameters.simulated]
     modes = [MODE_WORDS[name].get(settings.get(name, ""), "not recorded") for name in MODE_WORDS]
     return (
-        Fact("Calibration (map)", f"Version {parameters.version}{origin}{parent}, {method}{of_body}"),
-        Fact("Modes", f"Speed {modes[0]}, turning {modes[1]}"),
+        Fact("Calibration", f"Version {parameters.version}{origin}{parent}, {method}{of_body}"),
+        Fact("How it drives", f"Forward and back: {modes[0]}. Turning: {modes[1]}"),
         Fact("Set", parameters.title),
         Fact("Stops by itself after", _stops(settings)),
         Fact("Speeds", _speeds(settings)),

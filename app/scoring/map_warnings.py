@@ -33,9 +33,9 @@ def sensor_warnings(trial: TrialAssessment) -> list[ControlWarning]:
             ControlWarning(
                 kind="map",
                 joint=where,
-                words=f"The shirt sits otherwise than when it was calibrated: {len(outside)} sensors ({where}) lay "
+                words=f"The shirt does not sit as it was calibrated: {len(outside)} sensors ({where}) lay "
                 f"outside their calibrated range in trial {trial.number}, and these joints' gestures did nothing.",
-                advice="Set the shirt straight. When it was put on again, fit the calibration to it: see Calibrate.",
+                advice="Set the shirt straight. When it was put on again, fit the calibration to it in Calibrate.",
             )
         )
     return warnings
@@ -48,7 +48,7 @@ def _sensor_warning(trial: TrialAssessment, channel: BadChannel, label: str) -> 
         joint=label,
         words=f"{label}: sensor {channel.name} {fault} for {channel.share:.0%} of trial {trial.number}; meanwhile this "
         "joint's gestures did nothing.",
-        advice="Look at it on the Shirt page, set the shirt straight and press the plug home. If it stays so, mark "
+        advice="Look at it on the Shirt page, set the shirt straight and push the plug in fully. If it stays so, mark "
         "the sensor as unused and calibrate again: the sensor is then left out.",
     )
 
@@ -71,7 +71,7 @@ def fit_warnings(rows: Sequence[JointInTrial]) -> list[ControlWarning]:
         advice = "Was the shirt put on again, or has it slipped? Set it straight, or calibrate again."
     elif angle > LARGEST_ANGLE and evr >= EVR_LIMITS[0]:
         words = (
-            f"{label}: the movement lies {angle:.0f}° beside the calibration, and "
+            f"{label}: the movement lies {angle:.0f}° off the calibration, and "
             f"{median_of(now, 'null_space_share'):.0%} of it never reaches the control."
         )
         advice = "Repeat this joint's free movement and prompts as the person moves it while driving."

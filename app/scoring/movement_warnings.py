@@ -31,8 +31,8 @@ def noise_warnings(of_map: Sequence[JointInTrial], every: Sequence[JointInTrial]
                     joint=label,
                     words=f"{label}: at rest it trembles with {now:.0%} / s of the full movement, and it counts from "
                     f"{dead_zone:.0%} / s, so that it may act by itself: let it count from {4 * now:.0%} / s.",
-                    advice="Look for tremor, a tired patient or a loose plug. Then raise in Controls from where the "
-                    "movement counts, or let the tremor damping damp more.",
+                    advice="Look for tremor, a tired patient or a loose plug. Then raise its “Counts from” in "
+                    "Controls, or lower “Tremor damping”: lower damps more.",
                 )
             ]
     rows = [row for row in every if row.joint.rest_rate is not None]
@@ -48,8 +48,8 @@ def noise_warnings(of_map: Sequence[JointInTrial], every: Sequence[JointInTrial]
             kind="noise",
             joint=label,
             words=f"{label}: the noise at rest has grown to {last / first:.1f} times that of the first trials.",
-            advice="Look for tremor, a tired patient or a loose plug on the Shirt page. When it stays, repeat the rest "
-            "of the calibration, so that the movement counts from above it.",
+            advice="Look for tremor, a tired patient or a loose plug on the Shirt page. When it stays, repeat the step "
+            "Rest of the calibration, so that the movement counts only above the noise.",
         )
     ]
 
@@ -73,8 +73,8 @@ def span_warnings(every: Sequence[JointInTrial]) -> list[ControlWarning]:
         fall = 1 - sessions[-1] / sessions[0]
         words = f"{label}: the movement has become {fall:.0%} smaller over {len(sessions)} sessions."
         advice = (
-            "Ask about strength and pain. When it stays, calibrate again, so that full scale is what the person "
-            "can do now; the range of motion is worth a note in the record."
+            "Ask about strength and pain. When it stays, calibrate again, so that “Full at” is what the person can "
+            "reach now, and note the range of motion in the record."
         )
     elif len(here) >= LEAST_TRIALS and _has_trend(here, "falls"):
         first, last = float(np.median(here[:EDGE])), float(np.median(here[-EDGE:]))

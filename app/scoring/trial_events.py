@@ -14,7 +14,7 @@ EventKind = Literal["checking", "armed", "stop", "fault", "disarmed", "contact",
 STOPS = frozenset({Fault.STOP_TABLET, Fault.STOP_GESTURE, Fault.STOP_KEY, Fault.STOP_CHAIR})  # made on purpose
 ONE_CONTACT = 0.5  # s; a touch within this time after a contact's beginning belongs to that contact
 WORDS = {
-    "checking": "The neutral check began.",
+    "checking": "The check for rest began.",
     "armed": "Motion was permitted.",
     "disarmed": "Motion was permitted no more.",
     "contact": "The chair touched something.",

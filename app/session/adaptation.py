@@ -32,20 +32,21 @@ Mode = Literal["off", "suggest", "auto"]
 
 STANDSTILL = 0.01  # m/s and rad/s
 
+LESS_WELL = "When a trial on the virtual chair shows that the calibration fits less well"
 NOT_ASKED: dict[str, str] = {
     "off": "This patient's calibration stays as it is: look now, or choose that changes are suggested.",
-    "suggest": "When a trial on the virtual chair shows that something is lost, what would change is shown here.",
-    "auto": "When a trial on the virtual chair shows that something is lost, what changes is shown here.",
+    "suggest": f"{LESS_WELL}, this page shows what would change.",
+    "auto": f"{LESS_WELL}, this page shows what changes.",
 }
 NOT_NOW = "You left it as it is: it is looked at again after the next trial."
 NO_TRIALS = "Nothing was driven with this calibration yet: drive a trial on the virtual chair, then look again."
 LEFT_OFF = "Somebody drives: it is looked at again after the trial."
-SWITCHED = "It is no longer wanted that the calibration adapts by itself: look, then decide."
+SWITCHED = "The calibration no longer adapts by itself: look at the proposal, then decide."
 STALE = "The controls or the trials were changed since this was proposed: look again, then decide."
-GONE = "This proposal is there no more: look again, then decide."
+GONE = "This proposal no longer exists: look again, then decide."
 REAL_CHAIR = "A real chair is chosen, and nothing is adapted there: choose the virtual one first."
-NOT_STILL = "The chair is armed or moves: end what is driven, then apply."
-LARGE = "The patient would feel it: 5 % or more. So it waits for somebody who looks and applies it."
+NOT_STILL = "The chair is armed or moves: end the trial or drive, then apply."
+LARGE = "The patient would feel it: 5 % or more. So it waits until somebody looks at it and applies it."
 
 
 @dataclass(frozen=True, slots=True)

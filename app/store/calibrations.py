@@ -77,4 +77,4 @@ def is_calibration_simulated(db: Session, session_id: int) -> bool | None:
 def fail_interrupted_steps(db: Session) -> None:
     """Mark the steps that an ended web process left running as failed: they have to be repeated."""
     for row in db.scalars(select(CalibrationStep).where(CalibrationStep.status == "running")):
-        row.status, row.words = "failed", "The application was restarted during this step: repeat it."
+        row.status, row.words = "failed", "The program was restarted during this step: repeat it."

@@ -22,6 +22,7 @@ from app.store.schema import connect
 FIRST = "0" * 64  # previous hash of the first row
 HEAD_BEGUN = "log head begun"  # this row says from where on a removal of the newest rows is detected
 LINE = 128  # bytes
+WHAT_TO_DO = "Archive this computer with `bodydrive incident FILE`, and compare the log with that of a backup."
 WHOLE_LINE = re.compile(
     rb"(?P<content>(?P<rows>\d{1,15}) (?P<id>\d{1,19}) (?P<hash>[0-9a-f]{64})) (?P<check>[0-9a-f]{8}) *\n"
 )
@@ -161,21 +162,24 @@ def _check(head: Head | None, rows: Iterable[RawRow]) -> LogCheck:
     for row in rows:
         if not _chains_on(newest, row):
             what = f"row {row[0]} was edited, moved or put in, or rows before it were removed"
-            return LogCheck(False, count, f"The log was changed: {what}.")
+            return LogCheck(False, count, f"The log was changed: {what}. {WHAT_TO_DO}")
         count, newest = count + 1, row[6]
         if head is not None and count == head.rows:
             hash_at_head = newest
         if row[3] == HEAD_BEGUN:
-            begun = f" Whether newest rows were removed is known since row {count}, of {row[1][:10]}."
+            begun = f" A removal of newest rows is noticed from row {count} on, of {row[1][:10]}."
     if head is None:
-        gone = "The head of the log is missing beside the database: rows may have been removed from the log's end."
+        gone = (
+            "The head of the log is missing beside the database: rows may have been removed from the log's end. "
+            + WHAT_TO_DO
+        )
         return LogCheck(False, count, gone) if count else LogCheck(True, 0, "The log is empty.")
     if head.rows > count:
         what = f"its newest rows were removed, {count} of {head.rows} are left"
-        return LogCheck(False, count, f"The log was changed: {what}.")
+        return LogCheck(False, count, f"The log was changed: {what}. {WHAT_TO_DO}")
     if head.hash != hash_at_head:
         what = f"its first {head.rows} rows are not the rows that were written"
-        return LogCheck(False, count, f"The log was changed: {what}.")
+        return LogCheck(False, count, f"The log was changed: {what}. {WHAT_TO_DO}")
     late = count - head.rows
     after = (
         f" The newest {late} are not in its head yet: the program ended just then, or it writes now." if late else ""

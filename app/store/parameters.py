@@ -53,7 +53,7 @@ def newest_profile(db: Session, patient_id: int) -> Profile | None:
 def _needed_profile(db: Session, patient_id: int) -> Profile:
     row = newest_profile(db, patient_id)
     if row is None:
-        raise Conflict("Nothing is calibrated yet: go to Calibrate and accept a result first.")
+        raise Conflict("Nothing is calibrated yet: calibrate first, and tap “Use this calibration”.")
     return row
 
 

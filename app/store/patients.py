@@ -78,7 +78,7 @@ def delete_patient(db: Session, clinic_id: int, patient_id: int, reason: str = "
     patient = find_patient(db, clinic_id, patient_id)
     session = open_session(db, clinic_id)
     if session is not None and session.patient_id == patient_id:
-        raise Conflict(f"{patient.pseudonym} is here now: end the session first, then delete.")
+        raise Conflict(f"The patient {patient.pseudonym} has an open session: end it first, then delete the patient.")
     require_reason(db, patient, reason)
     patient.deleted, patient.deletion_reason = utc_now(), reason or None
     return patient

@@ -52,7 +52,7 @@ def test_lost_frames_do_no_harm(person):
 def test_channels_marked_as_unused_are_left_out(person):
     profile = calibrate(person, unused={"left_elbow_2"})
     assert profile.left_out == {"left_elbow_2": "marked as unused"}
-    assert "Channels left out: 1 of 5" in profile.joints[1].reason
+    assert "Sensors left out: 1 of 5" in profile.joints[1].reason
 
 
 def test_near_railed_channels_stay_only_when_the_joint_has_no_better_one(person):

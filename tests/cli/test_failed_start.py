@@ -31,7 +31,7 @@ def test_the_cause_of_a_failed_start_is_in_the_sentence(tmp_path) -> None:
     code, words = started("PermissionError(13, 'no memory to share')", str(tmp_path / "clinic"))
     assert code == 2
     (line,) = words.splitlines()
-    assert line.startswith("bodydrive: The application did not start, because of PermissionError: ")
+    assert line.startswith("bodydrive: The program did not start, because of PermissionError: ")
     assert "no memory to share" in line
     assert "messages above" not in line  # there are none
 

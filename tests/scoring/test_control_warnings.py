@@ -88,7 +88,7 @@ def test_several_sensors_outside_their_range_mean_that_the_shirt_moved():
     outside = (bad("e1", 1.0, silent=False), bad("e3", 1.0, silent=False))
     (warning,) = control_warnings([trial(1, bad=outside)]).warnings
     assert (warning.kind, "2 sensors" in warning.words) == ("map", True)
-    assert "see Calibrate" in warning.advice
+    assert "fit the calibration" in warning.advice
     assert kinds([trial(1, bad=outside[:1])]) == ["sensor"]
 
 
@@ -116,7 +116,7 @@ def test_a_new_map_begins_anew():
 def test_a_map_that_never_fitted():
     trials = [trial(n, joint(map_angle_deg=41.0, null_space_share=0.43)) for n in range(3)]
     (warning,) = control_warnings(trials).warnings
-    assert "41° beside the calibration" in warning.words
+    assert "41° off the calibration" in warning.words
     assert "43%" in warning.words
 
 

@@ -100,7 +100,7 @@ def test_a_shirt_that_hides_the_movement_turns_the_map_two_degrees_for_each_new_
             assert joint.angle_proposed_deg == pytest.approx(28.0, abs=1.0)
             assert joint.angle_applied_deg == pytest.approx(2.0 * fresh)
             assert joint.evr_after > joint.evr_before
-            assert "passes beside the direction" in joint.reason
+            assert "goes in another direction" in joint.reason
 
 
 def test_one_trial_alone_turns_nothing(

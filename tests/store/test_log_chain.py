@@ -224,7 +224,7 @@ def test_a_head_that_is_missing_or_no_head_shows_and_is_begun_anew(written: Path
     Database(file).close()
     check = verify_log(file)
     assert check.whole
-    assert f"known since row {ROWS + 1}" in check.words
+    assert f"noticed from row {ROWS + 1} on" in check.words
 
 
 def test_a_head_that_cannot_be_written_loses_no_row(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -22,7 +22,7 @@ from app.store.patients import find_patient
 
 router = APIRouter(tags=["adaptation"])
 
-NOT_CALIBRATED = "Nothing is calibrated yet: go to Calibrate and accept a result first."
+NOT_CALIBRATED = "Nothing is calibrated yet: calibrate first, and tap “Use this calibration”."
 
 
 class AdaptationModeChoice(Document):

@@ -92,7 +92,7 @@ def _steps(progress: Progress) -> list[dict[str, Any]]:
             "kind": "result",
             "joint": None,
             "title": "Result",
-            "instruction": "Look at each joint. Repeat what is not good enough, then accept.",
+            "instruction": "Look at each joint. Repeat what is not good enough, then tap “Use this calibration”.",
             "duration": 0.0,
             "cues": [],
         }
@@ -286,7 +286,7 @@ async def _accept(who: SignedInPerson, parts: People, web: WebParts, session: Pa
     if profile is None:
         raise Conflict("There is no result yet: do every step first.")
     if progress.accepted:
-        raise Conflict("This result is accepted already: go on to the controls, or repeat a step.")
+        raise Conflict("This calibration is in use already: go on to the controls, or repeat a step.")
 
     def _save() -> None:
         with parts.database.transaction() as db:

@@ -23,7 +23,8 @@ from app.calibration.adaptation.thresholds import Thresholds, full_for, step_thr
 from app.calibration.profile import JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
 
-AT_ITS_END = "It cannot follow any further: calibrate this joint again."
+ANEW = "calibrate this joint again"
+AT_ITS_END = f"It cannot follow any further: {ANEW}."
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +77,10 @@ def assess_joint(evidence: AdaptationInput, joint: JointMap, gesture: Gesture) -
     sample_rate = evidence.trials[-1].sample_rate
     felt = felt_change(old / now.full, turn.weights / thresholds.full, moved, sample_rate) if len(moved) else 0.0
     if felt >= limits.refuse:
-        words = f"It would be felt as a change of {min(felt, 9.99):.0%}, more than {limits.refuse:.0%}: refused."
+        words = (
+            f"The patient would feel a change of {min(felt, 9.99):.0%}, and from {limits.refuse:.0%} on it is refused: "
+            f"{ANEW}."
+        )
         values |= turn.values_unturned
         refused = JointChange(**values, felt_change=min(felt, 1e6), status="refused", reason=f"{loss.words} {words}")
         return JointAssessment(refused, old, now)
@@ -96,12 +100,12 @@ def _reason_to_skip(evidence: AdaptationInput, joint: JointMap, loss: JointLoss 
     if not evidence.trials or not evidence.fresh:
         return "unchanged", "No trial was driven since the calibration last changed."
     if loss is None:
-        return "unchanged", "Nothing is lost with it."
+        return "unchanged", "The calibration fits it as well as before."
     weighed = {channel for channel, weight in zip(joint.channels, joint.weights, strict=True) if weight != 0.0}
     broken = sorted(weighed - set(sound_channels(evidence.parameters.profile, joint, evidence.movements)))
     if broken:
         name = evidence.parameters.profile.layout.channel_names[broken[0]]
-        return "refused", f"Channel {name} is dead or at the end of its range: check the shirt, then calibrate again."
+        return "refused", f"Sensor {name} is dead or at the end of its range: check the shirt, then calibrate again."
     return None
 
 
@@ -151,7 +155,7 @@ def _turn(evidence: AdaptationInput, joint: JointMap, moved: Numbers) -> _Turn:
     elif found.share < limits.least_evr:
         refusal = f"Its main movement is clear to only {found.share:.0%}, less than {limits.least_evr:.0%}."
     elif away > limits.largest_angle_deg:
-        refusal = f"It would be {away:.0f} degrees away from the calibration: calibrate this joint again."
+        refusal = f"It would be {away:.0f} degrees away from the calibration: {ANEW}."
     elif talk[0] is not None and talk[1] is not None and talk[1] > talk[0] + limits.cross_talk_slack:
         refusal = f"It would answer more to other joints ({talk[0]:.0%} before, {talk[1]:.0%} after)."
     return _Turn(old, unturned, unturned, refusal) if refusal else _Turn(weights, values, unturned, "")
@@ -200,7 +204,7 @@ def _cross_talk(evidence: AdaptationInput, joint: JointMap, gesture: Gesture, we
 
 def _reason(change: JointChange, refusal: str) -> str:
     """Return one sentence on what is applied to a joint, and why its direction is not turned."""
-    words = ["the range that its channels are watched by follows the shirt"] if change.range_moved else []
+    words = ["the range in which its sensors are believed follows the shirt"] if change.range_moved else []
     if change.angle_applied_deg:
         asked = change.angle_proposed_deg or 0.0
         part = "" if asked - change.angle_applied_deg < 0.05 else f" of the {asked:.1f} that its movements ask for"

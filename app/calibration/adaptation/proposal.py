@@ -123,4 +123,8 @@ def _sentence(changes: Sequence[JointChange], trials: int) -> str:
         return f"{words}; {', '.join(refused)} may not." if refused else f"{words}."
     if refused:
         return f"After {after}, nothing changes: what {', '.join(refused)} would need may not be done."
-    return f"After {after}, nothing is lost: the calibration stays as it is." if trials else "No trial was driven yet."
+    return (
+        f"After {after}, the calibration fits as well as before, and stays as it is."
+        if trials
+        else "No trial was driven yet."
+    )

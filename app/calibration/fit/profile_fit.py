@@ -97,7 +97,7 @@ def joints_without_map(profile: CalibrationProfile) -> dict[str, str]:
     """Return the layout's joints that the profile has no map for, each with the reason and what to do."""
     mapped = {joint.name for joint in profile.joints}
     return {
-        name: "None of its channels can be used: check them on the Shirt page, then repeat the calibration."
+        name: "None of its sensors can be used: check them on the Shirt page, then repeat the calibration."
         for name in profile.layout.joint_names
         if name not in mapped
     }

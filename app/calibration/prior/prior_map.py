@@ -202,7 +202,7 @@ def _seat(
         alive[usable] = channels_alive(measured[usable], expected[usable])
     if not alive.any():
         raise PriorMapError(
-            "None of the channels that other people are known for moves on this person: move freely for ten seconds."
+            "None of the sensors that other people are known for moves on this person: move freely for ten seconds."
         )
     level = expected.copy()
     level[~known] = expected[known].mean()

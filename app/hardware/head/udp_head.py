@@ -75,7 +75,7 @@ class UdpHead:
     def words(self) -> str:
         """Return the tracker's state in words."""
         if self._socket is None:
-            return f"The head tracker {self._name} is not listened for."
+            return f"Nothing listens for the head tracker {self._name}."
         host, port = self.address
         refused = f", {self.junk} datagrams refused" if self.junk else ""
         if self._pose is None or self._clock.now() - self._pose.t > ALIVE:

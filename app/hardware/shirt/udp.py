@@ -142,7 +142,7 @@ class UdpShirt:
         trouble = self._newest.trouble if self._newest else ""
         why = f" ({trouble or self._refusal})" if trouble or self._refusal else ""
         if self._socket is None:
-            return f"The shirt is not listened for{why}."
+            return f"Nothing listens for the shirt{why}."
         host, port = self.address
         if self._clock.now() - self._frame_t > ALIVE:
             return f"No frames from {self.sender_choice.name or 'a shirt'} on {host}:{port}{why}{self._others()}."

@@ -83,7 +83,7 @@ def _joint_loss(
     silenced = _is_silenced(trials)
     if silenced:
         words.append(
-            f"A channel lay outside its range for {trials[-1].silent:.0%} of the last trial, and nothing counted then."
+            f"A sensor lay outside its range for {trials[-1].silent:.0%} of the last trial, and nothing counted then."
         )
     return JointLoss(" ".join(words), dead_zone, growth, turns, silenced) if words else None
 
@@ -96,7 +96,7 @@ def _dead_zone(origin: JointMap, gesture: Gesture, trials: Sequence[GestureTrial
     needed = dead_zone_for(origin, math.exp(noises[-1]))
     target = math.log(gesture.dead_zone / LEAST_MARGIN)
     if needed > gesture.dead_zone and cumulative_sum(_surprises("noise", noises, target)) > LIMIT:
-        words.append("Its noise at rest has come near to what counts, so that it will act without being meant.")
+        words.append("Its noise at rest has come near to where it counts, so it may act by itself.")
         return needed
     missed = [trial.missed for trial in trials if trial.missed is not None]
     if needed < gesture.dead_zone and cumulative_sum(_surprises("missed", missed, MOST_MISSED)) > LIMIT:
@@ -128,7 +128,7 @@ def _is_blind(trials: Sequence[GestureTrial], words: list[str]) -> bool:
     target = float(np.mean(values[:FIRST_TRIALS])) + MOST_BLIND
     if cumulative_sum(_surprises("blind", values, target, FIRST_TRIALS)) <= LIMIT:
         return False
-    words.append(f"{values[-1]:.0%} of its movement passes beside the direction that is read.")
+    words.append(f"{values[-1]:.0%} of its movement goes in another direction than the one that drives.")
     return True
 
 

@@ -116,7 +116,9 @@ class CalibrationFlow:
         """
         progress = await self.progress(session_id)
         if not progress.may_drive_now:
-            raise Conflict("Rest and move freely first, in a shirt in which four other people are known.")
+            raise Conflict(
+                "Do Rest and Move freely first. Driving at once needs four other people who are known in this shirt."
+            )
         if self._running is not None:
             raise Conflict("A step is being recorded: wait for its end, or cancel it first.")
         try:
@@ -134,7 +136,9 @@ class CalibrationFlow:
         """
         progress = await self.progress(session_id)
         if not progress.may_fit_earlier:
-            raise Conflict("Rest and move freely first, as a patient who was calibrated in this shirt before.")
+            raise Conflict(
+                "Do Rest and Move freely first. Fitting needs an earlier calibration of this patient in this shirt."
+            )
         if self._running is not None:
             raise Conflict("A step is being recorded: wait for its end, or cancel it first.")
         await asyncio.to_thread(self._fit.fit_earlier, session_id, progress, person)
@@ -143,7 +147,7 @@ class CalibrationFlow:
         """Add an accepted calibration to the clinic's prior; return whether it could be added."""
         return await asyncio.to_thread(self._fit.learn, session_id, await self.progress(session_id))
 
-    async def stop(self, status: str = "failed", words: str = "The application ended during this step.") -> None:
+    async def stop(self, status: str = "failed", words: str = "The program ended during this step: repeat it.") -> None:
         """Stop the step that is being recorded, and give it this status."""
         task, self._task = self._task, None
         if task is None:

@@ -17,7 +17,7 @@ from app.store.parameters import newest_profile
 from app.store.tables import PatientSession
 
 KEPT = 8  # results: the Controls page asks again with every change
-NOTHING = "Nothing is calibrated yet: go to Calibrate and accept a result first."
+NOTHING = "Nothing is calibrated yet: calibrate first, and tap “Use this calibration”."
 GONE = (
     "The recordings of this calibration are not here, so that only the way there is ranked, by the calibration's own "
     "numbers: calibrate again to see all."

@@ -41,7 +41,7 @@ _HAPPENED: dict[Fault, str] = {
     Fault.LOOP_LATE: "The program was too slow.",
     Fault.RECORDING_LOST: "The drive could not be recorded.",
     Fault.CONTROL_LOST: "A part of the program ended.",
-    Fault.STOP_CHAIR: "The chair stopped by itself, or its stop switch was pressed.",
+    Fault.STOP_CHAIR: "The chair's stop switch was pressed, or the chair has a fault.",
     Fault.CHAIR_SILENT: "The chair was out of reach.",
     Fault.CHAIR_DISARMED: "The chair was out of reach.",
     Fault.CHAIR_NOT_READY: "The chair was not ready in time.",
