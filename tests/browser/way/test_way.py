@@ -96,7 +96,7 @@ def test_a_question_mark_says_what_the_page_is_for_and_gives_the_focus_back(open
     page = opened()
     question = page.get_by_role("button", name="What is this page for?")
     panel = page.locator(".page-help")
-    for place in ("drive", "controls"):
+    for place in ("drive", "drive/screen", "controls"):
         go_to(page, place)
         expect(page.locator("h1")).to_be_focused()
         question.focus()

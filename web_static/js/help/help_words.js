@@ -8,6 +8,15 @@ export function words(key) {
   return texts[key];
 }
 
+/**
+ * The name of the help of a place: that of the page below a page where there is one ("drive.chair"), else the page's.
+ * @param {{page: string, rest: string[]}} route
+ */
+export function helpName({ page, rest }) {
+  const below = `${page}.${rest[0]}`;
+  return pageWords(below) ? below : page;
+}
+
 /** The title and the three sentences of a page; null for a page without help. @param {string} page */
 export function pageWords(page) {
   const keys = /** @type {HelpKey[]} */ (["title", "1", "2", "3"].map((part) => `${page}.${part}`));

@@ -1,7 +1,7 @@
 /** What a page is for: three sentences and a drawing, beside the page, so that STOP and the page can be used meanwhile. */
 import { h } from "../widgets/dom.js";
 import { drawing } from "./drawings.js";
-import { loadStyles, pageWords, words } from "./help_words.js";
+import { helpName, loadStyles, pageWords, words } from "./help_words.js";
 
 const MORE = "/docs/clinicians";
 
@@ -16,7 +16,8 @@ const MORE = "/docs/clinicians";
  * @param {Shown} app what shows the page @param {HTMLButtonElement} opener the button that gets the focus back
  */
 export function openPageHelp(app, opener) {
-  const found = pageWords(app.route.page);
+  const name = helpName(app.route);
+  const found = pageWords(name);
   if (!found) return;
   loadStyles();
   const done = new AbortController();
@@ -26,7 +27,7 @@ export function openPageHelp(app, opener) {
     "section",
     { class: "page-help", role: "dialog", "aria-labelledby": "page-help-title" },
     h("div", { class: "spread" }, title, h("button", { type: "button", class: "btn small", onclick: () => close() }, words("help.close"))),
-    drawing(app.route.page),
+    drawing(name),
     found.sentences.map((sentence) => h("p", {}, sentence)),
     h("p", {}, h("a", { href: MORE, target: "_blank" }, words("help.more"))),
   );
