@@ -1,8 +1,10 @@
 """The task that is proposed to a patient: the last one again, or its next level when the last trials went well."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
 from typing import Any, Literal, NamedTuple
 
+from app.scoring.verdict.measure_verdict import ClinicSpreads, Rows, compare, series_of
 from app.source import SourceGroup
 from app.world.scene import DrivingPlace
 
@@ -37,7 +39,29 @@ def went_well(end: str | None, measures: Mapping[str, Any] | None) -> bool:
     return end == "goal" and measures is not None and bool(measures.get("reached")) and measures.get("collisions") == 0
 
 
-def next_task(trials: Sequence[PastTrial], group: SourceGroup, places: Mapping[str, DrivingPlace]) -> NextTask:
+def is_worse_than_noise(rows: Rows, clinic: ClinicSpreads) -> bool:
+    """Return whether one of the newest trials is worse than noise against the one before it that is compared.
+
+    The measure is the area off the path, or the time of a task without one. Trials for getting used to the task have no
+    verdict, and neither have trials of which there are too few: then nothing is worse. `rows` and `clinic` as for
+    `trial_verdicts`.
+    """
+    newest = {row["id"] for row in rows[-TRIALS:]}
+    for name in ("e_diff", "time"):
+        series, ids = series_of(rows, name)
+        if len(ids):
+            pairs = [(before, one) for before, one in pairwise(ids) if int(one) in newest]
+            verdicts = [compare(name, series, ids == before, ids == one, clinic.get(name)) for before, one in pairs]
+            return any(verdict is not None and verdict.word == "worse" for verdict in verdicts)
+    return False
+
+
+def next_task(
+    trials: Sequence[PastTrial],
+    group: SourceGroup,
+    places: Mapping[str, DrivingPlace],
+    is_worse: Callable[[str, str], bool],
+) -> NextTask:
     """Return the task to propose.
 
     Parameters
@@ -48,6 +72,9 @@ def next_task(trials: Sequence[PastTrial], group: SourceGroup, places: Mapping[s
         Only trials of this group count for the next level: what a simulated person can do says nothing of a patient.
     places : mapping of str to DrivingPlace
         All places that are offered, by the name of the floor plan: a scene's easiest level first.
+    is_worse : callable
+        Called with floor plan and path before a next level is proposed: whether the newest trials there are worse than
+        this person's noise.
     """
     last = next((trial for trial in reversed(trials) if _is_offered(trial, places)), None)
     if last is None:
@@ -60,7 +87,7 @@ def next_task(trials: Sequence[PastTrial], group: SourceGroup, places: Mapping[s
     newest = counted[-TRIALS:]
     if len(newest) == TRIALS and all(trial.went_well for trial in newest):
         harder = _next_level(last, places)
-        if harder is not None:
+        if harder is not None and not is_worse(last.floorplan, last.path):
             return NextTask(harder, last.path, "next level")
     return NextTask(last.floorplan, last.path, "again")
 

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.scoring.next_task import FIRST, TRIALS, NextTask, PastTrial, next_task, went_well
+from app.scoring.next_task import FIRST, TRIALS, NextTask, PastTrial, is_worse_than_noise, next_task, went_well
 from app.world.scene import bundled_places
 from app.world.task_groups import group_of
 
@@ -16,8 +16,12 @@ def trial(task, *, well=True, counts=True, group="worn"):
     return PastTrial(*task, group, counts, well)
 
 
+def never(_floorplan, _path):
+    return False
+
+
 def test_a_new_patient_begins_in_the_corridors_of_the_study():
-    assert next_task([], "worn", PLACES) == NextTask("clinic", "main", "first")
+    assert next_task([], "worn", PLACES, never) == NextTask("clinic", "main", "first")
     assert FIRST in TASKS
 
 
@@ -43,7 +47,43 @@ GOOD = [trial(DOOR)] * TRIALS
     ],
 )
 def test_the_next_level_comes_after_three_good_trials_that_count(trials, expected):
-    assert next_task(trials, "worn", PLACES) == expected
+    assert next_task(trials, "worn", PLACES, never) == expected
+
+
+def test_no_level_is_added_while_the_newest_trials_are_worse_than_noise():
+    asked = []
+    found = next_task(GOOD, "worn", PLACES, lambda *task: asked.append(task) or True)
+    assert (found, asked) == (NextTask(*DOOR, "again"), [DOOR])
+    next_task(GOOD[1:], "worn", PLACES, lambda *task: asked.append(task) or True)
+    assert asked == [DOOR]  # noise is estimated only where a next level is due
+
+
+def rows(values, name="e_diff", warming=3):
+    """Return rows of one session with these values, the first of them for getting used to the task."""
+    return [
+        {"id": 100 + i, "number": i + 1, "session": 1, "familiarisation": i < warming, "reached": True, name: value}
+        for i, value in enumerate(values)
+    ]
+
+
+EVEN = [3.0, 2.5, 2.2, 2.0, 2.1, 1.9, 2.0, 2.05, 1.95]
+
+
+@pytest.mark.parametrize(
+    ("values", "name", "worse"),
+    [
+        (EVEN, "e_diff", False),
+        ([*EVEN, 9.0], "e_diff", True),
+        ([*EVEN, 9.0, 2.0, 2.0], "e_diff", True),  # still one of the last three
+        ([*EVEN, 9.0, 2.0, 2.0, 2.0], "e_diff", False),
+        ([*EVEN, 0.5], "e_diff", False),  # better is not worse
+        ([*EVEN, 9.0], "time", True),  # a task without a path to be off
+        ([2.0, 2.0, 9.0], "e_diff", False),  # getting used to it: no verdict
+        ([], "e_diff", False),
+    ],
+)
+def test_trials_are_worse_when_one_of_the_last_three_is_worse_than_noise(values, name, worse):
+    assert is_worse_than_noise(rows(values, name), {}) is worse
 
 
 SOME_TRIAL = st.builds(trial, st.sampled_from([*TASKS, ("gone", "main")]), well=st.booleans(), counts=st.booleans())
@@ -51,7 +91,7 @@ SOME_TRIAL = st.builds(trial, st.sampled_from([*TASKS, ("gone", "main")]), well=
 
 @given(st.lists(SOME_TRIAL))
 def test_what_is_proposed_is_always_offered(trials):
-    found = next_task(trials, "worn", PLACES)
+    found = next_task(trials, "worn", PLACES, never)
     assert (found.floorplan, found.path) in TASKS
 
 

@@ -8,7 +8,9 @@ from app.api.parts import Web, WebParts, load_plan
 from app.api.routes.source_view import RequestedGroup
 from app.quantities import Document, Name
 from app.refusals import NotFound
-from app.scoring.next_task import PastTrial, Reason, next_task, went_well
+from app.scoring.next_task import PastTrial, Reason, is_worse_than_noise, next_task, went_well
+from app.session.clinic_spread import Task
+from app.store.learning_trials import counted_trials
 from app.store.patients import find_patient
 from app.store.runs import trials_of
 from app.store.tables import Trial
@@ -111,7 +113,15 @@ def propose_task(patient_id: RowId, who: Anyone, parts: PeopleParts, web: Web, s
     with parts.database.transaction() as db:
         find_patient(db, who.clinic_id, patient_id)
         trials = [_past(trial) for trial in trials_of(db, who.clinic_id, patient_id) if trial.status == "done"]
-    return NextTaskView.of(next_task(trials, source, web.places()))
+
+    def _is_worse(floorplan: str, path: str) -> bool:
+        with parts.database.transaction() as db:
+            counted = counted_trials(db, who.clinic_id, patient_id, floorplan, path)
+        clinic = web.spread.of_others(Task(who.clinic_id, floorplan, path, source), patient_id)
+        rows = [one.row() for one in counted if one.group == source]
+        return web.computing.ask(is_worse_than_noise, rows, clinic)
+
+    return NextTaskView.of(next_task(trials, source, web.places(), _is_worse))
 
 
 def _past(trial: Trial) -> PastTrial:

@@ -7,7 +7,7 @@ export default {
   "drive.title": "Where to?",
   "drive.why.first": "A first task: the corridors of the published study. The chair is put on the start.",
   "drive.why.again": "The task that was driven last. The chair is put on the start.",
-  "drive.why.next level": "The last three trials reached the goal without contact: this is one level harder.",
+  "drive.why.next level": "The last three trials reached the goal without contact, and none was worse than noise: this is one level harder.",
   "drive.why.chosen": "The task that you chose. The chair is put on the start.",
   "drive.choose": "Choose another",
   "drive.choose.title": "Choose a task",
