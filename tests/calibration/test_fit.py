@@ -131,7 +131,7 @@ def test_without_prompts_the_sign_is_arbitrary_reported_and_reproducible(person)
     assert profile.cross_talk is None
     for joint in profile.joints:
         assert joint.grade == "usable"
-        assert "arbitrary" in joint.reason
+        assert "which way it counts is not known" in joint.reason
         assert not joint.prompted
         heaviest = np.argmax(np.abs(joint.weights))
         assert joint.sign * joint.weights[heaviest] > 0

@@ -87,6 +87,10 @@ def test_each_state_of_a_drive_is_said_once(page, clinic):
     assert with_words(rows, "Rest") == ["polite"], rows
 
     clinic.process.state = State.ARMED
+    go, picture = page.locator(".cue-card.go"), page.locator(".picture")
+    expect(go).to_be_visible()
+    card, whole = go.bounding_box(), picture.bounding_box()
+    assert card["y"] + card["height"] < whole["y"] + 0.2 * whole["height"]  # the middle of the path stays free
     page.wait_for_timeout(A_WHILE)
     rows = said(page)
     assert len(rows) == 1, rows

@@ -5,7 +5,7 @@ import { repeatWhileHeld } from "../widgets/fields.js";
 import { isPose } from "./floor_plan.js";
 import { planPicture } from "./plan_svg.js";
 
-const STEP = 0.05; // m between two points of the driven line
+const STEP = 0.05; // m between two points of the trajectory
 const NEARER = 0.87; // ratio of the metres that are shown after a tap to those before it
 const [NEAREST, FARTHEST, USUAL] = [4, 60, 9]; // m that are shown across the shorter side
 const MIDDLE = { heading: 0.62, north: 0.5 }; // share of the height at which the chair is drawn; heading up leaves more room ahead
@@ -22,7 +22,7 @@ const STORAGE_KEY = "bodydrive-drawn-plan";
  * @param {import("./floor_plan.js").FloorPlan} plan @param {PrescribedPath} path
  * @returns {{element: HTMLElement, pad: HTMLElement, setShown: (is: boolean) => void,
  *   show: (now: PlanMoment) => void, setTrajectory: (line: Point[]) => void}}
- *   `show` draws a moment and adds its place to the driven line; `setTrajectory` draws a whole trajectory, to which `show`
+ *   `show` draws a moment and adds its place to the trajectory; `setTrajectory` draws a whole trajectory, to which `show`
  *   adds nothing; `pad` holds the buttons that turn and zoom
  */
 export function drawnPlan(plan, path) {
@@ -35,7 +35,7 @@ export function drawnPlan(plan, path) {
   const element = h("div", { class: "drawn-plan" }, picture.element);
   const settings = storedSettings();
   /** @type {Point[] | null} */
-  let driven = [];
+  let trajectory = [];
   /** @type {import("./floor_plan.js").Pose} */
   let pose = startOf(path);
 
@@ -52,7 +52,7 @@ export function drawnPlan(plan, path) {
     if (now.movers?.length === plan.movers.length) picture.setMovers(now.movers);
     if (now.stage !== undefined) picture.setStage(now.stage);
     if (now.target) picture.setGoal(now.target);
-    if (driven) addTo(driven);
+    if (trajectory) addTo(trajectory);
     look();
   };
   /** @param {Point[]} line */
@@ -64,7 +64,7 @@ export function drawnPlan(plan, path) {
   };
   /** @param {Point[]} line */
   const setTrajectory = (line) => {
-    driven = null;
+    trajectory = null;
     picture.setTrajectory(line);
   };
   /** @param {Partial<Settings>} change */

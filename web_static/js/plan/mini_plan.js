@@ -1,9 +1,9 @@
-/** The small plan while driving: path, driven line, chair. It can be folded away. */
+/** The small plan while driving: path, trajectory, chair. It can be folded away. */
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { planPicture } from "./plan_svg.js";
 
-const STEP = 0.05; // m between two points of the driven line
+const STEP = 0.05; // m between two points of the trajectory
 const STORAGE_KEY = "bodydrive-mini-plan";
 
 /** @param {import("./floor_plan.js").FloorPlan} plan @param {import("./floor_plan.js").PrescribedPath} path */
@@ -14,7 +14,7 @@ export function miniPlan(plan, path) {
     request: path,
   });
   /** @type {import("./floor_plan.js").Point[]} */
-  const driven = [];
+  const trajectory = [];
   const details = h(
     "details",
     { class: "hud mini", open: localStorage.getItem(STORAGE_KEY) !== "closed" },
@@ -27,10 +27,10 @@ export function miniPlan(plan, path) {
     if (leader) picture.setLeader(leader);
     picture.setGoal(target);
     const [x, y] = pose;
-    const last = driven.at(-1);
+    const last = trajectory.at(-1);
     if (x !== null && y !== null && (!last || Math.hypot(x - last[0], y - last[1]) >= STEP)) {
-      driven.push([x, y]);
-      picture.setTrajectory(driven);
+      trajectory.push([x, y]);
+      picture.setTrajectory(trajectory);
     }
     picture.setPose(pose);
   };

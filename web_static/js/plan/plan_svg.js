@@ -34,7 +34,7 @@ export function planPicture(plan, path, { label, hasRooms = false, isNear = fals
     : [];
   const box = isNear ? bounds(path, NEAR) : bounds([...plan.walls.flat(), ...path, ...corners], area ? BORDER : MARGIN);
   const scale = isTrue ? 1 : Math.max(1, box.width / LIFE);
-  const driven = s("polyline", { class: "driven" });
+  const trajectoryLine = s("polyline", { class: "driven" });
   const chair = isTrue ? chairOutline() : s("path", { class: "chair", d: CHAIR });
   set(chair, { visibility: "hidden" });
   const movers = plan.movers.map((one) => mover(one, scale));
@@ -42,7 +42,7 @@ export function planPicture(plan, path, { label, hasRooms = false, isNear = fals
   let { element: marked, goal } = marks(path, request, scale);
   put(ends, marked);
   const prescribed = prescribedLine(path, request?.task.kind ?? "path", isTrue);
-  const lines = s("g", { class: "lines" }, prescribed, ends, driven, chair);
+  const lines = s("g", { class: "lines" }, prescribed, ends, trajectoryLine, chair);
   // The plan's y goes up, the picture's down.
   const scene = s(
     "g",
@@ -83,7 +83,7 @@ export function planPicture(plan, path, { label, hasRooms = false, isNear = fals
   const another = () => {
     const line = s("polyline", { class: "driven second" });
     const other = s("path", { class: "chair second", d: CHAIR, visibility: "hidden" });
-    driven.after(line);
+    trajectoryLine.after(line);
     chair.after(other);
     return {
       /** @param {readonly (readonly number[])[]} trajectory */
@@ -123,7 +123,7 @@ export function planPicture(plan, path, { label, hasRooms = false, isNear = fals
     look,
     setStage,
     /** @param {readonly (readonly number[])[]} trajectory */
-    setTrajectory: (trajectory) => set(driven, { points: points(trajectory) }),
+    setTrajectory: (trajectory) => set(trajectoryLine, { points: points(trajectory) }),
     /** @param {AnyPose} pose */
     setLeader: ([x, y, theta]) => leader && set(leader, { transform: placement([x, y], theta) }),
     /** Move all movers. @param {AnyPose[]} poses in the plan's order */

@@ -18,7 +18,7 @@ import { wayDone } from "./way_done.js";
 const OF_WHOLE = ["dist", "dist_ratio", "e_diff", "time", "heading_error_deg"];
 
 /** The trials before this one of the same source, on the same path, that count and were measured. @param {TrialDetail} trial @param {TrialView[]} trials */
-export function earlierTrials(trial, trials) {
+function earlierTrials(trial, trials) {
   const pathName = trial.path_name;
   return trials.filter(
     (one) =>
@@ -54,7 +54,7 @@ function unfinishedWords(trial, measures) {
 
 /** @param {string} name @param {Measures} measures @param {TrialVerdicts | null} found */
 function largeFigure(name, measures, found) {
-  const said = verdictWords(name, found?.verdicts[name]);
+  const verdict = verdictWords(name, found?.verdicts[name]);
   return h(
     "section",
     { class: "card" },
@@ -62,9 +62,9 @@ function largeFigure(name, measures, found) {
     h("div", { class: "big" }, figureOf(name, measures)),
     h(
       "p",
-      { class: `change ${said?.tone ?? ""}` },
-      said
-        ? verdictLine(said)
+      { class: `change ${verdict?.tone ?? ""}` },
+      verdict
+        ? verdictLine(verdict)
         : name === "dist"
           ? t("over.path-length", { length: number(measured(measures, "path_length"), 2) })
           : "\u00a0",
@@ -129,7 +129,7 @@ function tableCard(measures, earlier, found) {
   const rows = Object.keys(MEASURES)
     .filter((name) => measured(measures, name) !== null && (measures.reached || !OF_WHOLE.includes(name)))
     .map((name) => {
-      const said = verdictWords(name, found?.verdicts[name]);
+      const verdict = verdictWords(name, found?.verdicts[name]);
       return h(
         "tr",
         {},
@@ -137,8 +137,8 @@ function tableCard(measures, earlier, found) {
         h("td", { class: "own" }, withUnit(name, measured(measures, name))),
         previous && [
           h("td", {}, comparable(name, measures) ? withUnit(name, measured(previous.measures, name)) : "–"),
-          h("td", { class: `change ${said?.tone ?? ""}` }, said ? `${said.arrow} ${said.words}` : "–"),
-          h("td", {}, said?.noise ?? "–"),
+          h("td", { class: `change ${verdict?.tone ?? ""}` }, verdict ? `${verdict.arrow} ${verdict.words}` : "–"),
+          h("td", {}, verdict?.noise ?? "–"),
           h("td", {}, comparable(name, measures) ? withUnit(name, best(name, earlier)) : "–"),
         ],
       );

@@ -13,7 +13,7 @@ const IN_SETTINGS = ["plans", "people", "log", "computer", "backup"]; // opened 
 export const PAGES = [...RAIL, "attention", "session", "adapt", "interface_test", ...IN_SETTINGS]; // those that have an address of their own
 
 /** The steps that are done in the open session. @param {import("../main.js").App} app @returns {Set<string>} */
-export function stepsDone(app) {
+function stepsDone(app) {
   const session = app.session;
   const done = new Set();
   if (!session?.patient) return done;

@@ -6,7 +6,7 @@ const SHOWN_FOR = 600; // ms that the button shows it was hit
 const MOVING = new Set(["armed", "checking"]);
 
 /** Send a stop over the socket and by HTTP; either is enough. @param {import("../main.js").App} app */
-export async function stopNow(app) {
+async function stopNow(app) {
   app.live.send({ stop: true });
   try {
     await app.api.post("/control/stop");

@@ -22,7 +22,7 @@ export function nextTheme() {
 }
 
 /** Set the theme's attribute for the style sheets, and tell the canvases by the event `themechange`. */
-export function applyTheme() {
+function applyTheme() {
   const choice = chosenTheme();
   const system = CONTRAST.matches ? "contrast" : DARK.matches ? "dark" : "light";
   document.documentElement.dataset.theme = choice === "system" ? system : choice;

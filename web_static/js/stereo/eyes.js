@@ -47,7 +47,7 @@ export class Eyes {
     const { mode, split } = this.settings.chosen;
     this.element.dataset.mode = mode;
     this.element.classList.toggle("has-split", split && mode !== "red-cyan");
-    SIDES.forEach((side, i) => (this.places[i].style.filter = mode === "red-cyan" ? `url(#seen-${side})` : ""));
+    SIDES.forEach((side, i) => (this.places[i].style.filter = mode === "red-cyan" ? `url(#eye-${side})` : ""));
     this.#aim();
   }
 
@@ -74,7 +74,7 @@ function colourFilters() {
     SIDES.map((side) =>
       s(
         "filter",
-        { id: `seen-${side}`, "color-interpolation-filters": "sRGB", x: 0, y: 0, width: 1, height: 1 },
+        { id: `eye-${side}`, "color-interpolation-filters": "sRGB", x: 0, y: 0, width: 1, height: 1 },
         s("feColorMatrix", { values: COLOURS[side] }),
       ),
     ),

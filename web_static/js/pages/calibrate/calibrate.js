@@ -33,7 +33,7 @@ export async function show(app, root, { signal }) {
     return;
   }
   /** @type {string | null} */
-  let watched = null; // the step whose run this page has seen: only after that one the next step starts by itself
+  let runningStep = null; // the step whose run this page has seen: only after that one the next step starts by itself
   let timer = 0;
   let drawn = new AbortController();
 
@@ -41,7 +41,7 @@ export async function show(app, root, { signal }) {
   const take = (answer) => {
     const before = calibration;
     calibration = /** @type {Calibration} */ (answer);
-    if (answer.running) watched = answer.running.step;
+    if (answer.running) runningStep = answer.running.step;
     else if (before.running) afterStep(before.running.step);
     draw();
   };
@@ -68,8 +68,8 @@ export async function show(app, root, { signal }) {
   const start = (id) => call(() => api.post(`/calibration/steps/${id}/start`));
   /** @param {string} id */
   const afterStep = (id) => {
-    const isGood = calibration.steps.find((step) => step.id === id)?.status === "done" && watched === id;
-    watched = null;
+    const isGood = calibration.steps.find((step) => step.id === id)?.status === "done" && runningStep === id;
+    runningStep = null;
     const next = calibration.steps.find((step) => step.id === calibration.current);
     if (!isGood || !actions.isAuto || !next || next.kind === "result" || next.status === "done" || next.status === "skipped") return;
     if (id === "free" && (calibration.may_drive_now || calibration.may_fit_earlier)) return; // a person chooses: drive now, or go on
@@ -160,7 +160,7 @@ export async function show(app, root, { signal }) {
     { signal },
   );
   signal.addEventListener("abort", () => clearTimeout(timer));
-  if (calibration.running) watched = calibration.running.step;
+  if (calibration.running) runningStep = calibration.running.step;
   draw();
 }
 

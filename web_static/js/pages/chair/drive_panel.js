@@ -64,7 +64,7 @@ export function showDrivePanel(app, root, read, id, signal) {
         state.element,
         speed.element,
         h("section", { class: "card commands" }, h("h2", {}, t("driving.commands")), square.element),
-        h("div", { class: "told" }, chair.element),
+        h("div", { class: "chair-report" }, chair.element),
         h(
           "section",
           { class: "card movements" },

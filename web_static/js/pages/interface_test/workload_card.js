@@ -18,12 +18,12 @@ export function workloadCard(app, test) {
   /** @type {Answers} */
   const answers = { mental: null, physical: null, temporal: null, performance: null, effort: null, frustration: null, ...test.workload };
   const problem = h("p", { class: "problem", role: "alert" });
-  const said = h("p", { class: "quiet", role: "status" }, sum(test));
+  const status = h("p", { class: "quiet", role: "status" }, sum(test));
   const save = async () => {
     write(problem, "");
     try {
       const saved = await app.api.put(`/interface-tests/${test.id}/workload`, answers);
-      write(said, `${t("test.workload.saved")} ${sum(saved)}`);
+      write(status, `${t("test.workload.saved")} ${sum(saved)}`);
     } catch (error) {
       write(problem, failureWords(error));
     }
@@ -35,7 +35,7 @@ export function workloadCard(app, test) {
     h("p", { class: "quiet" }, t("test.workload.lead")),
     h("div", { class: "workload-questions" }, QUESTIONS.map((name) => question(name, answers))),
     problem,
-    h("div", { class: "spread" }, h("button", { type: "button", class: "btn", onclick: save }, t("test.workload.save")), said),
+    h("div", { class: "spread" }, h("button", { type: "button", class: "btn", onclick: save }, t("test.workload.save")), status),
   );
 }
 

@@ -20,14 +20,14 @@ export function compareTable(trials, found) {
   const used = trials.filter(({ id }) => isFamiliarisation(found, id)).map((one) => one.number);
   /** @param {string} name */
   const row = (name) => {
-    const said = verdictWords(name, found?.verdicts[name]);
+    const verdict = verdictWords(name, found?.verdicts[name]);
     return h(
       "tr",
       {},
       h("th", { scope: "row" }, t(`measure.${name}`)),
       [first, second].map((measures) => h("td", { class: "own" }, withUnit(name, measured(measures, name)))),
       h("td", {}, isMixed || ![first, second].every((one) => comparable(name, one)) ? "–" : difference(name, first, second)),
-      found && [h("td", { class: `change ${said?.tone ?? ""}` }, said ? `${said.arrow} ${said.words}` : "–"), h("td", {}, said?.noise ?? "–")],
+      found && [h("td", { class: `change ${verdict?.tone ?? ""}` }, verdict ? `${verdict.arrow} ${verdict.words}` : "–"), h("td", {}, verdict?.noise ?? "–")],
     );
   };
   const names = Object.keys(MEASURES).filter((name) => [first, second].some((one) => measured(one, name) !== null));

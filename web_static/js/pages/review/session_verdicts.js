@@ -26,18 +26,18 @@ export function sessionVerdicts({ verdicts: { sessions, deterioration } }, measu
 /** @param {SessionVerdicts} compared @param {string} measure */
 function comparison(compared, measure) {
   const { earlier, later, trials, verdicts } = compared;
-  const said = verdictWords(measure, verdicts[measure]);
+  const verdict = verdictWords(measure, verdicts[measure]);
   const title = t("verdict.sessions", { earlier, later, first: trialsWords(trials[0]), second: trialsWords(trials[1]) });
   return h(
     "div",
     { class: "session-verdict" },
     h("h3", {}, title),
-    said &&
+    verdict &&
       h(
         "p",
         {},
         `${t(`measure.${measure}`)}: ${withUnit(measure, verdicts[measure].earlier)} → ${withUnit(measure, verdicts[measure].later)} `,
-        h("b", { class: `change ${said.tone}` }, verdictLine(said)),
+        h("b", { class: `change ${verdict.tone}` }, verdictLine(verdict)),
       ),
     Object.keys(verdicts).length > 0 && h("details", {}, h("summary", {}, t("verdict.all")), table(compared, title)),
   );
@@ -52,15 +52,15 @@ function trialsWords(count) {
 function table({ earlier, later, verdicts }, title) {
   /** @param {string} name */
   const row = (name) => {
-    const said = verdictWords(name, verdicts[name]);
+    const verdict = verdictWords(name, verdicts[name]);
     return h(
       "tr",
       {},
       h("th", { scope: "row" }, t(`measure.${name}`)),
-      h("td", { class: `change ${said?.tone ?? ""}` }, said ? `${said.arrow} ${said.words}` : "–"),
+      h("td", { class: `change ${verdict?.tone ?? ""}` }, verdict ? `${verdict.arrow} ${verdict.words}` : "–"),
       h("td", {}, withUnit(name, verdicts[name].earlier)),
       h("td", { class: "own" }, withUnit(name, verdicts[name].later)),
-      h("td", {}, said?.noise ?? "–"),
+      h("td", {}, verdict?.noise ?? "–"),
     );
   };
   const head = [

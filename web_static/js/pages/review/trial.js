@@ -33,15 +33,15 @@ export async function show(app, root, { signal, rest: [patient, , id] }) {
   ]);
   if (signal.aborted) return;
   const head = line ? new PlayHead(Number(line.t[0]), Number(line.t.at(-1)), signal) : null;
-  const said = commentsCard(app, read.trial.id, comments, head, signal);
-  const above = line && head ? replay(app, root, read, line, head, said, signal) : withoutReplay(why, comments.length > 0 && said.element);
+  const card = commentsCard(app, read.trial.id, comments, head, signal);
+  const above = line && head ? replay(app, root, read, line, head, card, signal) : withoutReplay(why, comments.length > 0 && card.element);
   const back = () => [h("a", { class: "btn", href: `#/review/${patient}` }, t("review.back"))];
   showTrialOver(app, root, read, back, above);
 }
 
-/** @param {string} why @param {HTMLElement | false} said what was said about the trial */
-function withoutReplay(why, said) {
-  return h("div", { class: "replay" }, h("p", { class: "card quiet" }, t("replay.none"), " ", why), said);
+/** @param {string} why @param {HTMLElement | false} card the comments on the trial, when there are some */
+function withoutReplay(why, card) {
+  return h("div", { class: "replay" }, h("p", { class: "card quiet" }, t("replay.none"), " ", why), card);
 }
 
 /**

@@ -48,14 +48,14 @@ function taskCard({ earlier, later }, { floorplan_title: plan, path, source, tri
   /** @param {string} name */
   const row = (name) => {
     const { earlier: before, later: now, verdict } = measures[name];
-    const said = verdictWords(name, verdict ?? undefined);
+    const inWords = verdictWords(name, verdict ?? undefined);
     return h(
       "tr",
       {},
       h("th", { scope: "row" }, t(`measure.${name}`)),
       h("td", {}, summaryWords(name, before)),
       h("td", { class: "own" }, summaryWords(name, now)),
-      h("td", { class: `change ${said?.tone ?? ""}` }, said ? verdictLine(said) : "–"),
+      h("td", { class: `change ${inWords?.tone ?? ""}` }, inWords ? verdictLine(inWords) : "–"),
     );
   };
   const sessions = [earlier, later].map((one) => t("verdict.session", { number: one.number }));

@@ -15,13 +15,13 @@ export function limitsCard(app, clinic, isOwner, signal) {
   const state = h("span", { class: "quiet small", role: "status" });
   const problem = h("p", { class: "problem", role: "alert" });
   const place = h("div", {});
-  let kept = clinic;
-  let wanted = { ...clinic };
+  let limits = clinic;
+  let wishes = { ...clinic };
   let timer = 0;
-  const draw = () => put(place, isOwner ? speedRows(wanted, {}, change, { hasNumbers: true }).elements : inWords(kept));
+  const draw = () => put(place, isOwner ? speedRows(wishes, {}, change, { hasNumbers: true }).elements : inWords(limits));
   /** @param {keyof Speeds} name @param {number} value */
   const change = (name, value) => {
-    wanted[name] = value;
+    wishes[name] = value;
     write(state, t("limits.saving"));
     clearTimeout(timer);
     timer = setTimeout(send, REST);
@@ -30,12 +30,12 @@ export function limitsCard(app, clinic, isOwner, signal) {
     timer = 0;
     write(problem, "");
     try {
-      kept = await app.api.put("/limits", wanted);
+      limits = await app.api.put("/limits", wishes);
       write(state, t("limits.saved"));
     } catch (error) {
       write(state, "");
       write(problem, failureWords(error));
-      wanted = { ...kept };
+      wishes = { ...limits };
       draw();
     }
   };

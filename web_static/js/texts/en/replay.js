@@ -52,7 +52,6 @@ export default {
   "replay.joint": "Sensors of",
   "replay.none": "There is no replay of this trial.",
   "replay.look": "Look at it again",
-  "replay.mark": "Replay",
   "replay.picture": "Picture of the replay",
   "replay.picture.off": "The replay in 3D is off: {why}",
   "replay.picture.loading": "The picture is coming…",

@@ -27,6 +27,5 @@ export default {
   "shares.new": "The link and its PIN, shown this once: {what}",
   "shares.new.lead": "Send the link. Tell the PIN in another way, such as by telephone: whoever has both reads the records of {code}.",
   "shares.pin": "PIN",
-  "shares.copied": "The link was copied.",
   "shares.done": "Done",
 };
