@@ -134,11 +134,11 @@ def numbers(page):
 def only_who_may_go_on_is_offered_it(reviewer, clinician):
     """Stop as a reviewer, and go on as a clinician."""
     reviewer.locator("#stop").click()
-    expect(reviewer.get_by_text("The clinician beside the chair looks at it")).to_be_visible()
+    expect(reviewer.get_by_text("The clinician beside the chair looks around")).to_be_visible()
     expect(reviewer.get_by_role("button", name="Continue")).to_have_count(0)
     photograph(reviewer, "stopped")
     clinician.get_by_role("button", name="Continue").click()
-    expect(reviewer.get_by_text("The clinician beside the chair looks at it")).to_have_count(0)
+    expect(reviewer.get_by_text("The clinician beside the chair looks around")).to_have_count(0)
 
 
 def follows_a_new_patient(looks_on, clinician):

@@ -21,7 +21,7 @@ def test_a_large_change_waits_for_a_person(ready: Any) -> None:
     drive(ready)
     view = settled(ready)
     assert view["version"] == 1
-    assert "waits for somebody" in view["proposal"]["words"]
+    assert "waits until somebody" in view["proposal"]["words"]
     assert apply(ready, view).json()["version"] == 2
 
 

@@ -90,7 +90,7 @@ def test_it_says_what_the_command_says_and_what_each_screen_draws(
     assert "Of 100 ticks of the control loop" in words
     assert "Port 8080 is the one of this clinic" in words
     assert all(word in words for word in ("eal-time", "emory", "GB of the disk", "The clock shows"))
-    assert machine["words"].startswith("This computer will")
+    assert machine["words"].startswith("This computer is")
     verdicts = {finding["verdict"] for finding in machine["findings"]}
     assert machine["verdict"] == next(one for one in ("bad", "attention", "good") if one in verdicts)
     assert [one["verdict"] for one in screens] == ["good", "attention", "attention"]

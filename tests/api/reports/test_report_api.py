@@ -69,4 +69,4 @@ def test_a_reviewer_reads_and_takes_nothing_out(reported: Any) -> None:
         cookies = {"bodydrive_sign_in": sign_in(db, person, "test")}
     with as_person(clinic, cookies):
         answer = clinic("GET", f"/patients/{patient}/report")
-    assert (answer.status_code, answer.json()["detail"][:38]) == (403, "You may look at records, not take them")
+    assert (answer.status_code, answer.json()["detail"][:31]) == (403, "A reviewer takes no records out")

@@ -71,7 +71,7 @@ def test_the_owner_measures_this_computer_and_the_open_screens(opened, served):
     expect(page.get_by_role("button", name="Measure for 10 s")).to_be_disabled()
     photograph(page, "measuring")
     found = page.locator(".findings")
-    expect(found.first.locator(".summary")).to_contain_text("This computer will", timeout=60_000)
+    expect(found.first.locator(".summary")).to_contain_text("This computer is", timeout=60_000)
     expect(found.first).to_contain_text("Of 1000 ticks of the control loop")
     expect(found.last.locator("li")).to_have_count(2)
     for screen in found.last.locator("li").all():

@@ -73,7 +73,7 @@ def exported(page, app, file):
     page.unroute("**/archive/room")
     form.select_option("csv")
     form.select_option("archive")
-    expect(card.get_by_role("status")).to_contain_text("The recordings have ")
+    expect(card.get_by_role("status")).to_contain_text("The recordings take ")
     with page.expect_download() as download:
         card.get_by_role("link", name="Export of P-1").click()
     download.value.save_as(file)
