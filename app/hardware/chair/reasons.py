@@ -20,11 +20,11 @@ class Reason(IntEnum):
 WORDS = {
     Reason.NONE: "Nothing is wrong.",
     Reason.SILENT: "No new command reached the chair for too long.",
-    Reason.TOLD_TO_STOP: "The chair was told to stop.",
+    Reason.TOLD_TO_STOP: "The chair received a stop.",
     Reason.WITHDRAWN: "The sender withdrew its permission to drive.",
     Reason.STOP_INPUT: "The chair was stopped by its own switch.",
     Reason.NOT_NEUTRAL: "The chair was not commanded to stand for half a second after it was armed.",
-    Reason.LATE: "The chair's own computer was held up for too long.",
-    Reason.OUTPUT: "The chair's electronics took no commands.",
+    Reason.LATE: "The chair's own computer stood still for too long.",
+    Reason.OUTPUT: "The chair's electronics accepted no commands.",
     Reason.ENDING: "The chair's receiver was ended.",
 }
