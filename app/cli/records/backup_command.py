@@ -61,7 +61,11 @@ def backup(
     if as_json:
         typer.echo(json.dumps(asdict(report)))
         return
-    keys = "with the keys of chairs and clinic" if report.with_keys else "without the keys of chairs and clinic"
+    keys = (
+        "with the keys of chairs, shirts and clinic"
+        if report.with_keys
+        else "without the keys of chairs, shirts and clinic"
+    )
     typer.echo(
         f"{report.name}: {report.files} files, {report.bytes / 1e6:.1f} MB, {keys}, "
         f"{'encrypted' if report.encrypted else 'not encrypted'}. It was read back, and every hash is right.\n"
@@ -108,7 +112,9 @@ def restore(
         typer.echo(json.dumps(facts))
         return
     keys = (
-        "The keys of chairs and clinic were in it." if done.manifest.with_keys else "It held no keys: pair chairs anew."
+        "The keys of chairs, shirts and clinic were in it."
+        if done.manifest.with_keys
+        else "It held no keys: pair chairs and shirts anew."
     )
     typer.echo(
         f"The clinic of {done.manifest.made[:16]} UTC is in {settings.state}: {facts['files']} files, "

@@ -46,7 +46,7 @@ class UdpHead:
             if listening is not None:
                 listening.close()
             raise HardwareError(
-                f"the head tracker {self._name} cannot be listened for on {host}:{port} "
+                f"the head tracker {self._name} cannot be received on {host}:{port} "
                 f"({error.strerror or 'no such address'}): use an address of this machine and a port that is free"
             ) from error
         self._socket = listening

@@ -217,9 +217,7 @@ class UdpShirt:
         try:
             family, kind, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
         except (OSError, UnicodeError) as error:
-            raise HardwareError(
-                f"the shirt cannot be listened for on {host}: this is no address, correct it"
-            ) from error
+            raise HardwareError(f"the shirt cannot be received on {host}: this is no address, correct it") from error
         listening = socket.socket(family, kind)
         try:
             listening.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, KERNEL_BUFFER)
@@ -227,7 +225,7 @@ class UdpShirt:
         except OSError as error:
             listening.close()
             raise HardwareError(
-                f"the shirt cannot be listened for on {host}:{port} ({error.strerror}): "
+                f"the shirt cannot be received on {host}:{port} ({error.strerror}): "
                 f"use an address of this machine and a port that is free"
             ) from error
         return listening
