@@ -116,7 +116,7 @@ def test_numbers_that_no_sensor_gives_are_missing_ones(bodydrive, shirt, tmp_pat
 def test_signals_of_no_sensible_size_are_refused(bodydrive, shirt, tmp_path, write_table, scale):
     shirt[:, 1:] = (shirt[:, 1:] + 2) * scale if scale > 1 else shirt[:, 1:] * scale
     write_table(tmp_path / "signals.csv", shirt)
-    refused(bodydrive(*CALIBRATE), "no joint of 'two elbows' has a channel that can be used")
+    refused(bodydrive(*CALIBRATE), "no joint of 'two elbows' has a sensor that can be used")
 
 
 def test_a_joint_is_kept_when_each_of_its_channels_misses_a_few_samples(bodydrive, shirt, tmp_path, write_table):

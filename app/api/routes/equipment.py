@@ -231,7 +231,7 @@ async def look_ahead(_who: Clinician, parts: PeopleParts, web: Web) -> Equipment
 @router.put("/unused")
 async def mark_unused(body: UnusedChannels, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
     """Mark channels as unused; the next calibration leaves them out."""
-    async with web.session.undisturbed("change the channels"):
+    async with web.session.undisturbed("change which sensors are used"):
         await web.equipment.leave_unused(body.channels)
     return await _logged_view(parts, web, who.name, "channels marked", unused=web.equipment.unused)
 

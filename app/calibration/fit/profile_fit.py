@@ -73,7 +73,7 @@ def fit_profile(
     }
     if not fitted:
         raise ValueError(
-            f"no joint of '{layout.name}' has a channel that can be used, check that the shirt is connected and "
+            f"no joint of '{layout.name}' has a sensor that can be used: check that the shirt is connected and "
             f"that somebody moved in it"
         )
     matrix = _cross_talk(fitted, repetitions, sample_rate)
