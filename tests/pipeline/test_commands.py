@@ -277,7 +277,7 @@ def test_another_sender_is_named_and_taken_only_while_disarmed(control):
         control.setup.chain.gate.state = State.CHECKING
         assert "armed" in control.refused("sender", sender=name)
         control.setup.chain.gate.state = State.DISARMED
-        assert "look again" in control.refused("sender", sender="127.0.0.1:1")
+        assert "look at the Shirt page" in control.refused("sender", sender="127.0.0.1:1")
         control.done("sender", sender=name)
         assert control.done("status")["shirt"]["senders"] == {"shirt": name, "other": "", "others": 0}
     control.setup.close()

@@ -68,7 +68,7 @@ def test_one_session_at_a_time_counted_per_patient(db: Session, patient: Patient
     clinic = patient.clinic_id
     first = start_session(db, clinic, patient.id)
     assert start_session(db, clinic, patient.id) is first
-    with pytest.raises(Conflict, match="end the session"):
+    with pytest.raises(Conflict, match="end it first"):
         delete_patient(db, clinic, patient.id)
     other = add_patient(db, clinic, "P-2", "Otter", "")
     assert start_session(db, clinic, other.id).number == 1

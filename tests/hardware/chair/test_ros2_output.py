@@ -63,7 +63,7 @@ def test_the_same_is_published_at_least_every_50_ms(output, heard):
 def test_a_disarmed_chair_is_told_zeros_and_closing_says_so_again(output, heard):
     output.drive(0.0, "disarmed", STANDSTILL, "")
     output.drive(0.06, "armed", Twist(0.3, 0.0), "")
-    output.drive(0.07, "disarmed", STANDSTILL, "The chair was told to stop.")
+    output.drive(0.07, "disarmed", STANDSTILL, "The chair received a stop.")
     assert heard() == [(0.0, 0.0), (0.3, 0.0), (0.0, 0.0)]
     output.drive(0.08, "armed", Twist(0.3, 0.0), "")
     output.close()
