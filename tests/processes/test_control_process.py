@@ -39,7 +39,7 @@ def test_what_cannot_be_done_is_refused_in_one_sentence(tmp_path):
             assert "begin a run" in await refusal(control, "end_run")
             await control.call("shirt", config=SIMULATED)
             assert "other sensors" in await refusal(control, "parameters", parameters=document)
-            assert "Nobody" in await refusal(control, "move", joints={"right_elbow": 0.5})
+            assert "nobody" in await refusal(control, "move", joints={"right_elbow": 0.5})
             await control.call("body", config={"kind": "visitor"})
             assert "no joint 'tail'" in await refusal(control, "move", joints={"tail": 0.5})
             assert "joints.right_elbow" in await refusal(control, "move", joints={"right_elbow": 1.5})

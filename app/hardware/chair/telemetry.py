@@ -8,7 +8,7 @@ from app.hardware.chair.reasons import WORDS, Reason
 SILENT = 0.3  # s without telemetry, which comes every 0.1 s
 MOST_NONCES = 1000  # number of nonces kept: a chair makes a new one at each disarming
 ARMED, FAULT = 2, 3  # values of Telemetry.state
-STATE_WORDS = ("disarmed", "waits for rest", "armed", "does not drive")
+STATE_WORDS = ("disarmed", "waits for rest", "armed", "not ready")
 
 
 class ChairTelemetry:

@@ -41,7 +41,7 @@ export default {
   "drive.chairs.2": "The virtual chair can feel exact or like a real one: it answers late, and its wheels slip. A real chair is paired by an owner.",
   "drive.chairs.3": "Nothing moves on this page; STOP stops any chair that somebody drives from another screen.",
   "drive.chair.title": "A real chair",
-  "drive.chair.1": "Three cards say how the chair is, what would apply, and whether the body is at rest; below stands what is missing.",
+  "drive.chair.1": "Three cards say how the chair is, what would apply, and whether the body is at rest; a list says what is missing.",
   "drive.chair.2": "When nothing is missing and somebody stands at the chair's stop switch, tap Arm; keep this page in front while the chair drives.",
   "drive.chair.3": "STOP, the space bar, the stop gesture and the switch of the chair stop it; it drives again only after Continue and a new moment of rest.",
   "drive.screen.title": "The patient's screen",
