@@ -49,7 +49,8 @@ def _maker(
         return spread.of_others(Task(1, floorplan, path, group), 1)
 
     def make() -> None:
-        material = exported_material(database, settings, Subject(1, 1, session), form, "bench", spreads_of)
+        subject = Subject(1, 1, session)
+        material = exported_material(database, settings, subject, form, "bench", spreads_of, for_patient=True)
         computing.ask(report_file, material, form, "a4")
 
     return make

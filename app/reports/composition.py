@@ -77,6 +77,7 @@ def _facts(material: ReportMaterial) -> tuple[Fact, ...]:
         reasons = "; ".join(dict.fromkeys(without_invisible(reason) for *_, reason in left_out))
         trials += f", {len(left_out)} left out ({reasons})"
     return (
+        *((Fact("Made for", "Copy for the patient"),) if material.for_patient else ()),
         Fact("When", when),
         Fact("Opened by", without_invisible(", ".join(people)) or "not recorded"),
         Fact("Trials", trials),

@@ -107,6 +107,7 @@ class ReportMaterial:
     tests: tuple[InterfaceTestMaterial, ...]
     parameters: ParameterMaterial | None  # None: no trial was driven
     head: Head | None = None  # of the log, when the report was written into it
+    for_patient: bool = False  # a copy for the patient, made without the consent to sharing outside
 
     @property
     def session_id(self) -> int | None:

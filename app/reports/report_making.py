@@ -3,12 +3,17 @@
 from dataclasses import replace
 from typing import NamedTuple
 
+from app.refusals import Conflict
 from app.reports.document import Form
 from app.reports.material import ReportMaterial, SpreadsOf, report_material
 from app.settings import Settings
 from app.store.database import Database
 from app.store.log import write_log
 from app.store.log_chain import HeadFile
+from app.store.patients import find_patient
+from app.store.records.consents import require_consent
+
+COPY = "A copy for the patient needs no consent"
 
 
 class Subject(NamedTuple):
@@ -26,13 +31,34 @@ def exported_material(
     form: Form,
     person: str,
     spreads_of: SpreadsOf,
+    *,
+    for_patient: bool = False,
 ) -> ReportMaterial:
     """Return what a report is made from, as a row of the log says that `person` took it out of the clinic.
 
-    The head of the log in it is that after this row. Raises NotFound as `report_material` does.
+    The head of the log in it is that after this row. A report `for_patient` says so, and needs no consent.
+
+    Raises
+    ------
+    NotFound
+        As `report_material` does.
+    Conflict
+        When the report is for somebody else, and the patient has not consented to sharing outside the clinic.
     """
+    if not for_patient:
+        _require_consent(database, subject)
     material = report_material(database, *subject, settings.runs, spreads_of)
     of_session = {} if material.session_id is None else {"session": material.session_id}
     with database.transaction(closing=True) as db:
-        write_log(db, person, "report exported", patient=material.patient_id, form=form, **of_session)
-    return replace(material, head=HeadFile(settings.database).read())
+        details = {"patient": material.patient_id, "form": form, "for_patient": for_patient, **of_session}
+        write_log(db, person, "report exported", **details)
+    return replace(material, head=HeadFile(settings.database).read(), for_patient=for_patient)
+
+
+def _require_consent(database: Database, subject: Subject) -> None:
+    with database.transaction() as db:
+        patient = find_patient(db, subject.clinic_id, subject.patient_id)
+        try:
+            require_consent(db, patient.id, "sharing")
+        except Conflict as refusal:
+            raise Conflict(f"{refusal} {COPY}.") from refusal

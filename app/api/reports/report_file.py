@@ -25,14 +25,20 @@ def report(
     form: Form = "pdf",
     session: Annotated[int | None, Query(ge=1, le=2**31)] = None,
     letter: bool = False,
+    for_patient: bool = False,
 ) -> Response:
-    """Return the report of the session with this number, without one of all sessions, on A4 or Letter paper."""
+    """Return the report of the session with this number, without one of all sessions, on A4 or Letter paper.
+
+    409 without the patient's consent to sharing outside, unless it is a copy for the patient.
+    """
 
     def spreads_of(floorplan: str, path: str, group: SourceGroup) -> dict[str, Spread]:
         return web.spread.of_others(Task(who.clinic_id, floorplan, path, group), patient_id)
 
     subject = Subject(who.clinic_id, patient_id, session)
-    material = exported_material(parts.database, parts.settings, subject, form, who.name, spreads_of)
+    material = exported_material(
+        parts.database, parts.settings, subject, form, who.name, spreads_of, for_patient=for_patient
+    )
     content = web.computing.ask(report_file, material, form, "us-letter" if letter else "a4")
     disposition = f'attachment; filename="{file_name(material, form)}"'
     return Response(content, media_type=MEDIA_TYPES[form], headers={"Content-Disposition": disposition})

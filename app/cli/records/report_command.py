@@ -9,7 +9,7 @@ import typer
 from app.cli.clinic_folder import open_clinic
 from app.cli.errors import InputError
 from app.cli.output import check_new_folder, write_output
-from app.refusals import Refusal
+from app.refusals import Conflict, Refusal
 from app.settings import Settings, state_folder
 from app.source import SourceGroup
 
@@ -28,6 +28,9 @@ def report(
         int | None, typer.Option(metavar="N", help="The number of one session; without: the course of all sessions.")
     ] = None,
     letter: Annotated[bool, typer.Option("--letter", help="Letter paper instead of A4.")] = False,
+    for_patient: Annotated[
+        bool, typer.Option("--for-patient", help="A copy for the patient: needs no consent to sharing outside.")
+    ] = False,
     state: Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")] = None,
 ) -> None:
     """Write the report of a patient's session, or of all sessions; the clinic may be open meanwhile."""
@@ -48,7 +51,11 @@ def report(
             return spread.of_others(Task(clinic_id, floorplan, path, group), patient_id)
 
         try:
-            material = exported_material(database, settings, subject, form, COMMAND, spreads_of)
+            material = exported_material(
+                database, settings, subject, form, COMMAND, spreads_of, for_patient=for_patient
+            )
+        except Conflict as refusal:
+            raise InputError(str(refusal).removesuffix(".") + ": add --for-patient.") from refusal
         except Refusal as refusal:
             raise InputError(str(refusal)) from refusal
     write_output(out, report_file(material, form, "us-letter" if letter else "a4"))

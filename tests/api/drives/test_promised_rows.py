@@ -16,7 +16,7 @@ def test_sign_in_view_export_change_arming_and_stop_are_in_the_log(calibrated: A
     me = calibrated.good("POST", "/auth/demo", json={"code": "the-code-of-the-link"})
     patient = calibrated.patient["id"]
     calibrated.good("GET", f"/patients/{patient}/sessions")
-    assert calibrated("GET", f"/patients/{patient}/report?form=html").status_code == 200
+    assert calibrated("GET", f"/patients/{patient}/report?form=html&for_patient=true").status_code == 200
     velocity(calibrated, cutoff=2.0)
     practise(calibrated)
     choose_chair(calibrated)

@@ -1,6 +1,7 @@
 """The report as a file from the API: for those with the right to export, and in the log."""
 
 import json
+from datetime import date
 from typing import Any
 
 import pytest
@@ -12,6 +13,7 @@ from reports.words_of import html_page, pdf_pages
 from app.settings import Settings
 from app.store.log_chain import HeadFile
 from app.store.people import add_person, sign_in, the_clinic
+from app.store.records.consents import give_consent, withdraw_consent
 
 
 @pytest.fixture
@@ -20,7 +22,10 @@ def reported(signed_in: Clinic, settings: Settings) -> Any:
     database = signed_in.client.app.state.people.database  # type: ignore[attr-defined]
     with database.transaction() as db:
         clinic = the_clinic(db)
-    return signed_in, store_reported_course(database, settings.runs, 2, clinic.id, recordings=False)
+    patient = store_reported_course(database, settings.runs, 2, clinic.id, recordings=False)
+    with database.transaction() as db:
+        give_consent(db, patient, "sharing", date(2026, 1, 1), "Ana")
+    return signed_in, patient
 
 
 def test_a_report_is_a_file_and_a_row_of_the_log_whose_head_it_names(reported: Any, settings: Settings) -> None:
@@ -70,3 +75,22 @@ def test_a_reviewer_reads_and_takes_nothing_out(reported: Any) -> None:
     with as_person(clinic, cookies):
         answer = clinic("GET", f"/patients/{patient}/report")
     assert (answer.status_code, answer.json()["detail"][:31]) == (403, "A reviewer takes no records out")
+
+
+def test_without_consent_to_sharing_only_a_copy_for_the_patient_is_made(reported: Any) -> None:
+    clinic, patient = reported
+    with clinic.client.app.state.people.database.transaction() as db:
+        withdraw_consent(db, patient, "sharing", "Ana")
+    before = len(clinic.log())
+    answer = clinic("GET", f"/patients/{patient}/report", params={"form": "html"})
+    assert (answer.status_code, answer.json()["detail"]) == (
+        409,
+        f"{CODE} has not consented to sharing outside the clinic: ask, and enter the date on the page of consents. A "
+        "copy for the patient needs no consent.",
+    )
+    assert len(clinic.log()) == before
+    copy = clinic("GET", f"/patients/{patient}/report", params={"form": "html", "for_patient": True})
+    assert copy.status_code == 200
+    assert "Copy for the patient" in html_page(copy.content)[0].replace("\n", " ")
+    row = clinic.log()[-1]
+    assert (row.what, row.details["for_patient"]) == ("report exported", True)

@@ -1,10 +1,13 @@
 """`bodydrive report`: the suffix decides about the form; bad input is a sentence, and nothing is written."""
 
+from datetime import date
+
 import pytest
 from reports.reported_clinic import CODE, store_reported_course
 from reports.words_of import html_page, pdf_pages
 
 from app.store.database import Database
+from app.store.records.consents import give_consent, withdraw_consent
 from app.store.tables import LogEntry
 
 
@@ -13,7 +16,9 @@ def clinic(tmp_path):
     """Return the folder of a clinic with a course of two sessions."""
     folder = tmp_path / "clinic"
     database = Database(folder / "bodydrive.sqlite")
-    store_reported_course(database, folder / "runs", 2, recordings=False)
+    patient = store_reported_course(database, folder / "runs", 2, recordings=False)
+    with database.transaction() as db:
+        give_consent(db, patient, "sharing", date(2026, 1, 1), "Ana")
     database.close()
     return folder
 
@@ -55,3 +60,18 @@ def test_bad_input_is_a_sentence(bodydrive, clinic, tmp_path, words, sentence):
     assert sentence in err
     assert list(tmp_path.glob("a.*")) == []
     assert log_of(clinic) == before
+
+
+def test_without_consent_to_sharing_only_a_copy_for_the_patient_is_written(bodydrive, clinic, tmp_path):
+    database = Database(clinic / "bodydrive.sqlite")
+    with database.transaction() as db:
+        withdraw_consent(db, 1, "sharing", "Ana")
+    database.close()
+    words = ("report", CODE, "--out", "all.html", "--state", "clinic")
+    code, out, err = bodydrive(*words)
+    assert (code, out) == (2, "")
+    assert "has not consented to sharing outside the clinic" in err
+    assert "A copy for the patient needs no consent: add --for-patient." in err
+    assert not (tmp_path / "all.html").exists()
+    assert bodydrive(*words, "--for-patient")[0] == 0
+    assert "Copy for the patient" in html_page((tmp_path / "all.html").read_bytes())[0].replace("\n", " ")

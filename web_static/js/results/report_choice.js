@@ -1,13 +1,16 @@
 /**
- * The report of one session, or of all sessions of a patient, as a file: PDF or HTML, on A4 or Letter paper.
+ * The report of one session, or of all sessions of a patient, as a file: PDF or HTML, on A4 or Letter paper. A report
+ * for others needs the patient's consent to sharing outside; a copy for the patient does not.
  * @import { App } from "../main.js"
+ * @import { ConsentsView } from "types/api"
  */
-import { h } from "../widgets/dom.js";
+import { h, write } from "../widgets/dom.js";
 import { field, segments, selection } from "../widgets/fields.js";
 import { t } from "../texts.js";
 
 const PAPER_PLACE = "bodydrive-report-paper";
 const ALL = "all";
+const READERS = /** @type {const} */ (["others", "patient"]);
 
 /** Whether the person who is signed in may take reports out of the clinic. @param {App} app */
 export function mayExport(app) {
@@ -15,7 +18,7 @@ export function mayExport(app) {
 }
 
 /**
- * A choice of session and paper with the two files; null without the right to export, or without a session.
+ * A choice of session, reader and paper with the two files; null without the right to export, or without a session.
  * @param {App} app @param {{id: number, code: string, sessions: number}} patient sessions: how many there are
  * @param {number} [session] number of the session that is chosen at first; without: all
  */
@@ -27,9 +30,18 @@ export function reportChoice(app, patient, session) {
     form,
     link: h("a", { class: "btn", download: "" }, t(`report.${form}`)),
   }));
+  /** @type {(typeof READERS)[number]} */
+  let reader = "others";
+  /** @type {ConsentsView["consents"] | null} */
+  let consents = null;
+  const files = h("span", { class: "row" }, links.map(({ link }) => link));
+  const words = h("p", { role: "status" });
   const draw = () => {
+    const isShared = consents?.some(({ consent, given }) => consent === "sharing" && given);
+    files.hidden = reader === "others" && !isShared;
+    write(words, consents && files.hidden ? t("report.consent", { code: patient.code }) : "");
     for (const { form, link } of links) {
-      link.setAttribute("href", reportAddress(patient.id, form, chosen, paper));
+      link.setAttribute("href", reportAddress(patient.id, form, chosen, paper, reader));
       link.setAttribute("aria-label", t(`report.${form}.label`, { what: wordsOf(chosen), code: patient.code }));
     }
   };
@@ -45,12 +57,23 @@ export function reportChoice(app, patient, session) {
     paper,
     (value) => (localStorage.setItem(PAPER_PLACE, (paper = value)), draw()),
   );
+  const readers = segments(
+    t("report.reader"),
+    READERS.map((value) => ({ value, label: t(`report.reader.${value}`) })),
+    reader,
+    (value) => ((reader = value), draw()),
+  );
   draw();
+  app.toasts.attempt(() => app.api.get(`/patients/${patient.id}/consents`)).then((found) => {
+    consents = found?.consents ?? null;
+    draw();
+  });
   return h(
     "div",
     { class: "stack report-choice" },
-    h("div", { class: "columns" }, field(t("report.what"), sessions), papers),
-    h("p", { class: "spread" }, h("span", { class: "row" }, links.map(({ link }) => link))),
+    h("div", { class: "columns" }, field(t("report.what"), sessions), papers, readers),
+    words,
+    h("p", { class: "spread" }, files),
     h("p", { class: "quiet small" }, t("report.log")),
   );
 }
@@ -64,9 +87,9 @@ export function reportCard(app, patient, session) {
   return choice && h("section", { class: "card" }, h("h2", {}, t("report.title")), choice);
 }
 
-/** @param {number} patient @param {string} form @param {string} chosen @param {string} paper */
-function reportAddress(patient, form, chosen, paper) {
-  const query = new URLSearchParams({ form, letter: String(paper === "letter") });
+/** @param {number} patient @param {string} form @param {string} chosen @param {string} paper @param {string} reader */
+function reportAddress(patient, form, chosen, paper, reader) {
+  const query = new URLSearchParams({ form, letter: String(paper === "letter"), for_patient: String(reader === "patient") });
   if (chosen !== ALL) query.set("session", chosen);
   return `/api/v1/patients/${patient}/report?${query}`;
 }
