@@ -11,14 +11,17 @@ from app.exports.archive import make_archive
 from app.exports.archive_file import PATIENT
 from app.recording.reader import read_run
 from app.refusals import Conflict
+from app.store import log
 from app.store.database import Database
 from app.store.learning_trials import counted_trials
+from app.store.log import write_log
 from app.store.log_reading import read_log
 from app.store.patients import add_patient
 from app.store.records import patient_rows
 from app.store.records.imports import origin_of
 from app.store.records.session_record import add_note, add_scale, session_record
 from app.store.records.sign_off import sign_off
+from app.store.sharing.story import story_of
 from app.store.tables import InterfaceTest, Patient, PatientSession
 
 
@@ -67,6 +70,19 @@ def test_another_clinic_gets_the_same_trials_recordings_and_records_and_returns_
     for file in (first.runs / RUN).iterdir():
         assert (other.runs / RUN / file.name).read_bytes() == file.read_bytes()
     assert read_run(other.runs / RUN).damage == ""
+
+
+def test_the_story_of_an_imported_session_has_no_stop_of_this_clinic(archive, other, monkeypatch):
+    """The hours of the imported session are those of another clinic; somebody else was stopped here meanwhile."""
+    found = bring(other, archive[0])
+    with closing(Database(other.database)) as database, database.transaction() as db:
+        here = db.get_one(PatientSession, 1)
+        imported = db.query(PatientSession).filter_by(patient_id=found.patient_id).one()
+        here.started, here.ended = imported.started, imported.ended
+        monkeypatch.setattr(log, "utc_now", lambda: imported.started)
+        write_log(db, "Ben", "stop requested")
+        assert [event.person for event in story_of(db, here) if event.kind == "stop"] == ["Ben"]
+        assert [event for event in story_of(db, imported) if event.kind == "stop"] == []
 
 
 def test_a_second_import_changes_nothing(archive, other):

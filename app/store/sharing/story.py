@@ -8,6 +8,7 @@ from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
 from app.store.interface_tests import interface_tests_of_session
+from app.store.records.imports import origin_of
 from app.store.records.record_tables import NoteRevision, SessionNote
 from app.store.records.session_contents import drives_of_session, trials_of_session
 from app.store.records.sign_off import sign_off_history
@@ -73,13 +74,23 @@ def _done(db: Session, session: PatientSession) -> Iterator[StoryEvent]:
     for drive in drives_of_session(db, session.id):
         facts = {"id": drive.id, "end": drive.end, "distance": drive.distance, "simulated": drive.run.simulated}
         yield StoryEvent(drive.started, "drive", None, "", facts)
+    yield from _stops(db, session)
+    if session.ended is not None:
+        yield StoryEvent(session.ended, "end", None, "", {})
+
+
+def _stops(db: Session, session: PatientSession) -> Iterator[StoryEvent]:
+    """Yield the stops of a session: the log names no session, and one session at a time is open in a clinic.
+
+    An imported session was held elsewhere: what this clinic's log has of its hours is of other patients.
+    """
+    if origin_of(db, session.id) is not None:
+        return
     rows = select(LogEntry).where(LogEntry.at >= session.started, LogEntry.what.in_(STOPS))
     if session.ended is not None:
         rows = rows.where(LogEntry.at <= session.ended)
     for row in db.scalars(rows):
         yield StoryEvent(row.at, "stop", row.person, "", {"what": row.what})
-    if session.ended is not None:
-        yield StoryEvent(session.ended, "end", None, "", {})
 
 
 def _changes(db: Session, session: PatientSession) -> Iterator[StoryEvent]:
