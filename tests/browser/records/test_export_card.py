@@ -18,7 +18,7 @@ def app(tmp_path):
     served.stop()
 
 
-def test_a_patient_who_consents_can_be_exported_and_nobody_else(browser, app, tmp_path):
+def test_only_a_patient_who_consents_is_exported_and_anybody_gets_a_copy_of_the_report(browser, app, tmp_path):
     page = browser.new_context(viewport={"width": 768, "height": 1024}).new_page()
     page.goto(app.link)
     expect(page.get_by_role("heading", level=1)).to_be_visible()
@@ -37,4 +37,13 @@ def test_a_patient_who_consents_can_be_exported_and_nobody_else(browser, app, tm
         assert sum(name.endswith(".parquet") for name in package.namelist()) == len(app.trials)
     page.get_by_role("button", name="Withdraw the consent: Sharing outside").click()
     expect(card.get_by_role("link")).to_have_count(0)
+    page.goto(f"{app.address}/#/session/1")
+    report = page.locator(".card").filter(has=page.get_by_role("heading", name="Report"))
+    expect(report).to_contain_text("P-1 has not consented to sharing outside")
+    expect(report.get_by_role("link")).to_have_count(0)
+    report.get_by_text("The patient", exact=True).click()
+    with page.expect_download() as download:
+        report.get_by_role("link", name="Session 1 of P-1 as an HTML file").click()
+    download.value.save_as(tmp_path / "report.html")
+    assert "Copy for the patient" in (tmp_path / "report.html").read_text()
     page.context.close()
