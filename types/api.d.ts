@@ -6505,6 +6505,11 @@ export interface components {
             /** @default 4242 */
             port?: number;
         };
+        OriginView: {
+            clinic: string;
+            person: string;
+            at: string;
+        };
         OwnPassword: {
             password: string;
         };
@@ -6859,6 +6864,7 @@ export interface components {
             started: string;
             opened_by: string | null;
             ended: string | null;
+            origin: components["schemas"]["OriginView"] | null;
             version: string;
             goal: string;
             notes: components["schemas"]["NoteView"][];
@@ -6876,6 +6882,7 @@ export interface components {
             ended: string | null;
             trials: number;
             sign_off: components["schemas"]["SignOffView"] | null;
+            origin: components["schemas"]["OriginView"] | null;
         };
         SessionTrial: {
             id: number;
@@ -7036,6 +7043,7 @@ export interface components {
             goal: string;
             scales: components["schemas"]["StoryScale"][];
             is_signed: boolean;
+            origin: components["schemas"]["OriginView"] | null;
             events: components["schemas"]["EventView"][];
         };
         SuggestedVocabulary: {
@@ -7165,6 +7173,7 @@ export interface components {
             measures: {
                 [key: string]: unknown;
             } | null;
+            origin: components["schemas"]["OriginView"] | null;
             trajectory: components["schemas"]["TrajectoryView"] | null;
             quality: components["schemas"]["ControlQuality"] | null;
         };
@@ -7201,6 +7210,7 @@ export interface components {
             measures: {
                 [key: string]: unknown;
             } | null;
+            origin: components["schemas"]["OriginView"] | null;
         };
         TrustView: {
             fingerprint: string;
@@ -7440,6 +7450,7 @@ export type NoteView = components['schemas']['NoteView'];
 export type OfferView = components['schemas']['OfferView'];
 export type OpenShare = components['schemas']['OpenShare'];
 export type OpentrackConfig = components['schemas']['OpentrackConfig'];
+export type OriginView = components['schemas']['OriginView'];
 export type OwnPassword = components['schemas']['OwnPassword'];
 export type OwnPlanView = components['schemas']['OwnPlanView'];
 export type PairedView = components['schemas']['PairedView'];

@@ -13,6 +13,7 @@ from app.store.records.recorded_runs import RecordedRun
 ABOUT = (
     *("patient", "session", "run", "trial", "floor_plan", "path", "started", "end", "kept", "reason_left_out"),
     *("source", "simulated", "map_version", "parameters_hash", "software"),
+    *("origin_clinic", "imported_by", "imported"),
 )
 
 
@@ -41,6 +42,7 @@ def _cells(code: str, run: RecordedRun, verdicts: dict[int, dict[str, str]]) -> 
     yield from (trial.started.isoformat(), trial.end or "", "yes" if trial.kept else "no", trial.reason or "")
     yield from (source_words(run.source), SIMULATED_WORDS[run.source.simulated])
     yield from (trial.map_version, trial.parameters_hash, __version__)
+    yield from ("", "", "") if (origin := run.origin) is None else (origin.clinic, origin.person, origin.at.isoformat())
     for name in MEASURES:
         value = trial.measures.get(name)
         yield value if is_number(value) else None

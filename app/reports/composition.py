@@ -18,6 +18,7 @@ from app.reports.material import (
 from app.reports.measure_words import amount
 from app.reports.task_report import task_report
 from app.store.log_chain import Head
+from app.store.records.imports import Origin
 from app.store.records.session_record import Scale
 
 EXPLANATION: Final = (
@@ -81,7 +82,27 @@ def _facts(material: ReportMaterial) -> tuple[Fact, ...]:
         Fact("When", when),
         Fact("Opened by", without_invisible(", ".join(people)) or "not recorded"),
         Fact("Trials", trials),
+        *_imported(material.sessions),
     )
+
+
+def _imported(sessions: tuple[SessionMaterial, ...]) -> tuple[Fact, ...]:
+    """Return which sessions were held in another clinic; nothing when all were held here."""
+    found: dict[Origin, list[int]] = {}
+    for one in sessions:
+        if one.origin is not None:
+            found.setdefault(one.origin, []).append(one.number)
+    words = [
+        f"{_numbers(numbers)} from {without_invisible(origin.clinic)}, by {without_invisible(origin.person)}, "
+        f"{_day(origin.at)}"
+        for origin, numbers in found.items()
+    ]
+    return (Fact("Imported", "; ".join(words)),) if words else ()
+
+
+def _numbers(numbers: list[int]) -> str:
+    """Return the numbers of sessions that were imported together; they follow each other."""
+    return f"Session {numbers[0]}" if len(numbers) == 1 else f"Sessions {numbers[0]} to {numbers[-1]}"
 
 
 def _goals(sessions: tuple[SessionMaterial, ...], *, course: bool) -> tuple[Remark, ...]:

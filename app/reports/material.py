@@ -17,6 +17,7 @@ from app.store.interface_tests import interface_tests_of
 from app.store.learning_trials import CountedTrial, counted_trials
 from app.store.log_chain import Head
 from app.store.patients import find_patient
+from app.store.records.imports import Origin, origins_of
 from app.store.records.session_record import SessionRecord, session_record, sessions_of
 from app.store.runs import trials_of
 from app.store.tables import Clinic, InterfaceTest, Parameters, Patient, PatientSession, Profile, Trial
@@ -43,6 +44,7 @@ class SessionMaterial:
     record: SessionRecord
     counted: int  # trials
     left_out: tuple[tuple[str, int, str], ...]  # floor plan's title, number of the trial, reason
+    origin: Origin | None = None  # None: held in this clinic
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,21 +143,21 @@ def _own_material(db: Transaction, patient: Patient, session: int | None, runs: 
         raise NotFound(NO_SESSION if session is None else NOT_THIS_SESSION.format(number=session))
     ids = {one.id for one in reported}
     trials = [trial for trial in trials_of(db, patient.clinic_id, patient.id) if trial.session_id in ids]
-    last = every[-1].number
+    last, origins = every[-1].number, origins_of(db, patient.id)
     return ReportMaterial(
         patient_id=patient.id,
         code=patient.code,
         clinic=db.get_one(Clinic, patient.clinic_id).name,
         made=utc_now(),
         session=session,
-        sessions=tuple(_session(db, one, trials) for one in reported),
+        sessions=tuple(_session(db, one, trials, origins.get(one.id)) for one in reported),
         tasks=tuple(_tasks(db, patient, trials, last, runs)),
         tests=tuple(_tests(db, patient, {one.number for one in reported}, last)),
         parameters=_parameters(db, trials),
     )
 
 
-def _session(db: Transaction, row: PatientSession, trials: list[Trial]) -> SessionMaterial:
+def _session(db: Transaction, row: PatientSession, trials: list[Trial], origin: Origin | None) -> SessionMaterial:
     own = [trial for trial in trials if trial.session_id == row.id and trial.status == "done"]
     left_out = [
         (trial.floorplan_title, trial.number, trial.discard_reason or "it could not be measured")
@@ -171,6 +173,7 @@ def _session(db: Transaction, row: PatientSession, trials: list[Trial]) -> Sessi
         record=session_record(db, row.id),
         counted=len(own) - len(left_out),
         left_out=tuple(left_out),
+        origin=origin,
     )
 
 

@@ -1,5 +1,7 @@
 """An archive brings a whole patient to another clinic, and back again; a wrong one changes nothing."""
 
+import csv
+import io
 from contextlib import closing, suppress
 
 import pytest
@@ -9,8 +11,12 @@ from exported_clinic import CODE, MEASURES, RUN, SIMULATED, make_clinic
 from app.clock import utc_now
 from app.exports.archive import make_archive
 from app.exports.archive_file import PATIENT
+from app.exports.export_material import exported_material
+from app.exports.trial_table import trial_csv
 from app.recording.reader import read_run
 from app.refusals import Conflict
+from app.reports.composition import compose
+from app.reports.material import report_material
 from app.store import log
 from app.store.database import Database
 from app.store.learning_trials import counted_trials
@@ -83,6 +89,19 @@ def test_the_story_of_an_imported_session_has_no_stop_of_this_clinic(archive, ot
         write_log(db, "Ben", "stop requested")
         assert [event.person for event in story_of(db, here) if event.kind == "stop"] == ["Ben"]
         assert [event for event in story_of(db, imported) if event.kind == "stop"] == []
+
+
+def test_exports_and_reports_of_imported_sessions_name_the_clinic_and_who_imported_them(archive, other):
+    found = bring(other, archive[0])
+    with closing(Database(other.database)) as database:
+        exported = exported_material(database, 1, found.patient_id, None, "csv", "Ben", other.runs, lambda *_: {})
+        (row,) = csv.DictReader(io.StringIO(trial_csv(exported, {})))
+        report = report_material(database, 1, found.patient_id, None, other.runs, lambda *_: {})
+    assert (row["origin_clinic"], row["imported_by"]) == ("Riverside", "Ben")
+    today = utc_now().astimezone().date()
+    assert row["imported"].startswith(f"{utc_now():%Y-%m-%d}")
+    facts = {fact.name: fact.value for fact in compose(report).facts}
+    assert facts["Imported"] == f"Session 1 from Riverside, by Ben, {today}"
 
 
 def test_a_second_import_changes_nothing(archive, other):

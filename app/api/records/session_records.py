@@ -9,12 +9,14 @@ from pydantic import Field
 
 from app.api.deps import Anyone, Clinician, PeopleParts, RowId
 from app.api.parts import Web
+from app.api.records.origin_view import OriginView
 from app.api.records.session_views import SessionRecordView, SessionRow, record_view, sign_off_view
 from app.api.sign_in.identity import SignedInPerson
 from app.quantities import Document, Finite, Note, Title
 from app.store.database import Transaction
 from app.store.log import log_viewing, write_log
 from app.store.patients import find_patient
+from app.store.records.imports import origins_of
 from app.store.records.session_contents import counted_by_session
 from app.store.records.session_record import (
     add_note,
@@ -57,6 +59,7 @@ def list_sessions(patient_id: RowId, who: Anyone, parts: PeopleParts) -> list[Se
         find_patient(db, who.clinic_id, patient_id)
         log_viewing(db, who.name, patient_id)
         counted, signed = counted_by_session(db, patient_id), sign_offs_of(db, patient_id)
+        origins = {session: OriginView.of(origin) for session, origin in origins_of(db, patient_id).items()}
         return [
             SessionRow(
                 id=session.id,
@@ -65,6 +68,7 @@ def list_sessions(patient_id: RowId, who: Anyone, parts: PeopleParts) -> list[Se
                 ended=None if session.ended is None else session.ended.isoformat(),
                 trials=counted.get(session.id, 0),
                 sign_off=sign_off_view(signed.get(session.id)),
+                origin=origins.get(session.id),
             )
             for session in sessions_of(db, patient_id)
         ]

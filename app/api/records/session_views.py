@@ -3,9 +3,11 @@
 from datetime import date
 
 from app.api.answers import Answer, MomentText
+from app.api.records.origin_view import OriginView
 from app.api.routes.source_view import SourceView
 from app.quantities import Document
 from app.store.database import Transaction
+from app.store.records.imports import origin_of
 from app.store.records.session_contents import drives_of_session, sets_of_session, trials_of_session
 from app.store.records.session_record import note_history, session_record
 from app.store.records.sign_off import SignOff, sign_off_history
@@ -36,6 +38,7 @@ class SessionRow(Document):
     ended: str | None
     trials: int  # that count
     sign_off: SignOffView | None
+    origin: OriginView | None  # null: held in this clinic
 
 
 class RevisionView(Answer):
@@ -105,6 +108,7 @@ class SessionRecordView(Document):
     started: str
     opened_by: str | None
     ended: str | None
+    origin: OriginView | None  # null: held in this clinic
     version: str  # of the software; empty when it was not recorded
     goal: str
     notes: list[NoteView]
@@ -132,6 +136,7 @@ def record_view(db: Transaction, session: PatientSession) -> SessionRecordView:
         started=session.started.isoformat(),
         opened_by=session.opened_by,
         ended=None if session.ended is None else session.ended.isoformat(),
+        origin=None if (origin := origin_of(db, session.id)) is None else OriginView.of(origin),
         version=record.version,
         goal=record.goal,
         notes=[_note(db, note.id) for note in record.notes],

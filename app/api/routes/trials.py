@@ -14,15 +14,20 @@ from app.api.live.screen_socket import ScreenWord
 from app.api.live.screens import Screen
 from app.api.one_controller import require_controller
 from app.api.parts import Web, WebParts
+from app.api.records.origin_view import OriginView
 from app.api.routes.source_view import SourceView
 from app.api.sign_in.identity import SignedInPerson
 from app.quantities import Document, Line, Name
 from app.refusals import Conflict, NotFound
 from app.scoring.control_quality import ControlQuality
 from app.session.run_watch import Starter
+from app.store.database import Transaction
 from app.store.log import log_viewing, write_log
 from app.store.patients import find_patient
+from app.store.records.import_tables import PatientImport
+from app.store.records.imports import Origin, origin_of, origins_of
 from app.store.runs import find_trial, keep_trial, trials_of
+from app.store.tables import Trial
 
 router = APIRouter(tags=["trials"])
 
@@ -64,6 +69,7 @@ class TrialView(Answer):
     discard_reason: str | None
     source: SourceView
     measures: dict[str, Any] | None
+    origin: OriginView | None = None  # null: driven in this clinic
 
 
 class TrajectoryView(Answer):
@@ -91,6 +97,7 @@ class TrialDetail(Document):
     discard_reason: str | None
     source: SourceView
     measures: dict[str, Any] | None
+    origin: OriginView | None  # null: driven in this clinic
     trajectory: TrajectoryView | None
     quality: ControlQuality | None  # None when the recording cannot be read
 
@@ -122,7 +129,15 @@ async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, web: W
 
 def _one(parts: PeopleParts, clinic_id: int, trial_id: int) -> TrialView:
     with parts.database.transaction() as db:
-        return TrialView.of(find_trial(db, clinic_id, trial_id))
+        return _view(db, find_trial(db, clinic_id, trial_id))
+
+
+def _view(db: Transaction, trial: Trial) -> TrialView:
+    return _from(origin_of(db, trial.session_id), TrialView.of(trial))
+
+
+def _from(origin: PatientImport | Origin | None, view: TrialView) -> TrialView:
+    return view if origin is None else view.model_copy(update={"origin": OriginView.of(origin)})
 
 
 @router.post("/trials/current/end")
@@ -139,7 +154,9 @@ def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, par
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient)
         log_viewing(db, who.name, patient)
-        return [TrialView.of(trial) for trial in trials_of(db, who.clinic_id, patient)]
+        origins = origins_of(db, patient)
+        found = trials_of(db, who.clinic_id, patient)
+        return [_from(origins.get(trial.session_id), TrialView.of(trial)) for trial in found]
 
 
 @router.get("/trials/{trial_id}")
@@ -148,8 +165,9 @@ def one_trial(trial_id: RowId, who: Anyone, parts: PeopleParts, web: Web) -> Tri
     with parts.database.transaction(closing=True) as db:
         trial = find_trial(db, who.clinic_id, trial_id)
         write_log(db, who.name, "trial viewed", trial=trial_id)
+        view = _view(db, trial)
     found = web.trajectories.of(web.runs.folder_of(trial.run_id)) if trial.status == "done" else None
-    shown = TrialView.of(trial).model_dump(exclude={"path"})
+    shown = view.model_dump(exclude={"path"})
     return TrialDetail(
         **shown,
         path=[(x, y) for x, y in trial.path_points],
@@ -176,7 +194,7 @@ async def _keep(parts: People, web: WebParts, who: SignedInPerson, trial_id: int
         with parts.database.transaction() as db:
             trial = keep_trial(db, who.clinic_id, trial_id, reason)
             write_log(db, who.name, "trial kept" if reason is None else "trial discarded", trial=trial_id)
-            return TrialView.of(trial)
+            return _view(db, trial)
 
     kept = await asyncio.to_thread(_write)
     web.live.tell("trial")

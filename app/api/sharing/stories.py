@@ -6,9 +6,11 @@ from fastapi import APIRouter
 
 from app.api.answers import Answer, MomentText
 from app.api.deps import Anyone, PeopleParts, RowId
+from app.api.records.origin_view import OriginView
 from app.quantities import Document
 from app.store.database import Transaction
 from app.store.log import write_log
+from app.store.records.imports import origin_of
 from app.store.records.session_record import find_session, session_record
 from app.store.sharing.story import Kind, story_of
 from app.store.tables import Patient, PatientSession
@@ -43,6 +45,7 @@ class StoryView(Document):
     goal: str
     scales: list[StoryScale]
     is_signed: bool
+    origin: OriginView | None  # null: held in this clinic
     events: list[EventView]
 
 
@@ -57,6 +60,7 @@ def story_view(db: Transaction, session: PatientSession) -> StoryView:
         goal=record.goal,
         scales=[StoryScale.of(scale) for scale in record.scales],
         is_signed=record.sign_off is not None,
+        origin=None if (origin := origin_of(db, session.id)) is None else OriginView.of(origin),
         events=[EventView.of(event) for event in story_of(db, session)],
     )
 

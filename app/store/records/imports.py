@@ -1,5 +1,8 @@
 """Where rows came from: the archive that a patient was imported from, its clinic, and who imported it."""
 
+from dataclasses import dataclass
+from datetime import datetime
+
 from sqlalchemy import or_, select
 from sqlalchemy.orm import Session
 
@@ -14,6 +17,15 @@ CODE_TAKEN = (
     "code, then import again."
 )
 RUNS_HERE = "Recordings of this archive are in this clinic already, and nothing was imported: their patient is here."
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """Where an imported session was held, and who imported it when."""
+
+    clinic: str
+    person: str
+    at: datetime
 
 
 def clinic_name(db: Session, clinic_id: int) -> str:
@@ -31,6 +43,16 @@ def origin_of(db: Session, session_id: int) -> PatientImport | None:
     """Return where a session came from, None when it was held in this clinic."""
     query = select(PatientImport).join(ImportedSession, ImportedSession.import_id == PatientImport.id)
     return db.scalar(query.where(ImportedSession.session_id == session_id))
+
+
+def origins_of(db: Session, patient_id: int) -> dict[int, Origin]:
+    """Return where each imported session of a patient came from, by session; sessions held here are not in it."""
+    query = (
+        select(ImportedSession.session_id, PatientImport)
+        .join(PatientImport, PatientImport.id == ImportedSession.import_id)
+        .where(PatientImport.patient_id == patient_id)
+    )
+    return {session: Origin(row.clinic, row.person, row.at) for session, row in db.execute(query)}
 
 
 def require_new(db: Session, clinic_id: int, rows: Rows) -> None:

@@ -11,6 +11,7 @@ from sqlalchemy.orm import Session
 
 from app.refusals import NotFound
 from app.source import Source
+from app.store.records.imports import Origin, origins_of
 from app.store.tables import InterfaceTest, Parameters, PatientSession, Profile, Run, Trial
 
 NO_SESSION = "This patient has no session {number}: choose one that was opened."
@@ -59,6 +60,7 @@ class RecordedRun:
     source: Source
     trial: RecordedTrial | None = None
     test: RecordedTest | None = None
+    origin: Origin | None = None  # None: recorded in this clinic
 
     @property
     def stem(self) -> str:
@@ -88,6 +90,7 @@ def recorded_runs(db: Session, patient_id: int, session: int | None, runs: Path)
         if db.scalar(chosen) is None:
             raise NotFound(NO_SESSION.format(number=session))
         query = query.where(PatientSession.number == session)
+    origins = origins_of(db, patient_id)
     trials, tests = _trials(db, patient_id), _tests(db, patient_id)
     counts: Counter[int] = Counter()
     found = []
@@ -103,6 +106,7 @@ def recorded_runs(db: Session, patient_id: int, session: int | None, runs: Path)
                 source=run.source,
                 trial=trials.get(run.id),
                 test=tests.get(run.id),
+                origin=origins.get(run.session_id),
             )
         )
     return found

@@ -4,7 +4,7 @@ import io
 import shutil
 import zipfile
 from contextlib import closing
-from datetime import date
+from datetime import date, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
@@ -66,6 +66,23 @@ def test_an_archive_goes_to_another_clinic_and_leaves_it_with_the_same_hash(
     (tmp_path / "again.zip").write_bytes(signed_in("GET", f"/patients/{patient}/archive").content)
     with open_archive(tmp_path / "again.zip") as again, open_archive(package) as first:
         assert again.listed.hash == first.listed.hash
+
+
+def test_each_answer_on_an_imported_session_or_trial_says_where_it_came_from(signed_in: Any, package: Path) -> None:
+    patient = brought(signed_in, package).json()["patient_id"]
+    (session,) = signed_in.good("GET", f"/patients/{patient}/sessions")
+    (trial,) = signed_in.good("GET", f"/trials?patient={patient}")
+    origin = session["origin"]
+    assert (origin["clinic"], origin["person"]) == ("Riverside", "Demo clinician")
+    (imported,) = [row for row in signed_in.log() if row.what == "archive imported"]
+    assert abs(datetime.fromisoformat(origin["at"]) - imported.at) < timedelta(seconds=5)
+    assert signed_in.good("GET", f"/sessions/{session['id']}")["origin"] == origin
+    assert signed_in.good("GET", f"/sessions/{session['id']}/story")["origin"] == origin
+    assert trial["origin"] == origin
+    assert signed_in.good("GET", f"/trials/{trial['id']}")["origin"] == origin
+    own = signed_in.good("POST", "/patients", json={"code": "P-77", "pseudonym": "Wren", "note": ""})["id"]
+    signed_in.good("POST", "/session", json={"patient_id": own})
+    assert signed_in.good("GET", f"/patients/{own}/sessions")[0]["origin"] is None
 
 
 def test_an_archive_is_made_with_consent_and_without_an_open_session_only(calibrated: Any) -> None:

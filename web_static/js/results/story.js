@@ -5,6 +5,7 @@
 import { t, hasText } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { minuteOfDay, number } from "../widgets/format.js";
+import { originWords } from "./origin_words.js";
 
 const SAID = ["note", "comment", "unlock"]; // kinds of events with words of a person
 
@@ -13,9 +14,10 @@ const SAID = ["note", "comment", "unlock"]; // kinds of events with words of a p
  * @param {StoryView} story
  * @param {(trial: number) => string} [replay] address of the replay of a trial; a share link opens none
  */
-export function storyParts({ goal, scales, is_signed: isSigned, events }, replay) {
+export function storyParts({ goal, scales, is_signed: isSigned, origin, events }, replay) {
   return [
     h("p", { class: "quiet" }, t(isSigned ? "share.signed" : "share.unsigned")),
+    origin && h("p", { class: "quiet" }, originWords(origin)),
     goal && h("p", { class: "own-words" }, `${t("share.goal")}: ${goal}`),
     scales.length > 0 && h("p", {}, scales.map(({ name, total }) => `${name}: ${number(total, Number.isInteger(total) ? 0 : 1)}`).join(" · ")),
     h("ol", { class: "story" }, events.map((event) => eventLine(event, replay))),

@@ -8,6 +8,7 @@ import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
 import { best, comparable, figure, largeMeasures, leadingMeasures, measured, MEASURES, unitOf, withUnit } from "./measures.js";
+import { originWords } from "./origin_words.js";
 import { planPicture } from "../plan/plan_svg.js";
 import { scrollTable } from "../widgets/scroll_table.js";
 import { groupOf } from "./source_group.js";
@@ -34,6 +35,7 @@ export function trialSummary(trial, trials, plan, found) {
   return h(
     "div",
     { class: "stack" },
+    trial.origin && h("p", { class: "quiet" }, originWords(trial.origin)),
     !trial.kept && h("p", { class: "problem" }, t("over.discarded", { reason: trial.discard_reason ?? "" })),
     !measures && h("p", { class: "problem" }, t("over.no-measures")),
     measures && !measures.reached && h("p", { class: "card" }, unfinishedWords(trial, measures)),

@@ -7,6 +7,7 @@ import { h } from "../../widgets/dom.js";
 import { moment } from "../../widgets/format.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 import { comparable, measured, leadingMeasures, withUnit } from "../../results/measures.js";
+import { originWords } from "../../results/origin_words.js";
 import { groupMark, groupOf } from "../../results/source_group.js";
 
 /**
@@ -39,7 +40,12 @@ export function trialList(patient, trials, used, compare, unread) {
       h("td", {}, moment(trial.started)),
       h("td", {}, t(`review.end.${trial.end}`)),
       listed.map((name) => h("td", {}, comparable(name, trial.measures) ? withUnit(name, measured(trial.measures, name)) : "–")),
-      h("td", { title: trial.source.words }, groupMark(groupOf(trial)) ?? t("source.group.worn")),
+      h(
+        "td",
+        { title: trial.source.words },
+        groupMark(groupOf(trial)) ?? t("source.group.worn"),
+        trial.origin && h("div", { class: "quiet small" }, originWords(trial.origin)),
+      ),
       h("td", {}, trial.kept ? t(used.has(trial.id) ? "review.used" : "review.kept") : trial.discard_reason),
       h("td", {}, compare.box(trial)),
     );

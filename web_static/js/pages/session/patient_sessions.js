@@ -10,6 +10,7 @@ import { consentsCard } from "./consents_card.js";
 import { exportCard } from "./export_card.js";
 import { stateTag } from "./session.js";
 import { mayExport } from "../../results/report_choice.js";
+import { originWords } from "../../results/origin_words.js";
 import { unreadMarks } from "../../results/unread_marks.js";
 import { shareCard } from "./share_card.js";
 
@@ -53,7 +54,7 @@ export async function show(app, root, { signal, rest: [, patient] }) {
 
 /** @param {SessionRow} session @param {HTMLElement} box @param {HTMLElement} unread its mark */
 function row(session, box, unread) {
-  const { id, number, started, trials, sign_off: signed } = session;
+  const { id, number, started, trials, sign_off: signed, origin } = session;
   return h(
     "div",
     { class: "card person" },
@@ -67,6 +68,7 @@ function row(session, box, unread) {
       " ",
       unread,
       h("div", { class: "quiet small" }, `${moment(started)} · ${t("patients.trials", { count: trials })}`),
+      origin && h("div", { class: "quiet small" }, originWords(origin)),
       signed && h("div", { class: "quiet small" }, t("record.signed", { person: signed.person, moment: moment(signed.at) })),
     ),
     h("a", { class: "btn", href: `#/session/story/${id}`, "aria-label": t("record.story.label", { number }) }, t("record.story")),

@@ -13,6 +13,7 @@ import { notesCard } from "./notes_card.js";
 import { scalesCard } from "./scales_card.js";
 import { signOffCard } from "./sign_off_card.js";
 import { unreadMarks } from "../../results/unread_marks.js";
+import { originWords } from "../../results/origin_words.js";
 import { reportCard } from "../../results/report_choice.js";
 
 const OWN_PAGES = { patient: "patient_sessions", compare: "compare_sessions", story: "session_story" };
@@ -71,6 +72,7 @@ export async function show(app, root, { signal, rest }) {
       place,
       h("h1", { tabindex: "-1" }, t("record.title", { number: record.number, code: record.code })),
       h("p", { class: "lead" }, stateTag(record), " ", leadWords(record)),
+      record.origin && h("p", { class: "quiet" }, originWords(record.origin)),
       !canWrite && h("p", { class: "quiet" }, t("record.only-read")),
       goalCard(app, now, writing),
       notesCard(app, now, writing),

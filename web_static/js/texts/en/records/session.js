@@ -12,6 +12,7 @@ export default {
   "record.story.label": "Story of session {number}",
   "record.story.title": "Story of session {number} of {code}",
   "record.story.record": "Record",
+  "origin.words": "From {clinic}; imported by {person}, {moment}",
   "record.began": "Began {moment}",
   "record.by": "by {person}",
   "record.version": "Software {version}",
