@@ -16,7 +16,11 @@ HAS_NEW_ROWS = "logged"  # key in `Session.info`: rows were added, so the log's 
 
 
 def write_log(db: Session, person: str | None, what: str, /, **details: Any) -> None:
-    """Append one row; `details` name patients by id or code, never by a name."""
+    """Append one row; `details` name patients by id or code, never by a name.
+
+    No row is ever changed, also not when a patient is erased. So what people wrote or measured of a patient is not in
+    `details`: they name its rows by their ids.
+    """
     previous = db.scalar(select(LogEntry.hash).order_by(LogEntry.id.desc()).limit(1)) or FIRST
     at = utc_now()
     db.add(

@@ -119,18 +119,18 @@ def new_scale(session_id: RowId, body: NewScale, who: Clinician, parts: PeoplePa
     """Add the total of an outcome scale."""
 
     def write(db: Transaction) -> dict[str, Any]:
-        return {"scale": add_scale(db, session_id, body.name, body.total, body.day), "name": body.name}
+        return {"scale": add_scale(db, session_id, body.name, body.total, body.day)}
 
     return _changed(parts, web, who, session_id, "scale added", write)
 
 
 @router.delete("/sessions/{session_id}/scales/{scale_id}")
 def no_scale(session_id: RowId, scale_id: RowId, who: Clinician, parts: PeopleParts, web: Web) -> SessionRecordView:
-    """Remove a scale; the log keeps what it was."""
+    """Remove a scale; the log keeps who added it and who removed it, not what it was: a patient can be erased."""
 
     def write(db: Transaction) -> dict[str, Any]:
-        was = remove_scale(db, session_id, scale_id)
-        return {"scale": scale_id, "name": was.name, "total": was.total, "day": was.day.isoformat()}
+        remove_scale(db, session_id, scale_id)
+        return {"scale": scale_id}
 
     return _changed(parts, web, who, session_id, "scale removed", write)
 

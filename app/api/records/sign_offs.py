@@ -47,19 +47,12 @@ async def sign_session_off(session_id: RowId, who: Clinician, parts: PeopleParts
 
 @router.post("/sessions/{session_id}/unlock")
 def unlock_session(session_id: RowId, body: Unlock, who: Owner, parts: PeopleParts, web: Web) -> SessionRecordView:
-    """Unlock a signed session, for a reason; its sign-off stays in the history."""
+    """Unlock a signed session, for a reason, which stays with its sign-off in the history of the session."""
     with parts.database.transaction() as db:
         session = find_session(db, who.clinic_id, session_id)
         row = unlock(db, session, who.name, body.reason)
-        write_log(
-            db,
-            who.name,
-            "session unlocked",
-            patient=session.patient_id,
-            session=session_id,
-            signed_by=row.person,
-            reason=body.reason,
-        )
+        details = {"patient": session.patient_id, "session": session_id, "signed_by": row.person}
+        write_log(db, who.name, "session unlocked", **details)
         answer = record_view(db, session)
     web.live.tell("record")
     return answer

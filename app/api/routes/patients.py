@@ -132,7 +132,7 @@ def remove_patient(
     reason = "" if body is None else body.reason.strip()
     with parts.database.transaction() as db:
         patient = delete_patient(db, who.clinic_id, patient_id, reason)
-        write_log(db, who.name, "patient deleted", patient=patient_id, **({"reason": reason} if reason else {}))
+        write_log(db, who.name, "patient deleted", patient=patient_id, reason_given=bool(reason))
         view = _view(db, patient)
     web.replays.close_all()  # an open replay may be one of this patient
     return view

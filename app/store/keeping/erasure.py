@@ -52,7 +52,7 @@ def deleted_patients(db: Session, clinic_id: int) -> list[DeletedPatient]:
 
 
 def erase_patient(database: Database, settings: Settings, clinic_id: int, patient_id: int, person: str | None) -> None:
-    """Erase a deleted patient: rows, recordings, uploads. The log says that it was done, by whom and why.
+    """Erase a deleted patient: rows, recordings, uploads. The log says by whom, and whether a reason was given.
 
     Raises
     ------
@@ -66,13 +66,14 @@ def erase_patient(database: Database, settings: Settings, clinic_id: int, patien
         why_not = _why_not(db, patient)
         if why_not:
             raise Conflict(why_not)
-        reason = patient.deletion_reason or (AFTER_30_DAYS if person is None else "")
+        # The words of the reason may be about the patient, and go.
+        why = {"reason": AFTER_30_DAYS if person is None else "", "reason_given": bool(patient.deletion_reason)}
         # First the tombstone: were this to end here, a restored backup would lack the patient, as is wanted.
         now = utc_now()
         add_tombstones(settings.erased, [tombstone(patient_id, patient.created, now)])
         rows = _erase(db, patient, now)
         counts = {table: len(ids) for table, ids in sorted(rows.items())}
-        write_log(db, person, "patient erased", patient=patient_id, rows=counts, reason=reason)
+        write_log(db, person, "patient erased", patient=patient_id, rows=counts, **why)
     remove_erased_files(database, settings)
 
 

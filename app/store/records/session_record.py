@@ -121,14 +121,13 @@ def add_scale(db: Session, session_id: int, name: str, total: float, day: date) 
     return scale.id
 
 
-def remove_scale(db: Session, session_id: int, scale_id: int) -> Scale:
-    """Remove a scale, and return what it was."""
+def remove_scale(db: Session, session_id: int, scale_id: int) -> None:
+    """Remove a scale."""
     row = db.get(OutcomeScale, scale_id)
     if row is None or row.session_id != session_id:
         raise NotFound(f"There is no scale {scale_id} in this session: choose one of its scales.")
     db.delete(row)
     db.flush()
-    return Scale(row.id, row.name, row.total, row.day)
 
 
 def _revise(db: Session, note: SessionNote, text: str, person: str) -> None:

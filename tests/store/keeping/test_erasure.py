@@ -162,7 +162,7 @@ def test_records_that_must_be_kept_are_deleted_early_only_for_a_reason(filled: F
     filled.erase(filled.goes)
     with filled.database.transaction() as db:
         erased = db.query(LogEntry).where(LogEntry.what == "patient erased").one()
-    assert erased.details["reason"] == "The patient's own wish"
+    assert (erased.details["reason_given"], erased.details["reason"]) == (True, "")
 
 
 def test_a_setting_that_came_after_the_deletion_holds_as_well(filled: Filled, monkeypatch: pytest.MonkeyPatch) -> None:
