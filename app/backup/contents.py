@@ -6,7 +6,6 @@ import sqlite3
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from dataclasses import dataclass
-from hashlib import sha256
 from pathlib import Path
 
 from app.backup.manifest import DATABASE
@@ -16,6 +15,7 @@ from app.recording.format import END_FILE
 from app.refusals import Refusal
 from app.settings import Settings
 from app.store.backup import Counts, back_up
+from app.store.people import mark_of
 
 GOING_ON = 60.0  # s: an unfinished recording that was written to within this time is going on
 HEAD = f"{DATABASE}.log-head"
@@ -80,7 +80,7 @@ def clinic_mark(settings: Settings) -> str:
         created = connection.execute("SELECT created FROM clinic ORDER BY id LIMIT 1").fetchone()
     if created is None:
         raise Refusal(f"The clinic in {settings.state} is not set up yet: open its pages first.")
-    return sha256(repr(created).encode()).hexdigest()
+    return mark_of(created[0])
 
 
 def _require_clinic(settings: Settings) -> None:

@@ -12,6 +12,7 @@ from app.store.database import Database
 from app.store.learning_trials import counted_trials
 from app.store.log import write_log
 from app.store.patients import find_patient
+from app.store.people import clinic_mark
 from app.store.records.consents import require_consent
 from app.store.records.recorded_runs import RecordedRun, recorded_runs
 
@@ -38,6 +39,7 @@ class ExportMaterial:
     code: str
     runs: tuple[RecordedRun, ...]  # in the order recorded
     tasks: tuple[TaskMaterial, ...]
+    clinic: str = ""  # its mark: identifiers that leave the clinic name it, as codes of patients are the clinic's own
 
 
 def exported_material(
@@ -75,9 +77,10 @@ def exported_material(
         for floorplan, path, group in tasks:
             counted = counted_trials(db, clinic_id, patient_id, floorplan, path)
             tasks[floorplan, path, group] += [one.row() for one in counted if one.group == group]
+        mark = clinic_mark(db, clinic_id)
         write_log(db, person, "export", patient=patient_id, session=session, form=form, runs=len(found))
     known = tuple(TaskMaterial(rows, spreads_of(*task)) for task, rows in tasks.items())
-    return ExportMaterial(patient_id, patient.code, tuple(found), known)
+    return ExportMaterial(patient_id, patient.code, tuple(found), known, mark)
 
 
 def run_facts(code: str, run: RecordedRun, meta: dict[str, Any], damage: str) -> dict[str, str]:

@@ -15,16 +15,16 @@ from app.store.records.recorded_runs import RecordedRun, RecordedTest, RecordedT
 
 UCUM = "http://unitsofmeasure.org"
 MEASURE_CODES = "urn:bodydrive:measure"
-PATIENT_CODES = "urn:bodydrive:patient-code"
 TEST_METHOD = "Two-minute test: targets on a cross, reached with a cursor, while no chair moves"
 TEST_DATA = {"system": "http://terminology.hl7.org/CodeSystem/v3-ActReason", "code": "HTEST"}  # nobody's health
 
 
 def fhir_bundle(material: ExportMaterial, verdicts: dict[int, dict[str, str]]) -> dict[str, Any]:
     """Return the kept trials and the complete tests as a Bundle; the same ones give the same document."""
-    patient, device = _address(material.code, "patient"), _address(__version__, "device")
+    clinic = material.clinic
+    patient, device = _address(clinic, material.code, "patient"), _address(clinic, __version__, "device")
     entries = [
-        _entry(patient, {"resourceType": "Patient", "identifier": [_identifier(material.code)]}),
+        _entry(patient, {"resourceType": "Patient", "identifier": [_identifier(clinic, material.code)]}),
         _entry(device, _device()),
     ]
     for run in material.runs:
@@ -37,7 +37,8 @@ def fhir_bundle(material: ExportMaterial, verdicts: dict[int, dict[str, str]]) -
             continue
         who = {"subject": {"reference": patient}, "device": {"reference": device}}
         entries += [
-            _entry(_address(material.code, f"{run.folder.name}/{name}"), {**one, **who}) for name, one in found.items()
+            _entry(_address(clinic, material.code, f"{run.folder.name}/{name}"), {**one, **who})
+            for name, one in found.items()
         ]
     return {"resourceType": "Bundle", "type": "collection", "entry": entries}
 
@@ -80,8 +81,9 @@ def _device() -> dict[str, Any]:
     }
 
 
-def _identifier(code: str) -> dict[str, str]:
-    return {"system": PATIENT_CODES, "value": code}
+def _identifier(clinic: str, code: str) -> dict[str, str]:
+    """Return a patient's code in the namespace of the clinic, which alone gives its codes once."""
+    return {"system": _address(clinic, "patient-code"), "value": code}
 
 
 def _entry(address: str, resource: dict[str, Any]) -> dict[str, Any]:

@@ -32,6 +32,16 @@ def the_clinic(db: Session) -> Clinic | None:
     return db.scalar(select(Clinic).order_by(Clinic.id).limit(1))
 
 
+def clinic_mark(db: Session, clinic_id: int) -> str:
+    """Return what tells a clinic from all others, also after it was restored: see `mark_of`."""
+    return mark_of(f"{db.get_one(Clinic, clinic_id).created:%Y-%m-%d %H:%M:%S.%f}")
+
+
+def mark_of(created: str) -> str:
+    """Return the hash of when a clinic was set up; `created` as the database has it, to the microsecond."""
+    return hashlib.sha256(repr((created,)).encode()).hexdigest()
+
+
 def add_person(
     db: Session,
     clinic: Clinic,

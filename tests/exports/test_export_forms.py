@@ -17,6 +17,7 @@ from exported_clinic import CODE, MEASURES, RUN, make_clinic
 from stored_interface_test import MEASURES as TEST_MEASURES
 from stored_interface_test import store_interface_test
 
+from app.backup.contents import clinic_mark
 from app.clock import utc_now
 from app.exports.export_material import exported_material
 from app.exports.forms import Form
@@ -27,6 +28,7 @@ from app.recording.reader import read_run
 from app.refusals import Conflict
 from app.scoring.interface_test.workload import Workload
 from app.settings import Settings
+from app.store import people
 from app.store.database import Database
 from app.store.log_reading import read_log
 from app.store.tables import Run
@@ -208,6 +210,24 @@ def test_fhir_is_valid_r4b_with_ucum_units_and_the_same_numbers(export):
     assert found["e_diff"].valueQuantity.code == "m2"
     assert found["dist"].meta.security[0].code == "HTEST"
     assert "practice only" in found["dist"].note[0].text
+
+
+def test_two_clinics_whose_patients_have_one_code_give_them_identifiers_of_their_own(
+    clinic, export, exported, tmp_path
+):
+    def names(folder):
+        entries = json.loads((folder / "bundle.json").read_text())["entry"]
+        (identifier,) = entries[0]["resource"]["identifier"]
+        return (identifier["system"], identifier["value"]), {entry["fullUrl"] for entry in entries}
+
+    first, again = names(export("fhir")), names(export("fhir"))
+    other = names(exported(make_clinic(tmp_path / "other"), "fhir"))
+    assert first == again
+    with closing(Database(clinic.database)) as database, database.transaction() as db:
+        assert people.clinic_mark(db, 1) == clinic_mark(clinic)  # a restored clinic has the mark of its backups
+    assert first[0][1] == other[0][1] == CODE
+    assert first[0][0] != other[0][0]
+    assert not first[1] & other[1]
 
 
 def test_a_damaged_recording_is_exported_up_to_its_damage_and_says_so(clinic, export, recorded):
