@@ -6,13 +6,14 @@ from app import __version__
 from app.csv_cells import csv_line
 from app.exports.export_material import SIMULATED_WORDS
 from app.exports.measure_units import TEST_MEASURES
+from app.exports.recorded_with import recorded_with
 from app.scoring.interface_test.workload import Workload
 from app.source import source_words
 from app.store.records.recorded_runs import RecordedRun, RecordedTest
 
 ABOUT = (
     *("patient", "session", "run", "test", "started", "end", "source", "simulated"),
-    *("map_version", "parameters_hash", "software"),
+    *("map_version", "parameters_hash", "software", "exported_with"),
 )
 
 
@@ -29,6 +30,6 @@ def interface_test_csv(code: str, runs: tuple[RecordedRun, ...]) -> str:
 def _cells(code: str, run: RecordedRun, test: RecordedTest) -> Iterator[str | float | None]:
     yield from (code, run.session, run.number, test.number, test.started.isoformat(), test.end or "")
     yield from (source_words(run.source), SIMULATED_WORDS[run.source.simulated])
-    yield from (test.map_version, test.parameters_hash, __version__)
+    yield from (test.map_version, test.parameters_hash, recorded_with(run.folder), __version__)
     yield from (test.measures.get(name) for name in TEST_MEASURES)
     yield from (test.workload.get(name) for name in Workload.model_fields)

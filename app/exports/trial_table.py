@@ -6,13 +6,14 @@ from app import __version__
 from app.csv_cells import csv_line
 from app.exports.export_material import SIMULATED_WORDS, ExportMaterial
 from app.exports.measure_units import MEASURES, VERDICTS, is_number
+from app.exports.recorded_with import recorded_with
 from app.scoring.verdict.verdicts import trial_verdicts
 from app.source import source_words
 from app.store.records.recorded_runs import RecordedRun
 
 ABOUT = (
     *("patient", "session", "run", "trial", "floor_plan", "path", "started", "end", "kept", "reason_left_out"),
-    *("source", "simulated", "map_version", "parameters_hash", "software"),
+    *("source", "simulated", "map_version", "parameters_hash", "software", "exported_with"),
     *("origin_clinic", "imported_by", "imported"),
 )
 
@@ -41,7 +42,7 @@ def _cells(code: str, run: RecordedRun, verdicts: dict[int, dict[str, str]]) -> 
     yield from (code, run.session, run.number, trial.number, trial.title, trial.path)
     yield from (trial.started.isoformat(), trial.end or "", "yes" if trial.kept else "no", trial.reason or "")
     yield from (source_words(run.source), SIMULATED_WORDS[run.source.simulated])
-    yield from (trial.map_version, trial.parameters_hash, __version__)
+    yield from (trial.map_version, trial.parameters_hash, recorded_with(run.folder), __version__)
     yield from ("", "", "") if (origin := run.origin) is None else (origin.clinic, origin.person, origin.at.isoformat())
     for name in MEASURES:
         value = trial.measures.get(name)

@@ -17,6 +17,7 @@ from exported_clinic import CODE, MEASURES, RUN, make_clinic
 from stored_interface_test import MEASURES as TEST_MEASURES
 from stored_interface_test import store_interface_test
 
+from app import __version__
 from app.backup.contents import clinic_mark
 from app.clock import utc_now
 from app.exports.export_material import exported_material
@@ -103,7 +104,7 @@ def test_the_table_of_trials_has_measures_verdicts_and_sources_and_no_formula(ex
         (row,) = csv.DictReader(file)
     assert (float(row["e_diff [m2]"]), float(row["dist [m]"])) == (MEASURES["e_diff"], MEASURES["dist"])
     assert row["source"] == "Simulated shirt (simulated person), virtual chair: practice only"
-    assert row["software"]
+    assert (row["software"], row["exported_with"]) == ("test", __version__)
     assert row["patient"] == f"'{CODE}"
     assert float(row["sparc [1]"]) == MEASURES["sparc"]
     assert not any(cell.startswith(("=", "@", "+")) for cell in row.values())
@@ -131,6 +132,7 @@ def test_two_minute_tests_are_a_table_of_their_own(exported, tested):
     assert (done["workload effort [0-100]"], done["workload mental [0-100]"]) == ("60", "")
     assert done["simulated"] == "yes"
     assert done["parameters_hash"]
+    assert (done["software"], done["exported_with"]) == ("unknown", __version__)  # its recording is not there
     with (folder / "trials.csv").open(newline="") as file:
         assert len(list(csv.DictReader(file))) == 1
 
