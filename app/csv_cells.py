@@ -4,6 +4,7 @@ import csv
 import io
 from collections.abc import Sequence
 
+SPREADSHEET_BEGIN = "\ufeff"  # of a file for spreadsheets: without a byte order mark they do not read it as UTF-8
 FORMULA_BEGINS = ("=", "+", "-", "@", "\t", "\r")
 
 

@@ -1,5 +1,7 @@
 """A recording as CSV files that a spreadsheet opens."""
 
+from codecs import BOM_UTF8
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
@@ -15,17 +17,18 @@ def write_csv(run: RunGroups, folder: Path, stem: str) -> list[Path]:
     from pyarrow.csv import CSVWriter
 
     files: list[Path] = []
-    writer: Any = None
     rows = 0
-    for table in flat_tables(run):
-        named = table.rename_columns([safe_cell(name) for name in table.column_names])
-        if writer is None or rows + named.num_rows > MOST_ROWS:
-            if writer is not None:
-                writer.close()
-            part = f"-part-{len(files) + 1}" if files else ""
-            files.append(folder / f"{stem}{part}.csv")
-            writer, rows = CSVWriter(files[-1], named.schema), 0
-        writer.write_table(named)
-        rows += named.num_rows
-    writer.close()
+    with ExitStack() as opened:
+        writer: Any = None
+        for table in flat_tables(run):
+            named = table.rename_columns([safe_cell(name) for name in table.column_names])
+            if writer is None or rows + named.num_rows > MOST_ROWS:
+                opened.close()
+                part = f"-part-{len(files) + 1}" if files else ""
+                files.append(folder / f"{stem}{part}.csv")
+                file = opened.enter_context(files[-1].open("wb"))
+                file.write(BOM_UTF8)
+                writer, rows = opened.enter_context(CSVWriter(file, named.schema)), 0
+            writer.write_table(named)
+            rows += named.num_rows
     return files

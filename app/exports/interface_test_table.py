@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from app import __version__
-from app.csv_cells import csv_line
+from app.csv_cells import SPREADSHEET_BEGIN, csv_line
 from app.exports.export_material import SIMULATED_WORDS
 from app.exports.measure_units import TEST_MEASURES
 from app.exports.recorded_with import recorded_with
@@ -24,7 +24,7 @@ def interface_test_csv(code: str, runs: tuple[RecordedRun, ...]) -> str:
         return ""
     measures = [f"{name} [{unit}]" for name, (_, unit) in TEST_MEASURES.items()]
     answers = [f"workload {name} [0-100]" for name in Workload.model_fields]
-    return "".join([csv_line([*ABOUT, *measures, *answers]), *rows])
+    return "".join([SPREADSHEET_BEGIN, csv_line([*ABOUT, *measures, *answers]), *rows])
 
 
 def _cells(code: str, run: RecordedRun, test: RecordedTest) -> Iterator[str | float | None]:

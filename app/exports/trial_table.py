@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from app import __version__
-from app.csv_cells import csv_line
+from app.csv_cells import SPREADSHEET_BEGIN, csv_line
 from app.exports.export_material import SIMULATED_WORDS, ExportMaterial
 from app.exports.measure_units import MEASURES, VERDICTS, is_number
 from app.exports.recorded_with import recorded_with
@@ -33,7 +33,7 @@ def trial_csv(material: ExportMaterial, verdicts: dict[int, dict[str, str]]) -> 
     heads = [column for name, (_, unit) in MEASURES.items() for column in (f"{name} [{unit}]", f"{name} verdict")]
     lines = [csv_line([*ABOUT, *heads])]
     lines += [csv_line(list(_cells(material.code, run, verdicts))) for run in material.runs if run.trial is not None]
-    return "".join(lines)
+    return SPREADSHEET_BEGIN + "".join(lines)
 
 
 def _cells(code: str, run: RecordedRun, verdicts: dict[int, dict[str, str]]) -> Iterator[str | float | None]:

@@ -7,7 +7,7 @@ from typing import Any
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
-from app.csv_cells import csv_line
+from app.csv_cells import SPREADSHEET_BEGIN, csv_line
 from app.store.database import Database
 from app.store.tables import Drive, LogEntry, PatientScreen, PatientSession, Trial
 
@@ -56,7 +56,7 @@ def exported_lines(database: Database, as_csv: bool) -> Iterator[str]:
     A JSON line holds what the row's hash covers, as `app/store/log_chain.py` computes it.
     """
     if as_csv:
-        yield csv_line(COLUMNS)
+        yield SPREADSHEET_BEGIN + csv_line(COLUMNS)
     last = 0
     while True:
         with database.transaction() as db:

@@ -9,6 +9,7 @@ from archive_clinics import bring, empty_clinic, rewrite, state_of
 from exported_clinic import CODE, MEASURES, RUN, SIMULATED, make_clinic
 
 from app.clock import utc_now
+from app.csv_cells import SPREADSHEET_BEGIN
 from app.exports.archive import make_archive
 from app.exports.archive_file import PATIENT
 from app.exports.export_material import exported_material
@@ -95,7 +96,7 @@ def test_exports_and_reports_of_imported_sessions_name_the_clinic_and_who_import
     found = bring(other, archive[0])
     with closing(Database(other.database)) as database:
         exported = exported_material(database, 1, found.patient_id, None, "csv", "Ben", other.runs, lambda *_: {})
-        (row,) = csv.DictReader(io.StringIO(trial_csv(exported, {})))
+        (row,) = csv.DictReader(io.StringIO(trial_csv(exported, {}).removeprefix(SPREADSHEET_BEGIN)))
         report = report_material(database, 1, found.patient_id, None, other.runs, lambda *_: {})
     assert (row["origin_clinic"], row["imported_by"]) == ("Riverside", "Ben")
     today = utc_now().astimezone().date()

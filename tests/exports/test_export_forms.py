@@ -84,7 +84,7 @@ def equal(column, expected):
 
 def test_csv_has_the_numbers_of_the_recording(export, recorded):
     folder = export("csv", 1)
-    with (folder / f"{STEM}.csv").open(newline="") as file:
+    with (folder / f"{STEM}.csv").open(newline="", encoding="utf-8-sig") as file:
         head, *rows = csv.reader(file)
     cells = dict(zip(head, zip(*rows, strict=True), strict=True))
 
@@ -100,7 +100,7 @@ def test_csv_has_the_numbers_of_the_recording(export, recorded):
 
 
 def test_the_table_of_trials_has_measures_verdicts_and_sources_and_no_formula(export):
-    with (export("csv") / "trials.csv").open(newline="") as file:
+    with (export("csv") / "trials.csv").open(newline="", encoding="utf-8-sig") as file:
         (row,) = csv.DictReader(file)
     assert (float(row["e_diff [m2]"]), float(row["dist [m]"])) == (MEASURES["e_diff"], MEASURES["dist"])
     assert row["source"] == "Simulated shirt (simulated person), virtual chair: practice only"
@@ -125,7 +125,7 @@ def tested(tmp_path_factory):
 
 def test_two_minute_tests_are_a_table_of_their_own(exported, tested):
     folder = exported(tested, "csv")
-    with (folder / "interface_tests.csv").open(newline="") as file:
+    with (folder / "interface_tests.csv").open(newline="", encoding="utf-8-sig") as file:
         done, stopped = csv.DictReader(file)
     assert (done["test"], done["end"], stopped["end"]) == ("1", "complete", "stopped")
     assert float(done["throughput [bit/s]"]) == TEST_MEASURES["throughput"]
@@ -133,7 +133,7 @@ def test_two_minute_tests_are_a_table_of_their_own(exported, tested):
     assert done["simulated"] == "yes"
     assert done["parameters_hash"]
     assert (done["software"], done["exported_with"]) == ("unknown", __version__)  # its recording is not there
-    with (folder / "trials.csv").open(newline="") as file:
+    with (folder / "trials.csv").open(newline="", encoding="utf-8-sig") as file:
         assert len(list(csv.DictReader(file))) == 1
 
 
