@@ -8,7 +8,8 @@ import json
 import os
 import platform
 import shutil
-from collections.abc import Iterator
+import tempfile
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from datetime import timedelta
@@ -19,14 +20,14 @@ from typing import Any, Final
 
 from app import __version__
 from app.backup.manifest import MOST_BYTES, NAME
-from app.backup.quiet_files import Nowhere, QuietReader, QuietWriter, copy_hashed
+from app.backup.quiet_files import Beginning, Nowhere, QuietReader, QuietWriter, copy_hashed
 from app.backup.signing import fingerprint, is_signed, sign
 from app.backup.tar_stream import DAMAGED, TarStream, members_of
 from app.clock import monotonic, utc_now
 from app.refusals import Refusal
 from app.settings import Settings
 from app.store.database import Database
-from app.store.keeping.incident_rows import Rows, incident_rows, log_lines, newest_log_hash, sessions_since
+from app.store.keeping.incident_rows import Rows, incident_rows, log_lines, newest_log_row, sessions_since
 from app.store.keeping.incidents import mark_incident
 
 PERIOD: Final = timedelta(hours=24)
@@ -46,8 +47,17 @@ class ArchivedIncident:
     fingerprint: str  # of the key that signed it
 
 
-def archive_incident(settings: Settings, database: Database, target: Path, person: str | None) -> ArchivedIncident:
+def archive_incident(
+    settings: Settings,
+    database: Database,
+    target: Path,
+    person: str | None,
+    when_read: Callable[[], None] = lambda: None,
+) -> ArchivedIncident:
     """Make the archive, and mark its patients as not to be erased; also while something is recorded.
+
+    `when_read` is called before the recordings are copied: from then on this process needs no lock of the database for
+    long, which others would wait for, and may take the lowest priority.
 
     Raises
     ------
@@ -61,19 +71,26 @@ def archive_incident(settings: Settings, database: Database, target: Path, perso
     with database.transaction() as db:
         sessions = sessions_since(db, since)
         rows = incident_rows(db, sessions)
-        log, head = log_lines(db, since), newest_log_hash(db)
+        newest, head = newest_log_row(db)
     runs = [row["folder"] for row in rows["run"]]
     texts = {
-        "log.jsonl": log,
         "parameters.json": json.dumps(rows, indent=1),
         "versions.json": json.dumps(_versions(), indent=1),
         "machine.json": json.dumps(_machine(settings), indent=1),
     }
-    with QuietWriter(target) as out:
+    with QuietWriter(target) as out, tempfile.TemporaryFile(dir=target.parent) as log:
+        for line in log_lines(database, since, newest):
+            log.write(line.encode())
+        size = log.tell()
+        log.seek(0)
+        when_read()
         with TarStream(out) as tar:
-            hashes = {name: tar.add_bytes(name, text.encode()) for name, text in texts.items()}
-            for path, content in _recorded(settings, runs):
-                hashes[path] = tar.add_bytes(path, content)
+            hashes = {"log.jsonl": tar.add("log.jsonl", log, size)}
+            hashes |= {name: tar.add_bytes(name, text.encode()) for name, text in texts.items()}
+            for path, file in _recorded(settings, runs):
+                with suppress(FileNotFoundError), QuietReader(file) as reader:
+                    beginning = Beginning(reader)
+                    hashes[path] = tar.add(path, beginning, beginning.size)
             manifest = json.dumps(
                 {
                     "format": FORMAT,
@@ -134,12 +151,16 @@ def check_incident(file: Path, public: bytes | None = None) -> ArchivedIncident:
     )
 
 
-def _recorded(settings: Settings, runs: list[str]) -> Iterator[tuple[str, bytes]]:
-    """Yield the files of recordings as they are now; of one that is going on, what is written by now."""
+def _recorded(settings: Settings, runs: list[str]) -> Iterator[tuple[str, Path]]:
+    """Yield the files of recordings; a segment that is gone when it is opened is in one yielded after.
+
+    Of a recording that is going on, what is written by now is archived.
+    """
     for run in runs:
-        for file in sorted((settings.runs / run).glob("*")):
-            with suppress(FileNotFoundError):  # its segments became one file just now, which is yielded after them
-                yield f"recordings/{run}/{file.name}", file.read_bytes()
+        known: set[Path] = set()
+        while more := sorted({*(settings.runs / run).glob("*")} - known):
+            known.update(more)
+            yield from ((f"recordings/{run}/{file.name}", file) for file in more)
 
 
 def _patients(rows: Rows) -> list[int]:

@@ -77,6 +77,10 @@ class QuietReader:
             self._forgotten = at
         return part
 
+    def size(self) -> int:
+        """Return how many bytes the file has now."""
+        return os.fstat(self._file.fileno()).st_size
+
     def __enter__(self) -> "QuietReader":
         """Return the reader."""
         return self
@@ -84,6 +88,20 @@ class QuietReader:
     def __exit__(self, *_error: object) -> None:
         """Close the file."""
         self._file.close()
+
+
+class Beginning:
+    """What a file has when this is made, `size` bytes; what is added to the file later is not read."""
+
+    def __init__(self, reader: QuietReader) -> None:
+        self._reader = reader
+        self.size = self._left = reader.size()
+
+    def read(self, size: int, /) -> bytes:
+        """Return the next bytes, none at the end."""
+        part = self._reader.read(min(size, self._left)) if self._left else b""
+        self._left -= len(part)
+        return part
 
 
 class QuietWriter:

@@ -1,8 +1,11 @@
 """`bodydrive incident`: what the archive holds, how a change is found, and that its patients are kept."""
 
+import io
 import json
 import tarfile
+import tracemalloc
 from datetime import timedelta
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +13,9 @@ import pytest
 from sqlalchemy import text
 from store.keeping.filled_clinic import two_patients
 
+from app.backup import incident_archive, quiet_files
+from app.backup.quiet_files import Beginning
+from app.backup.tar_stream import TarStream
 from app.cli.clinic_folder import held
 from app.clock import utc_now
 from app.refusals import Conflict
@@ -19,7 +25,13 @@ from app.store.keeping.erasure import erase_patient
 from app.store.keeping.incidents import all_incidents
 from app.store.log import write_log
 from app.store.patients import delete_patient
-from app.store.tables import PatientSession, Run
+from app.store.tables import PatientSession, Run, Table
+
+# What people wrote about a patient, and who may look, stays in the clinic, where it is not erased meanwhile.
+LEFT_OUT = {
+    *("session_note", "outcome_scale", "moment_comment", "session_sign_off", "share_link"),
+    *("patient_file", "prior_entry", "incident_patient"),
+}
 
 
 @pytest.fixture
@@ -39,6 +51,14 @@ def settings(tmp_path: Path) -> Settings:
     (made.runs / newest / "end.json").unlink()
     (made.runs / newest / "segment-0000.arrows").write_bytes(b"rows of now")
     return made
+
+
+@pytest.fixture(autouse=True)
+def lowered(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
+    """Return whether the lowest priority was taken, which this process would keep for other tests."""
+    taken: list[bool] = []
+    monkeypatch.setattr(quiet_files, "take_lowest_priority", lambda: taken.append(True))
+    return taken
 
 
 def contents(file: Path) -> dict[str, bytes]:
@@ -72,6 +92,56 @@ def test_the_last_24_hours_are_in_it_and_are_kept(bodydrive: Any, settings: Sett
     with pytest.raises(Conflict, match="part of the incident"):
         erase_patient(database, settings, 1, 2, "Ada")
     database.close()
+
+
+def test_every_table_of_a_session_is_in_it_but_what_people_wrote_and_who_may_look(
+    bodydrive: Any, settings: Settings, tmp_path: Path
+) -> None:
+    assert bodydrive("incident", "a.incident", "--state", "clinic")[0] == 0
+    parameters = json.loads(contents(tmp_path / "a.incident")["parameters.json"])
+    own = {"patient", "session", "run", "trial", "profile"}
+    naming = {
+        table.name
+        for table in Table.metadata.sorted_tables
+        for column in table.columns
+        for key in column.foreign_keys
+        if key.column.table.name in own
+    }
+    assert naming - LEFT_OUT <= parameters.keys()
+    assert not LEFT_OUT & parameters.keys()
+    assert all(len(parameters[name]) == 1 for name in naming - LEFT_OUT)
+    assert "token_hash" not in parameters["patient_screen"][0]
+    assert parameters["patient_screen"][0]["number"] == 1
+
+
+def test_a_long_recording_is_not_built_in_memory_and_the_priority_is_the_lowest(
+    bodydrive: Any, settings: Settings, tmp_path: Path, lowered: list[bool], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(incident_archive, "_versions", dict)  # reading what each package says of itself takes memory
+    (segment,) = settings.runs.rglob("segment-0000.arrows")
+    peaks = []
+    for size in (1 << 20, 24 << 20):
+        with segment.open("wb") as file:
+            file.truncate(size)
+        tracemalloc.start()
+        try:
+            assert bodydrive("incident", f"{size}.incident", "--state", "clinic")[0] == 0
+            peaks.append(tracemalloc.get_traced_memory()[1])
+        finally:
+            tracemalloc.stop()
+        assert (tmp_path / f"{size}.incident").stat().st_size > size
+    assert peaks[1] - peaks[0] < 4 << 20, peaks
+    assert lowered == [True, True]
+
+
+def test_a_recording_that_grows_is_taken_as_it_was(settings: Settings, tmp_path: Path) -> None:
+    growing = tmp_path / "growing"
+    growing.write_bytes(b"first")
+    with quiet_files.QuietReader(growing) as reader, TarStream(io.BytesIO()) as tar:
+        beginning = Beginning(reader)
+        with growing.open("ab") as file:
+            file.write(b" second")
+        assert tar.add("growing", beginning, beginning.size) == sha256(b"first").hexdigest()
 
 
 def test_a_change_of_any_part_is_found(bodydrive: Any, settings: Settings, tmp_path: Path) -> None:
