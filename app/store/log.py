@@ -3,7 +3,7 @@
 from datetime import timedelta
 from typing import Any
 
-from sqlalchemy import select
+from sqlalchemy import ColumnElement, select
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
@@ -11,6 +11,7 @@ from app.store.log_chain import FIRST, entry_hash
 from app.store.tables import LogEntry
 
 VIEWED = "patient viewed"
+LISTED = "patients listed"
 VIEWED_EVERY = timedelta(minutes=15)  # a page asks for a patient's records many times while somebody reads them
 HAS_NEW_ROWS = "logged"  # key in `Session.info`: rows were added, so the log's head must be written
 
@@ -39,16 +40,27 @@ def write_log(db: Session, person: str | None, what: str, /, **details: Any) -> 
 
 def log_viewing(db: Session, person: str, patient: int) -> None:
     """Log that a person looks at the records of a patient, once in a quarter of an hour."""
+    if not _is_logged(db, person, VIEWED, LogEntry.details["patient"].as_integer() == patient):
+        write_log(db, person, VIEWED, patient=patient)
+
+
+def log_listing(db: Session, person: str) -> None:
+    """Log that a person looks at the list of all patients, once in a quarter of an hour."""
+    if not _is_logged(db, person, LISTED):
+        write_log(db, person, LISTED)
+
+
+def _is_logged(db: Session, person: str, what: str, *conditions: ColumnElement[bool]) -> bool:
+    """Return whether a person has such a row within the last quarter of an hour."""
     now = utc_now()
     since = now - VIEWED_EVERY
     # Backwards from the newest row to the first that is too old: the log is long and only its end is read.
     older = select(LogEntry.id).where(LogEntry.at <= since).order_by(LogEntry.id.desc()).limit(1)
-    is_logged = select(LogEntry.id).where(
+    logged = select(LogEntry.id).where(
         LogEntry.id > (db.scalar(older) or 0),
         LogEntry.at <= now,  # a row from before the clock was set back does not stand for now
-        LogEntry.what == VIEWED,
+        LogEntry.what == what,
         LogEntry.person == person,
-        LogEntry.details["patient"].as_integer() == patient,
+        *conditions,
     )
-    if db.scalar(is_logged.limit(1)) is None:
-        write_log(db, person, VIEWED, patient=patient)
+    return db.scalar(logged.limit(1)) is not None

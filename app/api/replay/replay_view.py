@@ -7,11 +7,11 @@ from pydantic import Field
 
 from app.api.deps import Anyone, People, PeopleParts
 from app.api.parts import Web, WebParts, web_parts_of
-from app.api.replay.trial_replay import refuse_while_driving
+from app.api.replay.trial_replay import refuse_while_driving, require_ended
 from app.api.sockets import OpenSockets
 from app.api.view.view_bridge import NO_VIEW, ViewPage, bridge
 from app.quantities import Count, Document
-from app.refusals import Conflict, NotFound
+from app.refusals import NotFound
 from app.scene.cameras import View
 from app.scene.client_messages import SUBPROTOCOL
 from app.scene.replay import Replay, ReplayPoses
@@ -54,12 +54,13 @@ class ReplayMoment(Document):
 def open_replay(body: NewReplay, who: Anyone, parts: PeopleParts, web: Web) -> ReplayView:
     """Open a trial in 3D, on a server of its own that shows nothing live."""
     refuse_while_driving(web)
-    with parts.database.transaction(closing=True) as db:
+    with parts.database.transaction() as db:
         trial = find_trial(db, who.clinic_id, body.trial)
+    require_ended(trial)
+    word = web.replays.add(who.person_id, lambda: _replay_of(parts, web, trial))
+    with parts.database.transaction(closing=True) as db:  # nothing is shown yet: the word has not been answered
         write_log(db, who.name, "trial viewed", trial=trial.id)
-    if trial.status != "done":
-        raise Conflict("This trial is still running: look at it when it has ended.")
-    return ReplayView(id=web.replays.add(who.person_id, lambda: _replay_of(parts, web, trial)))
+    return ReplayView(id=word)
 
 
 @router.post("/replays/{word}/at", status_code=204)

@@ -10,6 +10,7 @@ from app.refusals import Conflict, NotFound
 from app.scoring.timeline import Timeline
 from app.store.log import write_log
 from app.store.runs import find_trial
+from app.store.tables import Trial
 
 router = APIRouter(tags=["review"])
 
@@ -22,14 +23,18 @@ def refuse_while_driving(web: WebParts) -> None:
         raise Conflict(BUSY)
 
 
+def require_ended(trial: Trial) -> None:
+    """Refuse while a trial runs: its recording is not whole."""
+    if trial.status != "done":
+        raise Conflict("This trial is still running: look at it when it has ended.")
+
+
 @router.get("/trials/{trial_id}/timeline", response_model=Timeline)
 def trial_timeline(trial_id: RowId, who: Anyone, parts: PeopleParts, web: Web, request: Request) -> Response:
     """Return a trial on one time line: pose, commands, gestures, signals and events."""
-    with parts.database.transaction(closing=True) as db:
+    with parts.database.transaction() as db:
         trial = find_trial(db, who.clinic_id, trial_id)
-        write_log(db, who.name, "trial viewed", trial=trial_id)
-    if trial.status != "done":
-        raise Conflict("This trial is still running: look at it when it has ended.")
+    require_ended(trial)
     folder = web.runs.folder_of(trial.run_id)
     if not web.timelines.has(folder):
         refuse_while_driving(web)
@@ -37,6 +42,8 @@ def trial_timeline(trial_id: RowId, who: Anyone, parts: PeopleParts, web: Web, r
         packed = web.timelines.of(folder, trial.path_points, trial.end)
     except (ValueError, OSError) as error:
         raise NotFound("The recording of this trial cannot be read: restore it from a backup.") from error
+    with parts.database.transaction(closing=True) as db:
+        write_log(db, who.name, "trial viewed", trial=trial_id)
     headers = {"Cache-Control": "private, no-cache", "Vary": "Accept-Encoding"}
     if "gzip" in request.headers.get("accept-encoding", ""):
         return Response(packed, media_type="application/json", headers=headers | {"Content-Encoding": "gzip"})

@@ -11,7 +11,7 @@ from app.api.deps import Anyone, Clinician, PeopleParts, RowId
 from app.api.parts import Web, open_view
 from app.quantities import Count, Document, Line, Name, Note, Title
 from app.store.database import Transaction
-from app.store.log import write_log
+from app.store.log import log_listing, write_log
 from app.store.patients import (
     PatientFigures,
     add_patient,
@@ -108,7 +108,8 @@ def _view_with(patient: Patient, figures: PatientFigures) -> PatientView:
 @router.get("/patients")
 def list_patients(who: Anyone, parts: PeopleParts) -> list[PatientView]:
     """List the patients, the last seen first."""
-    with parts.database.transaction() as db:
+    with parts.database.transaction(closing=True) as db:
+        log_listing(db, who.name)
         return _views(db, all_patients(db, who.clinic_id))
 
 

@@ -12,7 +12,7 @@ from app.api.sign_in.identity import SignedInPerson
 from app.quantities import Document, Note
 from app.refusals import NotFound
 from app.store.database import Transaction
-from app.store.log import write_log
+from app.store.log import log_viewing, write_log
 from app.store.patients import find_patient
 from app.store.runs import find_trial
 from app.store.sharing.comments import (
@@ -72,18 +72,22 @@ def unread_comments(
     who: Anyone, parts: PeopleParts, patient: Annotated[int | None, Query(ge=1, le=2**31)] = None
 ) -> list[CommentView]:
     """List the comments that the person who asks has not read, of all patients or of one."""
-    with parts.database.transaction() as db:
+    with parts.database.transaction(closing=True) as db:
         if patient is not None:
             find_patient(db, who.clinic_id, patient)
         found = comments_of(db, clinic_id=who.clinic_id, patient_id=patient, not_read_by=who.person_id)
+        for one in dict.fromkeys(comment.patient_id for comment in found):
+            log_viewing(db, who.name, one)
         return [_view(db, one, who, unread=True) for one in found]
 
 
 @router.get("/trials/{trial_id}/comments")
 def list_comments(trial_id: RowId, who: Anyone, parts: PeopleParts) -> list[CommentView]:
     """List the comments of a trial by their moments."""
-    with parts.database.transaction() as db:
-        return _views(db, _trial(db, who, trial_id), who)
+    with parts.database.transaction(closing=True) as db:
+        trial = _trial(db, who, trial_id)
+        log_viewing(db, who.name, trial.patient_id)
+        return _views(db, trial, who)
 
 
 @router.post("/trials/{trial_id}/comments", status_code=201)

@@ -25,6 +25,10 @@ def driven(calibrated: Any) -> Any:
     return calibrated
 
 
+def viewings(clinic: Any) -> int:
+    return len([row for row in clinic.log() if row.what == "trial viewed"])
+
+
 def test_a_time_line_is_answered_kept_and_logged(driven: Any) -> None:
     record_trial(driven.folder, make_parameters(n_channels=8))
     address = f"/trials/{driven.trial['id']}/timeline"
@@ -34,7 +38,7 @@ def test_a_time_line_is_answered_kept_and_logged(driven: Any) -> None:
     plain = driven("GET", address, headers={"Accept-Encoding": "identity"})
     assert "content-encoding" not in plain.headers
     assert plain.json() == line
-    assert len([row for row in driven.log() if row.what == "trial viewed"]) == 3
+    assert viewings(driven) == 2
     driven.client.cookies.clear()
     assert driven("GET", address).status_code == 401
 
@@ -46,6 +50,7 @@ def test_a_trial_without_a_recording_says_so(driven: Any) -> None:
         "The recording of this trial cannot be read: restore it from a backup.",
     )
     assert driven("GET", "/trials/999/timeline").status_code == 404
+    assert viewings(driven) == 0  # nobody was shown anything
 
 
 def page_of(clinic: Any, word: str) -> int:
@@ -54,9 +59,9 @@ def page_of(clinic: Any, word: str) -> int:
 
 def test_a_trial_is_shown_in_3d_at_a_moment_and_closed(driven: Any) -> None:
     record_trial(driven.folder, make_parameters(n_channels=8), seconds=3.0, plan=find_place("apartment"))
-    logged = len([row for row in driven.log() if row.what == "trial viewed"])
+    logged = viewings(driven)
     word = driven.good("POST", "/replays", json={"trial": driven.trial["id"]})["id"]
-    assert len([row for row in driven.log() if row.what == "trial viewed"]) == logged + 1
+    assert viewings(driven) == logged + 1
     page = driven.client.get(f"/view/replay/{word}/")
     assert 'content: "Replay"' in page.text
     assert "connect-src" in page.headers["content-security-policy"]
@@ -87,14 +92,17 @@ def test_only_two_are_open_and_none_moves_while_somebody_drives(driven: Any) -> 
     words = [driven.good("POST", "/replays", json=body)["id"] for _ in range(3)]
     assert [page_of(driven, word) for word in words] == [404, 200, 200]
     where = {"floorplan": "apartment", "path": driven.trial["path"], "screen": WORD}
+    logged = viewings(driven)
     with driven.screen():
-        driven.good("POST", "/trials", json=where)
+        running = driven.good("POST", "/trials", json=where)
+        driven("POST", "/replays", json={"trial": running["id"]})
         for answer in (
             driven("POST", "/replays", json=body),
             driven("POST", f"/replays/{words[2]}/at", json={"t": 0.0}),
             driven("GET", f"/trials/{driven.trial['id']}/timeline"),
         ):
             assert (answer.status_code, answer.json()["detail"][:14]) == (409, "Somebody drive")
+        assert viewings(driven) == logged
         driven.good("POST", "/trials/current/end", json={"reason": "by hand"})
     assert driven("POST", f"/replays/{words[2]}/at", json={"t": 0.0}).status_code == 204
 
@@ -103,3 +111,4 @@ def test_a_recording_without_a_place_has_no_picture(driven: Any) -> None:
     answer = driven("POST", "/replays", json={"trial": driven.trial["id"]})
     assert answer.status_code == 404
     assert "no picture" in answer.json()["detail"]
+    assert viewings(driven) == 0

@@ -35,6 +35,28 @@ def test_a_reviewers_comment_reaches_the_clinicians_until_they_have_read_it(
     assert [one["text"] for one in again["revisions"]] == ["The right one.", MOMENT["text"]]
 
 
+def test_who_reads_comments_or_the_list_of_patients_stands_in_the_log_once(
+    calibrated: Clinic, trial: int, cookies_of: Any
+) -> None:
+    patient = calibrated.patient["id"]
+
+    def rows(person: str) -> list[tuple[str, Any]]:
+        looks = [row for row in calibrated.log() if row.what in {"patient viewed", "patients listed"}]
+        return [(row.what, row.details.get("patient")) for row in looks if row.person == person]
+
+    calibrated.good("POST", f"/trials/{trial}/comments", json=MOMENT)
+    for name in ("Rhea", "Rita"):
+        with as_person(calibrated, cookies_of(name, "reviewer")):
+            for _ in range(2):
+                calibrated.good("GET", "/comments" if name == "Rita" else f"/trials/{trial}/comments")
+                calibrated.good("GET", "/patients")
+        assert rows(name) == [("patient viewed", patient), ("patients listed", None)]
+    with as_person(calibrated, cookies_of("Rolf", "reviewer")):
+        assert calibrated("POST", f"/trials/{trial}/comments/read", json={}).status_code == 204
+        assert calibrated.good("GET", "/comments") == []
+    assert rows("Rolf") == []  # nothing of anybody was shown
+
+
 def test_only_its_author_revises_or_withdraws_a_comment_and_the_history_stays(
     calibrated: Clinic, trial: int, cookies_of: Any
 ) -> None:
