@@ -29,7 +29,7 @@ FIRST_DAY = (1980, 1, 1, 0, 0, 0)  # of the zip format; the same content gives t
 COPY = 1 << 20  # bytes
 PLAIN = {".parquet", ".zip"}  # compressed already
 FAST = 1  # level: numbers of sensors hardly get smaller with more time
-IGNORED = "trials.csv\ninterface_tests.csv\nexport.json\n"  # of a BIDS validator
+IGNORED = "trials.csv\ninterface_tests.csv\nexport.json\n*.missing.txt\n"  # of a BIDS validator
 
 Step = Callable[[Path], int]
 """Does one part of the work on the zip file, and returns up to which byte the file is final."""
