@@ -39,7 +39,7 @@ export type Forecast = { value: number; uncertainty: number };
 /** How a ring of so many sensors sits otherwise than on other people. */
 export type Arrangement = { shift: number; mirrored: boolean; sensors: number };
 
-/** What a map learnt from other people comes from, and what is expected of it; null: not known. */
+/** What a map learnt from other people comes from, its checks, and what is expected of it; null: not known. */
 export type PriorResult = {
   offered: boolean;
   people: number;
@@ -48,6 +48,8 @@ export type PriorResult = {
   arrangement: Record<string, Arrangement>;
   hits: Forecast | null;
   false_per_minute: Forecast | null;
+  prior_check: MapCheck | null;
+  pca_check: MapCheck | null;
 };
 
 /** A joint of a calibration's result; what was not measured is null. */

@@ -23,6 +23,7 @@ LEAST_GAIN = 0.01  # of in-phase share that a guided map must gain over the PCA 
 LARGEST_LOSS = 0.03  # of the hit rate that a guided map may lose
 FEWEST_JUDGED = 3  # repetitions: what one or two say of a map does not agree with how it does later
 LEAST_HITS = 0.25  # hit rate on a person's own repetitions below which a map from other people is not offered
+MOSTLY_IN_PHASE = 0.5  # in-phase share below which it is not: most of the activation would come without the movement
 
 
 class Arrangement(Document):
@@ -122,14 +123,16 @@ class PriorMap(LinearMap):
         """Whether nothing says that the PCA map is better on this person's own repetitions.
 
         Fewer hits alone do not: the dead-zone is other people's, and that of PCA is fitted to these repetitions. They
-        do where nothing is gained in phase.
+        do where nothing is gained in phase. A map that mostly acts outside of the movement is never better, also where
+        the PCA map does not act at all.
         """
         prior, pca = self.prior_check, self.pca_check
         if prior is None or pca is None or self.repetitions < FEWEST_JUDGED:
             return True
         gain, loss = prior.in_phase - pca.in_phase, pca.hit_rate - prior.hit_rate
         gains_nothing = gain < LEAST_GAIN and loss > LARGEST_LOSS
-        return gain >= -LARGEST_LOSS and prior.hit_rate >= LEAST_HITS and not gains_nothing
+        does_its_work = prior.in_phase >= MOSTLY_IN_PHASE and prior.hit_rate >= LEAST_HITS
+        return does_its_work and gain >= -LARGEST_LOSS and not gains_nothing
 
 
 class JointMap(Document):

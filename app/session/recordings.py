@@ -13,7 +13,7 @@ from app.calibration.guided.guided_map import with_guided_maps
 from app.calibration.prior.documents import PersonEntry
 from app.calibration.prior.entry import PersonRecording, person_entry
 from app.calibration.prior.map_prior import MapPrior
-from app.calibration.prior.prior_map import decoded_by_others, with_prior_maps
+from app.calibration.prior.prior_map import decoded_by_best, with_prior_maps
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
 from app.calibration.vocabulary import DriveParameters, recorded_parameters
@@ -55,14 +55,15 @@ def fit_recordings(
     """Fit the profile from the recordings of all steps; raise ValueError with a sentence when it cannot be fitted.
 
     A joint whose prompts allow it carries a guided map beside that of the paper, for the clinician to choose. With a
-    `prior`, the map learnt from other people decodes each joint that was not prompted, and is offered for the others.
+    `prior` it carries the map learnt from other people, too, and the best one of the three decodes: a prompted joint's
+    held-out repetitions decide (`JointMap.best_map`), a joint that was not prompted drives by other people.
     """
     pieces = _pieces(recorded)
     profile = fit_profile(layout, pieces.sample_rate, pieces.free, pieces.rest, pieces.repetitions, unused)
     profile = with_guided_maps(profile, pieces.stretches, pieces.rest).profile
     if prior is None:
         return profile
-    return decoded_by_others(with_prior_maps(profile, prior, pieces.free, pieces.stretches).profile)
+    return decoded_by_best(with_prior_maps(profile, prior, pieces.free, pieces.stretches).profile)
 
 
 def fit_recordings_to_donning(

@@ -76,7 +76,8 @@ class RunningApp:
         if "fit" in self._answers:
             raise ValueError(self._answers["fit"])
         self._answers["fitted"] = [step.id for step, _ in recorded], prior
-        return profile_for(layout)
+        make: Callable[[ShirtLayout], CalibrationProfile] = self._answers.get("profile", profile_for)
+        return make(layout)
 
     def _fit_to_donning(
         self,

@@ -148,6 +148,14 @@ def test_other_people_s_map_is_offered_unless_own_repetitions_speak_against_it(i
     assert joint.best_map == ("prior" if better else "pca")
 
 
+@pytest.mark.parametrize(("in_phase", "better"), [(0.02, False), (0.6, True)])
+def test_a_map_that_mostly_acts_outside_of_the_movement_is_not_better_than_one_that_does_not_act(in_phase, better):
+    check = MapCheck(in_phase=in_phase, hit_rate=0.5, false_per_minute=20.0, false_count=3)
+    silent = MapCheck(in_phase=0.0, hit_rate=0.0, false_per_minute=0.0, false_count=0)
+    judged = prior(2).model_copy(update={"repetitions": 3, "prior_check": check, "pca_check": silent})
+    assert judged.is_better is better
+
+
 @pytest.mark.parametrize(
     ("check", "better"),
     [

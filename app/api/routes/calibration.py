@@ -115,10 +115,10 @@ def _guided(guided: GuidedMap | None) -> dict[str, Any] | None:
 
 
 def _prior(prior: PriorMap | None, layout: ShirtLayout) -> dict[str, Any] | None:
-    """Return what the map learnt from other people comes from, and what is expected of it."""
+    """Return what the map learnt from other people comes from, its checks, and what is expected of it."""
     if prior is None:
         return None
-    fields = {"people", "repetitions", "dropped", "hits", "false_per_minute"}
+    fields = {"people", "repetitions", "dropped", "hits", "false_per_minute", "prior_check", "pca_check"}
     sits = {
         ring: {**found.model_dump(), "sensors": len(layout.rings[ring])} for ring, found in prior.arrangement.items()
     }

@@ -104,12 +104,12 @@ def with_prior_maps(
     return PriorFit(profile.model_copy(update={"joints": tuple(joints)}), reasons, arrangements)
 
 
-def decoded_by_others(profile: CalibrationProfile) -> CalibrationProfile:
-    """Return the profile with the map learnt from other people in use for each joint that was never prompted."""
-    joints = tuple(
-        joint.model_copy(update={"map": "prior"}) if joint.prior is not None and not joint.prompted else joint
-        for joint in profile.joints
-    )
+def decoded_by_best(profile: CalibrationProfile) -> CalibrationProfile:
+    """Return the profile with the map in use for each joint that its held-out repetitions speak for.
+
+    A joint that was never prompted is decoded by other people's map where there is one.
+    """
+    joints = tuple(joint.model_copy(update={"map": joint.best_map}) for joint in profile.joints)
     return profile.model_copy(update={"joints": joints})
 
 

@@ -10,7 +10,7 @@ import { number, percent } from "../../widgets/format.js";
 import { withLabels } from "../../widgets/gestures.js";
 import { repeatsWord, signalWord } from "../../widgets/grade_words.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
-import { checkTable, mapChoice } from "./map_choice.js";
+import { checkTables, mapChoice } from "./map_choice.js";
 import { sittingCard, whereFrom } from "./map_origin.js";
 
 const STUDY = { low: 0.8, high: 0.9 }; // the paper's explained variance of PC1
@@ -69,7 +69,7 @@ function jointCard(joint, reason, onRepeat, onMap) {
 }
 
 /** The numbers behind the words. @param {JointResult} joint */
-function details({ evr, signal_to_noise: signal, repeatability, guided }) {
+function details({ evr, signal_to_noise: signal, repeatability, guided, prior }) {
   return h(
     "details",
     { class: "maps" },
@@ -77,7 +77,8 @@ function details({ evr, signal_to_noise: signal, repeatability, guided }) {
     h("p", { class: "small" }, t("result.details.evr", { percent: percent(evr) })),
     signal !== null && h("p", { class: "small" }, t("result.details.signal", { value: number(signal, 0) })),
     repeatability !== null && h("p", { class: "small" }, t("result.details.repeats", { percent: percent(repeatability) })),
-    guided && !guided.offered && [h("p", { class: "small" }, t("result.maps.kept")), checkTable(guided)],
+    guided && !guided.offered && [h("p", { class: "small" }, t("result.maps.kept.guided")), checkTables({ guided, prior: null })],
+    prior && !prior.offered && [h("p", { class: "small" }, t("result.maps.kept.prior")), checkTables({ guided: null, prior })],
     guided && h("p", { class: "small" }, t("result.maps.details")),
   );
 }

@@ -1,6 +1,7 @@
 /**
  * The maps of a joint, as they did on repetitions they had not seen, and which of them drives.
- * @import { GuidedMapResult, JointResult } from "types/documents"
+ * @import { MapCheck } from "types/api"
+ * @import { JointResult } from "types/documents"
  * @import { OnMap } from "./calibration_result.js"
  */
 import { t } from "../../texts.js";
@@ -27,7 +28,8 @@ export function mapChoice({ name, label, map, guided, prior }, onMap) {
     "details",
     { class: "maps", open: true },
     h("summary", {}, t(map === "pca" ? "result.maps.better" : `result.maps.in-use.${map}`)),
-    guided?.offered && checkTable(guided),
+    guided?.offered && checkTables({ guided, prior: null }),
+    prior?.offered && checkTables({ guided: null, prior }),
     segments(
       t("result.maps.choose", { joint: label }),
       offered.map((value) => ({ value, label: t(`result.maps.${value}`) })),
@@ -37,19 +39,27 @@ export function mapChoice({ name, label, map, guided, prior }, onMap) {
   );
 }
 
-/** Both side by side. @param {GuidedMapResult} guided */
-export function checkTable({ repetitions, pca_check: pca, guided_check: own }) {
+/** Each map that is not the standard one beside it, where both were tried. @param {Pick<JointResult, "guided" | "prior">} joint */
+export function checkTables({ guided, prior }) {
   return [
-    h("p", { class: "quiet small" }, t("result.maps.lead", { count: repetitions })),
+    guided && checkTable("guided", guided.repetitions, guided.pca_check, guided.guided_check),
+    prior?.pca_check && prior.prior_check && checkTable("prior", prior.repetitions, prior.pca_check, prior.prior_check),
+  ];
+}
+
+/** The standard map and another one side by side. @param {"guided" | "prior"} kind @param {number} repetitions @param {MapCheck} pca @param {MapCheck} other */
+function checkTable(kind, repetitions, pca, other) {
+  return [
+    h("p", { class: "quiet small" }, t(`result.maps.lead.${kind}`, { count: repetitions })),
     h(
       "table",
       { class: "small" },
-      h("thead", {}, h("tr", {}, h("td", {}), ["result.maps.pca", "result.maps.guided"].map((key) => h("th", { scope: "col" }, t(key))))),
+      h("thead", {}, h("tr", {}, h("td", {}), ["pca", kind].map((one) => h("th", { scope: "col" }, t(`result.maps.${one}`))))),
       h(
         "tbody",
         {},
         ROWS.map(([key, shown]) =>
-          h("tr", {}, h("th", { scope: "row" }, t(WORDS[key])), [pca, own].map((check) => h("td", {}, shown(check[key])))),
+          h("tr", {}, h("th", { scope: "row" }, t(WORDS[key])), [pca, other].map((check) => h("td", {}, shown(check[key])))),
         ),
       ),
     ),

@@ -1,12 +1,13 @@
 /**
  * Where the calibration of a joint comes from, what is expected of it, and how the shirt sits there.
  * @import { FoundGesture } from "types/api"
- * @import { Arrangement, Forecast, JointResult } from "types/documents"
+ * @import { Arrangement, JointResult } from "types/documents"
  */
 import { t } from "../../texts.js";
 import { falseWords } from "../../widgets/discovery_card.js";
 import { h, put, s } from "../../widgets/dom.js";
 import { number } from "../../widgets/format.js";
+import { expectedWords } from "./expected_words.js";
 
 const SIZE = 96; // px of the picture
 const ROUND = 34; // px, radius of the ring of sensors
@@ -21,7 +22,7 @@ export function whereFrom({ name, map, prior }) {
     { class: "origin small" },
     h("p", { class: "quiet" }, t(`result.from.${origin}`)),
     others && !others.repetitions && h("p", {}, t("result.from.others.lead", { count: others.people })),
-    others && others.repetitions > 0 && expected(others.hits, others.false_per_minute),
+    others && expectedWords(others).map((words) => h("p", {}, words)),
     !others && h("div", { class: "expected", "data-joint": name }),
   );
 }
@@ -45,17 +46,6 @@ function expectedOfOwn(gesture) {
       h("p", {}, t("result.expected.own.false", { value: falseWords({ false_per_minute: falsely }), bound: number(most, 0) })),
   ];
   return sentences.some(Boolean) ? sentences : [h("p", {}, t("result.expected.none"))];
-}
-
-/** @param {Forecast | null} hits @param {Forecast | null} falsely */
-function expected(hits, falsely) {
-  if (!hits && !falsely) return h("p", {}, t("result.expected.none"));
-  return [hits && h("p", {}, words("hits", hits, 0)), falsely && h("p", {}, words("false", falsely, 1))];
-}
-
-/** @param {"hits" | "false"} what @param {Forecast} forecast @param {number} digits */
-function words(what, { value, uncertainty }, digits) {
-  return t(`result.expected.${what}`, { value: number(value, digits), uncertainty: number(uncertainty, digits) });
 }
 
 /** How each ring of sensors sits otherwise than on other people, with a picture. @param {string} joint its label @param {Record<string, Arrangement>} rings */

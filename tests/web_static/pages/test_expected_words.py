@@ -1,0 +1,20 @@
+"""The result of a calibration says both forecasts of a map from other people, and what is not known."""
+
+import json
+from typing import Any
+
+HITS = {"value": 71.3, "uncertainty": 11.3}
+FALSE = {"value": 1.79, "uncertainty": 1.2}
+
+
+def test_each_forecast_has_its_uncertainty_and_what_is_not_known_is_said(run_script: Any, tmp_path: Any) -> None:
+    file = tmp_path / "forecasts.json"
+    given = [{"hits": HITS, "false_per_minute": FALSE}, {"hits": None, "false_per_minute": None}]
+    file.write_text(json.dumps(given))
+    known, unknown = json.loads(run_script("pages/expected_words.mjs", file))
+    assert known == [
+        "Of 100 movements about 71 are answered (± 11).",
+        "At rest it acts about 1.8 times a minute (± 1.2).",
+    ]
+    assert unknown[0].startswith("How many of 100 movements are answered is not known yet")
+    assert unknown[1] == "How often it acts at rest is known once this movement has been repeated."
