@@ -2,11 +2,14 @@
 
 import numpy as np
 
-from app.calibration.profile import CalibrationProfile, JointMap
+from app.calibration.profile import RATE_LAGS, CalibrationProfile, JointMap, MapCheck, PriorMap
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.layout import Channel, Joint, ShirtLayout
 
 PAPER_JOINTS = ("right_elbow", "left_elbow", "right_shoulder", "left_shoulder")
+
+
+AGREES = MapCheck(in_phase=0.95, hit_rate=0.7, false_per_minute=1.0, false_count=1)  # own repetitions with a map
 
 
 def make_layout(n_channels=52, joints=PAPER_JOINTS):
@@ -53,6 +56,22 @@ def make_profile(n_channels=52, sample_rate=100.0, seed=1, joints=PAPER_JOINTS, 
         high=(100.0,) * n_channels,
         joints=tuple(maps),
     )
+
+
+def taught_by_others(profile, repetitions=0, joints=None, **of_prior):
+    """Return the profile with joints (all, or those named) that drive by other people and so many own repetitions."""
+    maps = []
+    for joint in profile.joints:
+        if joints is not None and joint.name not in joints:
+            maps.append(joint)
+            continue
+        part = (0.1,) * len(joint.channels)
+        earlier = (part,) * (len(RATE_LAGS) - 1)
+        size = {"dead_zone": joint.dead_zone, "full": joint.full}
+        own = {"people": 8, "repetitions": repetitions, **of_prior}
+        prior = PriorMap(rate=part, earlier=earlier, short=part, long=part, **size, **own)
+        maps.append(joint.model_copy(update={"map": "prior", "prior": prior, "prompted": repetitions > 0}))
+    return profile.model_copy(update={"joints": tuple(maps)})
 
 
 def make_parameters(**changes) -> DriveParameters:
