@@ -1,24 +1,20 @@
 """The calibration of the open session: its steps and its result."""
 
 import asyncio
-from typing import Annotated, Any
+from typing import Annotated
 
 from fastapi import APIRouter, Path
 from pydantic import Field
 
-from app.api.answers import Answer, MomentText
+from app.api.calibration_view import CalibrationView, view_of
 from app.api.deps import Clinician, People, PeopleParts
 from app.api.parts import Web, WebParts
 from app.api.sign_in.identity import SignedInPerson
-from app.calibration.fit.profile_fit import joints_without_map
 from app.calibration.gestures.discovery import Discovery
-from app.calibration.profile import CalibrationProfile, GuidedMap, MapKind, PriorMap
+from app.calibration.profile import MapKind
 from app.calibration.vocabulary import standard_parameters
-from app.layout import ShirtLayout
 from app.quantities import Document, Line, Name
 from app.refusals import Conflict
-from app.session.calibration.calibration_flow import RESULT
-from app.session.calibration.calibration_progress import Progress
 from app.session.calibration.gesture_discovery import session_gestures
 from app.session.calibration.map_choice import choose_map
 from app.store.calibrations import is_calibration_simulated
@@ -45,135 +41,8 @@ class MapChoice(Document):
     map: MapKind
 
 
-class RunningStep(Document):
-    """The step that is being recorded, and the number of its run in the ticks."""
-
-    step: str
-    started_run: int | None
-
-
-class EarlierView(Answer):
-    """The patient's calibration of an earlier time, in the same kind of shirt."""
-
-    version: int
-    created: MomentText
-
-
-class CalibrationView(Document):
-    """The state of the calibration."""
-
-    current: str
-    steps: list[dict[str, Any]]
-    running: RunningStep | None
-    result: dict[str, Any] | None
-    others: int  # other people who are known in this shirt; 0: too few to drive by
-    may_drive_now: bool
-    earlier: EarlierView | None  # can be fitted to how the shirt sits today, in place of a new calibration
-    may_fit_earlier: bool
-
-
-def _steps(progress: Progress) -> list[dict[str, Any]]:
-    waiting = ("waiting", "")
-    steps: list[dict[str, Any]] = [
-        {
-            "id": step.id,
-            "kind": step.kind,
-            "joint": step.joint,
-            "title": step.title,
-            "instruction": step.instruction,
-            "duration": step.duration,
-            "cues": [cue.model_dump(mode="json") for cue in step.cues],
-        }
-        for step in progress.steps
-    ]
-    steps.append(
-        {
-            "id": RESULT,
-            "kind": "result",
-            "joint": None,
-            "title": "Result",
-            "instruction": "Look at each joint. Repeat what is not good enough, then tap “Use this calibration”.",
-            "duration": 0.0,
-            "cues": [],
-        }
-    )
-    for step in steps:
-        step["status"], step["words"] = progress.status.get(step["id"], waiting)
-    return steps
-
-
-def _guided(guided: GuidedMap | None) -> dict[str, Any] | None:
-    """Return the checks of the study's map and the guided map on the held-out repetitions."""
-    if guided is None:
-        return None
-    checks = {"pca_check": guided.pca_check, "guided_check": guided.guided_check}
-    return {
-        "offered": guided.is_better,
-        "repetitions": guided.repetitions,
-        **{name: check.model_dump(mode="json") for name, check in checks.items()},
-    }
-
-
-def _prior(prior: PriorMap | None, layout: ShirtLayout) -> dict[str, Any] | None:
-    """Return what the map learnt from other people comes from, its checks, and what is expected of it."""
-    if prior is None:
-        return None
-    fields = {"people", "repetitions", "dropped", "hits", "false_per_minute", "prior_check", "pca_check"}
-    sits = {
-        ring: {**found.model_dump(), "sensors": len(layout.rings[ring])} for ring, found in prior.arrangement.items()
-    }
-    return {"offered": prior.is_better, "arrangement": sits, **prior.model_dump(mode="json", include=fields)}
-
-
-def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
-    labels = {joint.name: joint.label for joint in profile.layout.joints}
-    steps = {step.joint: step.id for step in progress.steps if step.joint is not None}
-    fields = {"name", "evr", "span", "sign", "signal_to_noise", "repeatability", "angle_deg", "grade", "reason"}
-    joints = [
-        {
-            **joint.model_dump(mode="json", include=fields),
-            "dead_zone": joint.thresholds[0],
-            "full": joint.thresholds[1],
-            "map": joint.map,
-            "guided": _guided(joint.guided),
-            "prior": _prior(joint.prior, profile.layout),
-            "label": labels[joint.name],
-            "step": steps.get(joint.name),
-        }
-        for joint in profile.joints
-    ]
-    missing = [
-        {
-            **dict.fromkeys(fields | {"dead_zone", "full", "map", "guided", "prior"}),
-            "name": name,
-            "label": labels[name],
-            "step": steps.get(name),
-            "grade": "repeat",
-            "reason": reason,
-        }
-        for name, reason in joints_without_map(profile).items()
-    ]
-    return {
-        "joints": joints + missing,
-        "cross_talk": profile.cross_talk,
-        "left_out": profile.left_out,
-        "accepted": progress.accepted,
-    }
-
-
 async def _view(web: WebParts, session: PatientSession) -> CalibrationView:
-    progress = await web.calibration.progress(session.id)
-    running = progress.running
-    return CalibrationView(
-        current=progress.current,
-        steps=_steps(progress),
-        running=None if running is None else RunningStep(step=running, started_run=progress.started_run),
-        result=None if progress.profile is None else _result(progress, progress.profile),
-        others=progress.others,
-        may_drive_now=progress.may_drive_now,
-        earlier=None if progress.earlier is None else EarlierView.of(progress.earlier),
-        may_fit_earlier=progress.may_fit_earlier,
-    )
+    return view_of(await web.calibration.progress(session.id))
 
 
 @router.get("")
@@ -246,11 +115,12 @@ async def choose(body: MapChoice, who: Clinician, parts: PeopleParts, web: Web) 
 
 @router.post("/drive-now")
 async def drive_now(who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
-    """Fit the map from other people where nothing was prompted yet, and use it at once."""
+    """Fit the map from other people where nothing was prompted yet, and use it at once; what was prompted is learnt."""
     async with web.session.undisturbed("drive now"):
         session = await web.session.needed_session(who.clinic_id)
         await web.calibration.fit_from_others(session.id)
         await _accept(who, parts, web, session)
+        await web.calibration.learn(session.id)
     for event in ("calibration", "controls", "session"):
         web.live.tell(event)
     return await _view(web, session)

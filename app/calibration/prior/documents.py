@@ -9,6 +9,7 @@ from pydantic import ConfigDict, Field, model_validator
 from app.calibration.prior.arrangement import RingMoments
 from app.calibration.prior.features import KINDS
 from app.calibration.prior.moments import Moments
+from app.calibration.profile import CalibrationProfile
 from app.layout import MAX_CHANNELS, ShirtLayout
 from app.quantities import Document, Finite, Name
 
@@ -116,6 +117,11 @@ class PersonEntry(PriorPart):
     joints: Annotated[dict[Name, JointEntry], Field(min_length=1)]
     rings: dict[Name, RingDocument] = Field(default_factory=dict)
 
+    def completed(self, earlier: "PersonEntry") -> "PersonEntry":
+        """Return this entry with the joints and rings of an earlier one that it does not have itself."""
+        joints, rings = {**earlier.joints, **self.joints}, {**earlier.rings, **self.rings}
+        return self.model_copy(update={"joints": joints, "rings": rings})
+
 
 class JointSums(PriorPart):
     """Sums over people of what each adds to the map of one joint."""
@@ -205,6 +211,20 @@ class ReleasedPrior(PriorPart):
 
 
 PriorDocument = Annotated[OwnPrior | ReleasedPrior, Field(discriminator="kind")]
+
+
+def fitting_part(entry: PersonEntry, profile: CalibrationProfile) -> PersonEntry | None:
+    """Return the entry without each joint, and each ring, that sits otherwise than on other people.
+
+    The sensors of such a ring lie where other people have other sensors. None when nothing is left.
+    """
+    turned = {
+        joint.name: joint.prior.arrangement for joint in profile.joints if joint.prior and joint.prior.arrangement
+    }
+    joints = {name: joint for name, joint in entry.joints.items() if name not in turned}
+    out = {ring for rings in turned.values() for ring in rings}
+    rings = {name: ring for name, ring in entry.rings.items() if name not in out}
+    return entry.model_copy(update={"joints": joints, "rings": rings}) if joints else None
 
 
 def rounded(numbers: Array) -> tuple[float, ...]:

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from app.calibration.adaptation.donning_fit import joints_followed
+from app.calibration.prior.documents import fitting_part
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
 from app.computing_process import ComputingProcess
@@ -80,16 +81,20 @@ class CalibrationFit:
             write_log(db, person, "calibration fitted to the shirt", patient=patient, version=saved.version)
 
     def learn(self, session_id: int, progress: Progress) -> bool:
-        """Add the calibration to the clinic's prior; return whether it could be added."""
+        """Add the prompted joints of the calibration to the clinic's prior; return whether there were any to add."""
         layout, recorded = self._recorded(session_id, progress)
         shirt = garment(layout, self._equipment)
-        if not self._prior.may_learn(session_id, shirt):
+        prompted = any(step.kind == "prompt" for step, _ in recorded)
+        if not prompted or not self._prior.may_learn(session_id, shirt):
             return False
         try:
             entry = self._computing.ask(entry_of_recordings, layout, recorded)
-        except (ValueError, OSError):  # nothing was prompted, or a recording is gone: there is nothing to add
+        except (ValueError, OSError):  # no movement can be used, or a recording is gone: there is nothing to add
             return False
-        self._prior.add(session_id, shirt, entry)
+        fitting = entry if progress.profile is None else fitting_part(entry, progress.profile)
+        if fitting is None:
+            return False
+        self._prior.add(session_id, shirt, fitting)
         return True
 
     def _recorded(self, session_id: int, progress: Progress) -> tuple[ShirtLayout, list[tuple[Step, Path]]]:

@@ -13,7 +13,14 @@ from app.layout import ShirtLayout
 from app.settings import data_folder
 from app.store.access.visible_patients import every_patient
 from app.store.database import Database
-from app.store.prior.prior_entries import count_entries, entries_of_others, is_prior_on, may_add, put_entry
+from app.store.prior.prior_entries import (
+    count_entries,
+    entries_of_others,
+    entry_of_patient,
+    is_prior_on,
+    may_add,
+    put_entry,
+)
 from app.store.tables import Patient, PatientSession
 
 
@@ -78,9 +85,12 @@ class ClinicPrior:
             return may_add(db, patient, simulated=garment.simulated)
 
     def add(self, session_id: int, garment: Garment, entry: PersonEntry) -> None:
-        """Store what the patient of a session adds, in place of what this patient added before."""
+        """Store what the patient of a session adds, in place of what this patient added of these joints before."""
         with self._database.transaction() as db:
             patient_id = db.get_one(PatientSession, session_id).patient_id
+            before = entry_of_patient(db, patient_id, garment.hash, simulated=garment.simulated)
+            if before is not None:
+                entry = entry.completed(PersonEntry.model_validate(before))
             document = entry.model_dump(mode="json")
             put_entry(db, patient_id, garment.hash, document, simulated=garment.simulated)
 

@@ -42,6 +42,11 @@ def put_entry(db: Session, patient_id: int, shirt: str, document: dict[str, Any]
     db.flush()
 
 
+def entry_of_patient(db: Session, patient_id: int, shirt: str, *, simulated: bool) -> dict[str, Any] | None:
+    """Return what a patient adds to the prior of a shirt (its hash), None when it is nothing."""
+    return db.scalar(select(PriorEntry.document).where(*_own(patient_id, shirt, simulated)))
+
+
 def remove_entries(db: Session, patient_id: int) -> int:
     """Take a patient's worn entries out again, as when the consent is withdrawn; return how many there were."""
     worn = delete(PriorEntry).where(PriorEntry.patient_id == patient_id, PriorEntry.simulated.is_(False))
