@@ -47,6 +47,7 @@ export type PriorResult = {
   dropped: string[];
   arrangement: Record<string, Arrangement>;
   hits: Forecast | null;
+  hits_with_prompts: Forecast | null; // after three repetitions of a movement that was not prompted yet
   false_per_minute: Forecast | null;
   prior_check: MapCheck | null;
   pca_check: MapCheck | null;

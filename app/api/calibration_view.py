@@ -4,6 +4,7 @@ from typing import Any
 
 from app.api.answers import Answer, MomentText
 from app.calibration.fit.profile_fit import joints_without_map
+from app.calibration.prior.prompting import hits_with_prompts
 from app.calibration.profile import CalibrationProfile, GuidedMap, PriorMap
 from app.layout import ShirtLayout
 from app.quantities import Document
@@ -103,7 +104,13 @@ def _prior(prior: PriorMap | None, layout: ShirtLayout) -> dict[str, Any] | None
     sits = {
         ring: {**found.model_dump(), "sensors": len(layout.rings[ring])} for ring, found in prior.arrangement.items()
     }
-    return {"offered": prior.is_better, "arrangement": sits, **prior.model_dump(mode="json", include=fields)}
+    more = None if prior.hits is None or prior.repetitions else hits_with_prompts(prior.hits).model_dump()
+    return {
+        "offered": prior.is_better,
+        "arrangement": sits,
+        "hits_with_prompts": more,
+        **prior.model_dump(mode="json", include=fields),
+    }
 
 
 def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:

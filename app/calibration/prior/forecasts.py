@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from app.calibration.guided.check import MARGIN, SHORTEST_REST, at_rest
 from app.calibration.prior.moments import Moments
+from app.calibration.prior.prompting import deviation_of_hits
 from app.calibration.prior.solving import OwnFrames, solve
 from app.calibration.prior.strokes import EDGE
 from app.calibration.profile import Forecast
@@ -18,9 +19,6 @@ from app.calibration.profile import Forecast
 LARGE = 0.3  # of the 95th percentile of the free movement's rate: what counts as a movement there
 LABELLED = 0.88  # of a real stroke's time above the dead-zone, by that of its labelled part: its slow edges are below
 WORTH_OF_FREE = 2.0  # repetitions that the free movement counts for
-# Standard deviations of the share of a stroke's time with activation, measured on the real knit: between what is
-# expected from many repetitions and what comes, and what one repetition more or less makes.
-LASTING_DEVIATION, FIRST_DEVIATION = 0.08, 0.16
 USUAL_FALSE, USUAL_MINUTES = 1.0, 0.5  # false activations expected before any is counted, and the rest they stand for
 
 Array = NDArray[np.float64]
@@ -79,9 +77,8 @@ def expected_hits(free: Array, dead_zone: float, held_out: Array | None, frames:
         weights.append(float(repetitions))
     if not shares:
         return None
-    deviation = math.sqrt(LASTING_DEVIATION**2 + FIRST_DEVIATION**2 / (1 + repetitions))
     share = LABELLED * float(np.average(shares, weights=weights))
-    return Forecast(value=round(100 * share, 1), uncertainty=round(100 * deviation, 1))
+    return Forecast(value=round(100 * share, 1), uncertainty=deviation_of_hits(repetitions))
 
 
 def expected_false(held_out: Array, frames: OwnFrames, dead_zone: float, sample_rate: float) -> Forecast | None:

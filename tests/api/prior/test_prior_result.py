@@ -19,6 +19,7 @@ def test_the_result_says_what_is_expected_of_each_joint_and_how_the_choice_was_m
         prior = joint["prior"]
         assert (prior["people"], prior["repetitions"], prior["offered"]) == (8, 3, True)
         assert (prior["hits"], prior["false_per_minute"]) == (HITS.model_dump(), FALSE.model_dump())
+        assert prior["hits_with_prompts"] is None
         assert prior["prior_check"] == prior["pca_check"] == AGREES.model_dump()
 
 
@@ -27,3 +28,4 @@ def test_what_is_not_known_without_own_repetitions_is_null(in_session: Any) -> N
     in_session.calibrate()
     prior = in_session.good("GET", "/calibration")["result"]["joints"][0]["prior"]
     assert (prior["hits"]["value"], prior["false_per_minute"], prior["prior_check"]) == (71.0, None, None)
+    assert prior["hits_with_prompts"] == {"value": 73.0, "uncertainty": 11.3}  # what three repetitions would bring

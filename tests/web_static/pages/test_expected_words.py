@@ -9,7 +9,10 @@ FALSE = {"value": 1.79, "uncertainty": 1.2}
 
 def test_each_forecast_has_its_uncertainty_and_what_is_not_known_is_said(run_script: Any, tmp_path: Any) -> None:
     file = tmp_path / "forecasts.json"
-    given = [{"hits": HITS, "false_per_minute": FALSE}, {"hits": None, "false_per_minute": None}]
+    given = [
+        {"hits": HITS, "hits_with_prompts": None, "false_per_minute": FALSE},
+        {"hits": None, "hits_with_prompts": None, "false_per_minute": None},
+    ]
     file.write_text(json.dumps(given))
     known, unknown = json.loads(run_script("pages/expected_words.mjs", file))
     assert known == [
@@ -18,3 +21,12 @@ def test_each_forecast_has_its_uncertainty_and_what_is_not_known_is_said(run_scr
     ]
     assert unknown[0].startswith("How many of 100 movements are answered is not known yet")
     assert unknown[1] == "How often it acts at rest is known once this movement has been repeated."
+
+
+def test_before_any_prompt_hits_stand_there_without_and_with_it(run_script: Any, tmp_path: Any) -> None:
+    file = tmp_path / "forecasts.json"
+    without = {"value": 70.8, "uncertainty": 17.9}
+    file.write_text(json.dumps([{"hits": without, "hits_with_prompts": HITS, "false_per_minute": None}]))
+    ((hits, _, prompted),) = json.loads(run_script("pages/expected_words.mjs", file))
+    assert hits == "Of 100 movements about 71 are answered (± 18)."
+    assert prompted.startswith("After three repetitions of this movement: about 71 of 100 (± 11)")

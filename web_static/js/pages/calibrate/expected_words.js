@@ -5,12 +5,13 @@
 import { t } from "../../texts.js";
 import { number } from "../../widgets/format.js";
 
-/** Hits of 100 movements and false activations a minute; each says so where it is not known. @param {Pick<PriorResult, "hits" | "false_per_minute">} prior */
-export function expectedWords({ hits, false_per_minute: falsely }) {
-  return [words("hits", hits, 0), words("false", falsely, 1)];
+/** Hits of 100 movements and false activations a minute; each says so where it is not known. Then what prompts would bring. @param {Pick<PriorResult, "hits" | "hits_with_prompts" | "false_per_minute">} prior */
+export function expectedWords({ hits, hits_with_prompts: more, false_per_minute: falsely }) {
+  const said = [words("hits", hits, 0), words("false", falsely, 1)];
+  return more ? [...said, words("prompted", more, 0)] : said;
 }
 
-/** @param {"hits" | "false"} what @param {Forecast | null} forecast @param {number} digits */
+/** @param {"hits" | "false" | "prompted"} what @param {Forecast | null} forecast @param {number} digits */
 function words(what, forecast, digits) {
   if (!forecast) return t(`result.expected.${what}.none`);
   return t(`result.expected.${what}`, { value: number(forecast.value, digits), uncertainty: number(forecast.uncertainty, digits) });
