@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from app.cli.calibration.prior_of_clinic import export_prior, import_prior
 from app.cli.errors import InputError
 from app.cli.output import write_output
 
@@ -14,6 +15,8 @@ prior_app = typer.Typer(
     no_args_is_help=True,
     pretty_exceptions_enable=False,
 )
+prior_app.command("export")(export_prior)
+prior_app.command("import")(import_prior)
 
 PriorFile = Annotated[Path, typer.Argument(metavar="PRIOR.json", help="The prior; it is made when there is none.")]
 Person = Annotated[str, typer.Option(help="A code for the person: letters, digits, dots and dashes, no name.")]

@@ -1,5 +1,6 @@
 """The entries of the clinic's own prior: one per patient and shirt, of patients who have consented to it."""
 
+from collections.abc import Collection
 from typing import Any
 
 from sqlalchemy import ColumnElement, delete, func, select, true
@@ -9,6 +10,8 @@ from app.clock import utc_now
 from app.store.prior.prior_tables import PriorEntry, PriorSwitch
 from app.store.records.consents import has_consented
 from app.store.tables import Patient
+
+RELEASED = "released"  # in a stored entry: its joints and rings that are in a release, because nobody is in two
 
 
 def is_prior_on(db: Session, clinic_id: int) -> bool:
@@ -38,13 +41,16 @@ def put_entry(db: Session, patient_id: int, shirt: str, document: dict[str, Any]
     if row is None:
         row = PriorEntry(patient_id=patient_id, shirt=shirt, simulated=simulated)
         db.add(row)
-    row.document, row.made = document, utc_now()
+        row.document = {}
+    released = {RELEASED: row.document[RELEASED]} if RELEASED in row.document else {}
+    row.document, row.made = {**document, **released}, utc_now()
     db.flush()
 
 
 def entry_of_patient(db: Session, patient_id: int, shirt: str, *, simulated: bool) -> dict[str, Any] | None:
     """Return what a patient adds to the prior of a shirt (its hash), None when it is nothing."""
-    return db.scalar(select(PriorEntry.document).where(*_own(patient_id, shirt, simulated)))
+    found = db.scalar(select(PriorEntry.document).where(*_own(patient_id, shirt, simulated)))
+    return None if found is None else without_releases(found)
 
 
 def remove_entries(db: Session, patient_id: int) -> int:
@@ -72,7 +78,52 @@ def entries_of_others(
         .where(*_usable(clinic_id, shirt, simulated, patient_id))
         .order_by(PriorEntry.patient_id)
     )
-    return list(db.scalars(query))
+    return [without_releases(document) for document in db.scalars(query)]
+
+
+def worn_entries(db: Session, clinic_id: int, shirt: str, *, to_share: bool) -> list[tuple[str, dict[str, Any]]]:
+    """Return the patients' codes with what each adds to the prior of a worn shirt, and with what is released of it.
+
+    With `to_share` only those who have consented to sharing outside of the clinic, too.
+    """
+    query = (
+        select(Patient.code, PriorEntry.document)
+        .join(Patient, Patient.id == PriorEntry.patient_id)
+        .where(*_usable(clinic_id, shirt, False, None))
+        .order_by(PriorEntry.patient_id)
+    )
+    if to_share:
+        query = query.where(has_consented("sharing"))
+    return [(code, document) for code, document in db.execute(query)]
+
+
+def mark_released(
+    db: Session, clinic_id: int, code: str, shirt: str, joints: Collection[str], rings: Collection[str]
+) -> None:
+    """Store that these joints and rings of what a patient adds to the prior of a worn shirt are in a release."""
+    row = db.scalar(
+        select(PriorEntry)
+        .join(Patient, Patient.id == PriorEntry.patient_id)
+        .where(Patient.clinic_id == clinic_id, Patient.code == code, PriorEntry.shirt == shirt)
+        .where(PriorEntry.simulated.is_(False))
+    )
+    if row is None:
+        return
+    before = releases_of(row.document)
+    after = {"joints": sorted({*before["joints"], *joints}), "rings": sorted({*before["rings"], *rings})}
+    row.document = {**row.document, RELEASED: after}
+    db.flush()
+
+
+def releases_of(document: dict[str, Any]) -> dict[str, list[str]]:
+    """Return the joints and the rings of a stored entry that are in a release."""
+    found: dict[str, list[str]] = document.get(RELEASED, {"joints": [], "rings": []})
+    return found
+
+
+def without_releases(document: dict[str, Any]) -> dict[str, Any]:
+    """Return a stored entry as the document of what a person adds."""
+    return {name: part for name, part in document.items() if name != RELEASED}
 
 
 def _usable(clinic_id: int, shirt: str, simulated: bool, without: int | None) -> tuple[ColumnElement[bool], ...]:
