@@ -133,3 +133,13 @@ def test_what_a_spreadsheet_writes_is_read_and_told(files):
     assert plain.pop("dialect") == {"separator": ",", "decimal": "."}
     assert found == plain
     assert "read with semicolons between columns and decimal commas" in run(files).output
+
+
+@pytest.mark.parametrize("prompted", [True, False])
+def test_the_table_says_what_is_expected_of_the_person_s_own_calibration(files, prompted):
+    words = ["--rest-from", "0", "--rest-to", "3", *(["--prompts", str(files / "prompts.csv")] if prompted else [])]
+    said = run(files, *words).stdout
+    row = next(line for line in said.splitlines() if line.startswith("right_elbow "))
+    assert "grade" not in said
+    assert ("at least" in row, "at most" in row) == (prompted, prompted)
+    assert row.count("not known") == (0 if prompted else 2)

@@ -100,7 +100,11 @@ def test_what_a_prior_knows_is_shown(folder):
     assert (answer["kind"], joint["people"], answer["rings"]) == ("own", 8, {"cuff": 8})
     assert set(joint["ranges"]) == {f"e{i}" for i in range(5)}
     assert joint["strokes"] == sum(len(Wearer(seed).strokes) for seed in range(1, 9))
+    rates = joint["stroke_rates"]
+    assert 0.2 < rates["counts_from"] < rates["mean"] < 1.0
+    assert rates["deviation"] > 0.05
     table = run("prior", "show", folder / "prior.json").stdout
+    assert f"{rates['mean']:.0%} ± {rates['deviation']:.0%}" in table
     assert "8 people in 'sleeve'" in table
     assert symbols_in(table) == []
 
@@ -185,3 +189,16 @@ def test_bad_input_is_one_sentence(folder, tmp_path):
     assert "each shirt needs a prior of its own" in refusal(other)
     assert not (folder / "x.json").exists()
     assert not (tmp_path / "p").exists()
+
+
+@pytest.mark.parametrize("prompted", [True, False])
+def test_the_table_of_a_calibration_says_what_is_expected_and_what_is_not_known(folder, prompted):
+    words = ["--prompts", folder / "new-prompts.csv"] if prompted else []
+    said = calibrate(folder, *words, "--map", "prior").stdout
+    row = next(line for line in said.splitlines() if line.startswith("right_elbow "))
+    assert "grade" not in said
+    assert ("not known" in row) is not prompted  # false activations without any prompt
+    profile = CalibrationProfile.model_validate_json((folder / "profile.json").read_bytes())
+    hits = profile.joints[0].prior.hits
+    assert f"{hits.value:.0f} ± {hits.uncertainty:.0f}" in row
+    assert symbols_in(said) == []

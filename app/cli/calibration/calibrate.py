@@ -40,13 +40,14 @@ def calibrate(
     ] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
 ) -> None:
-    """Fit a calibration profile to a file of signals: per joint its main movement, span, sign, grade and thresholds."""
+    """Fit a calibration profile to a file of signals: per joint its main movement, span, sign and thresholds."""
     from app.calibration.cued_runs import run_of_prompts
     from app.calibration.gestures.discovery import discover
     from app.calibration.prior.map_prior import MapPrior, PriorError
     from app.calibration.prior.prior_file import read_prior
     from app.calibration.prompts_file import read_prompts
     from app.cli.calibration.calibration_summary import report, summary
+    from app.cli.calibration.expected_figures import expected_figures
     from app.cli.calibration.file_fit import fit_file, window
     from app.cli.calibration.gesture_table import gesture_table
     from app.cli.calibration.prior_summary import prior_report, prior_summary
@@ -75,7 +76,8 @@ def calibrate(
     for sentence in words:
         warn(sentence)
     write_output(out, (profile.model_dump_json(indent=1) + "\n").encode(), *sources)
-    found = discover(profile, [run_of_prompts(recorded.t, recorded.values, rows, free, rest)]) if gestures else None
+    needed = gestures or (rows and not as_json)
+    found = discover(profile, [run_of_prompts(recorded.t, recorded.values, rows, free, rest)]) if needed else None
     if as_json:
         more: dict[str, object] = {} if found is None else {"gestures": found.model_dump(mode="json")}
         if known is not None:
@@ -84,10 +86,10 @@ def calibrate(
             json.dumps(summary(profile, fitted.reasons, out) | dialect_summary(recorded) | more, allow_nan=False)
         )
     else:
-        typer.echo(report(profile, fitted.reasons, out))
+        typer.echo(report(profile, fitted.reasons, out, expected_figures(profile, found)))
         if known is not None:
             typer.echo()
             typer.echo("\n".join(prior_report(known)))
         print_dialect(recorded, signals)
-        if found is not None:
+        if found is not None and gestures:
             typer.echo(f"\n{gesture_table(found)}")

@@ -1,5 +1,6 @@
 """What `bodydrive calibrate` prints of a calibration, for people and as JSON."""
 
+from collections.abc import Mapping
 from pathlib import Path
 
 from app.calibration.fit.profile_fit import joints_without_map
@@ -30,22 +31,32 @@ def summary(profile: CalibrationProfile, reasons: dict[str, str], out: Path) -> 
     return {"joints": mapped | without, "maps": maps, "profile": str(out)}
 
 
-def report(profile: CalibrationProfile, reasons: dict[str, str], out: Path) -> str:
-    """Return a table for people: one line per joint, then the reasons, then the file of the profile."""
+def report(
+    profile: CalibrationProfile, reasons: dict[str, str], out: Path, expected: Mapping[str, tuple[str, str]]
+) -> str:
+    """Return a table for people: one line per joint, then the reasons, then the file of the profile.
+
+    `expected` are the figures per joint, as of `expected_figures`.
+    """
     without = joints_without_map(profile)
     width = max(len(name) for name in ("joint", *profile.layout.joint_names))
-    head = f"{'clear':>6}  {'span':>10}  sign  {'grade':6}  {'counts from':>11}  {'full at':>9}  calibration"
-    lines = [f"{'joint':{width}}  {head}"]
-    lines += [
-        f"{joint.name:{width}}  {joint.evr:6.1%}  {joint.span:10.4g}  {'+' if joint.sign > 0 else '-':>4}  "
-        f"{joint.grade:6}  {_rate(joint.thresholds[0]):>11}  {_rate(joint.thresholds[1]):>9}  {KINDS[joint.map]}"
-        for joint in profile.joints
-    ]
-    nothing = f"{'-':>6}  {'-':>10}  {'-':>4}  {'repeat':6}  {'-':>11}  {'-':>9}  -"
-    lines += [f"{name:{width}}  {nothing}" for name in without]
+    titles = ("hits of 100", "at rest a minute")
+    head = [f"{'clear':>6}  {'span':>10}  sign", *(f"{title:>18}" for title in titles)]
+    lines = ["  ".join([f"{'joint':{width}}", *head, f"{'counts from':>11}  {'full at':>9}  calibration"])]
+    for joint in profile.joints:
+        cells = [
+            f"{joint.name:{width}}",
+            f"{joint.evr:6.1%}  {joint.span:10.4g}  {'+' if joint.sign > 0 else '-':>4}",
+            *(f"{figure:>18}" for figure in expected[joint.name]),
+            f"{_rate(joint.thresholds[0]):>11}  {_rate(joint.thresholds[1]):>9}  {KINDS[joint.map]}",
+        ]
+        lines.append("  ".join(cells))
+    nothing = "  ".join(f"{'-':>{size}}" for size in (6, 10, 4, 18, 18, 11, 9))
+    lines += [f"{name:{width}}  {nothing}  -" for name in without]
     lines += [
         "",
         "Clear: share of the main movement. Span: of the full movement, in the signals' own unit.",
+        "Expected: how many of 100 movements are answered, and how often it acts at rest, a minute.",
         "",
     ]
     lines += [f"{joint.name}: {joint.reason}" for joint in profile.joints]

@@ -101,9 +101,10 @@ def remove(prior: PriorFile, *, person: Person) -> None:
 
 @prior_app.command("show")
 def show(prior: PriorFile, *, as_json: AsJson = False) -> None:
-    """Show per joint and gesture how many people, seconds and strokes a prior knows, and how far channels move."""
+    """Show per joint and gesture what a prior knows: people, seconds, strokes and their rates, ranges of channels."""
     from app.calibration.prior.documents import FEWEST_PEOPLE, OwnPrior
     from app.calibration.prior.map_prior import MapPrior
+    from app.cli.calibration.expected_figures import stroke_rates
     from app.cli.calibration.prior_files import channel_ranges, read_document
 
     document = read_document(prior)
@@ -114,6 +115,7 @@ def show(prior: PriorFile, *, as_json: AsJson = False) -> None:
             "people": joint.people,
             "seconds": round(joint.seconds, 1),
             "strokes": round(joint.strokes),
+            "stroke_rates": stroke_rates(joint),
             "ranges": channel_ranges(document.layout, name, joint),
         }
         for name, joint in pool.joints.items()
@@ -128,13 +130,18 @@ def show(prior: PriorFile, *, as_json: AsJson = False) -> None:
     kind = "own prior, an entry per person" if document.kind == "own" else "release, sums only"
     typer.echo(f"{prior}: {kind}, {count} people in '{document.layout.name}'\n")
     width = max((len(name) for name in joints), default=5)
-    typer.echo(f"{'joint and gesture':{width + 12}}  people  seconds  strokes  ranges of the channels, signal units")
+    head = "people  seconds  strokes  rate of strokes  ranges of the channels, signal units"
+    typer.echo(f"{'joint and gesture':{width + 12}}  {head}")
     for name, joint in pool.joints.items():
         ranges = ", ".join(
             f"{channel} {value}" for channel, value in channel_ranges(document.layout, name, joint).items()
         )
         words = f"{name}, prompted"
-        typer.echo(f"{words:{width + 12}}  {joint.people:>6}  {joint.seconds:>7.0f}  {joint.strokes:>7.0f}  {ranges}")
+        rates = stroke_rates(joint)
+        speed = "-" if rates is None else f"{rates['mean']:.0%} ± {rates['deviation']:.0%}"
+        figures = f"{joint.people:>6}  {joint.seconds:>7.0f}  {joint.strokes:>7.0f}  {speed:>15}"
+        typer.echo(f"{words:{width + 12}}  {figures}  {ranges}")
+    typer.echo("Rate of strokes: mean and deviation in a movement, as shares of the rate that counts as full")
     for name, known in rings.items():
         typer.echo(f"Ring {name}: how it sits is known of {known} people")
     if pool.people < FEWEST_PEOPLE:
