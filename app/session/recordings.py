@@ -13,7 +13,7 @@ from app.calibration.guided.guided_map import with_guided_maps
 from app.calibration.prior.documents import PersonEntry
 from app.calibration.prior.entry import PersonRecording, person_entry
 from app.calibration.prior.map_prior import MapPrior
-from app.calibration.prior.prior_map import decoded_by_best, with_prior_maps
+from app.calibration.prior.prior_map import with_best_maps, with_prior_maps
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
 from app.calibration.vocabulary import DriveParameters, recorded_parameters
@@ -63,7 +63,7 @@ def fit_recordings(
     profile = with_guided_maps(profile, pieces.stretches, pieces.rest).profile
     if prior is None:
         return profile
-    return decoded_by_best(with_prior_maps(profile, prior, pieces.free, pieces.stretches).profile)
+    return with_best_maps(with_prior_maps(profile, prior, pieces.free, pieces.stretches).profile)
 
 
 def fit_recordings_to_donning(

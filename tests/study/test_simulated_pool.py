@@ -5,7 +5,7 @@ import pytest
 
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.prior.map_prior import MapPrior
-from app.calibration.prior.prior_map import decoded_by_best, with_prior_maps
+from app.calibration.prior.prior_map import with_best_maps, with_prior_maps
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import standard_parameters
 from app.hardware.shirt.standard import standard_layout
@@ -44,7 +44,7 @@ def test_somebody_new_drives_by_it_after_ten_seconds_of_movement(seed: int) -> N
     free = recording_of(person, recorded).free
     rest = next(values for step, values, _ in recorded if step.kind == "rest")
     profile = fit_profile(standard_layout(), SAMPLE_RATE, free, rest)
-    by_others = decoded_by_best(with_prior_maps(profile, MapPrior.of(released), free).profile)
+    by_others = with_best_maps(with_prior_maps(profile, MapPrior.of(released), free).profile)
     assert {joint.map for joint in by_others.joints} == {"prior"}
     for in_phase, hit in shares(by_others, recorded):
         assert in_phase > 0.95

@@ -10,7 +10,7 @@ from app.calibration.fit.omissions import channels_left_out
 from app.calibration.fit.repetitions import Stretch
 from app.calibration.prior.arrangement import RingMoments, ring_movement, total
 from app.calibration.prior.documents import JointEntry, MomentsDocument, PersonEntry, RingDocument, rounded
-from app.calibration.prior.frames import filled, prompted_frames
+from app.calibration.prior.frames import prompted_frames, without_gaps
 from app.calibration.prior.moments import Moments, mean_of
 from app.calibration.prior.scale import MOVEMENT, first_movement, log_ranges, scales
 from app.layout import ShirtLayout
@@ -35,7 +35,7 @@ def person_entry(layout: ShirtLayout, recordings: Sequence[PersonRecording]) -> 
     ValueError
         One sentence: a recording is too short, or no joint was prompted and has a channel that can be used.
     """
-    started = [first_movement(filled(one.free, one.sample_rate), one.sample_rate) for one in recordings]
+    started = [first_movement(without_gaps(one.free, one.sample_rate), one.sample_rate) for one in recordings]
     for one, free in zip(recordings, started, strict=True):
         if free is None:
             raise ValueError(
@@ -95,5 +95,5 @@ def _joint_entry(
         logs=rounded(everywhere),
         seconds=round(seconds, 2),
         strokes=float(strokes),
-        moments=MomentsDocument.of(mean_of(moments).among(np.flatnonzero(alive), len(channels))),
+        moments=MomentsDocument.of(mean_of(moments).at_places(np.flatnonzero(alive), len(channels))),
     )

@@ -22,7 +22,7 @@ SHORTEST_CUE = 0.25  # s: a shorter cue covers a part of a movement only
 Array = NDArray[np.float64]
 
 
-def filled(values: NDArray[np.floating], sample_rate: float) -> Array:
+def without_gaps(values: NDArray[np.floating], sample_rate: float) -> Array:
     """Return frames (n, n_channels) without NaN: short gaps as straight lines, longer ones with the last value."""
     return fill_forward(bridge_gaps(np.asarray(values, np.float64), sample_rate))
 
@@ -57,7 +57,7 @@ def prompted_frames(
         cued = [CuedMovement(one.start, one.stop) for one in stretch.moving]
         long_enough = [one for one in cued if one.stop - one.start >= SHORTEST_CUE * sample_rate]
         if long_enough:
-            pieces.append(filled(stretch.values, sample_rate)[:, list(channels)] / scale)
+            pieces.append(without_gaps(stretch.values, sample_rate)[:, list(channels)] / scale)
             cues.append(long_enough)
     if not pieces:
         return None

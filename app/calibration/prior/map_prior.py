@@ -104,7 +104,7 @@ def sums_of(entries: Iterable[PersonEntry]) -> tuple[dict[str, JointPrior], dict
     return {name: _sum(joints) for name, joints in found.items()}, {name: total(ring) for name, ring in rings.items()}
 
 
-def united(documents: Iterable[PriorDocument]) -> OwnPrior:
+def union_of_people(documents: Iterable[PriorDocument]) -> OwnPrior:
     """Return one own prior with the people of several, for use inside of one clinic.
 
     Raises
@@ -140,7 +140,7 @@ def check_layout(one: ShirtLayout, other: ShirtLayout) -> None:
 
 
 def layout_key(layout: ShirtLayout) -> tuple[tuple[object, ...], ...]:
-    """Return what must be equal for a prior to fit: the channels with their joints and places in rings."""
+    """Return the names of the channels with their joints and places in rings, equal where a prior fits a layout."""
     return tuple((channel.name, channel.joint, channel.ring, channel.place) for channel in layout.channels)
 
 

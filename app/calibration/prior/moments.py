@@ -63,8 +63,8 @@ class Moments:
         both = np.ix_(rows, rows)
         return type(self)(self.gram[both], self.moment[rows], self.stroke_mean[rows], self.stroke_gram[both])
 
-    def among(self, channels: Sequence[int] | NDArray[np.int_], count: int) -> Self:
-        """Return the moments of `count` channels, of which these are `channels`; those of the others are zero."""
+    def at_places(self, channels: Sequence[int] | NDArray[np.int_], count: int) -> Self:
+        """Return the moments of `count` channels: these at the places `channels`, zero for all others."""
         d = KINDS * count
         rows = np.add.outer(count * np.arange(KINDS), np.asarray(channels, dtype=np.int_)).ravel()
         gram, moment, stroke_mean, stroke_gram = np.zeros((d, d)), np.zeros(d), np.zeros(d), np.zeros((d, d))

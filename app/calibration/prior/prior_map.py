@@ -15,7 +15,7 @@ from app.calibration.prior.arrangement import find_arrangement, ring_movement, s
 from app.calibration.prior.documents import FEWEST_PEOPLE
 from app.calibration.prior.features import KINDS, features
 from app.calibration.prior.forecasts import expected_false, expected_hits, held_out_rate
-from app.calibration.prior.frames import filled, prompted_frames
+from app.calibration.prior.frames import prompted_frames, without_gaps
 from app.calibration.prior.map_prior import JointPrior, MapPrior, check_layout
 from app.calibration.prior.scale import channels_alive, first_movement, log_ranges, scales
 from app.calibration.prior.solving import OwnFrames, solve, thresholds
@@ -42,8 +42,8 @@ class PriorFit(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class _Seat:
-    """Which of the person's channels stands for which channel of the prior, and what it is divided by."""
+class _UsedChannels:
+    """The person's channels that a joint's map reads, the prior's channel that each stands for, and their scales."""
 
     channels: tuple[int, ...]  # indices into a frame, of the channels that are used
     places: tuple[int, ...]  # indices into the prior's channels of this joint
@@ -56,7 +56,7 @@ def find_arrangements(prior: MapPrior, free: NDArray[np.floating], sample_rate: 
 
     Empty when there are fewer than ten seconds.
     """
-    start = first_movement(filled(free, sample_rate), sample_rate)
+    start = first_movement(without_gaps(free, sample_rate), sample_rate)
     if start is None:
         return {}
     return {
@@ -91,7 +91,7 @@ def with_prior_maps(
         When the prior is of another layout.
     """
     check_layout(prior.layout, profile.layout)
-    moved = filled(free, profile.sample_rate)
+    moved = without_gaps(free, profile.sample_rate)
     arrangements = find_arrangements(prior, moved, profile.sample_rate)
     joints, reasons = [], {}
     for joint in profile.joints:
@@ -104,7 +104,7 @@ def with_prior_maps(
     return PriorFit(profile.model_copy(update={"joints": tuple(joints)}), reasons, arrangements)
 
 
-def decoded_by_best(profile: CalibrationProfile) -> CalibrationProfile:
+def with_best_maps(profile: CalibrationProfile) -> CalibrationProfile:
     """Return the profile with the map in use for each joint that its held-out repetitions speak for.
 
     A joint that was never prompted is decoded by other people's map where there is one.
@@ -130,20 +130,20 @@ def _joint(
             f"joint, and {FEWEST_PEOPLE} are needed."
         )
     rate = profile.sample_rate
-    seat = _seat(joint, people, moved, arrangements, profile.layout, rate)
-    others = people.mean.of_channels(seat.places)
-    frames = prompted_frames(stretches, seat.channels, seat.scale, rate, others)
+    used = _used_channels(joint, people, moved, arrangements, profile.layout, rate)
+    others = people.mean.of_channels(used.places)
+    frames = prompted_frames(stretches, used.channels, used.scale, rate, others)
     weights = solve(others, rate, frames)
     dead_zone, full = thresholds(weights, others)
     if not full > 0.0:
         raise PriorMapError("Other people's movements have nothing in common with each other: add more people.")
     in_fs = joint.full / full
-    by_pca = _pca_weights(joint, seat)
-    in_free = features(moved[:, list(seat.channels)] / seat.scale, rate)
+    by_pca = _pca_weights(joint, used)
+    in_free = features(moved[:, list(used.channels)] / used.scale, rate)
     sign = joint.sign
     if not joint.prompted and float((in_free @ weights) @ (in_free @ by_pca)) < 0.0:
         sign = 1 if joint.sign < 0 else -1
-    per_unit = _per_unit(weights * in_fs, seat, joint)
+    per_unit = _per_unit(weights * in_fs, used, joint)
     if np.abs(per_unit).max() > LARGEST_WEIGHT:
         raise PriorMapError("The signals are too small: give them in a smaller unit.")
     lowest = max(dead_zone * in_fs, LEAST_DEAD_ZONE * joint.full)
@@ -156,7 +156,7 @@ def _joint(
         full=joint.full,
         people=people.people,
         repetitions=0 if frames is None else frames.repetitions,
-        dropped=tuple(profile.layout.channels[i].name for i in seat.dropped),
+        dropped=tuple(profile.layout.channels[i].name for i in used.dropped),
         arrangement=_of_joint(arrangements, joint, profile.layout),
     )
     held_out = None if frames is None else held_out_rate(frames, others, rate) * in_fs
@@ -175,14 +175,14 @@ def _joint(
     return joint.model_copy(update={"prior": fitted, "sign": sign, "reason": reason})
 
 
-def _seat(
+def _used_channels(
     joint: JointMap,
     people: JointPrior,
     moved: Array,
     arrangements: dict[str, Arrangement],
     layout: ShirtLayout,
     sample_rate: float,
-) -> _Seat:
+) -> _UsedChannels:
     """Return which channels are used, for which of the prior's, and their scale; PriorMapError when none moves."""
     own = layout.channels_of_joint[joint.name]
     sensors = np.array(own)
@@ -206,7 +206,7 @@ def _seat(
         )
     level = expected.copy()
     level[~known] = expected[known].mean()
-    return _Seat(
+    return _UsedChannels(
         tuple(sensors[alive].tolist()),
         tuple(np.flatnonzero(alive).tolist()),
         scales(logs, alive, level)[alive],
@@ -214,18 +214,18 @@ def _seat(
     )
 
 
-def _pca_weights(joint: JointMap, seat: _Seat) -> Array:
+def _pca_weights(joint: JointMap, used: _UsedChannels) -> Array:
     """Return the weights (d,) with which the prior's features give the rate of the joint's PCA map, FS/s."""
-    weights = np.zeros((KINDS, len(seat.channels)))
-    for column, (channel, scale) in enumerate(zip(seat.channels, seat.scale, strict=True)):
+    weights = np.zeros((KINDS, len(used.channels)))
+    for column, (channel, scale) in enumerate(zip(used.channels, used.scale, strict=True)):
         weights[0, column] = joint.sign / joint.span * joint.weights[joint.channels.index(channel)] * scale
     return weights.ravel()
 
 
-def _per_unit(weights: Array, seat: _Seat, joint: JointMap) -> Array:
+def _per_unit(weights: Array, used: _UsedChannels, joint: JointMap) -> Array:
     """Return the weights (KINDS, n) per signal unit, one column per channel of the joint's map."""
     columns = np.zeros((KINDS, len(joint.channels)))
-    columns[:, [joint.channels.index(i) for i in seat.channels]] = weights.reshape(KINDS, -1) / seat.scale
+    columns[:, [joint.channels.index(i) for i in used.channels]] = weights.reshape(KINDS, -1) / used.scale
     return columns
 
 

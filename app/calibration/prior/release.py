@@ -20,7 +20,7 @@ from app.calibration.prior.documents import (
     RingDocument,
     rounded,
 )
-from app.calibration.prior.map_prior import JointPrior, MapPrior, PriorError, sums_of, united
+from app.calibration.prior.map_prior import JointPrior, MapPrior, PriorError, sums_of, union_of_people
 
 Part = TypeVar("Part")
 
@@ -49,7 +49,7 @@ def release(documents: Iterable[PriorDocument]) -> Release:
     people, left_out = ReleasedPeople(), set[str]()
     own_priors = [one for one in given if isinstance(one, OwnPrior)]
     if own_priors:
-        own = united(own_priors)
+        own = union_of_people(own_priors)
         people = _new_people(own)
         if not people.joints:
             raise PriorError(_too_few(own))

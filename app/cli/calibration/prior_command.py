@@ -162,7 +162,7 @@ def merge(
     An own prior keeps who was released, because nobody may be in two releases: of a prior that has grown, only the
     people who are new are released, and releases are added up.
     """
-    from app.calibration.prior.map_prior import PriorError, united
+    from app.calibration.prior.map_prior import PriorError, union_of_people
     from app.cli.calibration.prior_files import bytes_of, read_document, write_release
 
     documents = [read_document(file) for file in priors]
@@ -171,7 +171,7 @@ def merge(
             raise InputError(f"{priors[i]} stands there twice: name each prior once")
     try:
         if own:
-            merged = united(documents)
+            merged = union_of_people(documents)
             write_output(out, bytes_of(merged), *priors)
             count = len(merged.people)
             typer.echo(f"{count} {'person' if count == 1 else 'people'} in {out}")

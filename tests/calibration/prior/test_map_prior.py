@@ -11,7 +11,7 @@ from pydantic import ValidationError
 
 from app.calibration.prior.documents import JointEntry, MomentsDocument, OwnPrior, PersonEntry
 from app.calibration.prior.entry import PersonRecording, person_entry
-from app.calibration.prior.map_prior import MapPrior, PriorError, united
+from app.calibration.prior.map_prior import MapPrior, PriorError, union_of_people
 from app.calibration.prior.prior_file import PRIOR, read_prior
 from app.calibration.prior.release import release
 from app.layout import ShirtLayout
@@ -75,11 +75,11 @@ def test_fewer_than_eight_are_not_released(ten):
 
 
 def test_within_a_clinic_entries_are_united(ten):
-    assert united([part(ten, 1, 2), part(ten, 2, 3)]) == part(ten, 1, 2, 3)
+    assert union_of_people([part(ten, 1, 2), part(ten, 2, 3)]) == part(ten, 1, 2, 3)
     with pytest.raises(PriorError, match="different entries for the person 'w1'"):
-        united([part(ten, 1), part(ten, 2).model_copy(update={"people": {"w1": ten.people["w2"]}})])
+        union_of_people([part(ten, 1), part(ten, 2).model_copy(update={"people": {"w1": ten.people["w2"]}})])
     with pytest.raises(PriorError, match="holds sums"):
-        united([release([ten]).document])
+        union_of_people([release([ten]).document])
 
 
 def test_other_layouts_are_not_added(ten):

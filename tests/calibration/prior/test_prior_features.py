@@ -2,11 +2,16 @@
 
 import numpy as np
 import pytest
+from calibration.prior.simulated_wearers import RATE, Wearer, prior_of
+from calibration.prior.test_prior_map import decoded, fitted
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.calibration.prior.features import KINDS, features
+from app.calibration.prior.map_prior import MapPrior
 from app.calibration.prior.moments import Moments, mean_of
+
+LARGEST_ACCELERATION = 2.1**2  # signal units/s², of the movement below
 
 
 def movement(rate, seconds=6.0):
@@ -25,12 +30,30 @@ def test_features_are_linear_and_know_no_future(seed, rate, k, cut):
     np.testing.assert_allclose(features(one[:cut], rate), made[:cut], atol=1e-9 * rate)
 
 
-@pytest.mark.parametrize("rate", [25.0, 50.0, 130.0, 1000.0])
+@pytest.mark.parametrize("rate", [25.0, 50.0, 100.0, 130.0, 250.0, 1000.0])
 def test_the_same_movement_has_the_same_features_at_every_sample_rate(rate):
-    fine, coarse = features(movement(2000.0), 2000.0), features(movement(rate), rate)
-    at = np.round(np.arange(len(coarse)) / rate * 2000.0).astype(int)
+    """The rate between two frames is that of the middle between them, so it may be half a sample period late."""
+    finest = 4000.0
+    fine, coarse = features(movement(finest), finest), features(movement(rate), rate)
+    at = np.round(np.arange(len(coarse)) / rate * finest).astype(int)
     settled = slice(round(1.0 * rate), None)
-    assert np.abs(coarse - fine[at])[settled].max() < 0.1 if rate < 100 else 0.02
+    difference = np.abs(coarse - fine[at])[settled].max()
+    half_a_period, half_a_fine_one = 0.5 / rate, 0.5 / finest
+    assert difference < LARGEST_ACCELERATION * (half_a_period + half_a_fine_one)
+    assert difference > 0.1 * LARGEST_ACCELERATION * half_a_period  # the limit is not far off
+
+
+@pytest.mark.parametrize("rate", [25.0, 130.0, 1000.0])
+def test_the_same_map_drives_alike_at_every_sample_rate(rate):
+    """A pool of recordings of one rate, and people whose shirts have another one."""
+    prior = MapPrior.of(prior_of(range(1, 9)))
+    drives = []
+    for one in (RATE, rate):
+        wearer = Wearer(101, rate=one)
+        drives.append(decoded(fitted(wearer, prior).profile, wearer))
+    (in_phase, hit), (in_phase_then, hit_then) = drives
+    assert abs(in_phase - in_phase_then) < 0.006
+    assert abs(hit - hit_then) < 0.03
 
 
 def test_an_earlier_rate_is_the_rate_of_then():
@@ -72,5 +95,5 @@ def test_moments_of_some_channels_and_back():
     made, label = rng.normal(size=(30, KINDS * 3)), np.ones(30, dtype=np.int8)
     made.reshape(30, KINDS, 3)[:, :, 1] = 0.0
     whole = Moments.of(made, label)
-    equal(whole.of_channels([0, 2]).among([0, 2], 3), whole)
+    equal(whole.of_channels([0, 2]).at_places([0, 2], 3), whole)
     equal(whole.of_channels([2, 1, 0]).of_channels([2, 1, 0]), whole)

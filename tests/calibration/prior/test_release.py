@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from app.calibration.prior.documents import OwnPrior
 from app.calibration.prior.entry import person_entry
-from app.calibration.prior.map_prior import PriorError, united
+from app.calibration.prior.map_prior import PriorError, union_of_people
 from app.calibration.prior.release import release
 
 JOINT = "right_elbow"
@@ -71,7 +71,7 @@ def test_people_of_two_own_priors_count_once_and_each_keeps_its_own(many):
     made = release([one, other])
     assert made.document.people == 10
     assert one.with_released(made.people).released.joints[JOINT] == tuple(sorted(f"w{i}" for i in range(1, 7)))
-    assert united([one.with_released(made.people), other]).released.joints[JOINT]
+    assert union_of_people([one.with_released(made.people), other]).released.joints[JOINT]
 
 
 @given(order=st.permutations(range(1, 21)), steps=st.lists(st.integers(1, 12), min_size=1, max_size=6))
