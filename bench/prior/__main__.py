@@ -9,7 +9,7 @@ import typer
 from numpy.typing import NDArray
 
 from app.calibration.fit.profile_fit import fit_profile
-from app.calibration.fit.repetitions import Prompt, Stretch, repetitions_of_prompts, stretches_of_prompts
+from app.calibration.fit.repetitions import repetitions_of_prompts
 from app.calibration.guided.guided_map import with_guided_maps
 from app.calibration.prior.documents import OwnPrior, PersonEntry
 from app.calibration.prior.entry import PersonRecording, person_entry
@@ -19,17 +19,18 @@ from app.calibration.profile import Arrangement, CalibrationProfile, Forecast
 from bench.prior.knit import FOLDER, knit_people
 from bench.prior.simulated import simulated_people
 from bench.prior.step_cost import step_cost
-from bench.prior.wearers import Figures, JointPart, Wearer, figures, summary
-
-OWN = (0.0, 5.0, 10.0, 20.0)  # s of a person's own prompted movement
-HEAD = "| own prompts | map | in phase: median / 10th percentile / worst | hit | false per min |\n|---|---|---|---|---|"
+from bench.prior.wearers import (
+    OWN_PROMPTS,
+    TABLE_HEAD,
+    Figures,
+    JointPart,
+    Wearer,
+    figures,
+    prompted_stretches,
+    summary,
+)
 
 Array = NDArray[np.float64]
-
-
-def stretches(wearer: Wearer, prompts: Sequence[Prompt], until: float | None = None) -> list[Stretch]:
-    """Return one stretch per joint."""
-    return stretches_of_prompts(wearer.t, wearer.values, prompts, wearer.sample_rate, until, longest_pause=np.inf)
 
 
 def entries_of(wearers: Iterable[Wearer]) -> dict[str, PersonEntry]:
@@ -37,7 +38,7 @@ def entries_of(wearers: Iterable[Wearer]) -> dict[str, PersonEntry]:
     recordings: dict[str, list[PersonRecording]] = {}
     layouts = {}
     for one in wearers:
-        prompted = [stretch for part in one.parts for stretch in stretches(one, part.prompts)]
+        prompted = [stretch for part in one.parts for stretch in prompted_stretches(one, part.prompts)]
         recorded = PersonRecording(one.sample_rate, one.values[one.free], prompted)
         recordings.setdefault(one.code, []).append(recorded)
         layouts[one.code] = one.layout
@@ -51,7 +52,7 @@ def calibrated(wearer: Wearer, part: JointPart, prior: MapPrior, seconds: float)
     free = wearer.values[wearer.free]
     repetitions = repetitions_of_prompts(wearer.t, wearer.values, rows, wearer.sample_rate)
     profile = fit_profile(wearer.layout, wearer.sample_rate, free, repetitions=repetitions)
-    own = stretches(wearer, rows, until)
+    own = prompted_stretches(wearer, rows, until)
     profile = with_guided_maps(profile, own).profile
     fitted = with_prior_maps(profile, prior, free, own)
     if part.joint in fitted.reasons:
@@ -78,7 +79,7 @@ class Comparison:
         """Calibrate and judge one recording."""
         prior = self._priors[wearer.group]
         for part in wearer.parts:
-            for seconds in OWN:
+            for seconds in OWN_PROMPTS:
                 profile = calibrated(wearer, part, prior, seconds)
                 joint = next(one for one in profile.joints if one.name == part.joint)
                 by_prior = figures(wearer, part, profile, "prior")
@@ -107,7 +108,7 @@ class Comparison:
     def table(self) -> str:
         """Return the table of the figures."""
         rows = [f"| {seconds:g} s | {name} | {summary(rows)} |" for (seconds, name), rows in self.figures.items()]
-        return "\n".join([HEAD, *sorted(rows, key=lambda row: int(row.split()[1]))])
+        return "\n".join([TABLE_HEAD, *sorted(rows, key=lambda row: int(row.split()[1]))])
 
     def forecast_lines(self) -> list[str]:
         """Return how well hits are forecast: rank correlation, and the share within two of the stated deviations."""

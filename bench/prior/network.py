@@ -9,7 +9,7 @@ activations at rest, after any time of own prompts (docs/decisions/0032-no-netwo
 """
 
 import warnings
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated
 
@@ -22,10 +22,19 @@ from app.calibration.prior.frames import prompted_frames
 from app.calibration.prior.moments import Moments, mean_of
 from app.calibration.prior.scale import MOVEMENT, log_ranges, scales
 from app.calibration.prior.solving import OwnFrames, solve, thresholds
-from bench.prior.__main__ import HEAD, OWN, stretches
 from bench.prior.simulated import simulated_people
-from bench.prior.wearers import Figures, JointPart, Wearer, figures_of, summary
+from bench.prior.wearers import (
+    OWN_PROMPTS,
+    TABLE_HEAD,
+    Figures,
+    JointPart,
+    Wearer,
+    figures_of,
+    prompted_stretches,
+    summary,
+)
 
+LINEAR, MEAN = "linear map of other people", "mean of the linear map and the network"  # as the table names them
 UNITS = 8
 EVERY = 5  # frames: neighbouring ones say nearly the same
 ROUNDS = 60  # through the frames
@@ -50,7 +59,7 @@ class Labelled:
         channels = list(wearer.layout.channels_of_joint[part.joint])
         free = wearer.values[wearer.free][: round(MOVEMENT * wearer.sample_rate), channels]
         scale = scales(log_ranges(free, wearer.sample_rate), np.ones(len(channels), np.bool_))
-        frames = prompted_frames(stretches(wearer, part.prompts), channels, scale, wearer.sample_rate)
+        frames = prompted_frames(prompted_stretches(wearer, part.prompts), channels, scale, wearer.sample_rate)
         if frames is None:
             raise ValueError(f"{wearer.code}, {part.joint}: no prompted movement was found")
         return cls(wearer, part, frames, scale)
@@ -61,7 +70,7 @@ class Labelled:
         prompts = [prompt for prompt in self.part.prompts if prompt.end < until]
         channels = list(self.wearer.layout.channels_of_joint[self.part.joint])
         rate = self.wearer.sample_rate
-        return prompted_frames(stretches(self.wearer, prompts, until), channels, self.scale, rate, people)
+        return prompted_frames(prompted_stretches(self.wearer, prompts, until), channels, self.scale, rate, people)
 
     @property
     def features(self) -> Array:
@@ -128,18 +137,21 @@ def main(people: Annotated[int, typer.Option(min=9, help="Simulated people.")] =
             pool = [other for other in labelled if other is not one]
             moments = mean_of([Moments.of(other.frames.features, other.frames.label) for other in pool])
             network = Network(pool, solve(moments, one.wearer.sample_rate))
-            for seconds in OWN:
-                for name, figures in zip(
-                    ("prior", "prior and network"), judged(one, moments, network, seconds), strict=True
-                ):
+            for seconds in OWN_PROMPTS:
+                for name, figures in zip((LINEAR, MEAN), judged(one, moments, network, seconds), strict=True):
                     found.setdefault((seconds, name), []).append(figures)
-    typer.echo(HEAD)
+    typer.echo(TABLE_HEAD)
     for (seconds, name), rows in found.items():
         typer.echo(f"| {seconds:g} s | {name} | {summary(rows)} |")
-    helps = [
-        f"{seconds:g} s" for seconds in OWN if is_better(found[seconds, "prior"], found[seconds, "prior and network"])
-    ]
-    typer.echo(f"A network would be offered after: {', '.join(helps) or 'no time of own prompts'}.")
+    typer.echo(verdict(found))
+
+
+def verdict(found: Mapping[tuple[float, str], Sequence[Figures]]) -> str:
+    """Return in a sentence after which amounts of own prompts the rule offers a network; keys: seconds, map."""
+    times = sorted({seconds for seconds, _ in found})
+    helps = [f"{seconds:g} s" for seconds in times if is_better(found[seconds, LINEAR], found[seconds, MEAN])]
+    after = f"own prompts of {', '.join(helps)}" if helps else "no amount of own prompts"
+    return f"A network would be offered after {after}."
 
 
 def is_better(alone: Sequence[Figures], both: Sequence[Figures]) -> bool:

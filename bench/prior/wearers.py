@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.fit.repetitions import Prompt
+from app.calibration.fit.repetitions import Prompt, Stretch, stretches_of_prompts
 from app.calibration.profile import CalibrationProfile, MapKind
 from app.calibration.vocabulary import standard_parameters
 from app.layout import ShirtLayout
@@ -20,6 +20,10 @@ SHORTEST_STROKE = 0.1  # s
 LARGE = 0.3  # of the span: what counts as a stroke
 MARGIN = 0.3  # s of stillness around what counts as rest
 JUDGED_FROM = 20.0  # s after the first frame of the joint's part: before it the calibration takes place
+OWN_PROMPTS = (0.0, 5.0, 10.0, 20.0)  # s of a person's own prompted movement, after each of which maps are compared
+TABLE_HEAD = (
+    "| own prompts | map | in phase: median / 10th percentile / worst | hit | false per min |\n|---|---|---|---|---|"
+)
 
 Array = NDArray[np.float64]
 
@@ -66,6 +70,11 @@ class Figures(NamedTuple):
     in_phase: float
     hit: float
     false_per_minute: float
+
+
+def prompted_stretches(wearer: Wearer, prompts: Sequence[Prompt], until: float | None = None) -> list[Stretch]:
+    """Return one stretch per joint, of the prompts that end before `until` (s); None: of all."""
+    return stretches_of_prompts(wearer.t, wearer.values, prompts, wearer.sample_rate, until, longest_pause=np.inf)
 
 
 def movement_of(place: Array, sample_rate: float) -> Movement:

@@ -1,12 +1,14 @@
 """The network that is tried beside the linear map: it learns what a line cannot, and its rule is about real gains."""
 
+import ast
 from types import SimpleNamespace
 
 import numpy as np
 
 from app.calibration.prior.solving import OwnFrames
-from bench.prior.network import Network, activation, is_better
+from bench.prior.network import LINEAR, MEAN, Network, activation, is_better, verdict
 from bench.prior.wearers import Figures
+from folders import ROOT
 
 
 def person(seed):
@@ -38,3 +40,19 @@ def test_a_network_is_worth_its_place_for_a_gain_or_for_half_the_false_activatio
     assert is_better(alone, people(0.961, 2.0))
     assert is_better(alone, people(0.95, 1.0))
     assert not is_better(people(1.0, 0.0), people(1.0, 0.0))
+
+
+def test_no_module_imports_a_program():
+    """What a command and another one share lies in a module, which can be imported without the command."""
+    programs = []
+    for file in sorted((ROOT / "bench").rglob("*.py")):
+        imports = [node for node in ast.walk(ast.parse(file.read_text())) if isinstance(node, ast.ImportFrom)]
+        programs += [file.name for node in imports if (node.module or "").endswith("__main__")]
+    assert programs == []
+
+
+def test_the_summary_names_both_maps_and_says_when_a_network_would_be_offered():
+    alone, better = [Figures(0.95, 0.7, 2.0)] * 10, [Figures(0.97, 0.7, 2.0)] * 10
+    same, gain = ({(5.0, LINEAR): alone, (5.0, MEAN): other} for other in (alone, better))
+    assert verdict(same) == "A network would be offered after no amount of own prompts."
+    assert verdict(gain) == "A network would be offered after own prompts of 5 s."
