@@ -1,5 +1,6 @@
 """`python -m pictures`: takes the pictures of docs/pictures anew, of a demonstration in Chromium; `make pictures`.
 
+`python -m pictures drive-now` takes only the one of "Drive now", and prints how many seconds that way takes.
 The simulated person drives. What is shown is the program as it is: nothing is drawn by hand.
 """
 
@@ -28,6 +29,7 @@ PAUSE = 250  # ms between two pictures: a page that is photographed all the time
 SECONDS = 14.0  # of the moving picture
 ALL_TOGETHER = 2_000_000  # bytes
 TASK = ("corridors", "straight")
+NEWCOMER = "DEMO-2"
 
 
 @dataclass
@@ -77,6 +79,31 @@ def take() -> None:
         go_to(page, "review")
         expect(page.locator(".js-plotly-plot").first).to_be_visible(timeout=PATIENCE)
         camera.still("review")
+        drives_now(page, camera)
+
+
+def take_drive_now() -> None:
+    """Take the picture of "Drive now" only."""
+    with demonstration() as page:
+        drives_now(page, Camera(page))
+
+
+def drives_now(page: Page, camera: Camera) -> None:
+    """Bring the patient who was never calibrated to "Drive now", keep that page, and print the seconds of the way."""
+    go_to(page, "patients")
+    page.get_by_role("button", name="End session").click()
+    start = page.get_by_role("listitem").filter(has_text=NEWCOMER).get_by_role("button", name="Start session")
+    start.click()
+    page.get_by_role("button", name="Start", exact=True).click()
+    begin = time.monotonic()
+    now = page.get_by_role("button", name="Drive now")
+    expect(now).to_be_visible(timeout=PATIENCE)
+    recorded = time.monotonic() - begin
+    camera.still("drive-now")
+    begin = time.monotonic()
+    now.click()
+    expect(page.frame_locator("iframe").locator("canvas").first).to_be_visible(timeout=PATIENCE)
+    sys.stdout.write(f"rest and free movement: {recorded:.0f} s; then: {time.monotonic() - begin:.0f} s to the view\n")
 
 
 def drives(page: Page, camera: Camera) -> None:
@@ -113,6 +140,6 @@ def demonstration() -> Iterator[Page]:
 
 
 if __name__ == "__main__":
-    take()
+    take_drive_now() if "drive-now" in sys.argv[1:] else take()
     size = sum(picture.stat().st_size for picture in PICTURES.iterdir())
     sys.exit(0 if size < ALL_TOGETHER else f"docs/pictures has {size} bytes, more than {ALL_TOGETHER}")
