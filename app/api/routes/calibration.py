@@ -141,7 +141,7 @@ async def fit_earlier(who: Clinician, web: Web) -> CalibrationView:
 @router.post("/accept")
 async def accept(who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
     """Save the profile as the patient's newest, and load standard parameters on it."""
-    async with web.session.undisturbed("accept the result"):
+    async with web.session.undisturbed("use this calibration"):
         session = await web.session.needed_session(who.clinic_id)
         await _accept(who, parts, web, session)
         await web.calibration.learn(session.id)
