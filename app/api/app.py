@@ -1,10 +1,12 @@
 """The web application: its routes, its pages, and the life of its parts."""
 
 import asyncio
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Iterable
 from contextlib import asynccontextmanager
+from functools import cache
 
 from fastapi import APIRouter, FastAPI
+from starlette.routing import BaseRoute
 
 from app import __version__
 from app.api import openapi_document
@@ -183,12 +185,8 @@ def create_app(
         return web_parts_of(app).view.port(role)
 
     install_refusals(app)
-    api = APIRouter(prefix=PREFIX, dependencies=[SessionRequired])
-    for module in ROUTES:
-        api.include_router(module.router)
-    api.include_router(view_controls(scene_now, clinician))
-    app.include_router(api)
-    app.include_router(replay_view.page_router)
+    app.router.routes.extend(_routes_of_all_clinics())
+    app.include_router(_api([view_controls(scene_now, clinician)]))
     app.include_router(view_router(port_of, may_view, viewer))
     pages = Pages(static_folder())
     app.mount("/docs/", docs_pages(docs_folder(), pages.text("docs.html")), name="docs")
@@ -196,6 +194,23 @@ def create_app(
     app.add_middleware(Guard, settings=settings)
     app.add_middleware(BehindProxy, settings=settings)  # before all others, which see what the browser sent
     return app
+
+
+def _api(routers: Iterable[APIRouter]) -> APIRouter:
+    """Return a router that serves these below the prefix; each change has to name the open session."""
+    api = APIRouter(prefix=PREFIX, dependencies=[SessionRequired])
+    for router in routers:
+        api.include_router(router)
+    return api
+
+
+@cache
+def _routes_of_all_clinics() -> list[BaseRoute]:
+    """Return the routes that ask the request for their application; to make them takes longer than all else here."""
+    served = APIRouter()
+    served.include_router(_api(module.router for module in ROUTES))
+    served.include_router(replay_view.page_router)
+    return served.routes
 
 
 async def say_goodbye(app: WebApp) -> None:
