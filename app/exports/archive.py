@@ -10,7 +10,7 @@ from pydantic import ValidationError
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
 from app.disk_room import ROOM_TO_RECORD
-from app.exports.archive_file import RUN_ID, OpenArchive, archive_steps, open_archive
+from app.exports.archive_file import RUN_ID, MakeReport, OpenArchive, archive_steps, open_archive
 from app.exports.archive_room import require_room_for
 from app.exports.package import Step
 from app.file_modes import OWNER_FOLDER
@@ -49,9 +49,12 @@ class ArchiveMaterial(NamedTuple):
     rows: Rows
     folders: list[Path]  # of the recordings
 
-    def steps(self) -> list[Step]:
-        """Return the steps that write the archive, to be called one after the other with the file to be made."""
-        return archive_steps(self.clinic, self.rows, self.folders)
+    def steps(self, make_report: MakeReport | None) -> list[Step]:
+        """Return the steps that write the archive, to be called one after the other with the file to be made.
+
+        `make_report` returns the report of the patient's course as HTML; None: the archive has no report.
+        """
+        return archive_steps(self.clinic, self.rows, self.folders, make_report)
 
 
 def archive_material(
@@ -75,9 +78,18 @@ def archive_material(
     return ArchiveMaterial(clinic, rows, folders)
 
 
-def make_archive(database: Database, clinic_id: int, patient_id: int, person: str, runs: Path, package: Path) -> str:
+def make_archive(
+    database: Database,
+    clinic_id: int,
+    patient_id: int,
+    person: str,
+    runs: Path,
+    package: Path,
+    make_report: MakeReport | None = None,
+) -> str:
     """Write the archive of a patient to `package` and return its hash; raises what `archive_material` raises."""
-    for step in archive_material(database, clinic_id, patient_id, person, runs, package.parent).steps():
+    material = archive_material(database, clinic_id, patient_id, person, runs, package.parent)
+    for step in material.steps(make_report):
         step(package)
     with open_archive(package) as made:
         return made.listed.hash
@@ -151,6 +163,12 @@ def _check_contents(rows: Rows, archive: OpenArchive) -> None:
         raise WrongRows("its recordings have wrong names")
     if not {name.split("/")[1] for name in archive.listed.files if "/" in name} <= set(runs):
         raise WrongRows("it has a recording that no row names")
+    for row in rows["moment_comment"]:
+        if not row["author"]:
+            raise WrongRows("a comment in it has no author")
+        visible_line(row["author"])
+    for row in rows["comment_revision"]:
+        visible_lines(row["text"])
     for row in rows["interface_test"]:
         check_documents(row["plan"], row["measures"], row["workload"])
     profiles: dict[Any, Any] = {}

@@ -1,14 +1,15 @@
 """The file of an archive: a zip file of JSON documents and recordings, each with its SHA-256.
 
 `archive.json` comes first: the format, its schema, the name of the clinic, the files with size and hash, and one hash
-of all files. Time and place of making are outside that hash, so every clinic writes the same hash for the same rows.
+of all files. Time and place of making are outside that hash, so every clinic writes the same hash for the same rows;
+so is `report.html`, the report of the patient's course for people, which names them.
 """
 
 import json
 import re
 import shutil
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from hashlib import sha256
@@ -21,8 +22,8 @@ from pydantic import Field, ValidationError
 from app.exports.package import Step, add_file, entry
 from app.quantities import Document
 
-SCHEMA = 1
-LIST, PATIENT = "archive.json", "patient.json"
+SCHEMA = 2  # 1: without report and comments
+LIST, PATIENT, REPORT = "archive.json", "patient.json", "report.html"
 RUN_ID = re.compile(r"[0-9A-Za-z-]{1,36}")
 RUN_FILE = re.compile(
     r"runs/(?P<run>[0-9A-Za-z-]{1,36})/(run\.json|run\.parquet|end\.json|damaged\.txt|segment-\d{4}\.(arrows|check))"
@@ -53,28 +54,38 @@ class ArchiveList(Document):
     clinic: Annotated[str, Field(max_length=80)]
     hash: Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
     files: dict[str, FileEntry]
+    report: FileEntry | None = None  # None: there is none
 
 
-def archive_steps(clinic: str, tables: Any, folders: list[Path]) -> list[Step]:
+MakeReport = Callable[[], bytes]
+
+
+def archive_steps(clinic: str, tables: Any, folders: list[Path], make_report: MakeReport | None) -> list[Step]:
     """Return the steps that write an archive of a patient's rows and of the recordings in `folders`.
 
-    They are called one after the other with the file to be made.
+    They are called one after the other with the file to be made. `make_report` returns the content of `report.html`;
+    None: there is no report.
     """
     folders = sorted(folders)
-    return [partial(_begin, clinic, tables, folders), *(partial(_add_recording, folder) for folder in folders)]
+    begin = partial(_begin, clinic, tables, folders, make_report)
+    return [begin, *(partial(_add_recording, folder) for folder in folders)]
 
 
-def _begin(clinic: str, tables: Any, folders: list[Path], package: Path) -> int:
+def _begin(clinic: str, tables: Any, folders: list[Path], make_report: MakeReport | None, package: Path) -> int:
     patient = json.dumps({"tables": tables}, indent=1, sort_keys=True, ensure_ascii=False).encode()
-    files = {PATIENT: FileEntry(bytes=len(patient), sha256=sha256(patient).hexdigest())}
+    report = None if make_report is None else make_report()
+    files = {PATIENT: _entry_of(patient)}
     for folder in folders:
         for name, file in recorded_files(folder):
             files[name] = FileEntry(bytes=file.stat().st_size, sha256=_hash_of(file))
-    listed = ArchiveList(clinic=clinic, hash=hash_of(files), files=files)
+    report_entry = None if report is None else _entry_of(report)
+    listed = ArchiveList(clinic=clinic, hash=hash_of(files), files=files, report=report_entry)
     package.unlink(missing_ok=True)
     with zipfile.ZipFile(package, "x") as opened:
         opened.writestr(entry(LIST), listed.model_dump_json(indent=1))
         opened.writestr(entry(PATIENT), patient)
+        if report is not None:
+            opened.writestr(entry(REPORT), report)
         return opened.start_dir
 
 
@@ -107,9 +118,13 @@ class OpenArchive:
             self.listed = ArchiveList.model_validate(document)
         except ValidationError as error:
             raise ValueError(NO_ARCHIVE.format(file=file)) from error
-        if set(names) != {LIST, *self.listed.files} or hash_of(self.listed.files) != self.listed.hash:
+        expected = [LIST, PATIENT] if self.listed.report is None else [LIST, PATIENT, REPORT]
+        is_listed = set(names) == {*expected, *self.listed.files} and names[: len(expected)] == expected
+        if not is_listed or hash_of(self.listed.files) != self.listed.hash:
             raise ValueError(CHANGED.format(file=file, name=LIST))
-        for info in opened.infolist()[2:]:
+        if self.listed.report is not None:
+            self._checked(REPORT, self.listed.report)
+        for info in opened.infolist()[len(expected) :]:
             known = self.listed.files[info.filename]
             if not RUN_FILE.fullmatch(info.filename) or info.compress_type != zipfile.ZIP_STORED:
                 raise ValueError(NO_ARCHIVE.format(file=file))
@@ -123,10 +138,7 @@ class OpenArchive:
 
     def patient(self) -> Any:
         """Return the document of the patient."""
-        content = self._content(PATIENT, self.listed.files[PATIENT].bytes)
-        if sha256(content).hexdigest() != self.listed.files[PATIENT].sha256:
-            raise ValueError(CHANGED.format(file=self.file, name=PATIENT))
-        return self._document(content)
+        return self._document(self._checked(PATIENT, self.listed.files[PATIENT]))
 
     def unpack_recordings(self, folder: Path) -> None:
         """Write the recordings to `folder`, one folder each, and check their hashes."""
@@ -143,6 +155,13 @@ class OpenArchive:
                 raise ValueError(CHANGED.format(file=self.file, name=name)) from error
             if _hash_of(target) != known.sha256:
                 raise ValueError(CHANGED.format(file=self.file, name=name))
+
+    def _checked(self, name: str, known: FileEntry) -> bytes:
+        """Return a file whose hash is right."""
+        content = self._content(name, known.bytes)
+        if _entry_of(content) != known:
+            raise ValueError(CHANGED.format(file=self.file, name=name))
+        return content
 
     def _document(self, content: bytes) -> Any:
         """Return a JSON document, in which all texts and numbers are such as a database stores."""
@@ -181,6 +200,10 @@ def hash_of(files: dict[str, FileEntry]) -> str:
     """Return the hash of an archive: SHA-256 of a line `HASH  NAME` for each file, in the order of the names."""
     lines = "".join(f"{known.sha256}  {name}\n" for name, known in sorted(files.items()))
     return sha256(lines.encode()).hexdigest()
+
+
+def _entry_of(content: bytes) -> FileEntry:
+    return FileEntry(bytes=len(content), sha256=sha256(content).hexdigest())
 
 
 def _hash_of(file: Path) -> str:

@@ -1,17 +1,21 @@
 """Makes a report for somebody: writes it into the log, and puts the log's new head into it."""
 
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import NamedTuple
 
 from app.refusals import Conflict
 from app.reports.document import Form
 from app.reports.material import ReportMaterial, SpreadsOf, report_material
+from app.reports.rendering import report_file
 from app.settings import Settings
 from app.store.database import Database
 from app.store.log import write_log
 from app.store.log_chain import HeadFile
 from app.store.patients import find_patient
 from app.store.records.consents import require_consent
+from app.store.records.session_record import sessions_of
 
 COPY = "A copy for the patient needs no consent"
 
@@ -62,3 +66,17 @@ def _require_consent(database: Database, subject: Subject) -> None:
             require_consent(db, patient.id, "sharing")
         except Conflict as refusal:
             raise Conflict(f"{refusal} {COPY}.") from refusal
+
+
+def report_of_archive(
+    database: Database, settings: Settings, clinic_id: int, patient_id: int, spreads_of: SpreadsOf
+) -> Callable[[], bytes] | None:
+    """Return what makes the report of a patient's course as HTML for an archive; None for a patient without a session.
+
+    The log has a row for the archive: this adds none.
+    """
+    with database.transaction() as db:
+        if not sessions_of(db, patient_id):
+            return None
+    material = report_material(database, clinic_id, patient_id, None, settings.runs, spreads_of)
+    return partial(report_file, replace(material, head=HeadFile(settings.database).read()), "html", "a4")

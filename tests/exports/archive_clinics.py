@@ -7,7 +7,7 @@ from hashlib import sha256
 
 from app.clock import utc_now
 from app.exports.archive import import_archive
-from app.exports.archive_file import LIST, PATIENT, ArchiveList, FileEntry, hash_of
+from app.exports.archive_file import LIST, PATIENT, REPORT, ArchiveList, FileEntry, hash_of
 from app.settings import Settings
 from app.store.database import Database
 from app.store.patients import add_patient
@@ -61,11 +61,14 @@ def rewrite(package, target, change=None, *, names=None, patient=None, text=("",
         for name, content in contents.items()
         if name != LIST
     }
-    made = json.loads(ArchiveList(clinic="Riverside", hash=hash_of(files), files=files).model_dump_json())
+    report = files.pop(REPORT, None)
+    made = json.loads(
+        ArchiveList(clinic="Riverside", hash=hash_of(files), files=files, report=report).model_dump_json()
+    )
     contents[LIST] = json.dumps({**made, **(listed or {})}).encode()
     if change is not None:
         change(contents)
     with zipfile.ZipFile(target, "w") as written:
         for name, content in contents.items():
-            kind = zipfile.ZIP_DEFLATED if name in (LIST, PATIENT) else zipfile.ZIP_STORED
+            kind = zipfile.ZIP_DEFLATED if name in (LIST, PATIENT, REPORT) else zipfile.ZIP_STORED
             written.writestr(name, content, kind)

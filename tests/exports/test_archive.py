@@ -204,7 +204,7 @@ WRONG = {
     "a path as a run": ({"patient": path_as_run}, "wrong names"),
     "a path as a name": ({"names": {f"runs/{RUN}/run.json": "runs/../../evil.json"}}, "no archive"),
     "an absolute name": ({"names": {f"runs/{RUN}/run.json": "/tmp/evil"}}, "no archive"),
-    "a newer schema": ({"listed": {"schema_version": 2}}, "newer bodydrive"),
+    "a newer schema": ({"listed": {"schema_version": 3}}, "newer bodydrive"),
     "a wrong hash": ({"listed": {"hash": "0" * 64}}, "was changed or cut"),
     "a changed recording": ({"change": changed_recording}, "was changed or cut"),
     "a bomb": ({"change": bomb}, "was changed or cut"),

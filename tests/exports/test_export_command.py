@@ -68,6 +68,8 @@ def test_a_patient_goes_to_another_clinic_by_two_commands(bodydrive, tmp_path):
     code, out, _err = bodydrive("archive", "make", CODE, "--out", "heron.zip", "--state", first.state)
     assert code == 0
     assert "Its hash is" in out
+    with zipfile.ZipFile(tmp_path / "heron.zip") as opened:
+        assert b"Course of 1 session" in opened.read("report.html")
     take = ("archive", "import", "heron.zip", "--state", tmp_path / "other")
     assert bodydrive(*take)[:2] == (0, f"The patient {CODE} is imported. Sessions: 1. Finished and kept trials: 1.\n")
     assert bodydrive(*take)[1].endswith("nothing was changed.\n")

@@ -10,7 +10,7 @@ from fastapi import APIRouter, Query
 from fastapi.responses import StreamingResponse
 
 from app.api.deps import Exporter, PeopleParts, RowId
-from app.api.parts import Web
+from app.api.parts import Web, WebParts
 from app.clock import utc_now
 from app.computing_process import ComputingProcess
 from app.exports.archive import archive_material
@@ -19,6 +19,8 @@ from app.exports.export_material import exported_material
 from app.exports.forms import Form
 from app.exports.package import Step, export_steps
 from app.quantities import Document
+from app.reports.material import SpreadsOf
+from app.reports.report_making import report_of_archive
 from app.scoring.verdict.spread import Spread
 from app.session.clinic_spread import Task
 from app.source import SourceGroup
@@ -49,25 +51,23 @@ def export(
 
     A process of its own writes it, recording by recording; 409 without the patient's consent to sharing outside.
     """
-
-    def spreads_of(floorplan: str, path: str, group: SourceGroup) -> dict[str, Spread]:
-        return web.spread.of_others(Task(who.clinic_id, floorplan, path, group), patient_id)
-
-    runs = parts.settings.runs
+    runs, spreads_of = parts.settings.runs, _spreads(web, who.clinic_id, patient_id)
     material = exported_material(parts.database, who.clinic_id, patient_id, session, form, who.name, runs, spreads_of)
     return _sent(export_steps(material, form), form, parts.settings.state)
 
 
 @router.get("/patients/{patient_id}/archive", response_class=StreamingResponse)
-def archive(patient_id: RowId, who: Exporter, parts: PeopleParts) -> StreamingResponse:
-    """Return everything of a patient as one zip file, which another clinic can import.
+def archive(patient_id: RowId, who: Exporter, parts: PeopleParts, web: Web) -> StreamingResponse:
+    """Return everything of a patient as one zip file, which another clinic can import; with the report of the course.
 
     409 without the patient's consent to sharing outside, or while a session of the patient is open; 507 without room
     on the clinic's disk, where it is made.
     """
     settings = parts.settings
     material = archive_material(parts.database, who.clinic_id, patient_id, who.name, settings.runs, settings.state)
-    return _sent(material.steps(), "archive", settings.state)
+    spreads_of = _spreads(web, who.clinic_id, patient_id)
+    make_report = report_of_archive(parts.database, settings, who.clinic_id, patient_id, spreads_of)
+    return _sent(material.steps(make_report), "archive", settings.state)
 
 
 @router.get("/patients/{patient_id}/archive/room")
@@ -76,6 +76,13 @@ def room(patient_id: RowId, who: Exporter, parts: PeopleParts) -> ArchiveRoomVie
     settings = parts.settings
     found = archive_room(parts.database, who.clinic_id, patient_id, settings.runs, settings.state)
     return ArchiveRoomView(**found._asdict())
+
+
+def _spreads(web: WebParts, clinic_id: int, patient_id: int) -> SpreadsOf:
+    def spreads_of(floorplan: str, path: str, group: SourceGroup) -> dict[str, Spread]:
+        return web.spread.of_others(Task(clinic_id, floorplan, path, group), patient_id)
+
+    return spreads_of
 
 
 def _sent(steps: list[Step], form: str, state: Path) -> StreamingResponse:

@@ -1,5 +1,6 @@
 """`bodydrive archive`: a whole patient as one file, to be imported in another clinic."""
 
+from contextlib import closing
 from pathlib import Path
 from typing import Annotated
 
@@ -7,7 +8,7 @@ import typer
 
 from app.cli.clinic_folder import open_clinic
 from app.cli.errors import InputError
-from app.cli.records.export import COMMAND, patient_named, written_whole
+from app.cli.records.export import COMMAND, patient_named, spreads_of_others, written_whole
 from app.refusals import Refusal
 from app.settings import Settings, state_folder
 
@@ -27,13 +28,17 @@ def make(
     state: State = None,
 ) -> None:
     """Write the archive of a patient, who must have consented; the clinic may be open meanwhile."""
+    from app.computing_process import ComputingProcess
     from app.exports.archive import make_archive
+    from app.reports.report_making import report_of_archive
 
     settings = Settings(state=(state or state_folder()).expanduser().resolve())
-    with written_whole(out) as part, open_clinic(settings) as (database, _):
+    with written_whole(out) as part, open_clinic(settings) as (database, _), closing(ComputingProcess()) as computing:
         clinic_id, patient_id = patient_named(database, patient)
+        spreads_of = spreads_of_others(database, computing, clinic_id, patient_id)
+        make_report = report_of_archive(database, settings, clinic_id, patient_id, spreads_of)
         try:
-            digest = make_archive(database, clinic_id, patient_id, COMMAND, settings.runs, part)
+            digest = make_archive(database, clinic_id, patient_id, COMMAND, settings.runs, part, make_report)
         except Refusal as refusal:
             raise InputError(str(refusal)) from refusal
     typer.echo(f"{out} is written. Its hash is {digest}.")

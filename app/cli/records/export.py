@@ -15,7 +15,9 @@ from app.refusals import Refusal
 from app.settings import Settings, state_folder
 
 if TYPE_CHECKING:
+    from app.computing_process import ComputingProcess
     from app.exports.export_material import ExportMaterial
+    from app.reports.material import SpreadsOf
     from app.scoring.verdict.spread import Spread
     from app.source import SourceGroup
     from app.store.database import Database
@@ -78,18 +80,27 @@ def patient_named(database: "Database", code: str) -> tuple[int, int]:
         return found[0].clinic_id, found[0].id
 
 
+def spreads_of_others(
+    database: "Database", computing: "ComputingProcess", clinic_id: int, patient_id: int
+) -> "SpreadsOf":
+    """Return a function that returns the median spreads of the clinic's other patients in a task."""
+    from app.session.clinic_spread import ClinicSpread, Task
+
+    spread = ClinicSpread(database, computing)
+
+    def spreads_of(floorplan: str, path: str, group: "SourceGroup") -> "dict[str, Spread]":
+        return spread.of_others(Task(clinic_id, floorplan, path, group), patient_id)
+
+    return spreads_of
+
+
 def _material(settings: Settings, patient: str, session: int | None, form: Form) -> "ExportMaterial":
     from app.computing_process import ComputingProcess
     from app.exports.export_material import exported_material
-    from app.session.clinic_spread import ClinicSpread, Task
 
     with open_clinic(settings) as (database, _), closing(ComputingProcess()) as computing:
         clinic_id, patient_id = patient_named(database, patient)
-        spread = ClinicSpread(database, computing)
-
-        def spreads_of(floorplan: str, path: str, group: "SourceGroup") -> "dict[str, Spread]":
-            return spread.of_others(Task(clinic_id, floorplan, path, group), patient_id)
-
+        spreads_of = spreads_of_others(database, computing, clinic_id, patient_id)
         try:
             return exported_material(database, clinic_id, patient_id, session, form, COMMAND, settings.runs, spreads_of)
         except Refusal as refusal:

@@ -384,42 +384,6 @@ CREATE TABLE made_backup (
 
 CREATE INDEX ix_made_backup_at ON made_backup (at);
 
-CREATE TABLE moment_comment (
-	id INTEGER NOT NULL, 
-	clinic_id INTEGER NOT NULL, 
-	trial_id INTEGER NOT NULL, 
-	person_id INTEGER NOT NULL, 
-	t FLOAT NOT NULL, 
-	withdrawn DATETIME, 
-	CONSTRAINT pk_moment_comment PRIMARY KEY (id), 
-	CONSTRAINT fk_moment_comment_clinic_id FOREIGN KEY(clinic_id) REFERENCES clinic (id), 
-	CONSTRAINT fk_moment_comment_trial_id FOREIGN KEY(trial_id) REFERENCES trial (id), 
-	CONSTRAINT fk_moment_comment_person_id FOREIGN KEY(person_id) REFERENCES person (id)
-);
-
-CREATE INDEX ix_moment_comment_trial_id ON moment_comment (trial_id);
-
-CREATE TABLE comment_revision (
-	id INTEGER NOT NULL, 
-	comment_id INTEGER NOT NULL, 
-	text VARCHAR(2000) NOT NULL, 
-	written DATETIME NOT NULL, 
-	CONSTRAINT pk_comment_revision PRIMARY KEY (id), 
-	CONSTRAINT fk_comment_revision_comment_id FOREIGN KEY(comment_id) REFERENCES moment_comment (id)
-);
-
-CREATE INDEX ix_comment_revision_comment_id ON comment_revision (comment_id);
-
-CREATE TABLE comment_reading (
-	comment_id INTEGER NOT NULL, 
-	person_id INTEGER NOT NULL, 
-	revision_id INTEGER NOT NULL, 
-	CONSTRAINT pk_comment_reading PRIMARY KEY (comment_id, person_id), 
-	CONSTRAINT fk_comment_reading_comment_id FOREIGN KEY(comment_id) REFERENCES moment_comment (id), 
-	CONSTRAINT fk_comment_reading_person_id FOREIGN KEY(person_id) REFERENCES person (id), 
-	CONSTRAINT fk_comment_reading_revision_id FOREIGN KEY(revision_id) REFERENCES comment_revision (id)
-);
-
 CREATE TABLE share_link (
 	id INTEGER NOT NULL, 
 	clinic_id INTEGER NOT NULL, 
@@ -526,4 +490,41 @@ CREATE INDEX ix_trial_patient_id_status_kept ON trial (patient_id, status, kept)
 
 CREATE INDEX ix_trial_counted ON trial (clinic_id, patient_id, floorplan, path, run_id) WHERE kept = 1 AND status = 'done' AND measures != 'null';
 
-INSERT INTO alembic_version (version_num) VALUES ('0017')
+CREATE TABLE moment_comment (
+	id INTEGER NOT NULL, 
+	clinic_id INTEGER NOT NULL, 
+	trial_id INTEGER NOT NULL, 
+	person_id INTEGER, 
+	author VARCHAR(80), 
+	t FLOAT NOT NULL, 
+	withdrawn DATETIME, 
+	CONSTRAINT pk_moment_comment PRIMARY KEY (id), 
+	CONSTRAINT fk_moment_comment_clinic_id FOREIGN KEY(clinic_id) REFERENCES clinic (id), 
+	CONSTRAINT fk_moment_comment_trial_id FOREIGN KEY(trial_id) REFERENCES trial (id), 
+	CONSTRAINT fk_moment_comment_person_id FOREIGN KEY(person_id) REFERENCES person (id)
+);
+
+CREATE INDEX ix_moment_comment_trial_id ON moment_comment (trial_id);
+
+CREATE TABLE comment_revision (
+	id INTEGER NOT NULL, 
+	comment_id INTEGER NOT NULL, 
+	text VARCHAR(2000) NOT NULL, 
+	written DATETIME NOT NULL, 
+	CONSTRAINT pk_comment_revision PRIMARY KEY (id), 
+	CONSTRAINT fk_comment_revision_comment_id FOREIGN KEY(comment_id) REFERENCES moment_comment (id)
+);
+
+CREATE INDEX ix_comment_revision_comment_id ON comment_revision (comment_id);
+
+CREATE TABLE comment_reading (
+	comment_id INTEGER NOT NULL, 
+	person_id INTEGER NOT NULL, 
+	revision_id INTEGER NOT NULL, 
+	CONSTRAINT pk_comment_reading PRIMARY KEY (comment_id, person_id), 
+	CONSTRAINT fk_comment_reading_comment_id FOREIGN KEY(comment_id) REFERENCES moment_comment (id), 
+	CONSTRAINT fk_comment_reading_person_id FOREIGN KEY(person_id) REFERENCES person (id), 
+	CONSTRAINT fk_comment_reading_revision_id FOREIGN KEY(revision_id) REFERENCES comment_revision (id)
+);
+
+INSERT INTO alembic_version (version_num) VALUES ('0018')

@@ -9,42 +9,12 @@ from sqlalchemy import Table as SqlTable
 from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
+from app.store.access.person_tables import Person
 from app.store.chairs import chair_elsewhere
-from app.store.records.record_tables import NoteRevision, OutcomeScale, PatientConsent, SessionNote, SessionSignOff
-from app.store.tables import (
-    CalibrationStep,
-    Drive,
-    InterfaceTest,
-    Moment,
-    Parameters,
-    Patient,
-    PatientSession,
-    Profile,
-    Run,
-    Table,
-    Trial,
-)
+from app.store.records.archive_kinds import ADDED_LATER, KINDS, LEFT_OUT
+from app.store.sharing.sharing_tables import MomentComment
+from app.store.tables import Moment, Table
 
-# Each table after those that it refers to, and the column by which its rows are found: rows of the patient, of the
-# patient's sessions, of its profiles, of its notes.
-KINDS: tuple[tuple[type[Table], str], ...] = (
-    (Patient, "id"),
-    (PatientSession, "patient_id"),
-    (Run, "session_id"),
-    (CalibrationStep, "session_id"),
-    (Profile, "patient_id"),
-    (Parameters, "profile_id"),
-    (Trial, "patient_id"),
-    (Drive, "patient_id"),
-    (InterfaceTest, "patient_id"),
-    (SessionNote, "session_id"),
-    (NoteRevision, "note_id"),
-    (OutcomeScale, "session_id"),
-    (SessionSignOff, "session_id"),
-    (PatientConsent, "patient_id"),
-)
-ADDED_LATER = {"drive", "interface_test"}  # tables that archives of older programs do not have
-LEFT_OUT = {"clinic_id", "folder", "chair_id"}  # they belong to the clinic that has the rows
 MOST_ROWS = 100_000  # of an archive: far more than a patient has; while they are added, nothing else is stored
 
 Rows = dict[str, list[dict[str, Any]]]
@@ -66,6 +36,8 @@ def patient_rows(db: Session, patient_id: int) -> Rows:
         order = list(table.primary_key.columns)
         query = select(table).where(table.c[by].in_(known)).order_by(*order)
         rows = [dict(row) for row in db.execute(query).mappings()]
+        if kind is MomentComment:
+            _name_authors(db, rows)
         if "id" in table.c:
             places[table.name] = {row["id"]: place for place, row in enumerate(rows, start=1)}
         found[table.name] = [
@@ -135,6 +107,13 @@ def table_of(kind: type[Table]) -> SqlTable:
 def exchanged(table: SqlTable) -> list[Column[Any]]:
     """Return the columns that a document has."""
     return [column for column in table.columns if column.name not in LEFT_OUT]
+
+
+def _name_authors(db: Session, comments: list[dict[str, Any]]) -> None:
+    """Write the name of each comment's author into its row: another clinic does not have the person."""
+    names = {person: name for person, name in db.execute(select(Person.id, Person.name))}  # noqa: C416  (typed rows)
+    for row in comments:
+        row["author"] = row["author"] or names[row["person_id"]]
 
 
 def _referred(column: Column[Any]) -> str | None:

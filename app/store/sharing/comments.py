@@ -26,7 +26,7 @@ class Comment:
     patient_id: int
     session_id: int
     number: int  # of the trial
-    person_id: int
+    person_id: int | None  # None: its author belongs to another clinic
     person: str
     t: float  # s on the time line of the trial
     text: str
@@ -63,9 +63,9 @@ def comments_of(
     newest = select(func.max(CommentRevision.id)).where(of_comment).correlate(MomentComment).scalar_subquery()
     written = select(CommentRevision.written).where(CommentRevision.id == first).scalar_subquery()
     query = (
-        select(MomentComment, CommentRevision, written, Person.name, Trial)
+        select(MomentComment, CommentRevision, written, func.coalesce(MomentComment.author, Person.name), Trial)
         .join(CommentRevision, CommentRevision.id == newest)
-        .join(Person, Person.id == MomentComment.person_id)
+        .outerjoin(Person, Person.id == MomentComment.person_id)
         .join(Trial, Trial.id == MomentComment.trial_id)
         .join(Patient, Patient.id == Trial.patient_id)
         .where(MomentComment.withdrawn.is_(None), Patient.deleted.is_(None))
@@ -85,7 +85,7 @@ def comments_of(
             CommentReading.comment_id == MomentComment.id,
             CommentReading.revision_id == CommentRevision.id,
         )
-        query = query.where(MomentComment.person_id != not_read_by, ~is_read)
+        query = query.where(MomentComment.person_id.is_distinct_from(not_read_by), ~is_read)
     return [
         Comment(
             id=comment.id,
@@ -117,7 +117,7 @@ def add_comment(db: Session, trial: Trial, person_id: int, t: float, text: str) 
     if len(comments_of(db, trial_id=trial.id)) >= MOST_COMMENTS:
         raise Conflict(f"A trial has at most {MOST_COMMENTS} comments: revise one of yours.")
     comment = MomentComment(
-        clinic_id=trial.clinic_id, trial_id=trial.id, person_id=person_id, t=round(t, 3), withdrawn=None
+        clinic_id=trial.clinic_id, trial_id=trial.id, person_id=person_id, author=None, t=round(t, 3), withdrawn=None
     )
     db.add(comment)
     db.flush()

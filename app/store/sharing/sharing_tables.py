@@ -15,7 +15,8 @@ class MomentComment(Table):
     id: Mapped[int] = mapped_column(primary_key=True)
     clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
     trial_id: Mapped[int] = mapped_column(ForeignKey("trial.id"), index=True)
-    person_id: Mapped[int] = mapped_column(ForeignKey("person.id"))  # its author
+    person_id: Mapped[int | None] = mapped_column(ForeignKey("person.id"))  # its author; None: somebody elsewhere
+    author: Mapped[str | None] = mapped_column(String(80))  # name of an author elsewhere: it came with an archive
     t: Mapped[float] = mapped_column(Float)  # s on the time line of the trial
     withdrawn: Mapped[datetime | None]
 

@@ -17,7 +17,7 @@ from app.api.exports import archive_import
 from app.disk_room import ROOM_TO_RECORD
 from app.exports import archive_room
 from app.exports.archive import make_archive
-from app.exports.archive_file import PATIENT, open_archive
+from app.exports.archive_file import PATIENT, REPORT, open_archive
 from app.recording.reader import read_run
 from app.store.database import Database
 from app.store.files.disk_watch import DiskRoom
@@ -101,7 +101,8 @@ def test_an_archive_is_made_with_consent_and_without_an_open_session_only(calibr
     assert calibrated.patient["code"] not in answer.headers["content-disposition"]
     with zipfile.ZipFile(io.BytesIO(answer.content)) as opened:
         assert opened.testzip() is None
-        assert PATIENT in opened.namelist()
+        assert opened.namelist()[1:3] == [PATIENT, REPORT]
+        assert b"Course of 1 session" in opened.read(REPORT)
     (row,) = [row for row in calibrated.log() if row.what == "export"]
     assert (row.details["patient"], row.details["form"]) == (patient, "archive")
     assert list(calibrated.client.app.state.people.settings.state.glob(".export-*")) == []
