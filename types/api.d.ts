@@ -6120,6 +6120,7 @@ export interface components {
             is_new: boolean;
             sessions: number;
             trials: number;
+            comments: number;
         };
         IncidentView: {
             id: number;

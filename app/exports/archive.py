@@ -24,7 +24,16 @@ from app.store.files.passing_folder import passing_folder
 from app.store.log import write_log
 from app.store.patients import find_patient
 from app.store.records.consents import require_consent
-from app.store.records.imports import clinic_name, earlier_import, note_import, require_new
+from app.store.records.imports import (
+    clinic_name,
+    earlier_import,
+    note_import,
+    patient_of_rows,
+    require_mergeable,
+    require_new,
+    runs_here,
+)
+from app.store.records.patient_merge import add_missing_rows
 from app.store.records.patient_rows import Rows, WrongRows, add_patient_rows, check_rows, patient_rows
 from app.visible_text import visible_line, visible_lines
 
@@ -33,13 +42,17 @@ OPEN = "A session of this patient is open: end it first, then make the archive."
 
 
 class Imported(NamedTuple):
-    """The patient of an archive, whether the import added it, and how much came in with it."""
+    """The patient of an archive, whether the import added it, and how much came in with it.
+
+    A patient who is not new was imported before; then only what was missing came in, or nothing.
+    """
 
     patient_id: int
     code: str
     is_new: bool
     sessions: int = 0
     trials: int = 0  # finished and kept
+    comments: int = 0
 
 
 class ArchiveMaterial(NamedTuple):
@@ -100,6 +113,8 @@ def import_archive(
 ) -> Imported:
     """Import the archive in `file`; one that was imported before changes nothing.
 
+    A newer archive of a patient who came with an earlier one adds what is missing here.
+
     Its recordings are unpacked in `unpacked`, a folder on the disk of `runs` that is made; without one, in a folder
     that is removed.
 
@@ -116,12 +131,15 @@ def import_archive(
             if known is not None:
                 return Imported(known.id, known.code, is_new=False)
         rows = _checked(archive, file)
-        if disk_room(runs.parent).free < archive.recording_bytes + ROOM_TO_RECORD:
+        with database.transaction() as db:
+            patient = patient_of_rows(db, clinic_id, rows)
+            here = frozenset() if patient is None else runs_here(db, patient.id)
+        if disk_room(runs.parent).free < archive.recording_bytes(here) + ROOM_TO_RECORD:
             raise DiskFull(NO_ROOM)
         runs.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
         with passing_folder(runs.parent, "import") if unpacked is None else nullcontext(unpacked) as folder:
             folder.mkdir(mode=OWNER_FOLDER, exist_ok=True)
-            archive.unpack_recordings(folder)
+            archive.unpack_recordings(folder, here)
             return _add(database, clinic_id, archive, rows, person, folder, runs)
 
 
@@ -185,13 +203,13 @@ def _add(
     moved: list[Path] = []
     try:
         with database.transaction() as db:
-            require_new(db, clinic_id, rows)
             try:
-                patient_id = add_patient_rows(db, clinic_id, rows)
+                imported, new = _add_rows(db, clinic_id, archive, rows, person)
             except WrongRows as error:
                 raise ValueError(WRONG.format(file=archive.file, why=error)) from error
-            _note(db, patient_id, archive, person)
             for folder in sorted(unpacked.iterdir()):
+                if folder.name not in new:
+                    continue
                 target = runs / folder.name
                 if target.exists():  # no row names it: an import was killed before its rows were stored
                     shutil.rmtree(target)
@@ -202,11 +220,29 @@ def _add(
         for target in moved:
             shutil.rmtree(target, ignore_errors=True)
         raise
-    trials = sum(row["status"] == "done" and row["kept"] is True for row in rows["trial"])
-    code, sessions = rows["patient"][0]["code"], len(rows["session"])
-    return Imported(patient_id, code, is_new=True, sessions=sessions, trials=trials)
+    return imported
 
 
-def _note(db: Transaction, patient_id: int, archive: OpenArchive, person: str) -> None:
-    note_import(db, patient_id, archive.listed.hash, archive.listed.clinic, person)
-    write_log(db, person, "archive imported", patient=patient_id, archive=archive.listed.hash)
+def _add_rows(
+    db: Transaction, clinic_id: int, archive: OpenArchive, rows: Rows, person: str
+) -> tuple[Imported, frozenset[str]]:
+    """Add what is missing of an archive's rows; return what came in, and the new recordings."""
+    patient = patient_of_rows(db, clinic_id, rows)
+    listed = archive.listed
+    if patient is not None:
+        require_mergeable(db, patient, rows)
+        added = add_missing_rows(db, clinic_id, patient.id, rows)
+        note_import(db, patient.id, listed.hash, listed.clinic, person, added.sessions)
+        imported = Imported(patient.id, patient.code, False, len(added.sessions), added.trials, added.comments)
+        new = added.runs
+    else:
+        require_new(db, clinic_id, rows)
+        patient_id = add_patient_rows(db, clinic_id, rows)
+        note_import(db, patient_id, listed.hash, listed.clinic, person)
+        trials = sum(row["status"] == "done" and row["kept"] is True for row in rows["trial"])
+        counts = len(rows["session"]), trials, len(rows["moment_comment"])
+        imported = Imported(patient_id, rows["patient"][0]["code"], True, *counts)
+        new = frozenset(row["id"] for row in rows["run"])
+    details = {"archive": listed.hash, "sessions": imported.sessions}
+    write_log(db, person, "archive imported", patient=imported.patient_id, **details)
+    return imported, new

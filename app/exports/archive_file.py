@@ -131,22 +131,24 @@ class OpenArchive:
             if info.file_size != known.bytes:
                 raise ValueError(CHANGED.format(file=file, name=info.filename))
 
-    @property
-    def recording_bytes(self) -> int:
-        """Return how much room the recordings need."""
-        return sum(known.bytes for name, known in self.listed.files.items() if name != PATIENT)
+    def recording_bytes(self, without: frozenset[str]) -> int:
+        """Return how much room the recordings need, without those of these names."""
+        return sum(known.bytes for _, _, known in self._recordings(without))
 
     def patient(self) -> Any:
         """Return the document of the patient."""
         return self._document(self._checked(PATIENT, self.listed.files[PATIENT]))
 
-    def unpack_recordings(self, folder: Path) -> None:
-        """Write the recordings to `folder`, one folder each, and check their hashes."""
+    def _recordings(self, without: frozenset[str]) -> Iterator[tuple[str, str, FileEntry]]:
+        """Yield name in the archive, recording, size and hash of each recorded file."""
         for name, known in self.listed.files.items():
-            if name == PATIENT:
-                continue
-            _, run, last = name.split("/")
-            target = folder / run / last
+            if name != PATIENT and (run := name.split("/")[1]) not in without:
+                yield name, run, known
+
+    def unpack_recordings(self, folder: Path, without: frozenset[str]) -> None:
+        """Write the recordings to `folder`, one folder each, without those of these names; check their hashes."""
+        for name, run, known in self._recordings(without):
+            target = folder / run / name.rpartition("/")[2]
             target.parent.mkdir(parents=True, exist_ok=True)
             try:
                 with self._zip.open(name) as source, target.open("xb") as written:

@@ -28,13 +28,14 @@ ZIP = {"requestBody": {"required": True, "content": {"application/zip": {"schema
 
 
 class ImportedView(Document):
-    """The patient of an archive, and what came in; not new: it was imported before, and nothing came in."""
+    """The patient of an archive, and what came in; not new: imported before, and only what was missing came in."""
 
     patient_id: int
     code: str
     is_new: bool
     sessions: int
     trials: int  # finished and kept
+    comments: int
 
 
 class ImportCourseView(Document):
@@ -59,7 +60,10 @@ def import_course(who: Owner, parts: PeopleParts) -> ImportCourseView | None:
 async def bring_archive(request: Request, who: Owner, parts: PeopleParts) -> ImportedView:
     """Import the archive of a patient, the body of the request; a wrong one changes nothing.
 
-    409 when the clinic has the patient's code or recordings already, 507 when there is no room.
+    A newer archive of a patient who came with an earlier one adds what is missing here.
+
+    409 when the code or the recordings are those of another patient of the clinic, or while a session of the patient is
+    open; 507 when there is no room.
     """
     async with contextmanager_in_threadpool(passing_folder(parts.settings.state, "import")) as folder:
         announced = request.headers.get("content-length", "")

@@ -49,7 +49,7 @@ def import_file(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="The archive.")],
     state: State = None,
 ) -> None:
-    """Import an archive; one that was imported before changes nothing."""
+    """Import an archive; a newer one of the same patient adds what is missing, the same one changes nothing."""
     from app.exports.archive import import_archive
     from app.store.people import the_clinic
 
@@ -63,10 +63,11 @@ def import_file(
             found = import_archive(database, clinic.id, file, COMMAND, settings.runs)
         except (Refusal, ValueError) as refusal:
             raise InputError(str(refusal)) from refusal
+    counts = f"Sessions: {found.sessions}. Finished and kept trials: {found.trials}."
     if found.is_new:
-        typer.echo(
-            f"The patient {found.code} is imported. Sessions: {found.sessions}. "
-            f"Finished and kept trials: {found.trials}."
-        )
+        words = f"The patient {found.code} is imported. {counts}"
+    elif found.sessions or found.comments:
+        words = f"Added to the patient {found.code}, who was imported before. {counts} Comments: {found.comments}."
     else:
-        typer.echo(f"The patient {found.code} was imported from this archive before: nothing was changed.")
+        words = f"The patient {found.code} was imported before, and this archive has nothing new: nothing was changed."
+    typer.echo(words)

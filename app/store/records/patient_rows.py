@@ -56,22 +56,25 @@ def add_patient_rows(db: Session, clinic_id: int, rows: Rows) -> int:
         table = table_of(kind)
         ids[table.name] = {}
         for place, row in enumerate(rows[table.name], start=1):
-            values = {column.name: _read(column, row, ids, place) for column in exchanged(table)}
-            if "clinic_id" in table.c:
-                values["clinic_id"] = clinic_id
-            if "folder" in table.c:
-                values["folder"] = values["id"]
-            if "chair_id" in table.c:
-                values["chair_id"] = chair_elsewhere(db, clinic_id).id
-            own = values.get("id", place)
-            if isinstance(own, int) and "id" in values:
-                del values["id"]
-            try:
-                added: Any = db.execute(insert(table).values(values))
-            except IntegrityError as error:
-                raise WrongRows(f"row {place} of its table '{table.name}' contradicts another one") from error
-            ids[table.name][own] = added.inserted_primary_key[0]
+            values = {column.name: read_value(column, row, ids, place) for column in exchanged(table)}
+            ids[table.name][values.get("id", place)] = insert_row(db, clinic_id, table, values, place)
     return int(ids["patient"][1])
+
+
+def insert_row(db: Session, clinic_id: int, table: SqlTable, values: dict[str, Any], place: int) -> Any:
+    """Add the row at this place of a document and return its id; WrongRows when it contradicts another one."""
+    own = {name: value for name, value in values.items() if name != "id" or not isinstance(value, int)}
+    if "clinic_id" in table.c:
+        own["clinic_id"] = clinic_id
+    if "folder" in table.c:
+        own["folder"] = own["id"]
+    if "chair_id" in table.c:
+        own["chair_id"] = chair_elsewhere(db, clinic_id).id
+    try:
+        added: Any = db.execute(insert(table).values(own))
+    except IntegrityError as error:
+        raise WrongRows(f"row {place} of its table '{table.name}' contradicts another one") from error
+    return added.inserted_primary_key[0]
 
 
 def check_rows(rows: Any) -> Rows:
@@ -116,12 +119,13 @@ def _name_authors(db: Session, comments: list[dict[str, Any]]) -> None:
         row["author"] = row["author"] or names[row["person_id"]]
 
 
-def _referred(column: Column[Any]) -> str | None:
+def referred_table(column: Column[Any]) -> str | None:
+    """Return the table whose rows a column names, None for a column that names none."""
     return next((key.column.table.name for key in column.foreign_keys), None)
 
 
 def _written(column: Column[Any], value: Any, places: dict[str, dict[Any, int]]) -> Any:
-    table = _referred(column) or (column.table.name if column.name == "id" else None)
+    table = referred_table(column) or (column.table.name if column.name == "id" else None)
     if value is not None and table is not None and isinstance(value, int):
         return places[table][value]
     if isinstance(value, datetime):
@@ -129,8 +133,8 @@ def _written(column: Column[Any], value: Any, places: dict[str, dict[Any, int]])
     return value.isoformat() if isinstance(value, date) else value
 
 
-def _read(column: Column[Any], row: dict[str, Any], ids: dict[str, dict[Any, Any]], place: int) -> Any:
-    """Return a value of a document as the database stores it."""
+def read_value(column: Column[Any], row: dict[str, Any], ids: dict[str, dict[Any, Any]], place: int) -> Any:
+    """Return a value of a document as the database stores it; `ids` are those that the document's rows have here."""
     value = row[column.name]
     where = f"row {place} of its table '{column.table.name}', column '{column.name}',"
     if value is None:
@@ -144,7 +148,7 @@ def _read(column: Column[Any], row: dict[str, Any], ids: dict[str, dict[Any, Any
         raise WrongRows(f"{where} is too long")
     if column.name == "id" and isinstance(value, int) and value != place:
         raise WrongRows(f"{where} is not {place}")
-    table = _referred(column)
+    table = referred_table(column)
     if table is not None:
         if value not in ids[table]:
             raise WrongRows(f"{where} refers to a row that is not there")

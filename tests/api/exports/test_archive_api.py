@@ -54,13 +54,20 @@ def test_an_archive_goes_to_another_clinic_and_leaves_it_with_the_same_hash(
     answer = brought(signed_in, package)
     assert answer.status_code == 200, answer.text
     patient = answer.json()["patient_id"]
-    assert answer.json() == {"patient_id": patient, "code": CODE, "is_new": True, "sessions": 1, "trials": 1}
+    assert answer.json() == {
+        "patient_id": patient,
+        "code": CODE,
+        "is_new": True,
+        "sessions": 1,
+        "trials": 1,
+        "comments": 0,
+    }
     (row,) = [row for row in signed_in.log() if row.what == "archive imported"]
     assert (row.person, row.details["patient"]) == ("Demo clinician", patient)
     runs = signed_in.client.app.state.people.settings.runs
     assert read_run(runs / RUN).damage == ""
     before = state_of(signed_in)
-    again = {"patient_id": patient, "code": CODE, "is_new": False, "sessions": 0, "trials": 0}
+    again = {"patient_id": patient, "code": CODE, "is_new": False, "sessions": 0, "trials": 0, "comments": 0}
     assert brought(signed_in, package).json() == again
     assert state_of(signed_in) == before
     (tmp_path / "again.zip").write_bytes(signed_in("GET", f"/patients/{patient}/archive").content)

@@ -37,10 +37,12 @@ export function archiveImport(app, onImported, signal) {
 }
 
 /** @param {ImportedView} imported */
-function whatCameIn({ code, is_new: isNew, sessions, trials }) {
-  if (!isNew) return t("import.known", { code });
+function whatCameIn({ code, is_new: isNew, sessions, trials, comments }) {
+  if (!isNew && !sessions && !comments) return t("import.known", { code });
   const counts = { sessions: t("patients.sessions", { count: sessions }), trials: t("patients.trials", { count: trials }) };
-  return t("import.done", { code, ...counts });
+  return isNew
+    ? t("import.done", { code, ...counts })
+    : t("import.added", { code, ...counts, comments: t("import.comments", { count: comments }) });
 }
 
 /** How far the import is, in figures and as a bar. @param {import("../../main.js").App} app @param {AbortSignal} signal */

@@ -24,5 +24,7 @@ export default {
   "import.send": "Sending: {done} of {total}",
   "import.unpack": "Checking and unpacking: {done} of {total}",
   "import.done": "The patient {code} is imported: {sessions}, {trials}.",
-  "import.known": "{code} was imported from this archive before: nothing was changed.",
+  "import.added": "To {code}, who was imported before, this was added: {sessions}, {trials}, {comments}.",
+  "import.comments": { one: "{count} comment", other: "{count} comments" },
+  "import.known": "{code} was imported before, and this archive has nothing new: nothing was changed.",
 };
