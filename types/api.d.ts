@@ -5336,7 +5336,7 @@ export interface components {
         };
         AttentionView: {
             /** @enum {string} */
-            reason: "deterioration" | "halted" | "comment" | "unsigned" | "absent";
+            reason: "drive" | "deterioration" | "halted" | "comment" | "unsigned" | "absent";
             number: number;
             session_id: number | null;
             trial_id: number | null;

@@ -7,6 +7,7 @@ from app import __version__
 from app.reports.characters import without_invisible
 from app.reports.condition import NO_TABLE, condition_facts, controls_table
 from app.reports.document import Fact, Remark, Report, Table
+from app.reports.drive_report import ReportedDrive, drives_table
 from app.reports.interface_test_report import interface_test_report
 from app.reports.material import (
     InterfaceTestMaterial,
@@ -29,7 +30,7 @@ EXPLANATION: Final = (
 )
 NO_GOAL: Final = "No goal was written down."
 NO_NOTE: Final = "No notes."
-NO_CONDITION: Final = "No trial was driven, so there is no condition to report."
+NO_CONDITION: Final = "Nothing was driven, so there is no condition to report."
 SESSIONS_HEAD: Final = ("Session", "Date", "Opened by", "Trials", "Left out", "Signed off by")
 
 
@@ -37,7 +38,8 @@ def compose(material: ReportMaterial) -> Report:
     """Return the document of a report."""
     sessions, parameters = material.sessions, material.parameters
     course = material.session is None
-    measured: tuple[TaskMaterial | InterfaceTestMaterial, ...] = (*material.tasks, *material.tests)
+    measured: tuple[TaskMaterial | InterfaceTestMaterial | ReportedDrive, ...]
+    measured = (*material.tasks, *material.tests, *material.drives)
     sources = list(dict.fromkeys(one.source for one in measured))
     several = len(sources) > 1
     return Report(
@@ -54,6 +56,7 @@ def compose(material: ReportMaterial) -> Report:
         condition_note=_condition_note(parameters),
         tasks=tuple(task_report(task, material.session, name_source=several) for task in material.tasks),
         tests=tuple(interface_test_report(one, material.session, name_source=several) for one in material.tests),
+        drives=_visible(drives_table(material.drives, course=course)),
         sessions=_sessions_table(sessions) if course else NO_TABLE,
         scales=_scales(sessions, course=course),
         notes=_notes(sessions, course=course),
@@ -141,6 +144,10 @@ def _sessions_table(sessions: tuple[SessionMaterial, ...]) -> Table:
     )
 
 
+def _visible(table: Table) -> Table:
+    return Table(table.head, tuple(tuple(map(without_invisible, row)) for row in table.rows))
+
+
 def _scales(sessions: tuple[SessionMaterial, ...], *, course: bool) -> Table:
     """Return the outcome scales; of a course a row for each scale, with all of its totals."""
     found: dict[str, list[Scale]] = {}
@@ -188,7 +195,7 @@ def _identity(material: ReportMaterial) -> tuple[Fact, ...]:
     recorded = f"recorded with {', '.join(began)}" if began else "at the time of the session: not recorded"
     return (
         Fact("Software", f"bodydrive {__version__}; {recorded}"),
-        Fact("Parameter set (SHA-256)", "none: no trial was driven" if parameters is None else parameters.hash),
+        Fact("Parameter set (SHA-256)", "none: nothing was driven" if parameters is None else parameters.hash),
         Fact("Head of the log", _head_words(material.head)),
     )
 

@@ -97,6 +97,7 @@ class Report:
     condition_note: str
     tasks: tuple[TaskReport, ...]
     tests: tuple[InterfaceTestReport, ...]  # two-minute tests, one for each kind of source
+    drives: Table  # of real chairs; without rows when there was none
     sessions: Table  # of a course; without rows for one session
     scales: Table
     notes: tuple[Remark, ...]

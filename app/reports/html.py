@@ -39,6 +39,7 @@ def render_html(report: Report, paper: Paper) -> bytes:
             *(part for task in report.tasks for part in _task(task)),
             *([] if report.tasks else _section("Trials", ["<p>No trial counted.</p>"])),
             *(_section("Two-minute tests", map(_tests, report.tests)) if report.tests else ()),
+            *(_section("Drives of real chairs", [_table(report.drives)]) if report.drives.rows else ()),
             *_section("Condition", _condition(report)),
             *(_section("Sessions", [_table(report.sessions)]) if report.sessions.rows else ()),
             *_section("Scales", [_table(report.scales) or "<p>No scale was entered.</p>"]),

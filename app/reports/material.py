@@ -8,6 +8,7 @@ from typing import Any
 
 from app.clock import utc_now
 from app.refusals import NotFound
+from app.reports.drive_report import ReportedDrive, reported_drives
 from app.scoring.interface_test.interface_course import StoredTest
 from app.scoring.interface_test.workload import Workload
 from app.scoring.verdict.spread import Spread
@@ -82,7 +83,7 @@ class InterfaceTestMaterial:
 
 @dataclass(frozen=True, slots=True)
 class ParameterMaterial:
-    """The newest parameter set that a reported trial was driven with, and how many others there were."""
+    """The newest parameter set that a reported trial or drive used, and how many others there were."""
 
     title: str
     hash: str
@@ -107,7 +108,8 @@ class ReportMaterial:
     sessions: tuple[SessionMaterial, ...]  # that are reported, the oldest first
     tasks: tuple[TaskMaterial, ...]
     tests: tuple[InterfaceTestMaterial, ...]
-    parameters: ParameterMaterial | None  # None: no trial was driven
+    drives: tuple[ReportedDrive, ...]  # of real chairs
+    parameters: ParameterMaterial | None  # None: nothing was driven
     head: Head | None = None  # of the log, when the report was written into it
     for_patient: bool = False  # a copy for the patient, made without the consent to sharing outside
 
@@ -141,8 +143,9 @@ def _own_material(db: Transaction, patient: Patient, session: int | None, runs: 
     reported = [one for one in every if session is None or one.number == session]
     if not reported:
         raise NotFound(NO_SESSION if session is None else NOT_THIS_SESSION.format(number=session))
-    ids = {one.id for one in reported}
-    trials = [trial for trial in trials_of(db, patient.clinic_id, patient.id) if trial.session_id in ids]
+    numbers = {one.id: one.number for one in reported}
+    trials = [trial for trial in trials_of(db, patient.clinic_id, patient.id) if trial.session_id in numbers]
+    drives = reported_drives(db, patient.clinic_id, patient.id, numbers)
     last, origins = every[-1].number, origins_of(db, patient.id)
     return ReportMaterial(
         patient_id=patient.id,
@@ -152,8 +155,9 @@ def _own_material(db: Transaction, patient: Patient, session: int | None, runs: 
         session=session,
         sessions=tuple(_session(db, one, trials, origins.get(one.id)) for one in reported),
         tasks=tuple(_tasks(db, patient, trials, last, runs)),
-        tests=tuple(_tests(db, patient, {one.number for one in reported}, last)),
-        parameters=_parameters(db, trials),
+        tests=tuple(_tests(db, patient, set(numbers.values()), last)),
+        drives=tuple(drives),
+        parameters=_parameters(db, [*trials, *drives]),
     )
 
 
@@ -238,10 +242,11 @@ def _reported_test(test: InterfaceTest, session: int) -> ReportedTest:
     )
 
 
-def _parameters(db: Transaction, trials: list[Trial]) -> ParameterMaterial | None:
-    if not trials:
+def _parameters(db: Transaction, driven: list[Trial | ReportedDrive]) -> ParameterMaterial | None:
+    if not driven:
         return None
-    row = db.get_one(Parameters, trials[-1].parameters_id)
+    newest = max(driven, key=lambda one: one.started)
+    row = db.get_one(Parameters, newest.parameters_id)
     profile = db.get_one(Profile, row.profile_id)
     return ParameterMaterial(
         title=row.title,
@@ -251,6 +256,6 @@ def _parameters(db: Transaction, trials: list[Trial]) -> ParameterMaterial | Non
         version=profile.version,
         origin=profile.origin,
         parent=profile.parent,
-        others=len({trial.parameters_id for trial in trials}) - 1,
+        others=len({one.parameters_id for one in driven}) - 1,
         simulated=profile.simulated,
     )

@@ -15,14 +15,14 @@ from app.store.tables import Patient
 
 router = APIRouter(tags=["review"])
 
-URGENCY: tuple[Reason, ...] = ("deterioration", "halted", "comment", "unsigned", "absent")
+URGENCY: tuple[Reason, ...] = ("drive", "deterioration", "halted", "comment", "unsigned", "absent")
 
 
 class AttentionView(Answer):
     """One reason why somebody should look at a patient."""
 
     reason: Reason
-    number: int  # of trials, comments, sessions or days
+    number: int  # of drives, trials, comments, sessions or days
     session_id: int | None  # where to look; both null: the patient's learning curve
     trial_id: int | None
     sentence: str  # of a deterioration, else empty

@@ -12,20 +12,20 @@ from app.source import SourceGroup
 from app.store.patients import all_patients
 from app.store.records.record_tables import SessionSignOff
 from app.store.sharing.comments import comments_of
-from app.store.tables import COUNTED, Patient, PatientSession, Run, Trial
+from app.store.tables import COUNTED, Drive, Patient, PatientSession, Run, Trial
 
 LONG = timedelta(days=28)  # without a session
-RECENT = timedelta(days=28)  # for trials that halted
+RECENT = timedelta(days=28)  # for trials and drives that halted
 GROUPS: dict[bool | None, SourceGroup] = {False: "worn", True: "simulated", None: "unknown"}
 
-Reason = Literal["deterioration", "halted", "comment", "unsigned", "absent"]
+Reason = Literal["drive", "deterioration", "halted", "comment", "unsigned", "absent"]
 
 
 class Attention(NamedTuple):
     """One reason why somebody should look at a patient."""
 
     reason: Reason
-    number: int  # of trials, comments, sessions or days
+    number: int  # of drives, trials, comments, sessions or days
     session_id: int | None  # where to look
     trial_id: int | None
     sentence: str = ""  # of a deterioration
@@ -35,6 +35,13 @@ def patients_and_reasons(db: Session, clinic_id: int, person_id: int) -> list[tu
     """Return every visible patient with the reasons to look at them; the most urgent reason first."""
     now = utc_now()
     reasons: dict[int, list[Attention]] = defaultdict(list)
+    stopped = (
+        select(Drive.patient_id, func.count(), func.max(Drive.session_id))
+        .where(Drive.clinic_id == clinic_id, Drive.end == "fault", Drive.started >= now - RECENT)
+        .group_by(Drive.patient_id)
+    )
+    for patient, count, session in db.execute(stopped):
+        reasons[patient].append(Attention("drive", count, session, None))
     halted = (
         select(Trial.patient_id, func.count(), func.max(Trial.id))
         .where(Trial.clinic_id == clinic_id, Trial.end == "fault", Trial.started >= now - RECENT)

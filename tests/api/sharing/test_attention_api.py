@@ -7,12 +7,22 @@ import pytest
 from fake_clinic import Clinic
 from store.course_of_sessions import store_course
 
+from app.source import Source
+from app.speeds import HIGHEST_SPEEDS
+from app.store.chairs import add_chair
+from app.store.drives import add_drive, finish_drive
+from app.store.parameters import current_parameters
 from app.store.patients import add_patient
 from app.store.people import the_clinic
+from app.store.records.session_record import sessions_of
+from app.store.runs import add_run
+from app.store.sharing.attention import RECENT
+from app.store.tables import Patient
 from app.world.floorplan import FloorPlan
 from app.world.scene import find_place
 
 PLAN = "apartment"
+REAL = Source(shirt="udp", body=None, chair="udp", simulated=False)
 LEVELS = {"steady": [1.0] * 11, "worse": [1.0] * 8 + [3.0] * 3}  # m2, of each session
 
 
@@ -71,3 +81,21 @@ def path_name() -> str:
     plan = find_place(PLAN)
     assert isinstance(plan, FloorPlan)
     return plan.paths[0].name
+
+
+def test_a_drive_that_a_fault_stopped_stands_before_everything_else(signed_in: Clinic, course: Any) -> None:
+    with signed_in.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+        patient = db.query(Patient).filter_by(code="steady").one()
+        session = sessions_of(db, patient.id)[0]
+        row, _ = current_parameters(db, patient.id)
+        chair = add_chair(db, the_clinic(db), "Red", "chair.example", 5354, 7, HIGHEST_SPEEDS)
+        for number, end in enumerate(("fault", "by hand", "fault")):
+            run = add_run(db, f"drive-{number}", session.id, "drive", f"drive-{number}", REAL)
+            given = {"run": run, "clinic_id": patient.clinic_id, "patient_id": patient.id, "chair_id": chair.id}
+            drive = finish_drive(db, add_drive(db, parameters_id=row.id, digest=row.hash, **given).id, end, 2.0)
+        drive.started -= RECENT  # long ago
+        expected = session.id
+    found = signed_in.until("/attention", is_known)
+    assert [one["code"] for one in found] == ["steady", "worse"]
+    reason = found[0]["reasons"][0]
+    assert (reason["reason"], reason["number"], reason["session_id"]) == ("drive", 1, expected)

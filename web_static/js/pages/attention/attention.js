@@ -9,7 +9,7 @@ import { rowList } from "../../widgets/list.js";
 
 const ASK_AGAIN = 5000; // ms, while something is worked out
 const CHANGES = ["trial", "record", "session", "everything"];
-const URGENT = ["deterioration", "halted"];
+const URGENT = ["drive", "deterioration", "halted"];
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {

@@ -10,6 +10,10 @@ export default {
     other: "It is still being worked out if any of {count} patients has become worse.",
   },
   "attention.deterioration": { one: "{count} measure worse than noise", other: "{count} measures worse than noise" },
+  "attention.drive": {
+    one: "{count} drive of a real chair was stopped by a fault",
+    other: "{count} drives of a real chair were stopped by a fault",
+  },
   "attention.halted": { one: "{count} trial was stopped by a fault", other: "{count} trials were stopped by a fault" },
   "attention.comment": { one: "{count} unread comment", other: "{count} unread comments" },
   "attention.unsigned": { one: "{count} session not signed off", other: "{count} sessions not signed off" },
