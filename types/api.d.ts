@@ -5549,6 +5549,19 @@ export interface components {
             joint: string;
             share: number;
         };
+        ComparedTests: {
+            /** @enum {string} */
+            source: "worn" | "simulated" | "unknown";
+            complete: [
+                number,
+                number
+            ];
+            earlier: components["schemas"]["InterfaceTestView"] | null;
+            later: components["schemas"]["InterfaceTestView"] | null;
+            verdicts: {
+                [key: string]: components["schemas"]["Verdict"];
+            };
+        };
         ComputerView: {
             machine: components["schemas"]["MachineView"];
             screens: components["schemas"]["FindingView"][];
@@ -6844,6 +6857,7 @@ export interface components {
             earlier: components["schemas"]["SessionRecordView"];
             later: components["schemas"]["SessionRecordView"];
             tasks: components["schemas"]["TaskComparison"][];
+            tests: components["schemas"]["ComparedTests"][];
             sets: [
                 components["schemas"]["UsedSetView"] | null,
                 components["schemas"]["UsedSetView"] | null
@@ -6872,6 +6886,7 @@ export interface components {
             scales: components["schemas"]["ScaleView"][];
             trials: components["schemas"]["SessionTrial"][];
             drives: components["schemas"]["SessionDrive"][];
+            tests: components["schemas"]["InterfaceTestView"][];
             sets: components["schemas"]["UsedSetView"][];
             sign_off: components["schemas"]["SignOffView"] | null;
             sign_offs: components["schemas"]["PastSignOff"][];
@@ -7336,6 +7351,7 @@ export type Code = components['schemas']['Code'];
 export type CommentRevisionView = components['schemas']['CommentRevisionView'];
 export type CommentView = components['schemas']['CommentView'];
 export type Companion = components['schemas']['Companion'];
+export type ComparedTests = components['schemas']['ComparedTests'];
 export type ComputerView = components['schemas']['ComputerView'];
 export type Cone = components['schemas']['Cone'];
 export type ConsentRow = components['schemas']['ConsentRow'];

@@ -5,15 +5,13 @@ from typing import Annotated
 
 from fastapi import APIRouter, Query
 
-from app.api.answers import MomentText
 from app.api.deps import Anyone, Clinician, PeopleParts, RowId
+from app.api.interface_tests.interface_test_view import InterfaceTestView
 from app.api.live.screen_socket import ScreenWord
 from app.api.parts import Web
-from app.api.routes.source_view import SourceView
 from app.quantities import Document
 from app.refusals import Conflict
 from app.scoring.interface_test.interface_course import InterfaceCourse, StoredTest, counted_tests, interface_course
-from app.scoring.interface_test.interface_measures import InterfaceMeasures
 from app.scoring.interface_test.workload import Workload
 from app.scoring.verdict.measure_verdict import FEWEST
 from app.session.run_watch import Starter
@@ -31,40 +29,6 @@ class NewTest(Document):
     """The screen from which the test is started."""
 
     screen: ScreenWord
-
-
-class InterfaceTestView(Document):
-    """An interface test."""
-
-    id: int
-    number: int
-    session_id: int
-    session: int  # number of the session
-    started: MomentText
-    status: str
-    end: str | None  # complete, by hand, stopped, fault
-    source: SourceView
-    measures: InterfaceMeasures | None  # None while it runs, or when the recording cannot be read
-    workload: Workload | None
-    raw_tlx: float | None  # mean of the six answers; None when one was left out
-
-    @classmethod
-    def of_row(cls, test: InterfaceTest, session: int) -> "InterfaceTestView":
-        """Return the view of a row; `session` is the number of its session."""
-        workload = None if test.workload is None else Workload.model_validate(test.workload)
-        return cls(
-            id=test.id,
-            number=test.number,
-            session_id=test.session_id,
-            session=session,
-            started=test.started.isoformat(),
-            status=test.status,
-            end=test.end,
-            source=SourceView.model_validate(test.source),
-            measures=None if test.measures is None else InterfaceMeasures.model_validate(test.measures),
-            workload=workload,
-            raw_tlx=None if workload is None else workload.raw_tlx,
-        )
 
 
 class InterfaceTestsView(Document):

@@ -6,6 +6,7 @@ from fastapi import APIRouter, Query
 
 from app.api.deps import Anyone, PeopleParts, RowId
 from app.api.parts import Web
+from app.api.records.compared_tests import ComparedTests, pairs_of_tests, verdicts_on
 from app.api.records.session_views import SessionRecordView, UsedSetView, record_view
 from app.quantities import Document
 from app.refusals import Conflict
@@ -45,6 +46,7 @@ class SessionComparison(Document):
     earlier: SessionRecordView
     later: SessionRecordView
     tasks: list[TaskComparison]
+    tests: list[ComparedTests]  # two-minute tests, by their source
     sets: tuple[UsedSetView | None, UsedSetView | None]  # that each session drove with last; None: nothing was driven
     changes: list[Difference] | None  # from the earlier set to the later one; None: one of them cannot be read
 
@@ -68,6 +70,7 @@ def compare_two(
             counted = counted_trials(db, who.clinic_id, earlier.patient_id, task.floorplan, task.path)
             rows[task] = title, [one.row() for one in counted if one.group == task.group]
         driven = {task: tuple(_count(db, one, task) for one in (earlier, later)) for task in tasks}
+        pairs = pairs_of_tests(db, earlier, later)
         views = record_view(db, earlier), record_view(db, later)
         sets = [_last_set(db, one) for one in (earlier, later)]
         changes = _changes(db, sets[0], sets[1])
@@ -87,7 +90,12 @@ def compare_two(
         )
     shown = [None if one is None else UsedSetView.of(one) for one in sets]
     return SessionComparison(
-        earlier=views[0], later=views[1], tasks=compared, sets=(shown[0], shown[1]), changes=changes
+        earlier=views[0],
+        later=views[1],
+        tasks=compared,
+        tests=[verdicts_on(pair, web.computing) for pair in pairs],
+        sets=(shown[0], shown[1]),
+        changes=changes,
     )
 
 

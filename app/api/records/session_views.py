@@ -3,10 +3,12 @@
 from datetime import date
 
 from app.api.answers import Answer, MomentText
+from app.api.interface_tests.interface_test_view import InterfaceTestView
 from app.api.records.origin_view import OriginView
 from app.api.routes.source_view import SourceView
 from app.quantities import Document
 from app.store.database import Transaction
+from app.store.interface_tests import interface_tests_of_session
 from app.store.records.imports import origin_of
 from app.store.records.session_contents import drives_of_session, sets_of_session, trials_of_session
 from app.store.records.session_record import note_history, session_record
@@ -115,6 +117,7 @@ class SessionRecordView(Document):
     scales: list[ScaleView]
     trials: list[SessionTrial]
     drives: list[SessionDrive]
+    tests: list[InterfaceTestView]  # two-minute tests
     sets: list[UsedSetView]
     sign_off: SignOffView | None
     sign_offs: list[PastSignOff]
@@ -143,6 +146,7 @@ def record_view(db: Transaction, session: PatientSession) -> SessionRecordView:
         scales=[ScaleView.of(scale) for scale in record.scales],
         trials=[SessionTrial.of(trial) for trial in trials_of_session(db, session.id)],
         drives=[SessionDrive.of(drive) for drive in drives_of_session(db, session.id)],
+        tests=[InterfaceTestView.of_row(one, session.number) for one in interface_tests_of_session(db, session.id)],
         sets=[UsedSetView.of(used) for used in sets_of_session(db, session.id)],
         sign_off=sign_off_view(record.sign_off),
         sign_offs=[PastSignOff.of(row) for row in sign_off_history(db, session.id)],

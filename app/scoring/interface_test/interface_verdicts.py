@@ -27,17 +27,24 @@ def interface_verdicts(tests: Tests) -> list[InterfaceVerdicts]:
     """Compare the newest of a person's tests with the one before and with the first; empty for fewer than two."""
     if len(tests) < 2:
         return []
-    last = len(tests) - 1
-    return [
-        InterfaceVerdicts(
-            earlier=tests[place]["number"],
-            later=tests[last]["number"],
-            verdicts={
-                name: found for name in INTERFACE_COMPARISONS if (found := _verdict(name, tests, place)) is not None
-            },
-        )
-        for place in dict.fromkeys((last - 1, 0))
-    ]
+    return [_against(tests, place) for place in dict.fromkeys((len(tests) - 2, 0))]
+
+
+def verdicts_between(tests: Tests, earlier: int, later: int) -> InterfaceVerdicts | None:
+    """Compare two of a person's tests by their numbers, as of the later one; None when one of them is not there."""
+    numbers = [test["number"] for test in tests]
+    if earlier not in numbers or later not in numbers:
+        return None
+    return _against(tests[: numbers.index(later) + 1], numbers.index(earlier))
+
+
+def _against(tests: Tests, place: int) -> InterfaceVerdicts:
+    """Compare the newest test with that at `place`."""
+    return InterfaceVerdicts(
+        earlier=tests[place]["number"],
+        later=tests[-1]["number"],
+        verdicts={name: found for name in INTERFACE_COMPARISONS if (found := _verdict(name, tests, place)) is not None},
+    )
 
 
 def _verdict(name: str, tests: Tests, place: int) -> Verdict | None:

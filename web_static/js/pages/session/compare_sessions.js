@@ -1,8 +1,9 @@
 /**
  * Two sessions of a patient side by side: each task with medians and verdicts, and what changed in the parameters.
- * @import { MeasureOfSessions, SessionComparison, TaskComparison } from "types/api"
+ * @import { ComparedTests, MeasureOfSessions, SessionComparison, TaskComparison } from "types/api"
  */
 import { differenceWords } from "../chair/difference_words.js";
+import { comparedTests } from "../../interface_test/test_table.js";
 import { figure, joined, MEASURES } from "../../results/measures.js";
 import { groupMark } from "../../results/source_group.js";
 import { noiseNote, verdictLine, verdictWords } from "../../results/verdict_words.js";
@@ -15,7 +16,7 @@ import { scrollTable } from "../../widgets/scroll_table.js";
 export async function show(app, root, { signal, rest: [, first, second] }) {
   const found = await app.api.get(`/sessions/${Number(first)}/comparison?other=${Number(second)}`);
   if (signal.aborted) return;
-  const { earlier, later, tasks } = found;
+  const { earlier, later, tasks, tests } = found;
   /** @param {SessionComparison["earlier"]} session */
   const link = ({ id, number: place, started, goal }) =>
     h("li", {}, h("a", { href: `#/session/${id}` }, t("verdict.session", { number: place })), ` (${moment(started)})`, goal && `: ${goal}`);
@@ -27,9 +28,10 @@ export async function show(app, root, { signal, rest: [, first, second] }) {
       h("h1", { tabindex: "-1" }, t("record.compare.title")),
       h("p", { class: "lead" }, t("record.compare.lead", { code: earlier.code, earlier: earlier.number, later: later.number })),
       h("ul", { class: "card two-sessions" }, link(earlier), link(later)),
-      tasks.length === 0 && h("p", { class: "card quiet" }, t("record.compare.nothing")),
+      tasks.length === 0 && tests.length === 0 && h("p", { class: "card quiet" }, t("record.compare.nothing")),
       tasks.map((task) => taskCard(found, task)),
       tasks.length > 0 && h("div", { class: "card" }, h("p", { class: "quiet small" }, t("record.compare.spread")), noiseNote()),
+      tests.map((compared) => testsCard(found, compared)),
       changesCard(found),
     ),
     h(
@@ -77,6 +79,24 @@ function taskCard({ earlier, later }, { floorplan_title: plan, path, source, tri
           h("thead", {}, h("tr", {}, head.map((words) => h("th", { scope: "col" }, words)))),
           h("tbody", {}, names.map(row)),
         ),
+  );
+}
+
+/** @param {SessionComparison} found @param {ComparedTests} compared */
+function testsCard({ earlier, later }, compared) {
+  const sessions = [earlier, later];
+  return h(
+    "section",
+    { class: "card stack" },
+    h("h2", {}, t("record.tests"), " ", groupMark(compared.source)),
+    h(
+      "p",
+      { class: "small" },
+      sessions.map((one, i) => `${t("record.compare.tests", { number: one.number, complete: compared.complete[i] })} `),
+      t("record.compare.tests.newest"),
+    ),
+    comparedTests(compared, sessions.map((one) => t("verdict.session", { number: one.number }))),
+    h("p", { class: "quiet small" }, t("test.noise")),
   );
 }
 

@@ -3,14 +3,15 @@
  * @import { SessionRecordView, SessionTrial, UsedSetView } from "types/api"
  * @import { UnreadMark } from "../../results/unread_marks.js"
  */
+import { testTable } from "../../interface_test/test_table.js";
 import { groupMark, groupOf } from "../../results/source_group.js";
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 
 /** @param {SessionRecordView} record @param {UnreadMark} unread */
-export function drivenCard({ patient_id: patient, trials, drives, sets }, unread) {
-  const isEmpty = !trials.length && !drives.length;
+export function drivenCard({ patient_id: patient, trials, drives, tests, sets }, unread) {
+  const isEmpty = !trials.length && !drives.length && !tests.length;
   return h(
     "section",
     { class: "card stack" },
@@ -18,6 +19,7 @@ export function drivenCard({ patient_id: patient, trials, drives, sets }, unread
     isEmpty && h("p", { class: "quiet" }, t("record.driven.none")),
     trials.length > 0 && trialTable(patient, trials, unread),
     drives.length > 0 && h("p", {}, t("record.driven.drives", { count: drives.length })),
+    tests.length > 0 && [h("h3", {}, t("record.tests")), testTable(tests)],
     sets.length > 0 && [h("h3", {}, t("record.sets")), h("ul", { class: "sets-of-session" }, sets.map(setLine))],
   );
 }

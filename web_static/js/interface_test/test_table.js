@@ -1,0 +1,62 @@
+/**
+ * Tables of two-minute tests: each test with its figures, and the tests of two sessions side by side.
+ * @import { ComparedTests, InterfaceTestView } from "types/api"
+ */
+import { groupMark, groupOf } from "../results/source_group.js";
+import { t } from "../texts.js";
+import { h } from "../widgets/dom.js";
+import { number } from "../widgets/format.js";
+import { scrollTable } from "../widgets/scroll_table.js";
+import { TEST_MEASURES, testFigure } from "./test_measures.js";
+
+const NAMES = Object.keys(TEST_MEASURES);
+/** @type {Record<string, string>} */
+const TONES = { better: "good", worse: "bad" };
+
+/** A row for each test, with its figures, or why it does not count. @param {InterfaceTestView[]} tests */
+export function testTable(tests) {
+  const head = [t("test.number"), ...NAMES.map((name) => t(`test.measure.${name}`)), t("test.workload.mean"), t("review.column.source")];
+  /** @param {InterfaceTestView} test */
+  const row = (test) => {
+    const counts = test.end === "complete" && test.measures;
+    const figures = NAMES.map((name) => h("td", {}, testFigure(test, name)));
+    const workload = h("td", {}, test.raw_tlx === null ? "–" : number(test.raw_tlx, 0));
+    return h(
+      "tr",
+      { class: counts ? null : "discarded" },
+      h("th", { scope: "row" }, String(test.number)),
+      counts ? [figures, workload] : h("td", { colspan: String(NAMES.length + 1) }, t(test.status === "done" ? `test.end.${test.end ?? "fault"}` : "test.phase.running")),
+      h("td", { title: test.source.words }, groupMark(groupOf(test)) ?? t("source.group.worn")),
+    );
+  };
+  return scrollTable(
+    t("record.tests"),
+    "measures trials",
+    h("thead", {}, h("tr", {}, head.map((words) => h("th", { scope: "col" }, words)))),
+    h("tbody", {}, tests.map(row)),
+  );
+}
+
+/** The newest complete test of each of two sessions. @param {ComparedTests} compared @param {string[]} sessions their names */
+export function comparedTests({ earlier, later, verdicts }, sessions) {
+  const head = [t("over.measure"), ...sessions, t("verdict.column")];
+  /** @param {string} name */
+  const row = (name) => {
+    const word = verdicts[name]?.word;
+    const [before, now] = [earlier, later].map((test) => (test ? testFigure(test, name) : "–"));
+    return h(
+      "tr",
+      {},
+      h("th", { scope: "row" }, t(`test.measure.${name}`)),
+      h("td", {}, before),
+      h("td", { class: "own" }, now),
+      h("td", { class: `change ${TONES[word ?? ""] ?? ""}` }, word ? t(`test.verdict.${word}`) : "–"),
+    );
+  };
+  return scrollTable(
+    t("record.tests"),
+    "measures",
+    h("thead", {}, h("tr", {}, head.map((words) => h("th", { scope: "col" }, words)))),
+    h("tbody", {}, NAMES.map(row)),
+  );
+}
