@@ -5,8 +5,9 @@ from typing import Final
 
 from app import __version__
 from app.reports.characters import without_invisible
-from app.reports.condition import NO_TABLE, condition_facts, controls_table
-from app.reports.document import Fact, Remark, Report, Table
+from app.reports.comment_remarks import comment_remarks
+from app.reports.condition import condition_facts, controls_table
+from app.reports.document import NO_TABLE, Fact, Remark, Report, Table
 from app.reports.drive_report import ReportedDrive, drives_table
 from app.reports.interface_test_report import interface_test_report
 from app.reports.material import (
@@ -60,6 +61,7 @@ def compose(material: ReportMaterial) -> Report:
         sessions=_sessions_table(sessions) if course else NO_TABLE,
         scales=_scales(sessions, course=course),
         notes=_notes(sessions, course=course),
+        comments=comment_remarks(material.comments, {one.id: one.number for one in sessions}, course=course),
         signed=_signed(sessions),
         identity=_identity(material),
         explanation=EXPLANATION,

@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping
 from typing import Any, Final
 
-from app.reports.document import Fact, Table
+from app.reports.document import NO_TABLE, Fact, Table
 from app.reports.material import ParameterMaterial
 
 CONTROL_WORDS: Final = {
@@ -25,7 +25,6 @@ ORIGIN_WORDS: Final = {
     "back": ", taken back",
 }
 METHOD_WORDS: Final = {"pca": "standard", "guided": "learnt from the cues", "prior": "learnt from other people"}
-NO_TABLE: Final = Table((), ())
 CONTROLS_HEAD: Final = ("Control", "Movement", "Counts from", "Full at", "Gain")
 
 

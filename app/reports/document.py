@@ -4,7 +4,7 @@ Both renderers (`app/reports/pdf.py`, `app/reports/html.py`) show this document 
 """
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Final, Literal
 
 Form = Literal["pdf", "html"]
 Paper = Literal["a4", "us-letter"]
@@ -72,6 +72,9 @@ class Table:
     rows: tuple[tuple[str, ...], ...]
 
 
+NO_TABLE: Final = Table((), ())
+
+
 @dataclass(frozen=True, slots=True)
 class InterfaceTestReport:
     """The two-minute tests of one kind of source."""
@@ -101,6 +104,7 @@ class Report:
     sessions: Table  # of a course; without rows for one session
     scales: Table
     notes: tuple[Remark, ...]
+    comments: tuple[Remark, ...]  # on moments of trials; empty when there are none
     signed: str  # "" when nobody has signed off: then there is a line to sign on
     identity: tuple[Fact, ...]  # software, parameter set, head of the log
     explanation: str

@@ -44,6 +44,7 @@ def render_html(report: Report, paper: Paper) -> bytes:
             *(_section("Sessions", [_table(report.sessions)]) if report.sessions.rows else ()),
             *_section("Scales", [_table(report.scales) or "<p>No scale was entered.</p>"]),
             *_section("Notes", map(_remark, report.notes)),
+            *(_section("Comments on trials", map(_remark, report.comments)) if report.comments else ()),
             *_foot(report),
             "</main>\n</body>\n</html>\n",
         ]

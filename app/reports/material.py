@@ -21,6 +21,7 @@ from app.store.patients import find_patient
 from app.store.records.imports import Origin, origins_of
 from app.store.records.session_record import SessionRecord, session_record, sessions_of
 from app.store.runs import trials_of
+from app.store.sharing.comments import Comment, comments_of
 from app.store.tables import Clinic, InterfaceTest, Parameters, Patient, PatientSession, Profile, Trial
 
 MOST_TASKS = 12  # in one report, those with the most trials
@@ -109,6 +110,7 @@ class ReportMaterial:
     tasks: tuple[TaskMaterial, ...]
     tests: tuple[InterfaceTestMaterial, ...]
     drives: tuple[ReportedDrive, ...]  # of real chairs
+    comments: tuple[Comment, ...]  # on trials of the patient, also of sessions that are not reported
     parameters: ParameterMaterial | None  # None: nothing was driven
     head: Head | None = None  # of the log, when the report was written into it
     for_patient: bool = False  # a copy for the patient, made without the consent to sharing outside
@@ -157,6 +159,7 @@ def _own_material(db: Transaction, patient: Patient, session: int | None, runs: 
         tasks=tuple(_tasks(db, patient, trials, last, runs)),
         tests=tuple(_tests(db, patient, set(numbers.values()), last)),
         drives=tuple(drives),
+        comments=tuple(comments_of(db, patient_id=patient.id)),
         parameters=_parameters(db, [*trials, *drives]),
     )
 

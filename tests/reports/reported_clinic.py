@@ -110,6 +110,7 @@ def with_words(report: Report, words: str) -> Report:
         clinic=words,
         goals=(remark,),
         notes=(remark,),
+        comments=(remark,),
         signed=words,
         tasks=(task, *report.tasks[1:]),
     )

@@ -25,6 +25,7 @@ class Comment:
     trial_id: int
     patient_id: int
     session_id: int
+    floorplan_title: str  # of the trial
     number: int  # of the trial
     person_id: int | None  # None: its author belongs to another clinic
     person: str
@@ -92,6 +93,7 @@ def comments_of(
             trial_id=trial.id,
             patient_id=trial.patient_id,
             session_id=trial.session_id,
+            floorplan_title=trial.floorplan_title,
             number=trial.number,
             person_id=comment.person_id,
             person=name,
