@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+from large_clinic.written import written_rows
 from recorded_trial import plan_of, record_trial
 from sqlalchemy import insert
 from sqlalchemy.orm import Session
@@ -67,7 +68,10 @@ def furnish_years(state: Path, size: Size) -> str:
         for table, documents in rows.all().items():
             _insert(db, table, documents)
         _insert(db, LogEntry, _log_rows(rows.log))
-        token = sign_in(db, add_person(db, clinic, "Ada", "owner", None), "large clinic")
+        ada = add_person(db, clinic, "Ada", "owner", None)
+        token = sign_in(db, ada, "large clinic")
+        for table, documents in rows.written_by(ada.id).items():
+            _insert(db, table, documents)
     _link(settings.runs, recorded, [row["id"] for row in rows.runs if row["kind"] == "drive"])
     database.close()
     return token
@@ -148,6 +152,10 @@ class _Rows:
             Run: self.runs,
             Trial: self.trials,
         }
+
+    def written_by(self, person_id: int) -> dict[Any, list[dict[str, Any]]]:
+        """Return what was written and tested in the sessions, in the order in which the tables refer to one another."""
+        return written_rows(self.sessions, self.trials, self._set_of, person_id, SOURCE.model_dump())
 
     def _add_patient(self, patient: int) -> datetime:
         begin = utc_now() - timedelta(weeks=self._size.sessions, hours=patient)

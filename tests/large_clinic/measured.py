@@ -26,7 +26,16 @@ PAGES = {  # what a page asks for; of another patient each time
     "a trial": ("/trials/{trial}", "/trials/{trial}/verdicts"),
     "replay of a trial": ("/trials/{trial}/timeline",),
     "log": ("/log",),
+    "record of a session": ("/sessions/{session}",),
+    "story of a session": ("/sessions/{session}/story",),
+    "two sessions side by side": ("/sessions/{session}/comparison?other={earlier}",),
 }
+REPORTS = {  # files that are made while somebody waits; the limits are s, 95th percentile
+    "/patients/{patient}/report?form=html&session={number}": 1.0,
+    "/patients/{patient}/report?form=pdf&session={number}": 1.0,
+    "/patients/{patient}/report?form=pdf": 3.0,
+}
+REPORT_EVERY = 4  # rounds
 TASK = "floorplan={floorplan}&path={path}&source=worn"
 
 
@@ -49,13 +58,17 @@ def measure(state: Path, token: str, size: Size, rounds: int) -> Figures:
             for page in PAGES.values():
                 for address in page:
                     _ask(client, address, _names(client, patient), requests)
+            for address in REPORTS if number % REPORT_EVERY == 0 else ():
+                _ask(client, address, _names(client, patient), requests)
             memory.append(process.memory_info().rss / 1e6)
     return Figures(start, requests, (memory[0], memory[-1]))
 
 
 def _names(client: httpx.Client, patient: int) -> dict[str, str]:
     trial = client.get(f"/trials?patient={patient}").raise_for_status().json()[-1]
-    return {"patient": str(patient), "trial": str(trial["id"]), "task": TASK.format(**trial)}
+    later, earlier, *_ = client.get(f"/patients/{patient}/sessions").raise_for_status().json()
+    sessions = {"session": str(later["id"]), "earlier": str(earlier["id"]), "number": str(later["number"])}
+    return {"patient": str(patient), "trial": str(trial["id"]), "task": TASK.format(**trial), **sessions}
 
 
 def _ask(client: httpx.Client, address: str, names: dict[str, str], requests: dict[str, list[float]]) -> None:
