@@ -1,4 +1,4 @@
-"""The learning of one patient in each task, in words and figures without what others did; for a page read elsewhere."""
+"""The learning of one patient in each task, for the page of a share link: no figure of another patient is in it."""
 
 from typing import Any
 

@@ -1,6 +1,6 @@
 /**
- * The export of a patient's recordings and measures, in one of five forms, or of everything as an archive; only with the
- * consent to sharing outside.
+ * The export of recordings and measures in one of five forms, or of the whole patient as an archive. It needs the
+ * patient's consent to sharing outside.
  * @import { ConsentsView, SessionRow } from "types/api"
  */
 import { t } from "../../texts.js";
