@@ -3682,6 +3682,40 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/exports": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["ExportCourseView"] | null;
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/patients/{patient_id}/export": {
         parameters: {
             query?: never;
@@ -5868,6 +5902,13 @@ export interface components {
                 [key: string]: unknown;
             };
         };
+        ExportCourseView: {
+            packed: number;
+            recordings: number;
+            sent: number;
+            /** @enum {string} */
+            state: "going on" | "complete" | "broken off";
+        };
         FieldDifference: {
             /**
              * @description discriminator enum property added by openapi-typescript
@@ -7388,6 +7429,7 @@ export type EndTrial = components['schemas']['EndTrial'];
 export type EquipmentView = components['schemas']['EquipmentView'];
 export type Event = components['schemas']['Event'];
 export type EventView = components['schemas']['EventView'];
+export type ExportCourseView = components['schemas']['ExportCourseView'];
 export type FieldDifference = components['schemas']['FieldDifference'];
 export type FileView = components['schemas']['FileView'];
 export type FindingView = components['schemas']['FindingView'];

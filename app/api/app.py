@@ -17,6 +17,7 @@ from app.api.deps import People, clinician, viewer
 from app.api.docs_pages import docs_pages
 from app.api.driving import places
 from app.api.exports import archive_import, export_file
+from app.api.exports.export_courses import ExportCourses
 from app.api.exports.import_courses import ImportCourses
 from app.api.foreign_files import OneAtATime
 from app.api.guard import Guard
@@ -153,6 +154,7 @@ def create_app(
             readings=OneAtATime(),
             uploads=OneAtATime(),
             imports=ImportCourses(),
+            exports=ExportCourses(),
         )
         web = make_parts(settings, database, start_process, computing, open_scene)
         app.state.people, app.state.web = parts, web

@@ -6,6 +6,7 @@ from typing import Annotated
 from fastapi import Depends, HTTPException, Path
 from starlette.requests import HTTPConnection
 
+from app.api.exports.export_courses import ExportCourses
 from app.api.exports.import_courses import ImportCourses
 from app.api.foreign_files import OneAtATime
 from app.api.sign_in.hashing import Hashing
@@ -43,6 +44,7 @@ class People:
     readings: OneAtATime  # of drawings, pictures and 3D objects
     uploads: OneAtATime  # of recordings, each in memory as a whole
     imports: ImportCourses  # of archives
+    exports: ExportCourses
 
 
 async def people(connection: HTTPConnection) -> People:

@@ -1,7 +1,7 @@
 """The recordings and measures of a patient, or everything as an archive, as one zip file, sent while it is made."""
 
 from collections.abc import Iterator
-from contextlib import closing
+from contextlib import AbstractContextManager, closing
 from functools import partial
 from pathlib import Path
 from typing import Annotated
@@ -9,8 +9,10 @@ from typing import Annotated
 from fastapi import APIRouter, Query
 from fastapi.responses import StreamingResponse
 
-from app.api.deps import Exporter, PeopleParts, RowId
+from app.api.deps import Exporter, People, PeopleParts, RowId
+from app.api.exports.export_courses import ExportCourse, State
 from app.api.parts import Web, WebParts
+from app.api.sign_in.identity import SignedInPerson
 from app.clock import utc_now
 from app.computing_process import ComputingProcess
 from app.exports.archive import archive_material
@@ -31,11 +33,32 @@ router = APIRouter(tags=["exports"])
 CHUNK = 1 << 18  # bytes
 
 
+CourseWord = Annotated[str, Query(pattern=r"^[0-9a-z-]{8,40}$")]
+
+
+class ExportCourseView(Document):
+    """How far an export is: recordings that are packed, of how many, and bytes that are sent."""
+
+    packed: int
+    recordings: int
+    sent: int
+    state: State
+
+
 class ArchiveRoomView(Document):
     """The recordings of an archive; `words`: why there is no room for them, empty when there is."""
 
     bytes: int
     words: str
+
+
+@router.get("/exports")
+def export_course(course: CourseWord, who: Exporter, parts: PeopleParts) -> ExportCourseView | None:
+    """Return how far an export of the person who asks is, by the word that it was begun with; null when none has it."""
+    found = parts.exports.of(who.person_id, course)
+    if found is None:
+        return None
+    return ExportCourseView(packed=found.packed, recordings=found.recordings, sent=found.sent, state=found.state)
 
 
 @router.get("/patients/{patient_id}/export", response_class=StreamingResponse)
@@ -46,18 +69,23 @@ def export(
     web: Web,
     form: Form,
     session: Annotated[int | None, Query(ge=1, le=2**31)] = None,
+    course: CourseWord | None = None,
 ) -> StreamingResponse:
     """Return the export of the session with this number, without one of all sessions, as a zip file.
+
+    With a word in `course`, `GET /exports?course=WORD` says meanwhile how far it is.
 
     A process of its own writes it, recording by recording; 409 without the patient's consent to sharing outside.
     """
     runs, spreads_of = parts.settings.runs, _spreads(web, who.clinic_id, patient_id)
     material = exported_material(parts.database, who.clinic_id, patient_id, session, form, who.name, runs, spreads_of)
-    return _sent(export_steps(material, form), form, parts.settings.state)
+    return _sent(export_steps(material, form), form, parts, who, course)
 
 
 @router.get("/patients/{patient_id}/archive", response_class=StreamingResponse)
-def archive(patient_id: RowId, who: Exporter, parts: PeopleParts, web: Web) -> StreamingResponse:
+def archive(
+    patient_id: RowId, who: Exporter, parts: PeopleParts, web: Web, course: CourseWord | None = None
+) -> StreamingResponse:
     """Return everything of a patient as one zip file, which another clinic can import; with the report of the course.
 
     409 without the patient's consent to sharing outside, or while a session of the patient is open; 507 without room
@@ -67,7 +95,7 @@ def archive(patient_id: RowId, who: Exporter, parts: PeopleParts, web: Web) -> S
     material = archive_material(parts.database, who.clinic_id, patient_id, who.name, settings.runs, settings.state)
     spreads_of = _spreads(web, who.clinic_id, patient_id)
     make_report = report_of_archive(parts.database, settings, who.clinic_id, patient_id, spreads_of)
-    return _sent(material.steps(make_report), "archive", settings.state)
+    return _sent(material.steps(make_report), "archive", parts, who, course)
 
 
 @router.get("/patients/{patient_id}/archive/room")
@@ -85,29 +113,33 @@ def _spreads(web: WebParts, clinic_id: int, patient_id: int) -> SpreadsOf:
     return spreads_of
 
 
-def _sent(steps: list[Step], form: str, state: Path) -> StreamingResponse:
+def _sent(steps: list[Step], form: str, parts: People, who: SignedInPerson, course: str | None) -> StreamingResponse:
     name = f"bodydrive-{form}-{utc_now():%Y%m%dT%H%M%SZ}.zip"
     headers = {"Content-Disposition": f'attachment; filename="{name}"'}
-    return StreamingResponse(_content(steps, state), media_type="application/zip", headers=headers)
+    begun = parts.exports.begun(who.person_id, course, len(steps))
+    return StreamingResponse(
+        _content(steps, parts.settings.state, begun), media_type="application/zip", headers=headers
+    )
 
 
-def _content(steps: list[Step], state: Path) -> Iterator[bytes]:
+def _content(steps: list[Step], state: Path, begun: AbstractContextManager[ExportCourse]) -> Iterator[bytes]:
     """Yield the zip file as far as it is final, after each step; its parts lie in a folder that is removed.
 
     The steps have a process of their own: the computing process of the clinic stays free for trials.
     """
-    with passing_folder(state, "export") as folder, closing(ComputingProcess()) as computing:
-        package, sent = folder / "export.zip", 0
-        for step in steps:
+    with begun as course, passing_folder(state, "export") as folder, closing(ComputingProcess()) as computing:
+        package = folder / "export.zip"
+        for number, step in enumerate(steps):
             final = computing.ask_while(partial(bytes_in, folder), partial(step, package))
-            yield from _between(package, sent, final)
-            sent = final
-        yield from _between(package, sent, package.stat().st_size)
+            course.packed = number  # the first step packs no recording
+            yield from _between(package, course, final)
+        yield from _between(package, course, package.stat().st_size)
 
 
-def _between(file: Path, start: int, end: int) -> Iterator[bytes]:
+def _between(file: Path, course: ExportCourse, end: int) -> Iterator[bytes]:
+    """Yield what was not sent yet of a file, up to a byte."""
     with file.open("rb") as opened:
-        opened.seek(start)
-        while start < end and (content := opened.read(min(CHUNK, end - start))):
-            start += len(content)
+        opened.seek(course.sent)
+        while course.sent < end and (content := opened.read(min(CHUNK, end - course.sent))):
+            course.sent += len(content)
             yield content

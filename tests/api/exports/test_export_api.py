@@ -46,8 +46,14 @@ def test_an_export_is_streamed_with_consent_only_and_logged(driven: Any) -> None
     with driven.client.app.state.people.database.transaction() as db:
         give_consent(db, driven.patient, "sharing", date(2025, 1, 1), "Ana")
         run = db.query(Trial).one().run_id
-    answer = driven("GET", address)
+    word = "word-of-this-export"
+    assert driven.good("GET", "/exports", params={"course": word}) is None
+    answer = driven("GET", address, params={"form": "parquet", "course": word})
     assert (answer.status_code, answer.headers["content-type"]) == (200, "application/zip")
+    course = driven.good("GET", "/exports", params={"course": word})
+    runs = course["recordings"]
+    assert course == {"packed": runs, "recordings": runs, "sent": len(answer.content), "state": "complete"}
+    assert driven("GET", "/exports", params={"course": "Short!"}).status_code == 422
     with zipfile.ZipFile(io.BytesIO(answer.content)) as opened:
         assert opened.testzip() is None
         names = [name for name in opened.namelist() if name.endswith("drive.parquet")]

@@ -77,6 +77,8 @@ def exported(page, app, file):
     with page.expect_download() as download:
         card.get_by_role("link", name="Export of P-1").click()
     download.value.save_as(file)
+    expect(card.get_by_text("The export is complete: ")).to_be_visible()
+    expect(card.get_by_role("progressbar")).to_have_count(0)
 
 
 def test_a_patient_goes_to_another_clinic_by_the_pages_of_both(browser, page_log, first, second, tmp_path):

@@ -1,12 +1,13 @@
 /**
- * The export of recordings and measures in one of five forms, or of the whole patient as an archive. It needs the
- * patient's consent to sharing outside.
+ * The export of recordings and measures in one of five forms, or of the whole patient as an archive, and how far it is. It
+ * needs the patient's consent to sharing outside.
  * @import { ConsentsView, SessionRow } from "types/api"
  */
 import { t } from "../../texts.js";
 import { h, write } from "../../widgets/dom.js";
 import { field, selection } from "../../widgets/fields.js";
 import { size } from "../../widgets/format.js";
+import { exportProgress } from "./export_progress.js";
 import { mayExport } from "../../results/report_choice.js";
 
 const ARCHIVE = "archive"; // of the whole patient, for another clinic
@@ -34,7 +35,13 @@ function choice(app, patient, code, sessions) {
   /** @type {(typeof FORMS)[number]} */
   let form = FORMS[0];
   let session = ALL;
-  const link = h("a", { class: "btn", download: "", "aria-label": t("export.go.label", { code }) }, t("export.go"));
+  const progress = exportProgress(app);
+  const go = () => {
+    const address = new URL(link.href);
+    address.searchParams.set("course", progress.begin());
+    link.href = address.href; // the click follows this address
+  };
+  const link = h("a", { class: "btn", download: "", onclick: go, "aria-label": t("export.go.label", { code }) }, t("export.go"));
   const offer = h("p", {}, link);
   const isOpen = sessions.some(({ ended }) => ended === null);
   const words = h("p", { role: "status" });
@@ -68,6 +75,7 @@ function choice(app, patient, code, sessions) {
     h("div", { class: "columns" }, field(t("export.form"), forms), what),
     words,
     offer,
+    progress.element,
     h("p", { class: "quiet small" }, t("export.wait")),
   );
 }
