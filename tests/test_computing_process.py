@@ -155,7 +155,7 @@ def test_it_ends_with_the_process_that_asks() -> None:
 def test_begun_early_it_loads_what_answers_will_need(computing: ComputingProcess) -> None:
     computing.begin()
     (started,) = (child for child in psutil.Process().children() if "app.computing_process" in child.cmdline())
-    until = time.monotonic() + 60
+    until = time.monotonic() + 150
     while not all(f"/{name}" in str(started.memory_maps()) for name in ("scipy/", "sklearn/", "pyarrow/_csv")):
         assert time.monotonic() < until
         time.sleep(0.1)

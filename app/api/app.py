@@ -190,7 +190,7 @@ def create_app(
     app.router.routes.extend(_routes_of_all_clinics())
     app.include_router(_api([view_controls(scene_now, clinician)]))
     app.include_router(view_router(port_of, may_view, viewer))
-    pages = Pages(static_folder())
+    pages = _pages()
     app.mount("/docs/", docs_pages(docs_folder(), pages.text("docs.html")), name="docs")
     app.mount("/", pages, name="pages")
     app.add_middleware(Guard, settings=settings)
@@ -204,6 +204,12 @@ def _api(routers: Iterable[APIRouter]) -> APIRouter:
     for router in routers:
         api.include_router(router)
     return api
+
+
+@cache
+def _pages() -> Pages:
+    """Return the pages, which are read and compressed once in a process."""
+    return Pages(static_folder())
 
 
 @cache
