@@ -28,6 +28,7 @@ WORDS_OF_ADDRESSES = {
         "form",
         "word",
         "consent",
+        "course",
     ),
     "person",
 }
