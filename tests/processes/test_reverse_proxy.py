@@ -26,6 +26,7 @@ from folders import ROOT
 
 NAME = "clinic.example.org"
 PLACE = "/etc/ssl/clinic"  # of the certificate, in the configurations
+LARGE = 72_000_000  # bytes of an archive: more than what other requests may send
 OPENED_WITHIN = 60.0  # s for the 3D view of a session, beside other tests
 
 NGINX_MAIN = """daemon off; {user}
@@ -197,7 +198,7 @@ def test_a_clinic_is_used_through_the_proxy(proxy: Proxy, certificate: Path, tmp
 
 
 def walk_through(browser: Browser, code: str) -> None:
-    """Sign in, look at the live picture, upload a recording, open the 3D view of a session, and stop."""
+    """Sign in, see the live picture, upload a recording and what is no archive, open the 3D view, and stop."""
     forged = {"X-Forwarded-For": "6.6.6.6", "X-Forwarded-Host": "evil.example"}  # the proxy replaces them
     owner = {"code": code, "name": "Ada", "password": "correct horse battery"}
     answer = browser.post("/auth/setup", json=owner, headers=forged)
@@ -214,6 +215,8 @@ def walk_through(browser: Browser, code: str) -> None:
     rows = "\n".join(f"{i / 100},{i},{i}" for i in range(80_000))
     sent = browser.post("/equipment/files", files={"file": ("arm.csv", f"t,a,b\n{rows}\n")})
     assert sent.status_code == 201, sent.text
+    refused = browser.post("/archives", content=bytes(LARGE))  # the proxy passes it on, and bodydrive reads it
+    assert (refused.status_code, "This is no archive" in refused.text) == (422, True), refused.text
     patient = browser.post("/patients", json={"code": "P-2", "pseudonym": "Otter"}).json()
     assert browser.post("/session", json={"patient_id": patient["id"]}).status_code == 200
     assert browser.get(f"{browser.headers['Origin']}/view/clinician/").status_code == 200
