@@ -41,11 +41,11 @@ def render_html(report: Report, paper: Paper) -> bytes:
             *(_section("Two-minute tests", map(_tests, report.tests)) if report.tests else ()),
             *(_section("Drives of real chairs", [_table(report.drives)]) if report.drives.rows else ()),
             *_section("Condition", _condition(report)),
-            *(_section("Sessions", [_table(report.sessions)]) if report.sessions.rows else ()),
             *_section("Scales", [_table(report.scales) or "<p>No scale was entered.</p>"]),
             *_section("Notes", map(_remark, report.notes)),
             *(_section("Comments on trials", map(_remark, report.comments)) if report.comments else ()),
             *_foot(report),
+            *(_section("Sessions", [_table(report.sessions)]) if report.sessions.rows else ()),
             "</main>\n</body>\n</html>\n",
         ]
     ).encode()

@@ -109,12 +109,15 @@ def test_long_notes_flow_to_further_pages(session_report):
     assert all(line in shown for line in lines)
 
 
-def test_a_course_of_forty_sessions_is_two_pages(database, tmp_path):
+def test_a_course_of_forty_sessions_is_a_page_and_the_list_of_its_sessions(database, tmp_path):
     patient = store_reported_course(database, tmp_path / "runs", 40, recordings=False)
     report = report_of(database, tmp_path / "runs", patient, None)
     report = replace(report, notes=report.notes[:1])
     pages = pdf_pages(render_pdf(report, "a4"))
     assert len(pages) == 2
+    assert "Name, date, signature" in pages[0]
+    assert "Head of the log" in pages[0]
+    assert pages[1].strip().startswith("Sessions")
     assert "recordings cannot be read" in report.tasks[0].trajectories_words
     assert [row[0] for row in report.sessions.rows] == [str(number) for number in range(1, 41)]
 
