@@ -20,14 +20,15 @@ import { TypedEvents } from "./live/typed_events.js";
 import { Screen } from "./live/screen.js";
 import { PageSession } from "./live/page_session.js";
 import { t } from "./texts.js";
+import { currentWarning } from "./shell/warning.js";
 
-const LOOK_AT_DISK_EVERY = 60_000; // ms
+const WARN_EVERY = 60_000; // ms
 
 /**
  * What happens in the frame. `drafts`: the detail is a list to which a page adds what was entered and not sent;
  * `equipment`: the detail is the equipment after a file was added.
  * @typedef {{
- *   me: Event, session: Event, route: Event, "trial-view": Event, disk: Event, practice: Event,
+ *   me: Event, session: Event, route: Event, "trial-view": Event, warning: Event, practice: Event,
  *   drafts: CustomEvent<string[]>, equipment: CustomEvent<EquipmentView>,
  * }} AppEvents
  */
@@ -53,8 +54,8 @@ export class App extends TypedEvents {
   practice = null;
   /** What the address names: a page, and what it shall show. @type {{page: string, rest: string[]}} */
   route = { page: "", rest: [] };
-  /** Why the disk is a worry; empty when it is none. */
-  diskWords = "";
+  /** What somebody has to look after soon. @type {Awaited<ReturnType<typeof currentWarning>>} */
+  warning = null;
   /** Whether the drive page shows a running trial or drive: then it shows faults itself. */
   showsTrial = false;
   #leave = new AbortController();
@@ -80,7 +81,7 @@ export class App extends TypedEvents {
       if (!this.lock.isLocked) this.#pageSession.follow(detail.session);
     });
     window.addEventListener("hashchange", () => this.show());
-    setInterval(() => this.#lookAtDisk(), LOOK_AT_DISK_EVERY);
+    setInterval(() => this.#lookForWarning(), WARN_EVERY);
     await this.enter();
   }
 
@@ -239,20 +240,17 @@ export class App extends TypedEvents {
     if (me?.signed_in) {
       this.live.open();
       this.screen.open();
-      this.#lookAtDisk();
+      this.#lookForWarning();
     }
     this.dispatchEvent(new Event("me"));
     if (me?.locked) this.lock.lock();
     await this.show();
   }
 
-  async #lookAtDisk() {
+  async #lookForWarning() {
     if (!this.me?.signed_in) return;
-    const equipment = await this.api.get("/equipment").catch(() => null);
-    const words = equipment?.disk?.words ?? "";
-    if (words === this.diskWords) return;
-    this.diskWords = words;
-    this.dispatchEvent(new Event("disk"));
+    this.warning = await currentWarning(this);
+    this.dispatchEvent(new Event("warning"));
   }
 
   #connectionChanged() {
@@ -289,7 +287,7 @@ export class App extends TypedEvents {
   #changed(what) {
     if (what === "sign-in") this.#whoAmI();
     else if (what !== "controls" && this.me?.signed_in) this.readSession().catch(() => null);
-    if (what === "equipment" || what === "trial" || what === "disk") this.#lookAtDisk();
+    if (what === "equipment" || what === "trial" || what === "disk") this.#lookForWarning();
   }
 }
 

@@ -75,5 +75,5 @@ def backup_warning(last_good: datetime | None, *, has_folder: bool, folder_is_th
         return "There is no good backup yet: choose a folder on another disk, then make one."
     if utc_now() - last_good > WARN_AFTER:
         days = (utc_now() - last_good).days
-        return f"The last good backup is {days} days old: see below why, and make one now."
+        return f"The last good backup is {days} days old: the list of backups says why; make one now."
     return ""

@@ -80,4 +80,12 @@ def test_an_owner_backs_up_and_looks_after_deleted_patients(page, served, tmp_pa
     page.get_by_role("button", name="Cancel").click()
     page.get_by_role("button", name="Undo the deletion of B-12").click()
     expect(page.get_by_text("Nobody was deleted.")).to_be_visible()
+    stick.rename(tmp_path / "taken away")
+    page.reload()
+    expect(page.get_by_text("The folder of the backups is not there").first).to_be_visible()
+    go(page, "patients")
+    expect(page.locator(".note")).to_contain_text("connect the disk or network drive")
+    page.get_by_role("link", name="Look at the backups").click()
+    expect(page.get_by_role("heading", name="Backup", level=1)).to_be_visible()
+    expect(page.locator(".note")).to_have_count(0)  # the page says it itself
     assert {one["code"] for one in served.good("GET", "/patients")} == {"A-03", "B-12"}

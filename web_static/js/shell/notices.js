@@ -1,6 +1,6 @@
 /**
  * The strips under the header: connection lost, control process lost, a stop or fault that waits for Continue, a full
- * disk; and for a person's first time the sentences on how to find one's way.
+ * disk, backups that are not made; and for a person's first time the sentences on how to find one's way.
  * @import { Child } from "types/dom"
  * @import { App } from "../main.js"
  */
@@ -29,7 +29,7 @@ export function notices(app) {
   };
   app.live.addEventListener("tick", show);
   app.live.addEventListener("connection", show);
-  for (const event of /** @type {const} */ (["route", "me", "session", "practice", "trial-view", "disk"])) app.addEventListener(event, show);
+  for (const event of /** @type {const} */ (["route", "me", "session", "practice", "trial-view", "warning"])) app.addEventListener(event, show);
   return element;
 }
 
@@ -57,7 +57,7 @@ function noticeKind(app, faultKey) {
   // While driving, the drive page shows faults over the picture itself.
   if (now.fault && !app.showsTrial) return faultKey(now.fault, now.stops);
   if (now.drive && !app.showsTrial) return "driving";
-  if (app.diskWords && !app.showsTrial) return `disk ${app.diskWords}`;
+  if (app.warning && !app.showsTrial && app.warning.href !== `#/${app.route.page}`) return `warning ${app.warning.words}`;
   return needsConsent(app) ? `consent ${app.session?.patient?.id}` : "";
 }
 
@@ -97,7 +97,10 @@ function note(app, kind) {
   if (kind === "control") return strip("bad", h("b", {}, t("note.control")), t("note.control.why"));
   if (kind === "driving")
     return strip("", h("b", {}, t("note.driving")), "", h("a", { class: "btn go", href: "#/drive/chair" }, t("note.driving.go")));
-  if (kind.startsWith("disk")) return strip("", h("b", {}, app.diskWords), "");
+  if (kind.startsWith("warning") && app.warning) {
+    const { words, href } = app.warning;
+    return strip("", h("b", {}, words), "", href ? h("a", { class: "btn", href }, t("note.warning.go")) : null);
+  }
   const patient = app.session?.patient;
   if (kind.startsWith("consent") && patient) {
     const enter = h("a", { class: "btn", href: `#/session/patient/${patient.id}` }, t("consent.needed.go"));

@@ -63,6 +63,7 @@ export default {
   "note.fault.others": "The clinician beside the chair looks around, then taps Continue.",
   "note.driving": "A real chair is being driven.",
   "note.driving.go": "Go there",
+  "note.warning.go": "Look at the backups",
   "note.fault.first": "A stop or fault is still in force: see the strip above, and tap Continue there first.",
   "note.signed-out": "You were signed out: sign in again.",
   "error.no-answer": "The program does not answer: see whether it still runs, then try again.",
