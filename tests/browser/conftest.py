@@ -15,7 +15,7 @@ from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, R
 
 from app.realtime import NICENESS
 
-PATIENCE = 120_000  # ms until a page shows what is expected: a busy machine that draws in software is slow
+PATIENCE = 100_000  # ms until a page shows what is expected: a busy machine that draws in software is slow
 CHROMIUM = (
     "--headless=new",
     "--no-sandbox",

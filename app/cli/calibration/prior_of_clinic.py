@@ -11,7 +11,7 @@ from app.cli.output import write_output
 from app.settings import Settings, state_folder
 
 if TYPE_CHECKING:
-    from app.calibration.prior.documents import OwnPrior
+    from app.calibration.prior.documents import OwnPrior, ReleasedPeople
     from app.layout import ShirtLayout
     from app.store.database import Transaction
     from app.store.tables import Clinic
@@ -70,7 +70,7 @@ def import_prior(
     from app.session.calibration.clinic_prior import Garment
     from app.store.log import write_log
     from app.store.patients import all_patients
-    from app.store.prior.prior_entries import is_prior_on, mark_released, may_add, put_entry
+    from app.store.prior.prior_entries import is_prior_on, may_add, put_entry
 
     settings = _settings(state)
     document = read_document(prior)
@@ -95,11 +95,7 @@ def import_prior(
                 )
         for code, entry in document.people.items():
             put_entry(db, patients[code].id, shirt, entry.model_dump(mode="json"), simulated=False)
-            joints, rings = (
-                [name for name, codes in part.items() if code in codes]
-                for part in (document.released.joints, document.released.rings)
-            )
-            mark_released(db, clinic.id, code, shirt, joints, rings)
+            _mark_released(db, clinic, code, shirt, document.released)
         write_log(db, COMMAND, "prior imported", people=len(document.people))
     typer.echo(f"{_people(len(document.people))} imported from {prior}")
 
@@ -143,7 +139,6 @@ def _write_release(db: "Transaction", clinic: "Clinic", own: "OwnPrior", out: Pa
     from app.calibration.prior.release import release
     from app.cli.calibration.prior_files import bytes_of
     from app.session.calibration.clinic_prior import Garment
-    from app.store.prior.prior_entries import mark_released
 
     try:
         document, people, left_out = release([own])
@@ -151,15 +146,22 @@ def _write_release(db: "Transaction", clinic: "Clinic", own: "OwnPrior", out: Pa
         raise InputError(f"Of those who have consented to “Sharing outside”: {error}") from error
     shirt = Garment(own.layout, False, None).hash
     for code in own.people:
-        joints, rings = (
-            [name for name, codes in part.items() if code in codes] for part in (people.joints, people.rings)
-        )
-        mark_released(db, clinic.id, code, shirt, joints, rings)
+        _mark_released(db, clinic, code, shirt, people)
     write_output(out, bytes_of(document), layout)
     words = f"{_people(document.people)} in {out}: sums only, which may leave the clinic."
     if left_out:
         words += f" Not in it, because fewer than eight people are in no release yet: {', '.join(left_out)}."
     return words
+
+
+def _mark_released(db: "Transaction", clinic: "Clinic", code: str, shirt: str, released: "ReleasedPeople") -> None:
+    """Note what of a person stands in releases."""
+    from app.store.prior.prior_entries import mark_released
+
+    joints, rings = (
+        [name for name, codes in part.items() if code in codes] for part in (released.joints, released.rings)
+    )
+    mark_released(db, clinic.id, code, shirt, joints, rings)
 
 
 def _clinic(db: "Transaction", settings: Settings) -> "Clinic":

@@ -7,6 +7,7 @@ from fake_clinic import Clinic
 from store.course_of_sessions import store_course
 from stored_interface_test import store_interface_test
 
+from app.store.database import Transaction
 from app.store.patients import add_patient
 from app.store.people import the_clinic
 from app.store.records.session_record import sessions_of
@@ -17,18 +18,21 @@ LEVELS = ((0.6, 0.61, 0.6, 0.61), (0.6, 0.61, 0.9, 0.9))  # bit/s, of the tests 
 FIGURES = ("acquisitions_per_minute", "throughput", "first_entry", "dial_in", "path_efficiency")
 
 
+def two_sessions(db: Transaction) -> list[int]:
+    """Add a patient with two sessions of one trial each; return the ids of the sessions."""
+    plan, clinic = find_place("apartment"), the_clinic(db)
+    assert isinstance(plan, FloorPlan)
+    assert clinic is not None
+    patient = add_patient(db, clinic.id, "P-1", "Heron", "")
+    store_course(db, clinic.id, patient.id, plan, [[{"e_diff": 1.0, "reached": True}]] * 2)
+    return sorted(one.id for one in sessions_of(db, patient.id))
+
+
 @pytest.fixture
 def sessions(signed_in: Clinic) -> list[int]:
     """Return two sessions with four tests each; the last test of the second was stopped."""
-    plan = find_place("apartment")
-    assert isinstance(plan, FloorPlan)
-    trial = {"e_diff": 1.0, "reached": True}
     with signed_in.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
-        clinic = the_clinic(db)
-        assert clinic is not None
-        patient = add_patient(db, clinic.id, "P-1", "Heron", "")
-        store_course(db, clinic.id, patient.id, plan, [[trial], [trial]])
-        ids = sorted(one.id for one in sessions_of(db, patient.id))
+        ids = two_sessions(db)
         for session, levels in zip(ids, LEVELS, strict=True):
             for number, level in enumerate(levels):
                 end = "stopped" if session == ids[1] and number == 3 else "complete"
@@ -63,15 +67,8 @@ def test_two_sessions_stand_side_by_side_with_verdicts(signed_in: Clinic, sessio
 
 
 def test_without_a_complete_test_in_one_session_there_is_no_verdict(signed_in: Clinic) -> None:
-    plan = find_place("apartment")
-    assert isinstance(plan, FloorPlan)
-    trial = {"e_diff": 1.0, "reached": True}
     with signed_in.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
-        clinic = the_clinic(db)
-        assert clinic is not None
-        patient = add_patient(db, clinic.id, "P-2", "Wren", "")
-        store_course(db, clinic.id, patient.id, plan, [[trial], [trial]])
-        first, second = sorted(one.id for one in sessions_of(db, patient.id))
+        first, second = two_sessions(db)
         store_interface_test(db, second)
     found = compared(signed_in, first, second)
     assert (found["complete"], found["earlier"], found["verdicts"]) == ([0, 1], None, {})
