@@ -41,7 +41,7 @@ def test_only_a_patient_who_consents_is_exported_and_anybody_gets_a_copy_of_the_
     report = page.locator(".card").filter(has=page.get_by_role("heading", name="Report"))
     expect(report).to_contain_text("P-1 has not consented to sharing outside")
     expect(report.get_by_role("link")).to_have_count(0)
-    report.get_by_text("The patient", exact=True).click()
+    report.get_by_label("Made for").select_option("patient")
     with page.expect_download() as download:
         report.get_by_role("link", name="Session 1 of P-1 as an HTML file").click()
     download.value.save_as(tmp_path / "report.html")

@@ -5,7 +5,7 @@
  * @import { ConsentsView } from "types/api"
  */
 import { h, write } from "../widgets/dom.js";
-import { field, segments, selection } from "../widgets/fields.js";
+import { field, selection } from "../widgets/fields.js";
 import { t } from "../texts.js";
 
 const PAPER_PLACE = "bodydrive-report-paper";
@@ -51,14 +51,12 @@ export function reportChoice(app, patient, session) {
     chosen,
     (value) => ((chosen = value), draw()),
   );
-  const papers = segments(
-    t("report.paper"),
+  const papers = selection(
     ["a4", "letter"].map((value) => ({ value, label: t(`report.paper.${value}`) })),
     paper,
     (value) => (localStorage.setItem(PAPER_PLACE, (paper = value)), draw()),
   );
-  const readers = segments(
-    t("report.reader"),
+  const readers = selection(
     READERS.map((value) => ({ value, label: t(`report.reader.${value}`) })),
     reader,
     (value) => ((reader = value), draw()),
@@ -71,7 +69,7 @@ export function reportChoice(app, patient, session) {
   return h(
     "div",
     { class: "stack report-choice" },
-    h("div", { class: "columns" }, field(t("report.what"), sessions), papers, readers),
+    h("div", { class: "columns" }, field(t("report.what"), sessions), field(t("report.reader"), readers), field(t("report.paper"), papers)),
     words,
     h("p", { class: "spread" }, files),
     h("p", { class: "quiet small" }, t("report.log")),

@@ -98,7 +98,7 @@ export default {
   "consent.clinic_prior": "Use for other patients of the clinic",
   "consent.clinic_prior.hint": "Trials help to tell change from noise, and movements help new patients to drive sooner. Nobody can be recognised in it. When the consent is withdrawn, they are taken out again.",
   "consent.sharing": "Sharing outside",
-  "consent.sharing.hint": "Records may leave the clinic as a share link or an export.",
+  "consent.sharing.hint": "Records may leave the clinic as a report, a share link or an export.",
   "consent.given": "Given {day}",
   "consent.by": "Given {day}, entered by {person}",
   "consent.carried": "Carried over from before consents were kept here, as of {day}. Ask, and confirm it.",
