@@ -2,7 +2,6 @@
 
 import asyncio
 from contextlib import suppress
-from itertools import pairwise
 
 from drills.injury import look_whether_it_drives
 from drills.results import Result
@@ -29,11 +28,11 @@ async def odd_names(runs, dice):
                 asked += await _ask_oddly(made, value)
             await asyncio.sleep(0.1)
             late = made.watcher.late(began, monotonic())
-            sent = [t for t, _ in made.relay.commands_since(began)]
-            longest = max([longest, *(after - before for before, after in pairwise(sent))])
+            gap = made.relay.longest_gap(began)
+            longest = max(longest, gap)
             look_whether_it_drives(made, result, late)
-            if longest > LONGEST_GAP + late:
-                result.violations.append(f"run {result.runs + 1}: {1e3 * longest:.0f} ms between two commands")
+            if gap > LONGEST_GAP + late:
+                result.violations.append(f"run {result.runs + 1}: {1e3 * gap:.0f} ms between two commands")
             result.add(None, late=late)
             await made.control.call("end_run")
             for value in dice.sample(odd_values(), WHILE_STANDING):

@@ -2,14 +2,18 @@
 
 import heapq
 import itertools
+import math
 import random
 import select
 import socket
 import threading
+from struct import Struct
 from typing import NamedTuple
 
 from app.clock import monotonic
 from app.hardware.chair.packet import COMMAND_MAGIC
+
+SENT_NS, SENT_AT = Struct("<Q"), 20  # the sender's time in a command, and its place (docs/protocols.md)
 
 
 class Weather(NamedTuple):
@@ -68,6 +72,14 @@ class Relay:
     def commands_since(self, t: float) -> list[tuple[float, bytes]]:
         """Return the commands that reached the chair after `t`."""
         return [(at, datagram) for at, datagram in self.passed if at > t and datagram[:4] == COMMAND_MAGIC]
+
+    def longest_gap(self, begin: float, end: float = math.inf) -> float:
+        """Return the longest time (s) between two commands that reached the chair between two times.
+
+        It is of the clock of their sender: this thread may itself be late.
+        """
+        sent = [SENT_NS.unpack_from(datagram, SENT_AT)[0] for at, datagram in self.commands_since(begin) if at <= end]
+        return max((1e-9 * (after - before) for before, after in itertools.pairwise(sent)), default=0.0)
 
     def inject(self, datagram: bytes) -> None:
         """Send a datagram to the chair from the sender's address."""
