@@ -62,6 +62,8 @@ def measure_in_turn(other: Path, parts: Sequence[str], runs: int) -> tuple[Figur
 
 def measure(tree: Path, parts: Sequence[str]) -> dict[str, float]:
     """Return the figures of one run in a tree, by the names of their rows."""
+    if not (tree / "bench" / "__main__.py").is_file():
+        raise RuntimeError("that commit is older than the benchmark and has none of its own, so name a newer commit")
     environment = {**os.environ, "PYTHONPATH": str(tree)}
     command = [sys.executable, "-m", "bench", *parts, "--json"]
     ended = subprocess.run(command, cwd=tree, env=environment, check=False, capture_output=True, text=True)

@@ -24,6 +24,11 @@ def test_a_commit_is_measured_in_a_folder_of_its_own():
     assert not folder.exists()
 
 
+def test_a_commit_without_a_benchmark_is_said(tmp_path):
+    with pytest.raises(RuntimeError, match="older than the benchmark"):
+        measure(tmp_path, ["fit"])
+
+
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
