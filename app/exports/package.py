@@ -112,12 +112,10 @@ def entry(name: str) -> zipfile.ZipInfo:
     return info
 
 
-def add_file(package: zipfile.ZipFile, file: Path, name: str, *, stored: bool = False) -> None:
-    """Add a file of any size to a zip file, in pieces; `stored`: as it is, without compression."""
+def add_file(package: zipfile.ZipFile, file: Path, name: str) -> None:
+    """Add a file of any size to a zip file, in pieces."""
     package.compresslevel = FAST
     info = entry(name)
-    if stored:
-        info.compress_type = zipfile.ZIP_STORED
     with file.open("rb") as source, package.open(info, "w", force_zip64=True) as target:
         shutil.copyfileobj(source, target, COPY)
 

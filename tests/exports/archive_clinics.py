@@ -6,8 +6,8 @@ from contextlib import closing
 from hashlib import sha256
 
 from app.clock import utc_now
-from app.exports.archive import import_archive
-from app.exports.archive_file import LIST, PATIENT, REPORT, ArchiveList, FileEntry, hash_of
+from app.exports.archive.archive_list import LIST, PATIENT, REPORT, ArchiveList, FileEntry, hash_of
+from app.exports.archive.imported_archive import import_archive
 from app.settings import Settings
 from app.store.database import Database
 from app.store.patients import add_patient

@@ -10,8 +10,8 @@ from exported_clinic import CODE, MEASURES, RUN, SIMULATED, make_clinic
 
 from app.clock import utc_now
 from app.csv_cells import SPREADSHEET_BEGIN
-from app.exports.archive import make_archive
-from app.exports.archive_file import PATIENT
+from app.exports.archive.archive_list import PATIENT
+from app.exports.archive.archive_making import make_archive
 from app.exports.export_material import exported_material
 from app.exports.trial_table import trial_csv
 from app.recording.reader import read_run

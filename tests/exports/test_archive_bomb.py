@@ -8,14 +8,14 @@ from pathlib import Path
 from archive_clinics import empty_clinic, rewrite, state_of
 from exported_clinic import make_clinic
 
-from app.exports.archive import make_archive
+from app.exports.archive.archive_making import make_archive
 from app.store.database import Database
 
 IMPORT = """
 import sys
 from pathlib import Path
 from app import isolated_reader
-from app.exports.archive import import_apart
+from app.exports.archive.imported_archive import import_apart
 isolated_reader.MOST_MEMORY = 1_000_000_000
 state, package = map(Path, sys.argv[1:])
 import_apart(state / "bodydrive.sqlite", 1, package, "Ben", state / "runs", state / "unpacked")

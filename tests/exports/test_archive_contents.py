@@ -13,8 +13,9 @@ from exported_clinic import make_clinic
 from sqlalchemy import func, select
 
 from app.clock import utc_now
-from app.exports.archive import make_archive
-from app.exports.archive_file import LIST, REPORT, open_archive
+from app.exports.archive.archive_list import LIST, REPORT
+from app.exports.archive.archive_making import make_archive
+from app.exports.archive.open_archive import open_archive
 from app.refusals import Conflict
 from app.reports.report_making import report_of_archive
 from app.settings import Settings

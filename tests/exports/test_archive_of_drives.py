@@ -12,8 +12,8 @@ from archive_clinics import bring, empty_clinic, rewrite
 from exported_clinic import make_clinic
 from recorded_trial import record_trial
 
-from app.exports.archive import make_archive
-from app.exports.archive_file import PATIENT
+from app.exports.archive.archive_list import PATIENT
+from app.exports.archive.archive_making import make_archive
 from app.recording.reader import read_run
 from app.settings import Settings
 from app.source import Source

@@ -9,7 +9,7 @@ from exported_clinic import CODE, make_clinic
 
 from app.cli.main import main
 from app.clock import utc_now
-from app.exports import archive_room
+from app.exports.archive import archive_room
 from app.settings import Settings
 from app.store.database import Database
 from app.store.files.disk_watch import DiskRoom

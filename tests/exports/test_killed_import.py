@@ -10,7 +10,8 @@ import pytest
 from exported_clinic import make_clinic
 from store.keeping.filled_clinic import two_patients
 
-from app.exports.archive import import_archive, make_archive
+from app.exports.archive.archive_making import make_archive
+from app.exports.archive.imported_archive import import_archive
 from app.settings import Settings
 from app.store.database import Database
 from app.store.files.passing_folder import passing_folder, remove_passing_folders
@@ -19,11 +20,11 @@ from app.store.keeping.erasure import erase_due
 KILLED = """
 import os, signal, sys
 from pathlib import Path
-from app.exports import archive
+from app.exports.archive import imported_archive
 from app.store.database import Database
-archive._add = lambda *_: os.kill(os.getpid(), signal.SIGKILL)
+imported_archive._add = lambda *_: os.kill(os.getpid(), signal.SIGKILL)
 state, package = map(Path, sys.argv[1:])
-archive.import_archive(Database(state / "bodydrive.sqlite"), 1, package, "Ben", state / "runs")
+imported_archive.import_archive(Database(state / "bodydrive.sqlite"), 1, package, "Ben", state / "runs")
 """
 
 

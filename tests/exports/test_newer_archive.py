@@ -13,7 +13,7 @@ from recorded_trial import plan_of, record_trial, store_trial
 from sqlalchemy import select
 
 from app.clock import utc_now
-from app.exports.archive import make_archive
+from app.exports.archive.archive_making import make_archive
 from app.recording.reader import read_run
 from app.refusals import Conflict
 from app.settings import Settings

@@ -7,7 +7,7 @@ from exported_clinic import MEASURES, SIMULATED, make_clinic
 from recorded_trial import plan_of, store_trial
 
 from app.clock import utc_now
-from app.exports.archive import make_archive
+from app.exports.archive.archive_making import make_archive
 from app.store.database import Database
 from app.store.learning_trials import counted_trials
 from app.store.parameters import as_document, current_parameters

@@ -15,7 +15,7 @@ from app.api.foreign_files import refusal
 from app.api.sign_in.identity import SignedInPerson
 from app.computing_process import ComputingProcess
 from app.disk_room import ROOM_TO_RECORD
-from app.exports.archive import Imported, import_apart
+from app.exports.archive.imported_archive import Imported, import_apart
 from app.quantities import Document
 from app.refusals import NO_ROOM, DiskFull
 from app.store.files.disk_watch import disk_room

@@ -10,10 +10,10 @@ MOST_COURSES = 50  # that are remembered, the newest; a page asks for a minute o
 
 
 class ExportCourse:
-    """An export that is being made: step by step, each of a recording, after a first one for tables and documents."""
+    """An export that is being made: its tables and documents, then one recording after the other."""
 
-    def __init__(self, steps: int) -> None:
-        self.recordings = steps - 1
+    def __init__(self, recordings: int) -> None:
+        self.recordings = recordings
         self.packed = 0  # recordings
         self.sent = 0  # bytes
         self.state: State = "going on"
@@ -26,12 +26,12 @@ class ExportCourses:
         self._of: dict[tuple[int, str], ExportCourse] = {}
 
     @contextmanager
-    def begun(self, person_id: int, word: str | None, steps: int) -> Iterator[ExportCourse]:
-        """Yield the course of an export of so many steps; without a word nobody asks for it.
+    def begun(self, person_id: int, word: str | None, recordings: int) -> Iterator[ExportCourse]:
+        """Yield the course of an export of so many recordings; without a word nobody asks for it.
 
         It is complete when the block ends, and broken off when an error or the end of the connection ends it.
         """
-        course = ExportCourse(steps)
+        course = ExportCourse(recordings)
         if word is not None:
             self._of.pop((person_id, word), None)
             self._of[person_id, word] = course

@@ -15,8 +15,8 @@ from app.api.parts import Web, WebParts
 from app.api.sign_in.identity import SignedInPerson
 from app.clock import utc_now
 from app.computing_process import ComputingProcess
-from app.exports.archive import archive_material
-from app.exports.archive_room import archive_room
+from app.exports.archive.archive_making import archive_material
+from app.exports.archive.archive_room import archive_room
 from app.exports.export_material import exported_material
 from app.exports.forms import Form
 from app.exports.package import Step, export_steps
@@ -79,7 +79,8 @@ def export(
     """
     runs, spreads_of = parts.settings.runs, _spreads(web, who.clinic_id, patient_id)
     material = exported_material(parts.database, who.clinic_id, patient_id, session, form, who.name, runs, spreads_of)
-    return _sent(export_steps(material, form), form, parts, who, course)
+    recordings = 0 if form == "fhir" else len(material.runs)
+    return _sent(export_steps(material, form), recordings, form, parts, who, course)
 
 
 @router.get("/patients/{patient_id}/archive", response_class=StreamingResponse)
@@ -95,7 +96,7 @@ def archive(
     material = archive_material(parts.database, who.clinic_id, patient_id, who.name, settings.runs, settings.state)
     spreads_of = _spreads(web, who.clinic_id, patient_id)
     make_report = report_of_archive(parts.database, settings, who.clinic_id, patient_id, spreads_of)
-    return _sent(material.steps(make_report), "archive", parts, who, course)
+    return _sent(material.steps(make_report), len(material.folders), "archive", parts, who, course)
 
 
 @router.get("/patients/{patient_id}/archive/room")
@@ -113,10 +114,13 @@ def _spreads(web: WebParts, clinic_id: int, patient_id: int) -> SpreadsOf:
     return spreads_of
 
 
-def _sent(steps: list[Step], form: str, parts: People, who: SignedInPerson, course: str | None) -> StreamingResponse:
+def _sent(
+    steps: list[Step], recordings: int, form: str, parts: People, who: SignedInPerson, course: str | None
+) -> StreamingResponse:
+    """Answer with the zip file of these steps; the first packs no recording, the next ones one each."""
     name = f"bodydrive-{form}-{utc_now():%Y%m%dT%H%M%SZ}.zip"
     headers = {"Content-Disposition": f'attachment; filename="{name}"'}
-    begun = parts.exports.begun(who.person_id, course, len(steps))
+    begun = parts.exports.begun(who.person_id, course, recordings)
     return StreamingResponse(
         _content(steps, parts.settings.state, begun), media_type="application/zip", headers=headers
     )
@@ -131,7 +135,7 @@ def _content(steps: list[Step], state: Path, begun: AbstractContextManager[Expor
         package = folder / "export.zip"
         for number, step in enumerate(steps):
             final = computing.ask_while(partial(bytes_in, folder), partial(step, package))
-            course.packed = number  # the first step packs no recording
+            course.packed = min(number, course.recordings)
             yield from _between(package, course, final)
         yield from _between(package, course, package.stat().st_size)
 

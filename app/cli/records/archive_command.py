@@ -29,7 +29,7 @@ def make(
 ) -> None:
     """Write the archive of a patient, who must have consented; the clinic may be open meanwhile."""
     from app.computing_process import ComputingProcess
-    from app.exports.archive import make_archive
+    from app.exports.archive.archive_making import make_archive
     from app.reports.report_making import report_of_archive
 
     settings = Settings(state=(state or state_folder()).expanduser().resolve())
@@ -50,7 +50,7 @@ def import_file(
     state: State = None,
 ) -> None:
     """Import an archive; a newer one of the same patient adds what is missing, the same one changes nothing."""
-    from app.exports.archive import import_archive
+    from app.exports.archive.imported_archive import import_archive
     from app.store.people import the_clinic
 
     settings = Settings(state=(state or state_folder()).expanduser().resolve())

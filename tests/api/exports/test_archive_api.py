@@ -15,9 +15,10 @@ from people_of_clinic import accepted, as_person, invited
 
 from app.api.exports import archive_import
 from app.disk_room import ROOM_TO_RECORD
-from app.exports import archive_room
-from app.exports.archive import make_archive
-from app.exports.archive_file import PATIENT, REPORT, open_archive
+from app.exports.archive import archive_room
+from app.exports.archive.archive_list import PATIENT, REPORT
+from app.exports.archive.archive_making import make_archive
+from app.exports.archive.open_archive import open_archive
 from app.recording.reader import read_run
 from app.store.database import Database
 from app.store.files.disk_watch import DiskRoom

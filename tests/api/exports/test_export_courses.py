@@ -52,7 +52,7 @@ def course_of(courses: ExportCourses) -> tuple[int, int, int, str]:
 def test_the_course_goes_on_with_the_file_and_is_complete_at_its_end(tmp_path: Any) -> None:
     courses = ExportCourses()
     assert courses.of(1, WORD) is None
-    content = _content([step, step, step], tmp_path, courses.begun(1, WORD, 3))
+    content = _content([step, step, step], tmp_path, courses.begun(1, WORD, 2))
     seen = []
     for piece in content:
         assert len(piece) == 10
@@ -66,7 +66,7 @@ def test_the_course_goes_on_with_the_file_and_is_complete_at_its_end(tmp_path: A
 @pytest.mark.parametrize("is_closed", [True, False])
 def test_a_step_that_fails_or_a_reader_who_goes_breaks_it_off(tmp_path: Any, is_closed: bool) -> None:
     courses = ExportCourses()
-    content = _content([step, broken], tmp_path, courses.begun(1, WORD, 2))
+    content = _content([step, broken], tmp_path, courses.begun(1, WORD, 1))
     next(content)
     if is_closed:
         content.close()  # type: ignore[attr-defined]

@@ -1,105 +1,38 @@
-"""The file of an archive: a zip file of JSON documents and recordings, each with its SHA-256.
-
-`archive.json` comes first: the format, its schema, the name of the clinic, the files with size and hash, and one hash
-of all files. Time and place of making are outside that hash, so every clinic writes the same hash for the same rows;
-so is `report.html`, the report of the patient's course for people, which names them.
-"""
+"""Reads the archive of a patient; whatever is wrong with the file is one sentence, and nothing of it is trusted."""
 
 import json
-import re
 import shutil
 import zipfile
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
-from functools import partial
 from hashlib import sha256
 from math import isfinite
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Any
 
-from pydantic import Field, ValidationError
+from pydantic import ValidationError
 
-from app.exports.package import Step, add_file, entry
-from app.quantities import Document
-
-SCHEMA = 2  # 1: without report and comments
-LIST, PATIENT, REPORT = "archive.json", "patient.json", "report.html"
-RUN_ID = re.compile(r"[0-9A-Za-z-]{1,36}")
-RUN_FILE = re.compile(
-    r"runs/(?P<run>[0-9A-Za-z-]{1,36})/(run\.json|run\.parquet|end\.json|damaged\.txt|segment-\d{4}\.(arrows|check))"
+from app.exports.archive.archive_list import (
+    CHUNK,
+    LIST,
+    PATIENT,
+    REPORT,
+    RUN_FILE,
+    SCHEMA,
+    ArchiveList,
+    FileEntry,
+    entry_of,
+    hash_of,
 )
+
 LARGEST_DOCUMENT = 256_000_000  # bytes
 LARGEST_WHOLE = 2**63 - 1
-CHUNK = 1 << 20  # bytes
 
 NO_ARCHIVE = "{file}: this is no archive of bodydrive, or it was cut: name another file."
 CHANGED = "{file}: '{name}' in the archive was changed or cut, and nothing was imported: copy the archive again."
 NEWER = (
     "{file}: this archive was made by a newer bodydrive (schema {schema}), and nothing was imported: update this one."
 )
-
-
-class FileEntry(Document):
-    """Size and hash of a file."""
-
-    bytes: Annotated[int, Field(ge=0, le=2**50)]
-    sha256: Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
-
-
-class ArchiveList(Document):
-    """The content of `archive.json`."""
-
-    format: Literal["bodydrive-archive"] = "bodydrive-archive"
-    schema_version: Annotated[int, Field(ge=1)] = SCHEMA
-    clinic: Annotated[str, Field(max_length=80)]
-    hash: Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
-    files: dict[str, FileEntry]
-    report: FileEntry | None = None  # None: there is none
-
-
-MakeReport = Callable[[], bytes]
-
-
-def archive_steps(clinic: str, tables: Any, folders: list[Path], make_report: MakeReport | None) -> list[Step]:
-    """Return the steps that write an archive of a patient's rows and of the recordings in `folders`.
-
-    They are called one after the other with the file to be made. `make_report` returns the content of `report.html`;
-    None: there is no report.
-    """
-    folders = sorted(folders)
-    begin = partial(_begin, clinic, tables, folders, make_report)
-    return [begin, *(partial(_add_recording, folder) for folder in folders)]
-
-
-def _begin(clinic: str, tables: Any, folders: list[Path], make_report: MakeReport | None, package: Path) -> int:
-    patient = json.dumps({"tables": tables}, indent=1, sort_keys=True, ensure_ascii=False).encode()
-    report = None if make_report is None else make_report()
-    files = {PATIENT: _entry_of(patient)}
-    for folder in folders:
-        for name, file in recorded_files(folder):
-            files[name] = FileEntry(bytes=file.stat().st_size, sha256=_hash_of(file))
-    report_entry = None if report is None else _entry_of(report)
-    listed = ArchiveList(clinic=clinic, hash=hash_of(files), files=files, report=report_entry)
-    package.unlink(missing_ok=True)
-    with zipfile.ZipFile(package, "x") as opened:
-        opened.writestr(entry(LIST), listed.model_dump_json(indent=1))
-        opened.writestr(entry(PATIENT), patient)
-        if report is not None:
-            opened.writestr(entry(REPORT), report)
-        return opened.start_dir
-
-
-def _add_recording(folder: Path, package: Path) -> int:
-    with zipfile.ZipFile(package, "a") as opened:
-        for name, file in recorded_files(folder):
-            add_file(opened, file, name, stored=True)
-        return opened.start_dir
-
-
-def recorded_files(folder: Path) -> list[tuple[str, Path]]:
-    """Return the files of a recording that belong to an archive, with their names in it."""
-    named = [(f"runs/{folder.name}/{file.name}", file) for file in sorted(folder.glob("*"))]
-    return [(name, file) for name, file in named if RUN_FILE.fullmatch(name)]
 
 
 class OpenArchive:
@@ -161,7 +94,7 @@ class OpenArchive:
     def _checked(self, name: str, known: FileEntry) -> bytes:
         """Return a file whose hash is right."""
         content = self._content(name, known.bytes)
-        if _entry_of(content) != known:
+        if entry_of(content) != known:
             raise ValueError(CHANGED.format(file=self.file, name=name))
         return content
 
@@ -196,16 +129,6 @@ def open_archive(file: Path) -> Iterator[OpenArchive]:
         raise ValueError(NO_ARCHIVE.format(file=file)) from error
     with opened:
         yield OpenArchive(file, opened)
-
-
-def hash_of(files: dict[str, FileEntry]) -> str:
-    """Return the hash of an archive: SHA-256 of a line `HASH  NAME` for each file, in the order of the names."""
-    lines = "".join(f"{known.sha256}  {name}\n" for name, known in sorted(files.items()))
-    return sha256(lines.encode()).hexdigest()
-
-
-def _entry_of(content: bytes) -> FileEntry:
-    return FileEntry(bytes=len(content), sha256=sha256(content).hexdigest())
 
 
 def _hash_of(file: Path) -> str:

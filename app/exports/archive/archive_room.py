@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from app.disk_room import ROOM_TO_RECORD
-from app.exports.archive_file import recorded_files
+from app.exports.archive.archive_writing import recorded_files
 from app.refusals import DiskFull
 from app.store.database import Database
 from app.store.files.disk_watch import disk_room

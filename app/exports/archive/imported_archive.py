@@ -1,31 +1,22 @@
-"""The archive of a whole patient: made in one clinic, imported in another one."""
+"""Imports the archive of a patient that another clinic has made, or this one."""
 
 import shutil
 from contextlib import closing, nullcontext
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from pydantic import ValidationError
-
-from app.calibration.profile import CalibrationProfile
-from app.calibration.vocabulary import DriveParameters
 from app.disk_room import ROOM_TO_RECORD
-from app.exports.archive_file import RUN_ID, MakeReport, OpenArchive, archive_steps, open_archive
-from app.exports.archive_room import require_room_for
-from app.exports.package import Step
+from app.exports.archive.archive_contents import WRONG, checked_rows
+from app.exports.archive.open_archive import OpenArchive, open_archive
 from app.file_modes import OWNER_FOLDER
 from app.files import sync_folder
 from app.isolated_reader import limit_memory
-from app.refusals import NO_ROOM, Conflict, DiskFull
-from app.scoring.interface_test.interface_measures import check_documents
+from app.refusals import NO_ROOM, DiskFull
 from app.store.database import Database, Transaction
 from app.store.files.disk_watch import disk_room
 from app.store.files.passing_folder import passing_folder
 from app.store.log import write_log
-from app.store.patients import find_patient
-from app.store.records.consents import require_consent
 from app.store.records.imports import (
-    clinic_name,
     earlier_import,
     note_import,
     patient_of_rows,
@@ -34,11 +25,7 @@ from app.store.records.imports import (
     runs_here,
 )
 from app.store.records.patient_merge import add_missing_rows
-from app.store.records.patient_rows import Rows, WrongRows, add_patient_rows, check_rows, patient_rows
-from app.visible_text import visible_line, visible_lines
-
-WRONG = "{file}: this archive cannot be read, because {why}; nothing was imported."
-OPEN = "A session of this patient is open: end it first, then make the archive."
+from app.store.records.patient_rows import Rows, WrongRows, add_patient_rows
 
 
 class Imported(NamedTuple):
@@ -53,59 +40,6 @@ class Imported(NamedTuple):
     sessions: int = 0
     trials: int = 0  # finished and kept
     comments: int = 0
-
-
-class ArchiveMaterial(NamedTuple):
-    """Everything that the archive of a patient is made from."""
-
-    clinic: str  # its name
-    rows: Rows
-    folders: list[Path]  # of the recordings
-
-    def steps(self, make_report: MakeReport | None) -> list[Step]:
-        """Return the steps that write the archive, to be called one after the other with the file to be made.
-
-        `make_report` returns the report of the patient's course as HTML; None: the archive has no report.
-        """
-        return archive_steps(self.clinic, self.rows, self.folders, make_report)
-
-
-def archive_material(
-    database: Database, clinic_id: int, patient_id: int, person: str, runs: Path, place: Path
-) -> ArchiveMaterial:
-    """Return what the archive of a patient is made from; log that `person` makes it, in the folder `place`.
-
-    `runs` is the folder of all recordings. NotFound when there is no such patient; Conflict without consent, or while
-    a session of the patient is open; DiskFull when the disk of `place` has no room for it.
-    """
-    with database.transaction() as db:
-        find_patient(db, clinic_id, patient_id)
-        require_consent(db, patient_id, "sharing")
-        rows = patient_rows(db, patient_id)
-        clinic = clinic_name(db, clinic_id)
-        if any(row["ended"] is None for row in rows["session"]):
-            raise Conflict(OPEN)
-        folders = [runs / str(row["id"]) for row in rows["run"]]
-        require_room_for(folders, place)
-        write_log(db, person, "export", patient=patient_id, session=None, form="archive", runs=len(rows["run"]))
-    return ArchiveMaterial(clinic, rows, folders)
-
-
-def make_archive(
-    database: Database,
-    clinic_id: int,
-    patient_id: int,
-    person: str,
-    runs: Path,
-    package: Path,
-    make_report: MakeReport | None = None,
-) -> str:
-    """Write the archive of a patient to `package` and return its hash; raises what `archive_material` raises."""
-    material = archive_material(database, clinic_id, patient_id, person, runs, package.parent)
-    for step in material.steps(make_report):
-        step(package)
-    with open_archive(package) as made:
-        return made.listed.hash
 
 
 def import_archive(
@@ -130,7 +64,7 @@ def import_archive(
             known = earlier_import(db, clinic_id, archive.listed.hash)
             if known is not None:
                 return Imported(known.id, known.code, is_new=False)
-        rows = _checked(archive, file)
+        rows = checked_rows(archive)
         with database.transaction() as db:
             patient = patient_of_rows(db, clinic_id, rows)
             here = frozenset() if patient is None else runs_here(db, patient.id)
@@ -154,46 +88,6 @@ def import_apart(clinic: Path, clinic_id: int, file: Path, person: str, runs: Pa
             return import_archive(database, clinic_id, file, person, runs, unpacked)
     except MemoryError as error:
         raise ValueError(WRONG.format(file=file, why="it needs too much memory")) from error
-
-
-def _checked(archive: OpenArchive, file: Path) -> Rows:
-    document = archive.patient()
-    try:
-        rows = check_rows(document.get("tables") if isinstance(document, dict) else None)
-        _check_contents(rows, archive)
-    except (WrongRows, ValidationError, TypeError, KeyError) as error:
-        why = str(error) if isinstance(error, WrongRows) else "one of its documents has another form"
-        raise ValueError(WRONG.format(file=file, why=why)) from error
-    except ValueError as error:
-        raise ValueError(WRONG.format(file=file, why=f"a text in it is refused: {error}")) from error
-    return rows
-
-
-def _check_contents(rows: Rows, archive: OpenArchive) -> None:
-    """Raise WrongRows or ValueError for documents and texts that this program would not have stored."""
-    patient = rows["patient"][0]
-    for name in ("code", "pseudonym"):
-        visible_line(patient[name])
-    visible_lines(patient["note"])
-    visible_line(archive.listed.clinic)
-    runs = [row["id"] for row in rows["run"]]
-    if len(runs) != len(set(runs)) or not all(RUN_ID.fullmatch(run) for run in runs):
-        raise WrongRows("its recordings have wrong names")
-    if not {name.split("/")[1] for name in archive.listed.files if "/" in name} <= set(runs):
-        raise WrongRows("it has a recording that no row names")
-    for row in rows["moment_comment"]:
-        if not row["author"]:
-            raise WrongRows("a comment in it has no author")
-        visible_line(row["author"])
-    for row in rows["comment_revision"]:
-        visible_lines(row["text"])
-    for row in rows["interface_test"]:
-        check_documents(row["plan"], row["measures"], row["workload"])
-    profiles: dict[Any, Any] = {}
-    for row in rows["profile"]:
-        profiles[row["id"]] = CalibrationProfile.model_validate(row["document"]).model_dump(mode="json")
-    for row in rows["parameters"]:
-        DriveParameters.model_validate({**row["settings"], "profile": profiles[row["profile_id"]]})
 
 
 def _add(
