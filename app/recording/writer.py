@@ -26,7 +26,8 @@ from app.recording.format import (
 )
 
 WRITE_EVERY = 0.08  # s
-SYNC_EVERY = 0.5  # s: the most that is lost when the power fails
+LOST_AT_MOST = 0.5  # s of the recording, when the power fails
+SYNC_EVERY = LOST_AT_MOST - WRITE_EVERY  # s: the next look is WRITE_EVERY later
 SEGMENT_SIZE = 32_000_000  # bytes, after which the next segment begins
 
 
