@@ -87,7 +87,8 @@ def read_run(folder: str | Path, *, scalars_only: bool = False) -> Run:
     copy = _copied_meta(tables)
     meta = _object(copy) or _object(meta_file) or {}
     if copy is not None and meta_file != copy:
-        words = words or f"{folder}: run.json was changed, and what the recording itself says of the run is used."
+        changed = f"{folder}: run.json was changed, and what the recording itself says of the run is used."
+        words = f"{words} {changed}".lstrip()
     if not meta:
         words = words or f"{folder}: run.json cannot be read, so nothing is known of this run but its numbers."
     return Run(meta, columns_of(tables, meta), end["dropped"] if end else 0, damage or words)

@@ -198,6 +198,14 @@ def test_cut_at_any_byte_the_longest_whole_beginning_is_read(cut_run, name):
         assert run.meta == META
 
 
+def test_both_are_said_of_a_cut_run_whose_description_was_changed(cut_run):
+    file = cut_run / "run.json"
+    file.write_bytes(file.read_bytes().replace(b"r1", b"r2"))
+    run = read_run(cut_run)
+    assert run.meta == META
+    assert ("was cut" in run.damage, "run.json was changed" in run.damage) == (True, True)
+
+
 @pytest.mark.parametrize("name", ["run.parquet", "run.json", "end.json"])
 def test_a_closed_run_cut_at_any_byte_raises_nothing(ring, tmp_path, name):
     folder = record(ring, tmp_path / "run", 400)
