@@ -5,13 +5,24 @@ import shlex
 import shutil
 import time
 from collections.abc import Callable, Iterator
+from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, Request, expect, sync_playwright
+from playwright.sync_api import (
+    Browser,
+    BrowserContext,
+    ConsoleMessage,
+    Page,
+    Playwright,
+    Request,
+    expect,
+    sync_playwright,
+)
 
 from app.realtime import NICENESS
 
@@ -132,21 +143,70 @@ def modest(program: str, folder: Path) -> Path:
     return script
 
 
-# One for each file: Playwright keeps an event loop running as long as it lives, and other tests start their own.
+class StartedOnce:
+    """Playwright and Chromium, each started for the first file that needs it, because that takes seconds."""
+
+    def __init__(self) -> None:
+        self._ends = ExitStack()
+        self._playwright: Playwright | None = None
+        self._chromium: Browser | None = None
+
+    def playwright(self) -> Playwright:
+        """Return what starts browsers; there can be one only."""
+        if self._playwright is None:
+            self._playwright = self._ends.enter_context(sync_playwright())
+        return self._playwright
+
+    def chromium(self) -> Browser:
+        """Return Chromium without a screen, drawing in software."""
+        if self._chromium is None:
+            found = shutil.which("chromium")
+            assert found is not None
+            folder = self._ends.enter_context(TemporaryDirectory())
+            self._chromium = self.playwright().chromium.launch(
+                executable_path=modest(found, Path(folder)), args=list(CHROMIUM)
+            )
+            self._ends.callback(self._chromium.close)
+        return self._chromium
+
+    def end(self) -> None:
+        """End both; they can be started again."""
+        self._ends.close()
+        self._playwright = self._chromium = None
+
+
+STARTED = StartedOnce()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_teardown(nextitem: pytest.Item | None) -> Iterator[None]:
+    """End the browser after the last test of this folder.
+
+    Playwright keeps an event loop running as long as it lives, and the tests of other folders start their own.
+    """
+    yield
+    if nextitem is None or Path(__file__).parent not in nextitem.path.parents:
+        STARTED.end()
+
+
+@pytest.fixture(scope="session")
+def playwright() -> Playwright:
+    """Playwright, for a test that starts a browser of its own."""
+    return STARTED.playwright()
+
+
 @pytest.fixture(scope="module")
-def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[FewPicturesBrowser]:
-    """Chromium without a screen, drawing in software."""
-    found = shutil.which("chromium")
-    if found is None:
+def browser() -> Iterator[FewPicturesBrowser]:
+    """What opens the pages of a file's tests; those that stay open are closed when the file ends."""
+    if shutil.which("chromium") is None:
         if os.environ.get("BODYDRIVE_NO_SKIP") == "1":
             pytest.fail("there is no chromium here: install Debian's package 'chromium'")
         pytest.skip("there is no chromium here: install Debian's package 'chromium' to run the browser tests")
     expect.set_options(timeout=PATIENCE)
-    program = modest(found, tmp_path_factory.mktemp("browser"))
-    with sync_playwright() as playwright:
-        launched = playwright.chromium.launch(executable_path=program, args=list(CHROMIUM))
-        yield FewPicturesBrowser(launched)
-        launched.close()
+    chromium = STARTED.chromium()
+    yield FewPicturesBrowser(chromium)
+    for context in chromium.contexts:
+        context.close()
 
 
 @pytest.fixture(scope="session")

@@ -18,7 +18,7 @@ from typing import Any
 import pytest
 from browser.conftest import CHROMIUM
 from cryptography import x509
-from playwright.sync_api import BrowserContext, Error, Playwright, sync_playwright
+from playwright.sync_api import BrowserContext, Error, Playwright
 from processes.host.served_lan import HOSTS, NAME, OWNER, ServedLan, served_lan
 
 from app.clock import utc_now
@@ -34,14 +34,13 @@ def lan(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ServedLan]:
         yield served
 
 
-@pytest.fixture(scope="module")
-def playwright() -> Iterator[Playwright]:
+@pytest.fixture(scope="module", autouse=True)
+def _programs() -> None:
+    """Skip these tests, or fail, where a program that they start is missing."""
     for command, package in (("chromium", "chromium"), ("certutil", "libnss3-tools")):
         if shutil.which(command) is None:
             message = f"there is no {command} here: install Debian's package '{package}' for the tests of tablets"
             (pytest.fail if os.environ.get("BODYDRIVE_NO_SKIP") == "1" else pytest.skip)(message)
-    with sync_playwright() as started:
-        yield started
 
 
 @contextmanager
