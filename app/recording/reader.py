@@ -30,6 +30,9 @@ if TYPE_CHECKING:
     import pyarrow as pa
 
 CHUNK = 1 << 20  # bytes read at once for a checksum
+UNREAD = "{file}: this file was cut or changed and cannot be read: restore it from a backup."
+UNREADABLE = (ValueError, TypeError, AttributeError, KeyError, NotImplementedError)
+"""What a changed name or type of a column raises, which the Parquet file does not protect by a checksum."""
 
 Columns = dict[str, NDArray[Any]]
 
@@ -91,7 +94,11 @@ def read_run(folder: str | Path, *, scalars_only: bool = False) -> Run:
         words = f"{words} {changed}".lstrip()
     if not meta:
         words = words or f"{folder}: run.json cannot be read, so nothing is known of this run but its numbers."
-    return Run(meta, columns_of(tables, meta), end["dropped"] if end else 0, damage or words)
+    try:
+        columns = columns_of(tables, meta)
+    except UNREADABLE:
+        columns, words = _no_rows(meta), words or UNREAD.format(file=parquet)
+    return Run(meta, columns, end["dropped"] if end else 0, damage or words)
 
 
 def _read_parquet(file: Path, end: dict[str, Any] | None, scalars_only: bool) -> tuple[list["pa.Table"], str]:
@@ -104,14 +111,15 @@ def _read_parquet(file: Path, end: dict[str, Any] | None, scalars_only: bool) ->
             names = [name for name in schema.names if name in (*SCALARS, *ADDED_SCALARS)] if scalars_only else None
             table = opened.read(names)
         table.validate(full=True)
-    except (pa.ArrowException, OSError):
-        return [], f"{file}: this file was cut or changed and cannot be read: restore it from a backup."
+        is_whole = _has_all_columns(schema)
+    except (pa.ArrowException, OSError, *UNREADABLE):
+        return [], UNREAD.format(file=file)
     words = ""
     if end is None:
         words = f"{file.parent / END_FILE}: this file was cut or changed, so the recording cannot be checked."
     elif not scalars_only and end["checksums"][PARQUET_FILE] != file_checksum(file):
         words = f"{file}: this file was changed, do not rely on it: restore it from a backup."
-    return ([table] if _has_all_columns(schema) else []), words
+    return ([table] if is_whole else []), words
 
 
 def _read_segments(segments: list[Path]) -> tuple[list["pa.Table"], str]:
