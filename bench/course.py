@@ -29,13 +29,13 @@ RATE = 100.0  # Hz
 PLAN = "apartment"
 
 
-def store_course(database: Database, runs: Path, sessions: int) -> None:
-    """Make a clinic with one patient and store the sessions; each trial has a copy of one recording."""
+def store_course(database: Database, runs: Path, sessions: int, seconds: float = SECONDS) -> None:
+    """Make a clinic with one patient and store the sessions; each trial has a copy of one recording of `seconds`."""
     plan = find_place(PLAN)
     assert plan is not None
     path, parameters = plan.paths[0], bench_parameters(RATE)
     recorded = runs / "recorded"
-    _record(recorded)
+    _record(recorded, seconds)
     with database.transaction() as db:
         clinic = add_clinic(db, "Bench")
         patient = add_patient(db, clinic.id, "P-1", "Heron", "")
@@ -73,7 +73,7 @@ def _measures(number: int) -> dict[str, float]:
     return {"e_diff": level, "dist": 14 + level, "time": 40 + 20 * level, "sparc": -3 - level, "reached": True}
 
 
-def _record(folder: Path) -> None:
+def _record(folder: Path, seconds: float) -> None:
     """Record one drive as the control process does."""
     plan = find_place(PLAN)
     assert plan is not None
@@ -88,6 +88,8 @@ def _record(folder: Path) -> None:
         "gestures": [gesture.name for gesture in parameters.gestures],
         "cues": [],
         "parameters": parameters.model_dump(mode="json"),
+        "floorplan": plan.model_dump(mode="json"),
+        "path": plan.paths[0].name,
     }
     ring = TickRing.create(f"bodydrive-bench-{uuid.uuid4().hex}")
     ring.unlink()
@@ -95,7 +97,7 @@ def _record(folder: Path) -> None:
     writer.start(ring, 0, 1)
     chain.arm()
     conditions = Conditions()
-    for number, values in enumerate(bench_signals(parameters, SECONDS)):
+    for number, values in enumerate(bench_signals(parameters, seconds)):
         t = number / RATE
         ring.write(chain.step(SensorFrame(number, t, t, values), t, conditions), 1, t, NO_CUE, 0, 0)
     writer.close(ring.number)

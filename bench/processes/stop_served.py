@@ -2,7 +2,8 @@
 
 Arguments: the chair's port and key file, the shirt's port and key file, a folder for the state. Prints the port that it
 serves. Then, for each line on stdin: `arm` prints `armed` as soon as the chair may move; `stop` sends the command over
-the link, and prints when (monotonic s). Ends with stdin.
+the link, and prints when (monotonic s); `beats` prints the longest time between two heartbeats since the last such line
+(s). Ends with stdin.
 """
 
 import asyncio
@@ -31,6 +32,25 @@ ARMING_LIMIT = 30.0  # s
 IDLE_LIMIT = 0.2  # s without a question, after which the computing process ends: the next question starts it again
 
 
+class _Beats:
+    """A screen that is always in view; each heartbeat asks for it."""
+
+    def __init__(self) -> None:
+        self._last = monotonic()
+        self._longest = 0.0
+
+    def sign(self) -> ScreenSign:
+        """Return that the screen is in view, and note when."""
+        now = monotonic()
+        self._longest, self._last = max(self._longest, now - self._last), now
+        return ScreenSign(0.0)
+
+    def longest(self) -> float:
+        """Return the longest time between two heartbeats (s) since the last call."""
+        longest, self._longest = self._longest, 0.0
+        return longest
+
+
 async def main(chair: dict[str, Any], shirt_port: int, shirt_key: str, folder: Path) -> None:
     """Serve until stdin ends."""
     with bind("127.0.0.1", 0) as listening:
@@ -44,13 +64,16 @@ async def main(chair: dict[str, Any], shirt_port: int, shirt_key: str, folder: P
             await asyncio.sleep(LOOK_EVERY)
         collect_garbage()  # as the web server does after its start
         control = web_parts_of(app).control
-        control.screen_sign = lambda: ScreenSign(0.0)  # a screen that is always in view
+        beats = _Beats()
+        control.screen_sign = beats.sign
         digest = await _set_up(control, chair, shirt_port, shirt_key, folder)
         _say(str(port))
         while word := (await asyncio.to_thread(sys.stdin.readline)).strip():
             if word == "arm":
                 await _arm(control, digest)
                 _say("armed")
+            elif word == "beats":
+                _say(repr(beats.longest()))
             else:
                 before = monotonic()
                 await control.call("stop", by="tablet")

@@ -52,7 +52,7 @@ def _row(
     """
     with served(prepare) as (_, _, port, arguments), started(program, str(port), *arguments) as work:
         try:
-            times = _in_turn(MonotonicClock(), runs * rounds, stops, port, lambda word: ask(work, word))
+            times = in_turn(MonotonicClock(), runs * rounds, stops, port, lambda word: ask(work, word))
             answers = ask(work, "off")
         finally:
             work.communicate()
@@ -70,7 +70,7 @@ def _row(
     return Row(what, ratios, "x", reach, "lower", details)
 
 
-def _in_turn(
+def in_turn(
     clock: MonotonicClock, rounds: int, stops: int, port: int, tell: Callable[[str], str]
 ) -> dict[str, list[float]]:
     """Return how long each stop took (s), without the work ("off") and with it ("on")."""

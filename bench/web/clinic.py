@@ -21,6 +21,7 @@ from bench.course import PLAN, store_course
 
 TRIALS = 22  # as in the paper
 SESSIONS = 10  # of a course
+REVIEWED, REVIEWED_SECONDS = 3, 300.0  # sessions; s of each of their recordings: 21 in all, and 16 are cached
 SIMULATED = Source(shirt="simulator", body="person", chair="virtual", simulated=True)
 
 
@@ -74,3 +75,18 @@ def furnish_course(state: Path) -> list[str]:
     review = f"learning?floorplan={PLAN}&path={path}&source={STUDY_SOURCE.group}&measure=e_diff"
     pages = ("report?form=pdf", f"export?form=csv&session={SESSIONS}", review)
     return [token, *(f"/patients/1/{page}" for page in pages)]
+
+
+def furnish_review(state: Path, kind: str) -> list[str]:
+    """Make a clinic with trials of five minutes; return the token of a sign-in, `kind`, and the ids of the trials."""
+    settings = Settings(state=state)
+    database = Database(settings.database)
+    store_course(database, settings.runs, REVIEWED, REVIEWED_SECONDS)
+    with database.transaction() as db:
+        clinic = the_clinic(db)
+        if clinic is None:
+            raise RuntimeError("the clinic of the benchmark was not made")
+        token = sign_in(db, add_person(db, clinic, "Ada", "owner", None), "bench")
+        trials = [str(trial) for trial in db.scalars(select(Trial.id).order_by(Trial.id))]
+    database.close()
+    return [token, kind, *trials]
