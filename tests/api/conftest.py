@@ -1,7 +1,8 @@
 """A clinic of its own for each test: a copy of one that was made once, opened by the web application."""
 
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 import pytest
@@ -58,18 +59,32 @@ def new_state(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="session")
-def calibrated_state(new_state: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def make_state(new_state: Path, tmp_path_factory: pytest.TempPathFactory) -> Callable[[Callable[[Clinic], None]], Path]:
+    """Return a function that lets a clinician do something in a demonstration, and returns the folder that is left."""
+
+    def make(work: Callable[[Clinic], None]) -> Path:
+        settings = demonstration(tmp_path_factory.mktemp("made") / "state")
+        shutil.copytree(new_state, settings.state)
+        with pytest.MonkeyPatch.context() as monkeypatch:
+            quick(monkeypatch)
+            for clinic in running(settings):
+                sign_in(clinic)
+                work(clinic)
+                clinic.good("POST", "/auth/sign-out")
+        return settings.state
+
+    return make
+
+
+@pytest.fixture(scope="session")
+def calibrated_state(make_state: Callable[[Callable[[Clinic], None]], Path]) -> Path:
     """The folder of a demonstration whose first patient is here and was calibrated just now."""
-    settings = demonstration(tmp_path_factory.mktemp("calibrated") / "state")
-    shutil.copytree(new_state, settings.state)
-    with pytest.MonkeyPatch.context() as monkeypatch:
-        quick(monkeypatch)
-        for clinic in running(settings):
-            sign_in(clinic)
-            clinic.begin_session()
-            clinic.calibrate()
-            clinic.good("POST", "/auth/sign-out")
-    return settings.state
+
+    def work(clinic: Clinic) -> None:
+        clinic.begin_session()
+        clinic.calibrate()
+
+    return make_state(work)
 
 
 @pytest.fixture
@@ -80,13 +95,25 @@ def clinic(settings: Settings, new_state: Path) -> Iterator[Clinic]:
 
 
 @pytest.fixture
-def calibrated(settings: Settings, calibrated_state: Path) -> Iterator[Clinic]:
+def start_from(settings: Settings) -> Iterator[Callable[[Path], Clinic]]:
+    """Return a function that starts a copy of a made folder, with its clinician."""
+    with ExitStack() as ends:
+
+        def start(state: Path) -> Clinic:
+            shutil.copytree(state, settings.state)
+            clinic = ends.enter_context(contextmanager(running)(settings))
+            sign_in(clinic)
+            return clinic
+
+        yield start
+
+
+@pytest.fixture
+def calibrated(start_from: Callable[[Path], Clinic], calibrated_state: Path) -> Clinic:
     """A demonstration with its clinician, and a calibrated patient who is here."""
-    shutil.copytree(calibrated_state, settings.state)
-    for clinic in running(settings):
-        sign_in(clinic)
-        clinic.patient = clinic.good("GET", "/session")["patient"]
-        yield clinic
+    clinic = start_from(calibrated_state)
+    clinic.patient = clinic.good("GET", "/session")["patient"]
+    return clinic
 
 
 @pytest.fixture

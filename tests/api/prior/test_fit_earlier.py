@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from prior.test_drive_now import record
+from calibrated_others import record
 
 
 @pytest.fixture

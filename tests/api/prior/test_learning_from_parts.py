@@ -3,8 +3,8 @@
 from typing import Any
 
 import pytest
+from calibrated_others import begin, entry, record
 from fake_clinic import profile_for
-from prior.test_drive_now import begin, entry, record
 
 from app.calibration.profile import Arrangement
 from app.layout import Channel, ShirtLayout
@@ -26,16 +26,11 @@ def stored(clinic: Any, patient: int) -> dict[str, Any]:
 
 
 @pytest.fixture
-def newcomer(signed_in: Any) -> tuple[Any, int]:
+def newcomer(with_others: Any) -> tuple[Any, int]:
     """A clinic with four others, and a new patient who has rested and moved freely."""
-    signed_in.readings["entry"] = entry()
-    for number in range(4):
-        begin(signed_in, f"P-{number}")
-        signed_in.calibrate()
-        signed_in.good("DELETE", "/session")
-    patient = begin(signed_in, "P-9")
-    record(signed_in, "rest", "free")
-    return signed_in, patient
+    patient = begin(with_others, "P-9")
+    record(with_others, "rest", "free")
+    return with_others, patient
 
 
 def test_drive_now_without_a_prompt_adds_nothing(newcomer: Any) -> None:
