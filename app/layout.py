@@ -86,6 +86,12 @@ class ShirtLayout(Document):
         return self
 
     @property
+    def without_rings(self) -> "ShirtLayout":
+        """The layout without its rings, which say how the shirt may sit and not which channel is which."""
+        channels = tuple(channel.model_copy(update={"ring": None, "place": None}) for channel in self.channels)
+        return self.model_copy(update={"channels": channels})
+
+    @property
     def channel_names(self) -> list[str]:
         """Names in the order of a frame's values."""
         return [channel.name for channel in self.channels]

@@ -94,13 +94,15 @@ class Comparison:
                     best = joint.best_map
                     self._note(seconds, "best", {"prior": by_prior, "guided": by_cues, "pca": by_pca}[best])
 
-    def arrangements(self, wearer: Wearer, shift: int) -> Iterable[bool]:
-        """Yield for each ring, with the values of each sensor in its neighbour's place, whether that is found."""
+    def arrangements(self, wearer: Wearer, shift: int, *, mirrored: bool = False) -> Iterable[bool]:
+        """Yield for each ring, turned by `shift` places or with its sensors in reverse order, whether that is found."""
         for ring, sensors in wearer.layout.rings.items():
+            count = len(sensors)
+            sits = Arrangement(shift=count - 1, mirrored=True) if mirrored else Arrangement(shift=shift % count)
             values = wearer.values.copy()
-            values[:, sensors] = np.roll(values[:, sensors], shift, axis=1)
+            values[:, sensors] = values[:, np.array(sensors)[::-1] if mirrored else np.roll(sensors, shift)]
             found = find_arrangements(self._priors[wearer.group], values[wearer.free], wearer.sample_rate)
-            yield found[ring] == Arrangement(shift=shift % len(sensors))
+            yield found[ring] == sits
 
     def _note(self, seconds: float, name: str, one: Figures) -> None:
         self.figures.setdefault((seconds, name), []).append(one)
@@ -141,6 +143,8 @@ def print_arrangements(comparison: Comparison, wearers: Sequence[Wearer]) -> Non
     turned = [found for one in wearers for shift in (1, -1) for found in comparison.arrangements(one, shift)]
     typer.echo(f"rings that sit right and are kept: {sum(kept)} of {len(kept)}")
     typer.echo(f"rings turned by one place that are found: {sum(turned)} of {len(turned)}")
+    mirrored = [found for one in wearers for found in comparison.arrangements(one, 0, mirrored=True)]
+    typer.echo(f"rings in reverse order that are found: {sum(mirrored)} of {len(mirrored)}")
 
 
 def with_ring(wearer: Wearer) -> Wearer:
@@ -176,8 +180,16 @@ CHANGES: dict[str, Callable[[Wearer], Wearer]] = {
 def main(
     people: Annotated[int, typer.Option(min=6, help="Simulated people.")] = 20,
     seed: Annotated[int, typer.Option(help="Of the cues' lead on the real knit.")] = 1,
+    *,
+    rings: Annotated[
+        bool, typer.Option("--rings", help="Only how simulated rings of sensors sit: half a minute.")
+    ] = False,
 ) -> None:
     """Print the tables of docs/learning/prior-measured.md."""
+    if rings:
+        wearers = simulated_people(people)
+        print_arrangements(Comparison(wearers, entries_of(wearers)), wearers)
+        return
     typer.echo(step_cost())
     if FOLDER.exists():
         knit = [with_ring(one) for one in knit_people(seed)]

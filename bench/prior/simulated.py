@@ -25,19 +25,9 @@ REST, FREE, REPETITIONS = 2.0, 12.0, 14
 GAINS = (0.7, 1.4)  # of each channel, from person to person
 
 
-def ringed_layout() -> ShirtLayout:
-    """Return the standard layout with the sensors of each elbow in a ring."""
-    layout = standard_layout()
-    channels = tuple(
-        channel.model_copy(update={"ring": channel.joint}) if channel.joint.endswith("elbow") else channel
-        for channel in layout.channels
-    )
-    return layout.model_copy(update={"channels": channels})
-
-
 def simulated_people(count: int, joints: Sequence[str] = JOINTS) -> list[Wearer]:
     """Return the recordings of `count` people: rest, free movement, then each joint prompted for 49 s."""
-    layout = ringed_layout()
+    layout = standard_layout()
     return [_wearer(layout, number, joints) for number in range(count)]
 
 

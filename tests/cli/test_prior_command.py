@@ -181,7 +181,7 @@ def test_bad_input_is_one_sentence(folder, tmp_path):
         "--prior", folder / "few.json",
     )  # fmt: skip
     assert "1 of them is known for this joint, and 4 are needed" in refusal(few)
-    (tmp_path / "other.json").write_text(sleeve(ring=False).model_dump_json())
+    (tmp_path / "other.json").write_text(sleeve().model_dump_json().replace("right_elbow", "left_elbow"))
     other = run(
         "calibrate", folder / "new.csv", "--layout", tmp_path / "other.json", "--out", tmp_path / "p",
         "--prior", folder / "prior.json",

@@ -5,13 +5,14 @@ import pytest
 
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.prior.map_prior import MapPrior
-from app.calibration.prior.prior_map import with_best_maps, with_prior_maps
-from app.calibration.profile import CalibrationProfile
+from app.calibration.prior.prior_map import find_arrangements, with_best_maps, with_prior_maps
+from app.calibration.profile import Arrangement, CalibrationProfile
+from app.calibration.script import calibration_script
 from app.calibration.vocabulary import standard_parameters
 from app.hardware.shirt.standard import standard_layout
 from app.pipeline.replay.batch import decode_block
 from app.session.calibration.clinic_prior import SHIPPED_SEED, Garment, shipped_prior
-from app.study.simulated_calibration import StepRecording, record_calibration
+from app.study.simulated_calibration import StepRecording, record_calibration, record_step
 from app.study.simulated_pool import SAMPLE_RATE, recording_of, wearer
 
 LATE = 0.5  # s by which a simulated person may follow a cue
@@ -49,6 +50,32 @@ def test_somebody_new_drives_by_it_after_ten_seconds_of_movement(seed: int) -> N
     for in_phase, hit in shares(by_others, recorded):
         assert in_phase > 0.95
         assert hit > 0.3
+
+
+def test_its_rings_tell_how_somebody_new_wears_the_elbows() -> None:
+    released = shipped_prior(Garment(standard_layout(), True, SHIPPED_SEED))
+    assert released is not None
+    prior, person = MapPrior.of(released), wearer(standard_layout(), 5)
+    assert set(prior.rings) == {"right_elbow", "left_elbow"}
+    script = calibration_script(standard_layout())
+    recorded = [(step, *record_step(person, step)) for step in script if step.kind in ("rest", "free")]
+    free = recording_of(person, recorded).free
+    assert set(find_arrangements(prior, free, SAMPLE_RATE).values()) == {Arrangement()}
+    sensors = standard_layout().rings["left_elbow"]
+    for turned, way in (
+        (np.roll(sensors, 1), Arrangement(shift=1)),
+        (sensors[::-1], Arrangement(shift=7, mirrored=True)),
+    ):
+        worn = free.copy()
+        worn[:, sensors] = free[:, turned]
+        assert find_arrangements(prior, worn, SAMPLE_RATE) == {"right_elbow": Arrangement(), "left_elbow": way}
+
+
+def test_a_shirt_whose_layout_named_rings_later_is_the_same_garment() -> None:
+    layout = standard_layout()
+    one, other = Garment(layout, False, None), Garment(layout.without_rings, False, None)
+    assert layout.without_rings.rings == {}
+    assert one.hash == other.hash != Garment(layout, False, 1).hash
 
 
 def test_another_simulated_shirt_has_no_prior() -> None:

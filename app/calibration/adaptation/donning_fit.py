@@ -70,6 +70,8 @@ def _refuse_turned_rings(profile: CalibrationProfile, today: dict[str, Arrangeme
     labels = {joint.name: joint.label for joint in profile.layout.joints}
     priors: dict[str, PriorMap] = {joint.name: joint.prior for joint in profile.joints if joint.prior is not None}
     for ring, arrangement in today.items():
+        if ring not in profile.layout.rings:  # it was calibrated before the layout named this ring
+            continue
         sensors = profile.layout.rings[ring]
         joint = profile.layout.channels[sensors[0]].joint
         if joint not in priors:

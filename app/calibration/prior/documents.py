@@ -1,5 +1,6 @@
 """The documents of a prior: one person's moments, a clinic's own prior with an entry per person, a release of sums."""
 
+from collections.abc import Sequence
 from typing import Annotated, Literal, Self
 
 import numpy as np
@@ -68,6 +69,7 @@ class MomentsDocument(PriorPart):
 class RingDocument(PriorPart):
     """Sums over people of what tells the sensors of a ring apart; pairs as upper triangles without the diagonal."""
 
+    sensors: Annotated[tuple[Name, ...], Field(max_length=MAX_CHANNELS)] = ()  # names round the limb; (): not noted
     people: Amount
     logs: Vector
     logs_squared: Vector
@@ -75,10 +77,11 @@ class RingDocument(PriorPart):
     pairs_squared: Triangle
 
     @classmethod
-    def of(cls, ring: RingMoments) -> Self:
-        """Return the document of `ring`, rounded to DIGITS."""
+    def of(cls, ring: RingMoments, sensors: Sequence[str] = ()) -> Self:
+        """Return the document of `ring`, rounded to DIGITS; `sensors` names its channels round the limb."""
         upper = np.triu_indices(len(ring.logs), 1)
         return cls(
+            sensors=tuple(sensors),
             people=ring.people,
             logs=rounded(ring.logs),
             logs_squared=rounded(ring.logs_squared),
@@ -116,6 +119,16 @@ class PersonEntry(PriorPart):
     recordings: Annotated[int, Field(strict=True, ge=1)]
     joints: Annotated[dict[Name, JointEntry], Field(min_length=1)]
     rings: dict[Name, RingDocument] = Field(default_factory=dict)
+
+    def in_layout(self, layout: ShirtLayout) -> "PersonEntry":
+        """Return the entry with those of its rings only that are the layout's, sensor by sensor."""
+        own = {ring: tuple(layout.channel_names[i] for i in sensors) for ring, sensors in layout.rings.items()}
+        rings = {
+            name: ring
+            for name, ring in self.rings.items()
+            if len(ring.logs) == len(own.get(name, ())) and ring.sensors in ((), own[name])
+        }
+        return self.model_copy(update={"rings": rings})
 
     def completed(self, earlier: "PersonEntry") -> "PersonEntry":
         """Return this entry with the joints and rings of an earlier one that it does not have itself."""

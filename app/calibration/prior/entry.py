@@ -61,7 +61,8 @@ def person_entry(layout: ShirtLayout, recordings: Sequence[PersonRecording]) -> 
                 RingMoments.of(ring_movement(free[:, sensors], one.sample_rate))
                 for one, free in zip(recordings, moved, strict=True)
             ]
-            rings[ring] = RingDocument.of(total(found) * (1.0 / len(found)))
+            names = [layout.channels[i].name for i in sensors]
+            rings[ring] = RingDocument.of(total(found) * (1.0 / len(found)), names)
     return PersonEntry(recordings=len(recordings), joints=joints, rings=rings)
 
 

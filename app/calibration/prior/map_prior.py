@@ -77,14 +77,16 @@ class MapPrior:
     def of(cls, document: PriorDocument) -> Self:
         """Return the prior of a document."""
         if isinstance(document, OwnPrior):
-            return cls(document.layout, *sums_of(document.people.values()))
+            people = document.people.values()
+            return cls(document.layout, *sums_of(entry.in_layout(document.layout) for entry in people))
         joints = {name: _joint_prior(sums) for name, sums in document.joints.items()}
         return cls(document.layout, joints, {name: ring.moments for name, ring in document.rings.items()})
 
     def __add__(self, other: Self) -> Self:
-        """Return the sums over the people of both; raise PriorError when their layouts differ."""
+        """Return the sums over the people of both, in the layout that has rings; PriorError when the layouts differ."""
         check_layout(other.layout, self.layout)
-        return type(self)(self.layout, _added(self.joints, other.joints), _added(self.rings, other.rings))
+        layout = self.layout if self.layout.rings else other.layout
+        return type(self)(layout, _added(self.joints, other.joints), _added(self.rings, other.rings))
 
     @property
     def people(self) -> int:
@@ -118,8 +120,8 @@ def union_of_people(documents: Iterable[PriorDocument]) -> OwnPrior:
     for document in documents:
         if not isinstance(document, OwnPrior):
             raise PriorError("a release holds sums and no entries of people: merge it without --own")
-        layout = layout or document.layout
-        check_layout(document.layout, layout)
+        check_layout(document.layout, layout or document.layout)
+        layout = layout if layout is not None and layout.rings else document.layout
         for code, entry in document.people.items():
             if people.get(code, entry) != entry:
                 raise PriorError(f"two of them have different entries for the person '{code}': give one another code")
@@ -131,17 +133,21 @@ def union_of_people(documents: Iterable[PriorDocument]) -> OwnPrior:
 
 
 def check_layout(one: ShirtLayout, other: ShirtLayout) -> None:
-    """Raise PriorError when channels, joints or rings of two layouts differ; their names and pictures may differ."""
-    if layout_key(one) != layout_key(other):
+    """Raise PriorError when channels or joints of two layouts differ, or their rings where both have rings.
+
+    Their names and pictures may differ.
+    """
+    rings_differ = one.rings and other.rings and one.rings != other.rings
+    if layout_key(one) != layout_key(other) or rings_differ:
         raise PriorError(
             f"the layouts '{one.name}' and '{other.name}' have other channels, joints or rings: each shirt needs a "
             f"prior of its own"
         )
 
 
-def layout_key(layout: ShirtLayout) -> tuple[tuple[object, ...], ...]:
-    """Return the names of the channels with their joints and places in rings, equal where a prior fits a layout."""
-    return tuple((channel.name, channel.joint, channel.ring, channel.place) for channel in layout.channels)
+def layout_key(layout: ShirtLayout) -> tuple[tuple[str, str], ...]:
+    """Return the names of the channels with their joints, equal where maps of one layout fit another."""
+    return tuple((channel.name, channel.joint) for channel in layout.channels)
 
 
 def _added(some: Mapping[str, Summed], others: Mapping[str, Summed]) -> dict[str, Summed]:

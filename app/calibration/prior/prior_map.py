@@ -92,7 +92,8 @@ def with_prior_maps(
     """
     check_layout(prior.layout, profile.layout)
     moved = without_gaps(free, profile.sample_rate)
-    arrangements = find_arrangements(prior, moved, profile.sample_rate)
+    found = find_arrangements(prior, moved, profile.sample_rate)
+    arrangements = {ring: sits for ring, sits in found.items() if ring in profile.layout.rings}
     joints, reasons = [], {}
     for joint in profile.joints:
         own = [one for one in stretches if one.joint == joint.name]

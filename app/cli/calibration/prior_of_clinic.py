@@ -125,7 +125,9 @@ def _own_prior(db: "Transaction", clinic: "Clinic", layout: "ShirtLayout", *, to
             for name in names:
                 released[part].setdefault(name, []).append(code)
     try:
-        people = {code: PersonEntry.model_validate(without_releases(document)) for code, document in found}
+        people = {
+            code: PersonEntry.model_validate(without_releases(document)).in_layout(layout) for code, document in found
+        }
         return OwnPrior(layout=layout, people=people, released=ReleasedPeople.model_validate(released))
     except ValueError as error:
         raise InputError(

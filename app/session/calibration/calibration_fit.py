@@ -54,7 +54,8 @@ class CalibrationFit:
             row = newest_profile(db, db.get_one(PatientSession, session_id).patient_id)
             if row is None or row.simulated is not self._equipment.simulated:
                 return None
-            if CalibrationProfile.model_validate(row.document).layout != layout:
+            before = CalibrationProfile.model_validate(row.document).layout
+            if before.without_rings != layout.without_rings:
                 return None
             return EarlierCalibration(row.version, row.created)
 

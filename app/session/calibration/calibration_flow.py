@@ -68,7 +68,8 @@ class CalibrationFlow:
         """Record one step; its earlier recording no longer counts."""
         progress = await self.progress(session_id)
         step = self._find(progress, step_id)
-        if progress.layout != self._equipment.needed_layout():
+        needed = self._equipment.needed_layout()
+        if progress.layout is None or progress.layout.without_rings != needed.without_rings:
             raise Conflict("The shirt is another one than when this calibration began: begin the calibration anew.")
         if self._running is not None:
             raise Conflict("A step is being recorded already: wait for its end, or cancel it first.")

@@ -25,7 +25,10 @@ from app.store.tables import Patient, PatientSession
 
 
 class Garment(NamedTuple):
-    """What must be equal so that other people's movements say something of a patient's."""
+    """What must be equal so that other people's movements say something of a patient's.
+
+    Rings need not be: they may come to a layout later.
+    """
 
     layout: ShirtLayout
     simulated: bool  # whether nobody wears the shirt
@@ -34,7 +37,9 @@ class Garment(NamedTuple):
     @property
     def hash(self) -> str:
         """SHA-256, hex."""
-        return hashlib.sha256(json.dumps([layout_key(self.layout), self.seed]).encode()).hexdigest()
+        # None twice: such was the hash of a layout without rings when rings were a part of it.
+        key = [(*channel, None, None) for channel in layout_key(self.layout)]
+        return hashlib.sha256(json.dumps([key, self.seed]).encode()).hexdigest()
 
 
 SHIPPED_SEED = 1  # of the simulated shirt that a prior ships for, which is the one that a clinic begins with
@@ -72,7 +77,8 @@ class ClinicPrior:
             found = entries_of_others(
                 db, session.clinic_id, garment.hash, session.patient_id, simulated=garment.simulated
             )
-        prior = MapPrior(garment.layout, *sums_of(map(PersonEntry.model_validate, found)))
+        entries = [PersonEntry.model_validate(entry).in_layout(garment.layout) for entry in found]
+        prior = MapPrior(garment.layout, *sums_of(entries))
         shipped = shipped_prior(garment)
         if shipped is not None:
             prior += MapPrior.of(shipped)

@@ -1,7 +1,9 @@
 """A patient who comes again rests and moves freely; then the earlier calibration drives, fitted to the shirt."""
 
+from pathlib import Path
 from typing import Any
 
+import fake_clinic
 import pytest
 from calibrated_others import record
 
@@ -31,6 +33,25 @@ def test_the_earlier_calibration_is_fitted_after_rest_and_free_movement(again: A
     assert after["parameters"]["gestures"] == before["parameters"]["gestures"]
     row = next(row for row in again.log() if row.what == "calibration fitted to the shirt")
     assert row.details["version"] == 2
+    assert again.good("GET", "/adaptation")["back_to"] == 1
+
+
+@pytest.fixture
+def rings_since(calibrated_state: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The layout of the shirt names a ring, which it did not when the patient was calibrated."""
+    channels = tuple(
+        one.model_copy(update={"ring": "cuff"}) if one.joint == "right_elbow" else one
+        for one in fake_clinic.LAYOUT.channels
+    )
+    monkeypatch.setattr(fake_clinic, "LAYOUT", fake_clinic.LAYOUT.model_copy(update={"channels": channels}))
+
+
+@pytest.mark.usefixtures("rings_since")
+def test_a_calibration_from_before_the_layout_had_rings_still_fits(again: Any) -> None:
+    assert again.process.parameters["profile"]["layout"] != fake_clinic.LAYOUT.model_dump(mode="json")
+    assert again.good("GET", "/calibration")["earlier"]["version"] == 1
+    record(again, "rest", "free")
+    again.good("POST", "/calibration/fit-earlier")
     assert again.good("GET", "/adaptation")["back_to"] == 1
 
 

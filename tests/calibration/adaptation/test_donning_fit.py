@@ -25,9 +25,9 @@ def wearer():
     return Wearer(102)
 
 
-def calibrated(wearer, others=None, values=None):
+def calibrated(wearer, others=None, values=None, layout=None):
     free = (wearer.values if values is None else values)[:TEN_SECONDS]
-    profile = fit_profile(sleeve(), RATE, free=free)
+    profile = fit_profile(layout or sleeve(), RATE, free=free)
     return profile if others is None else with_prior_maps(profile, others, free).profile
 
 
@@ -93,3 +93,8 @@ def test_where_the_calibration_knew_no_others_nothing_is_said_of_rings(wearer, o
     profile = calibrated(wearer)
     turned = np.roll(wearer.values[:TEN_SECONDS], 1, axis=1)
     fit_to_donning(standard_parameters(profile), profile, turned, RATE, others)
+
+
+def test_a_calibration_from_before_the_layout_had_rings_is_fitted(wearer, others):
+    profile = calibrated(wearer, others, layout=sleeve(ring=False))
+    fit_to_donning(standard_parameters(profile), profile, wearer.values[:TEN_SECONDS], RATE, others)

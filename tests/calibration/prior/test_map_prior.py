@@ -26,6 +26,11 @@ def part(prior, *numbers):
     return prior.model_copy(update={"people": {f"w{i}": prior.people[f"w{i}"] for i in numbers}})
 
 
+def renamed_sleeve():
+    other = sleeve().channels[0].model_copy(update={"name": "e9"})
+    return sleeve().model_copy(update={"channels": (other, *sleeve().channels[1:])})
+
+
 def assert_equal(one, other):
     assert one.joints.keys() == other.joints.keys()
     assert one.rings.keys() == other.rings.keys()
@@ -84,7 +89,28 @@ def test_within_a_clinic_entries_are_united(ten):
 
 def test_other_layouts_are_not_added(ten):
     with pytest.raises(PriorError, match="needs a prior of its own"):
-        release([ten, prior_of(range(1, 9), sleeve(ring=False))])
+        release([ten, prior_of(range(1, 9), renamed_sleeve())])
+    backwards = tuple(
+        channel.model_copy(update={"place": 4 - place}) for place, channel in enumerate(sleeve().channels)
+    )
+    other_ring = ten.model_copy(update={"layout": sleeve().model_copy(update={"channels": backwards})})
+    with pytest.raises(PriorError, match="needs a prior of its own"):
+        release([ten, other_ring])
+
+
+def test_rings_may_come_to_a_layout_later(ten):
+    before = prior_of(range(11, 19), sleeve(ring=False))
+    for both in (release([ten, before]).document, release([before, ten]).document):
+        assert (both.people, both.layout, both.rings["cuff"].people) == (18, sleeve(), 10)
+    assert union_of_people([before, ten]).layout == union_of_people([ten, before]).layout == sleeve()
+
+
+def test_a_ring_of_other_sensors_is_left_out_of_an_entry(ten):
+    entry = ten.people["w1"]
+    assert entry.in_layout(sleeve()) == entry
+    assert entry.in_layout(sleeve(ring=False)).rings == {}
+    assert entry.in_layout(renamed_sleeve()).rings == {}
+    assert entry.in_layout(renamed_sleeve()).joints == entry.joints
 
 
 def test_a_file_is_read_as_it_was_written(ten, tmp_path):
