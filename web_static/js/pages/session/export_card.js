@@ -51,7 +51,7 @@ function choice(app, patient, code, sessions) {
     link.setAttribute("href", `/api/v1/patients/${patient}/${isArchive ? ARCHIVE : `export?${query}`}`);
     offer.hidden = isArchive; // until the disk of the clinic was looked at
     what.hidden = isArchive;
-    write(words, isArchive && isOpen ? t("export.archive.open") : "");
+    write(words, isArchive && isOpen ? t("export.archive.open") : form === "csv" ? t("export.csv.how") : "");
     if (isArchive && !isOpen) lookForRoom();
   };
   const lookForRoom = async () => {

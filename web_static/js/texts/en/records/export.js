@@ -20,6 +20,8 @@ export default {
   "export.state.going on": "Recordings packed: {packed} of {recordings}. Sent: {size}.",
   "export.state.complete": "The export is complete: {size}.",
   "export.state.broken off": "The export was broken off, and the file is not complete: export again.",
+  "export.csv.how":
+    "Columns are separated by commas, and numbers have a decimal point. A spreadsheet that writes a decimal comma asks how to open the file: choose UTF-8 and English there.",
   "export.archive.how": "The recordings take {size}. An owner of the other clinic imports the file on its Patients page.",
   "export.archive.open": "A session of this patient is open: end it first, then make the archive.",
   "export.consent": "An export needs the patient's consent to sharing outside: ask, and enter it above.",
@@ -29,7 +31,7 @@ export default {
   "import.send": "Sending: {done} of {total}",
   "import.unpack": "Checking and unpacking: {done} of {total}",
   "import.done": "The patient {code} is imported: {sessions}, {trials}.",
-  "import.added": "To {code}, who was imported before, this was added: {sessions}, {trials}, {comments}.",
+  "import.added": "To {code}, who was imported before, this was added: {sessions}, {trials}, {comments}. Sessions that were here stay as they are, also where they were corrected elsewhere.",
   "import.comments": { one: "{count} comment", other: "{count} comments" },
   "import.known": "{code} was imported before, and this archive has nothing new: nothing was changed.",
 };
