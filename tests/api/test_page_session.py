@@ -74,9 +74,11 @@ def test_every_changing_route_refuses_another_session_and_none_or_is_listed_with
     for route in routes:
         refused = {}
         for named in (before, "none", "999999", None, "B-12", "0", "-1"):
-            with database.transaction() as db:  # anew: one of the routes signs out
-                in_session.client.cookies["bodydrive_sign_in"] = sign_in(db, find_person(db, name), "test")
             answer = asked(in_session, route, named)
+            if answer.status_code == 401:  # some routes end the sign-in
+                with database.transaction() as db:
+                    in_session.client.cookies["bodydrive_sign_in"] = sign_in(db, find_person(db, name), "test")
+                answer = asked(in_session, route, named)
             refused[named] = (
                 (answer.status_code == 409 and OTHER in answer.text),
                 (answer.status_code == 422 and UNNAMED in answer.text),
