@@ -1736,6 +1736,44 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/calibration/sitting": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["SittingChoice"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["CalibrationView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/calibration/drive-now": {
         parameters: {
             query?: never;
@@ -6709,6 +6747,9 @@ export interface components {
             arrangement?: {
                 [key: string]: components["schemas"]["Arrangement"];
             };
+            as_worn?: {
+                [key: string]: components["schemas"]["Arrangement"];
+            };
             hits?: components["schemas"]["Forecast"] | null;
             false_per_minute?: components["schemas"]["Forecast"] | null;
             prior_check?: components["schemas"]["MapCheck"] | null;
@@ -7027,6 +7068,10 @@ export interface components {
             layout?: components["schemas"]["ShirtLayout"] | null;
             /** @default [] */
             dead_channels?: string[];
+        };
+        SittingChoice: {
+            joint: string;
+            is_right: boolean;
         };
         SourceView: {
             shirt: string;
@@ -7571,6 +7616,7 @@ export type ShirtLayout = components['schemas']['ShirtLayout'];
 export type SignOffView = components['schemas']['SignOffView'];
 export type SimulatedHeadConfig = components['schemas']['SimulatedHeadConfig'];
 export type SimulatorConfig = components['schemas']['SimulatorConfig'];
+export type SittingChoice = components['schemas']['SittingChoice'];
 export type SourceView = components['schemas']['SourceView'];
 export type Speeds = components['schemas']['Speeds'];
 export type Stage = components['schemas']['Stage'];

@@ -46,6 +46,7 @@ export type PriorResult = {
   repetitions: number;
   dropped: string[];
   arrangement: Record<string, Arrangement>;
+  as_worn: Record<string, Arrangement>; // rings that look so, and that a person is sure sit right
   hits: Forecast | null;
   hits_with_prompts: Forecast | null; // after three repetitions of a movement that was not prompted yet
   false_per_minute: Forecast | null;

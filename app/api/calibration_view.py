@@ -102,12 +102,13 @@ def _prior(prior: PriorMap | None, layout: ShirtLayout) -> dict[str, Any] | None
         return None
     fields = {"people", "repetitions", "dropped", "hits", "false_per_minute", "prior_check", "pca_check"}
     sits = {
-        ring: {**found.model_dump(), "sensors": len(layout.rings[ring])} for ring, found in prior.arrangement.items()
+        name: {ring: {**sits.model_dump(), "sensors": len(layout.rings[ring])} for ring, sits in found.items()}
+        for name, found in (("arrangement", prior.arrangement), ("as_worn", prior.as_worn))
     }
     more = None if prior.hits is None or prior.repetitions else hits_with_prompts(prior.hits).model_dump()
     return {
         "offered": prior.is_better,
-        "arrangement": sits,
+        **sits,
         "hits_with_prompts": more,
         **prior.model_dump(mode="json", include=fields),
     }

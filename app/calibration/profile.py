@@ -26,6 +26,11 @@ LEAST_HITS = 0.25  # hit rate on a person's own repetitions below which a map fr
 MOSTLY_IN_PHASE = 0.5  # in-phase share below which it is not: most of the activation would come without the movement
 
 
+def is_empty(value: dict[str, Any]) -> bool:
+    """Return whether a field holds nothing."""
+    return not value
+
+
 class Arrangement(Document):
     """How a ring of sensors sits on the body: turned by so many places, and perhaps mirrored."""
 
@@ -103,6 +108,9 @@ class PriorMap(LinearMap):
     dropped: tuple[Name, ...] = ()  # channels that moved too little on this person and have no weight
     # Per ring of the layout that was found to sit otherwise than on other people: the weights go by this.
     arrangement: dict[Name, Arrangement] = Field(default_factory=dict)
+    # Per ring that looked so, and that a person is sure sits right: the weights go by the layout. Left out where it is
+    # empty, so that profiles from before keep their hash.
+    as_worn: dict[Name, Arrangement] = Field(default_factory=dict, exclude_if=is_empty)
     hits: Forecast | None = None  # expected of 100 movements; None: not known
     false_per_minute: Forecast | None = None  # expected activations without a prompt; None: not known
     prior_check: MapCheck | None = None  # on this person's own held-out repetitions; None without any

@@ -50,20 +50,25 @@ class StepPieces(NamedTuple):
 
 
 def fit_recordings(
-    layout: ShirtLayout, recorded: list[tuple[Step, Path]], unused: list[str], prior: MapPrior | None
+    layout: ShirtLayout,
+    recorded: list[tuple[Step, Path]],
+    unused: list[str],
+    prior: MapPrior | None,
+    as_worn: tuple[str, ...] = (),
 ) -> CalibrationProfile:
     """Fit the profile from the recordings of all steps; raise ValueError with a sentence when it cannot be fitted.
 
     A joint whose prompts allow it carries a guided map beside that of the paper, for the clinician to choose. With a
     `prior` it carries the map learnt from other people, too, and the best one of the three decodes: a prompted joint's
     held-out repetitions decide (`JointMap.best_map`), a joint that was not prompted drives by other people.
+    The rings `as_worn` sit right, however they look.
     """
     pieces = _pieces(recorded)
     profile = fit_profile(layout, pieces.sample_rate, pieces.free, pieces.rest, pieces.repetitions, unused)
     profile = with_guided_maps(profile, pieces.stretches, pieces.rest).profile
     if prior is None:
         return profile
-    return with_best_maps(with_prior_maps(profile, prior, pieces.free, pieces.stretches).profile)
+    return with_best_maps(with_prior_maps(profile, prior, pieces.free, pieces.stretches, as_worn).profile)
 
 
 def fit_recordings_to_donning(

@@ -71,11 +71,17 @@ class RunningApp:
         return self._processes[-1]
 
     def _fit(
-        self, layout: ShirtLayout, recorded: list[tuple[Step, Path]], _unused: list[str], prior: MapPrior | None
+        self,
+        layout: ShirtLayout,
+        recorded: list[tuple[Step, Path]],
+        _unused: list[str],
+        prior: MapPrior | None,
+        as_worn: tuple[str, ...],
     ) -> CalibrationProfile:
         if "fit" in self._answers:
             raise ValueError(self._answers["fit"])
         self._answers["fitted"] = [step.id for step, _ in recorded], prior
+        self._answers["as_worn"] = as_worn
         make: Callable[[ShirtLayout], CalibrationProfile] = self._answers.get("profile", profile_for)
         return make(layout)
 

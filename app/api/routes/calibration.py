@@ -17,6 +17,7 @@ from app.quantities import Document, Line, Name
 from app.refusals import Conflict
 from app.session.calibration.gesture_discovery import session_gestures
 from app.session.calibration.map_choice import choose_map
+from app.session.calibration.sitting import note_sitting
 from app.store.calibrations import is_calibration_simulated
 from app.store.log import write_log
 from app.store.parameters import save_parameters, save_profile
@@ -39,6 +40,13 @@ class MapChoice(Document):
 
     joint: Name
     map: MapKind
+
+
+class SittingChoice(Document):
+    """Whether the shirt sits right at a joint, whatever the movement of its sensors says."""
+
+    joint: Name
+    is_right: bool
 
 
 async def _view(web: WebParts, session: PatientSession) -> CalibrationView:
@@ -109,6 +117,19 @@ async def choose(body: MapChoice, who: Clinician, parts: PeopleParts, web: Web) 
         if web.calibration.running:
             raise Conflict("A step is being recorded, or the calibration is being worked out: wait for its end.")
         await asyncio.to_thread(choose_map, parts.database, session.id, body.joint, body.map)
+    web.live.tell("calibration")
+    return await _view(web, session)
+
+
+@router.post("/sitting")
+async def say_how_it_sits(body: SittingChoice, who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
+    """Leave a ring of sensors as worn, or take it as it looks; the result must then be accepted again."""
+    async with web.session.undisturbed("say how the shirt sits"):
+        session = await web.session.needed_session(who.clinic_id)
+        if web.calibration.running:
+            raise Conflict("A step is being recorded, or the calibration is being worked out: wait for its end.")
+        await asyncio.to_thread(note_sitting, parts.database, session.id, body.joint, who.name, is_right=body.is_right)
+        await web.calibration.fit_again(session.id)
     web.live.tell("calibration")
     return await _view(web, session)
 

@@ -76,7 +76,8 @@ def _refuse_turned_rings(profile: CalibrationProfile, today: dict[str, Arrangeme
         joint = profile.layout.channels[sensors[0]].joint
         if joint not in priors:
             continue
-        then = priors[joint].arrangement.get(ring, Arrangement())
+        known = priors[joint]
+        then = {**known.arrangement, **known.as_worn}.get(ring, Arrangement())
         if arrangement.mirrored != then.mirrored:
             raise DonningError(
                 f"At the {labels[joint].lower()} the shirt is inside out or on the other side since this was "

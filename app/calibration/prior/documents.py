@@ -229,11 +229,10 @@ PriorDocument = Annotated[OwnPrior | ReleasedPrior, Field(discriminator="kind")]
 def fitting_part(entry: PersonEntry, profile: CalibrationProfile) -> PersonEntry | None:
     """Return the entry without each joint, and each ring, that sits otherwise than on other people.
 
-    The sensors of such a ring lie where other people have other sensors. None when nothing is left.
+    The sensors of such a ring lie where other people have other sensors, or look so. None when nothing is left.
     """
-    turned = {
-        joint.name: joint.prior.arrangement for joint in profile.joints if joint.prior and joint.prior.arrangement
-    }
+    sits = {joint.name: {**joint.prior.arrangement, **joint.prior.as_worn} for joint in profile.joints if joint.prior}
+    turned = {joint: rings for joint, rings in sits.items() if rings}
     joints = {name: joint for name, joint in entry.joints.items() if name not in turned}
     out = {ring for rings in turned.values() for ring in rings}
     rings = {name: ring for name, ring in entry.rings.items() if name not in out}

@@ -1,6 +1,6 @@
 """Fits the map of each joint from other people, and from the person's own prompted movements where there are any."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -41,6 +41,23 @@ class PriorFit(NamedTuple):
     arrangement: dict[str, Arrangement]  # every ring that could be compared -> how it sits
 
 
+class Sitting(NamedTuple):
+    """How the rings sit as far as their movement tells, and those of them that somebody is sure sit right."""
+
+    found: dict[str, Arrangement]
+    as_worn: frozenset[str]
+
+    @property
+    def used(self) -> dict[str, Arrangement]:
+        """What a map goes by."""
+        return {ring: Arrangement() if ring in self.as_worn else sits for ring, sits in self.found.items()}
+
+    @property
+    def left(self) -> dict[str, Arrangement]:
+        """How the rings look that are left as worn."""
+        return {ring: sits for ring, sits in self.found.items() if ring in self.as_worn}
+
+
 @dataclass(frozen=True, slots=True)
 class _UsedChannels:
     """The person's channels that a joint's map reads, the prior's channel that each stands for, and their scales."""
@@ -67,7 +84,11 @@ def find_arrangements(prior: MapPrior, free: NDArray[np.floating], sample_rate: 
 
 
 def with_prior_maps(
-    profile: CalibrationProfile, prior: MapPrior, free: NDArray[np.floating], stretches: Sequence[Stretch] = ()
+    profile: CalibrationProfile,
+    prior: MapPrior,
+    free: NDArray[np.floating],
+    stretches: Sequence[Stretch] = (),
+    as_worn: Collection[str] = (),
 ) -> PriorFit:
     """Return the profile with a map from other people beside the PCA map of each joint that they are known for.
 
@@ -84,6 +105,8 @@ def with_prior_maps(
         Frames of free movement; from ten seconds on they set the scale of the channels.
     stretches : sequence of Stretch
         The person's own prompted movements.
+    as_worn : collection of str
+        Rings that somebody is sure sit right: the map goes by the layout, however they look.
 
     Raises
     ------
@@ -98,7 +121,7 @@ def with_prior_maps(
     for joint in profile.joints:
         own = [one for one in stretches if one.joint == joint.name]
         try:
-            joints.append(_joint(joint, prior, moved, own, arrangements, profile))
+            joints.append(_joint(joint, prior, moved, own, Sitting(arrangements, frozenset(as_worn)), profile))
         except PriorMapError as error:
             joints.append(joint)
             reasons[joint.name] = str(error)
@@ -119,7 +142,7 @@ def _joint(
     prior: MapPrior,
     moved: Array,
     stretches: Sequence[Stretch],
-    arrangements: dict[str, Arrangement],
+    sitting: Sitting,
     profile: CalibrationProfile,
 ) -> JointMap:
     """Return the joint with its map from other people, or raise PriorMapError."""
@@ -131,7 +154,7 @@ def _joint(
             f"joint, and {FEWEST_PEOPLE} are needed."
         )
     rate = profile.sample_rate
-    used = _used_channels(joint, people, moved, arrangements, profile.layout, rate)
+    used = _used_channels(joint, people, moved, sitting.used, profile.layout, rate)
     others = people.mean.of_channels(used.places)
     frames = prompted_frames(stretches, used.channels, used.scale, rate, others)
     weights = solve(others, rate, frames)
@@ -158,7 +181,8 @@ def _joint(
         people=people.people,
         repetitions=0 if frames is None else frames.repetitions,
         dropped=tuple(profile.layout.channels[i].name for i in used.dropped),
-        arrangement=_of_joint(arrangements, joint, profile.layout),
+        arrangement=_of_joint(sitting.used, joint, profile.layout),
+        as_worn=_of_joint(sitting.left, joint, profile.layout),
     )
     held_out = None if frames is None else held_out_rate(frames, others, rate) * in_fs
     found: dict[str, object] = {

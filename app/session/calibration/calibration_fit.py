@@ -11,6 +11,7 @@ from app.layout import ShirtLayout
 from app.refusals import Conflict
 from app.session.calibration.calibration_progress import EarlierCalibration, Progress
 from app.session.calibration.clinic_prior import ClinicPrior, Garment
+from app.session.calibration.sitting import rings_as_worn
 from app.session.equipment.shirt import Equipment
 from app.session.recordings import entry_of_recordings, fit_recordings, fit_recordings_to_donning
 from app.session.runs import SessionRuns
@@ -43,7 +44,9 @@ class CalibrationFit:
         """Fit the map from the done steps, and store it as the session's result."""
         layout, recorded = self._recorded(session_id, progress)
         prior = self._prior.of_others(session_id, garment(layout, self._equipment))
-        profile = self._computing.ask(fit_recordings, layout, recorded, self._equipment.unused, prior)
+        with self._database.transaction() as db:
+            as_worn = rings_as_worn(db, db.get_one(PatientSession, session_id))
+        profile = self._computing.ask(fit_recordings, layout, recorded, self._equipment.unused, prior, as_worn)
         with self._database.transaction() as db:
             session = db.get_one(PatientSession, session_id)
             session.result, session.accepted = profile.model_dump(mode="json"), False

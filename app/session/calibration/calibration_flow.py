@@ -9,7 +9,7 @@ from app.calibration.script import Step, calibration_script
 from app.clock import monotonic
 from app.computing_process import ComputingProcess
 from app.layout import ShirtLayout
-from app.refusals import Conflict, NotFound, Refusal
+from app.refusals import Conflict, Refusal
 from app.session.calibration.calibration_fit import CalibrationFit, garment
 from app.session.calibration.calibration_progress import Progress
 from app.session.calibration.clinic_prior import ClinicPrior
@@ -67,7 +67,7 @@ class CalibrationFlow:
     async def start(self, session_id: int, step_id: str) -> None:
         """Record one step; its earlier recording no longer counts."""
         progress = await self.progress(session_id)
-        step = self._find(progress, step_id)
+        step = progress.step(step_id)
         needed = self._equipment.needed_layout()
         if progress.layout is None or progress.layout.without_rings != needed.without_rings:
             raise Conflict("The shirt is another one than when this calibration began: begin the calibration anew.")
@@ -92,14 +92,14 @@ class CalibrationFlow:
 
     async def cancel(self, session_id: int, step_id: str) -> None:
         """Stop recording a step; its status is then "waiting" again."""
-        self._find(await self.progress(session_id), step_id)
+        (await self.progress(session_id)).step(step_id)
         if self._running != step_id or self._task is None or self._runs.open is None:
             raise Conflict("This step is not being recorded, or no longer: start it, or choose another.")
         await self.stop("waiting", "")
 
     async def skip(self, session_id: int, step_id: str) -> None:
         """Skip a prompted movement that this patient cannot make; the map is fitted from the others."""
-        step = self._find(await self.progress(session_id), step_id)
+        step = (await self.progress(session_id)).step(step_id)
         if step.kind != "prompt":
             raise Conflict("Rest and free movement cannot be skipped: the calibration is made of them.")
         if self._running is not None:
@@ -120,6 +120,10 @@ class CalibrationFlow:
             raise Conflict(
                 "Do Rest and Move freely first. Driving at once needs four other people who are known in this shirt."
             )
+        await self.fit_again(session_id)
+
+    async def fit_again(self, session_id: int) -> None:
+        """Fit the map from the steps that are done; Conflict, in a sentence, when that cannot be done."""
         if self._running is not None:
             raise Conflict("A step is being recorded: wait for its end, or cancel it first.")
         try:
@@ -160,7 +164,7 @@ class CalibrationFlow:
         """Show another step."""
         progress = await self.progress(session_id)
         if step_id != RESULT:
-            self._find(progress, step_id)
+            progress.step(step_id)
 
         def _write() -> None:
             with self._database.transaction(closing=True) as db:
@@ -289,10 +293,3 @@ class CalibrationFlow:
             set_step(db, session_id, step, status, words, run_id)
             if current is not None:
                 db.get_one(PatientSession, session_id).current_step = current
-
-    @staticmethod
-    def _find(progress: Progress, step_id: str) -> Step:
-        for step in progress.steps:
-            if step.id == step_id:
-                return step
-        raise NotFound(f"There is no step '{step_id}' in this calibration: choose one of the list.")

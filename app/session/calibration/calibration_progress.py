@@ -7,6 +7,7 @@ from typing import NamedTuple
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
 from app.layout import ShirtLayout
+from app.refusals import NotFound
 
 
 class EarlierCalibration(NamedTuple):
@@ -30,6 +31,13 @@ class Progress:
     accepted: bool
     others: int  # other people who are known in this shirt; 0: too few to drive by
     earlier: EarlierCalibration | None  # one in the same kind of shirt; None once this session has a result
+
+    def step(self, step_id: str) -> Step:
+        """Return a step; NotFound when there is none."""
+        for step in self.steps:
+            if step.id == step_id:
+                return step
+        raise NotFound(f"There is no step '{step_id}' in this calibration: choose one of the list.")
 
     @property
     def may_drive_now(self) -> bool:

@@ -73,8 +73,9 @@ def test_a_later_partial_calibration_replaces_its_joints_and_keeps_the_others(ne
     assert {name: joint["strokes"] for name, joint in joints.items()} == {"right_elbow": 3.0, "left_elbow": 2.0}
 
 
-def test_a_joint_whose_ring_sits_otherwise_adds_nothing(newcomer: Any) -> None:
-    """Its sensors lie elsewhere than those of other people."""
+@pytest.mark.parametrize("known", ["arrangement", "as_worn"])
+def test_a_joint_whose_ring_sits_otherwise_adds_nothing(newcomer: Any, known: str) -> None:
+    """Its sensors lie elsewhere than those of other people, or look so."""
     clinic, patient = newcomer
 
     def turned(layout: Any) -> Any:
@@ -82,7 +83,7 @@ def test_a_joint_whose_ring_sits_otherwise_adds_nothing(newcomer: Any) -> None:
         cuff = [Channel(name=f"cuff_{i}", joint="right_elbow", ring="cuff", place=i) for i in range(5)]
         others = [channel for channel in layout.channels if channel.joint != "right_elbow"]
         ringed = ShirtLayout(name=layout.name, channels=(*cuff, *others), joints=layout.joints)
-        return taught_by_others(profile_for(ringed), 3, ["right_elbow"], arrangement=sits)
+        return taught_by_others(profile_for(ringed), 3, ["right_elbow"], **{known: sits})
 
     clinic.readings["profile"] = turned
     clinic.readings["entry"] = entry_of("right_elbow", "left_elbow")

@@ -89,6 +89,14 @@ def test_a_ring_that_sits_as_it_was_calibrated_is_fitted_though_others_wear_it_o
     fit_to_donning(standard_parameters(profile), profile, turned[:TEN_SECONDS], RATE, others)
 
 
+def test_a_ring_that_was_left_as_worn_may_look_so_again(wearer, others):
+    turned = np.roll(wearer.values[:TEN_SECONDS], 1, axis=1)
+    profile = with_prior_maps(calibrated(wearer, values=turned), others, turned, as_worn=("cuff",)).profile
+    fit_to_donning(standard_parameters(profile), profile, turned, RATE, others)
+    with pytest.raises(DonningError, match="is turned by 1 of 5 sensors"):
+        fit_to_donning(standard_parameters(profile), profile, wearer.values[:TEN_SECONDS], RATE, others)
+
+
 def test_where_the_calibration_knew_no_others_nothing_is_said_of_rings(wearer, others):
     profile = calibrated(wearer)
     turned = np.roll(wearer.values[:TEN_SECONDS], 1, axis=1)

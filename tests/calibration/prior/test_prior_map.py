@@ -10,6 +10,7 @@ from app.calibration.prior.map_prior import MapPrior, PriorError
 from app.calibration.prior.prior_map import with_prior_maps
 from app.calibration.profile import Arrangement
 from app.calibration.vocabulary import standard_parameters
+from app.layout import ShirtLayout
 from app.pipeline.replay.batch import decode_block
 
 STRANGERS = range(101, 107)
@@ -71,6 +72,20 @@ def test_a_turned_ring_is_found_and_undone(prior, shift):
     )
 
 
+def test_a_ring_that_somebody_is_sure_of_is_left_as_worn(prior):
+    wearer = Wearer(102)
+    free = wearer.values[: round(10 * wearer.rate)]
+    turned = np.roll(free, 1, axis=1)
+    profile = fit_profile(sleeve(), wearer.rate, free=turned)
+    sure = with_prior_maps(profile, prior, turned, as_worn=("cuff",)).profile.joints[0].prior
+    assert (sure.arrangement, sure.as_worn) == ({}, {"cuff": Arrangement(shift=1)})
+    assert sure.model_dump()["as_worn"]
+    right = with_prior_maps(fit_profile(sleeve(), wearer.rate, free=free), prior, free, as_worn=("cuff",))
+    before = fitted(wearer, prior).profile.joints[0].prior
+    assert right.profile.joints[0].prior == before
+    assert "as_worn" not in before.model_dump()
+
+
 def test_a_layout_without_rings_has_no_test():
     layout = sleeve(ring=False)
     prior = MapPrior.of(prior_of(range(1, 5), layout))
@@ -128,8 +143,15 @@ def test_three_people_are_too_few():
 
 
 def test_another_layout_is_refused(prior):
+    other = ShirtLayout.model_validate_json(sleeve().model_dump_json().replace("right_elbow", "left_elbow"))
     with pytest.raises(PriorError, match="a prior of its own"):
-        fitted(Wearer(101), prior, layout=sleeve(ring=False))
+        fitted(Wearer(101), prior, layout=other)
+
+
+def test_a_layout_from_before_its_rings_takes_the_map_without_comparing_them(prior):
+    fit = fitted(Wearer(101), prior, layout=sleeve(ring=False))
+    assert (fit.reasons, fit.arrangement) == ({}, {})
+    assert fit.profile.joints[0].prior.arrangement == {}
 
 
 def test_the_sign_of_the_paper_s_map_follows_other_people_where_nobody_prompted(prior):

@@ -84,6 +84,7 @@ export async function show(app, root, { signal }) {
     driveNow: () => driveNow(),
     fitEarlier: () => fitEarlier(),
     chooseMap: (joint, map) => call(() => api.post("/calibration/map", { joint, map })),
+    saySitting: (joint, isRight) => call(() => api.post("/calibration/sitting", { joint, is_right: isRight })),
     setAuto: (on) => {
       localStorage.setItem(AUTO_PLACE, on ? "on" : "off");
       actions.isAuto = on;
@@ -219,7 +220,7 @@ function onwardsOf(result, missing, accept, drive) {
 
 /** A card for each joint, and all movements that were found. @param {App} app @param {CalibrationResult} result @param {Actions} actions */
 function resultBody(app, result, actions) {
-  const joints = resultView(result, actions.start, actions.chooseMap);
+  const joints = resultView(result, actions.start, actions.chooseMap, actions.saySitting);
   return [joints, foundGestures(app, result, ({ gestures }) => showExpected(joints, gestures))];
 }
 

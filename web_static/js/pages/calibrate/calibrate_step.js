@@ -19,7 +19,7 @@ const READY = { person: "self", recorded: "self", visitor: "visitor" };
 
 /**
  * @typedef {{go: (id: string) => void, start: (id: string) => void, cancel: (id: string) => void, skip: (id: string) => void,
- *   chooseMap: (joint: string, map: "pca" | "guided" | "prior") => void, driveNow: () => void, fitEarlier: () => void,
+ *   chooseMap: (joint: string, map: "pca" | "guided" | "prior") => void, saySitting: (joint: string, isRight: boolean) => void, driveNow: () => void, fitEarlier: () => void,
  *   setAuto: (on: boolean) => void, isAuto: boolean, readonly isGoingOn: boolean}} Actions
  */
 

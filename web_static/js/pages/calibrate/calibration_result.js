@@ -1,5 +1,6 @@
 /**
  * The result of a calibration: a card per joint, cross-talk, left-out sensors.
+ * @import { OnSitting } from "./sitting_card.js"
  * @import { CalibrationResult, JointResult } from "types/documents"
  * @typedef {(step: string) => void} OnRepeat
  * @typedef {(joint: string, map: "pca" | "guided" | "prior") => void} OnMap
@@ -11,14 +12,15 @@ import { withLabels } from "../../widgets/gestures.js";
 import { repeatsWord, signalWord } from "../../widgets/grade_words.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 import { checkTables, mapChoice } from "./map_choice.js";
-import { sittingCard, whereFrom } from "./map_origin.js";
+import { whereFrom } from "./map_origin.js";
+import { sittingCard } from "./sitting_card.js";
 
 const STUDY = { low: 0.8, high: 0.9 }; // the paper's explained variance of PC1
 const OWN = 0.75; // from here a cell is painted in full, with the text in the other colour
 const WASH = 0.5; // strongest paint below that: dark text stays readable on it
 
-/** @param {CalibrationResult} result @param {OnRepeat} onRepeat @param {OnMap} onMap */
-export function resultView(result, onRepeat, onMap) {
+/** @param {CalibrationResult} result @param {OnRepeat} onRepeat @param {OnMap} onMap @param {OnSitting} onSitting */
+export function resultView(result, onRepeat, onMap, onSitting) {
   const labels = Object.fromEntries(result.joints.map(({ name, label }) => [name, label]));
   return h(
     "div",
@@ -26,14 +28,14 @@ export function resultView(result, onRepeat, onMap) {
     h(
       "div",
       { class: "joint-cards" },
-      result.joints.map((joint) => jointCard(joint, withLabels(joint.reason, labels), onRepeat, onMap)),
+      result.joints.map((joint) => jointCard(joint, withLabels(joint.reason, labels), onRepeat, onMap, onSitting)),
     ),
     result.cross_talk && crossTalk(result.joints, result.cross_talk),
   );
 }
 
-/** @param {JointResult} joint @param {string} reason @param {OnRepeat} onRepeat @param {OnMap} onMap */
-function jointCard(joint, reason, onRepeat, onMap) {
+/** @param {JointResult} joint @param {string} reason @param {OnRepeat} onRepeat @param {OnMap} onMap @param {OnSitting} onSitting */
+function jointCard(joint, reason, onRepeat, onMap, onSitting) {
   const { step } = joint;
   const evr = percent(joint.evr);
   return h(
@@ -62,7 +64,7 @@ function jointCard(joint, reason, onRepeat, onMap) {
         { type: "button", class: `btn small${joint.grade === "good" ? " bare" : ""}`, "aria-label": t("result.again.label", { joint: joint.label }), onclick: () => onRepeat(step) },
         t("result.again"),
       ),
-    joint.prior && sittingCard(joint.label, joint.prior.arrangement),
+    sittingCard(joint, onSitting),
     mapChoice(joint, onMap),
     joint.evr !== null && details(joint),
   );

@@ -1,0 +1,70 @@
+"""Whoever is sure that a shirt sits right says so: a ring of sensors that looks turned is then left as worn."""
+
+from typing import Any
+
+import pytest
+from fake_clinic import profile_for
+from prior.test_drive_now import record
+
+from app.calibration.profile import Arrangement
+from app.layout import Channel, ShirtLayout
+from building import taught_by_others
+
+TURNED = {"cuff": Arrangement(shift=3)}
+
+
+@pytest.fixture
+def turned(in_session: Any) -> Any:
+    """A calibrated patient whose shirt looks turned at the right elbow until somebody says otherwise."""
+    answers = in_session.readings
+
+    def profile(layout: Any) -> Any:
+        cuff = [Channel(name=f"cuff_{i}", joint="right_elbow", ring="cuff", place=i) for i in range(5)]
+        others = [channel for channel in layout.channels if channel.joint != "right_elbow"]
+        ringed = ShirtLayout(name=layout.name, channels=(*cuff, *others), joints=layout.joints)
+        sits = {"as_worn" if answers["as_worn"] else "arrangement": TURNED}
+        return taught_by_others(profile_for(ringed), 3, ["right_elbow"], **sits)
+
+    answers["profile"] = profile
+    in_session.calibrate()
+    return in_session
+
+
+def sits(clinic: Any) -> tuple[Any, Any]:
+    joints = clinic.good("GET", "/calibration")["result"]["joints"]
+    prior = next(joint["prior"] for joint in joints if joint["name"] == "right_elbow")
+    return prior["arrangement"], prior["as_worn"]
+
+
+SHOWN = {"cuff": {"shift": 3, "mirrored": False, "sensors": 5}}
+
+
+def test_a_ring_is_left_as_worn_and_taken_as_turned_again(turned: Any) -> None:
+    assert sits(turned) == (SHOWN, {})
+    turned.good("POST", "/calibration/sitting", json={"joint": "right_elbow", "is_right": True})
+    assert turned.readings["as_worn"] == ("cuff",)
+    assert sits(turned) == ({}, SHOWN)
+    assert turned.good("GET", "/calibration")["result"]["accepted"] is False
+    row = next(row for row in turned.log() if row.what == "shirt sits right")
+    assert (row.details["joint"], row.details["right"]) == ("right_elbow", True)
+    turned.good("POST", "/calibration/sitting", json={"joint": "right_elbow", "is_right": False})
+    assert sits(turned) == (SHOWN, {})
+
+
+def test_a_free_movement_that_is_recorded_again_forgets_it(turned: Any) -> None:
+    turned.good("POST", "/calibration/sitting", json={"joint": "right_elbow", "is_right": True})
+    record(turned, "prompt-left_elbow")
+    assert sits(turned) == ({}, SHOWN)
+    record(turned, "free")
+    assert sits(turned) == (SHOWN, {})
+
+
+@pytest.mark.parametrize(("joint", "status"), [("left_elbow", 409), ("knee", 404)])
+def test_where_nothing_looks_turned_there_is_nothing_to_say(turned: Any, joint: str, status: int) -> None:
+    assert turned("POST", "/calibration/sitting", json={"joint": joint, "is_right": True}).status_code == status
+
+
+def test_before_there_is_a_result_it_is_refused(in_session: Any) -> None:
+    in_session.good("GET", "/calibration")
+    asked = in_session("POST", "/calibration/sitting", json={"joint": "right_elbow", "is_right": True})
+    assert (asked.status_code, asked.json()["detail"]) == (409, "There is no result yet: do every step first.")

@@ -1,0 +1,105 @@
+/**
+ * How a ring of sensors sits otherwise than on other people: a sentence, a picture of how to put it right, and a choice.
+ * @import { Arrangement, JointResult } from "types/documents"
+ * @typedef {(joint: string, isRight: boolean) => void} OnSitting
+ */
+import { t } from "../../texts.js";
+import { h, s } from "../../widgets/dom.js";
+
+const SIZE = 96; // px of the picture
+const ROUND = 34; // px, radius of the ring of sensors
+const TURN = 22; // px, radius of the arrow inside
+const HEAD = 5; // px, half the width of an arrow's head
+const MIRROR = 46; // px, half the length of the line about which the ring is mirrored
+
+/** @param {JointResult} joint @param {OnSitting} onSitting */
+export function sittingCard({ name, label, prior }, onSitting) {
+  const joint = label.toLowerCase();
+  const { arrangement = {}, as_worn = {} } = prior ?? {};
+  const turned = Object.values(arrangement).map((sits) => turnedCard(joint, sits));
+  if (turned.length) return [turned, choice(t("result.sits.right"), t("result.sits.right.label", { joint }), () => onSitting(name, true))];
+  if (!Object.keys(as_worn).length) return [];
+  return [
+    h("p", { class: "small" }, t("result.sits.left", { joint })),
+    choice(t("result.sits.follow"), t("result.sits.follow.label", { joint }), () => onSitting(name, false)),
+  ];
+}
+
+/** @param {string} words @param {string} label what it does, with its joint @param {() => void} onclick */
+function choice(words, label, onclick) {
+  return h("button", { type: "button", class: "btn small", "aria-label": label, onclick }, words);
+}
+
+/** @param {string} joint @param {Arrangement} sits */
+function turnedCard(joint, { shift, mirrored, sensors }) {
+  const words = mirrored
+    ? t("result.sits.mirrored", { joint })
+    : t("result.sits.shifted", { joint, count: back(shift, sensors), sensors });
+  return h(
+    "div",
+    { class: "sits" },
+    mirrored ? mirroredPicture(joint, shift, sensors) : shiftedPicture(joint, shift, sensors),
+    h("div", { class: "small" }, h("p", {}, words), h("p", { class: "quiet" }, t("result.sits.lead"))),
+  );
+}
+
+/** By how many sensors to turn the shirt, the shorter way round. @param {number} shift @param {number} sensors */
+function back(shift, sensors) {
+  return Math.min(shift, sensors - shift);
+}
+
+/** A point of the ring. @param {number} place counted round the limb @param {number} sensors @param {number} radius */
+function at(place, sensors, radius) {
+  const angle = (2 * Math.PI * place) / sensors - Math.PI / 2;
+  return [SIZE / 2 + radius * Math.cos(angle), SIZE / 2 + radius * Math.sin(angle)];
+}
+
+/** The limb from above with its sensors. @param {string} label @param {number} sensors @param {number[]} large their places @param {number} first which one has the colour of the arrow @param {Element[]} arrows */
+function ring(label, sensors, large, first, arrows) {
+  return s(
+    "svg",
+    { class: "ring", viewBox: `0 0 ${SIZE} ${SIZE}`, width: SIZE, height: SIZE, role: "img", "aria-label": label },
+    s("circle", { cx: SIZE / 2, cy: SIZE / 2, r: ROUND, class: "limb" }),
+    Array.from({ length: sensors }, (_, place) => {
+      const [cx, cy] = at(place, sensors, ROUND);
+      return s("circle", { cx, cy, r: large.includes(place) ? 6 : 4, class: place === first ? "sensor first" : "sensor" });
+    }),
+    arrows,
+  );
+}
+
+/** The way to turn the shirt back. @param {string} joint @param {number} shift @param {number} sensors */
+function shiftedPicture(joint, shift, sensors) {
+  const isForwards = sensors - shift < shift;
+  const count = back(shift, sensors);
+  const [from, to] = isForwards ? [0, count] : [count, 0];
+  const [x0, y0] = at(from, sensors, TURN);
+  const [x1, y1] = at(to, sensors, TURN);
+  const [tipX, tipY] = at(to + (isForwards ? -0.35 : 0.35), sensors, TURN - 7);
+  const label = t("result.sits.picture", { joint, count, sensors });
+  const arrow = s("path", { d: `M ${x0} ${y0} A ${TURN} ${TURN} 0 0 ${isForwards ? 1 : 0} ${x1} ${y1} L ${tipX} ${tipY}`, class: "turn" });
+  return ring(label, sensors, [0, count], from, [arrow]);
+}
+
+/**
+ * Which sensors have changed places: a dashed line that the ring is mirrored about, and an arrow across it.
+ * @param {string} joint @param {number} shift the sensor at place p lies where `shift` - p should be @param {number} sensors
+ */
+function mirroredPicture(joint, shift, sensors) {
+  // Of the pairs that have changed places, the one farthest apart: a quarter of the ring from the line.
+  const from = Math.round(shift / 2 + sensors / 4);
+  const to = (((shift - from) % sensors) + sensors) % sensors;
+  const [[x0, y0], [x1, y1]] = [at(from, sensors, TURN), at(to, sensors, TURN)];
+  const [[ax, ay], [bx, by]] = [at(shift / 2, sensors, MIRROR), at((shift + sensors) / 2, sensors, MIRROR)];
+  return ring(t("result.sits.picture.mirrored", { joint }), sensors, [from % sensors, to], from % sensors, [
+    s("path", { d: `M ${ax} ${ay} L ${bx} ${by}`, class: "mirror" }),
+    s("path", { d: `M ${x0} ${y0} L ${x1} ${y1} ${head(x0, y0, x1, y1)} ${head(x1, y1, x0, y0)}`, class: "turn" }),
+  ]);
+}
+
+/** The head of an arrow from (x0, y0) at (x1, y1), as a part of a path. @param {number} x0 @param {number} y0 @param {number} x1 @param {number} y1 */
+function head(x0, y0, x1, y1) {
+  const length = Math.hypot(x1 - x0, y1 - y0);
+  const [dx, dy] = [(HEAD * (x1 - x0)) / length, (HEAD * (y1 - y0)) / length];
+  return `M ${x1 - dx - dy} ${y1 - dy + dx} L ${x1} ${y1} L ${x1 - dx + dy} ${y1 - dy - dx}`;
+}
