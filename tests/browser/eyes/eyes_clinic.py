@@ -2,8 +2,9 @@
 the tests make say what they need.
 """
 
-import json
+from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -63,10 +64,14 @@ class EyesClinic(ServedClinic):
         database.close()
         super().__init__(settings, stand_in=StandIn)
         self.client = SessionClient(self.address)
+        self.shown: dict[str, Any] = {}  # fields of the live picture that are other than in truth
+        self.shown_to_patient: dict[str, Any] = {}  # the same of the patient's picture
+        self.when_left: list[Callable[[], Any]] = []  # what puts back what a place has changed in the browser or here
 
     def start(self) -> None:
         """Return when it serves, its owner is signed in, and its patient wears a simulated shirt."""
         super().start()
+        self._change_pictures()
         self.good("POST", "/auth/setup", OWNER)
         self.good("POST", "/auth/introduction")  # the sentences of a first time do not stand above every page
         self.good("POST", "/patients", {"code": "P-2", "pseudonym": "Otter"})
@@ -88,6 +93,41 @@ class EyesClinic(ServedClinic):
     def be_here(self, patient: int = 1) -> None:
         """Open a patient's session."""
         self.good("POST", "/session", {"patient_id": patient})
+
+    def _change_pictures(self) -> None:
+        """Let `shown` and `shown_to_patient` replace fields of what the live sockets send."""
+        web = self.app.state.web
+        true, patients = web.live._picture, web.patient.picture
+        web.live._picture = lambda: {**true(), **self.shown}
+        web.patient._live = SimpleNamespace(picture=web.live._picture)
+        web.patient_live._picture = lambda: {**patients(), **self.shown_to_patient}
+
+    def visit(self, page: Any, role: str) -> None:
+        """Sign a page's browser in as somebody of another role, until the place is left."""
+        name, password = f"The {role}", "battery horse correct"
+        client = SessionClient(self.address)
+        if any(one["name"] == name for one in self.good("GET", "/people")):
+            answer = client.request("POST", "/auth/sign-in", json={"name": name, "password": password})
+        else:
+            link = self.good("POST", "/people", {"name": name, "role": role, "patients": None})["url"]
+            code = link.partition("#invite=")[2]
+            answer = client.request("POST", "/auth/invitation/accept", json={"code": code, "password": password})
+        assert answer.is_success, answer.text
+        client.request("POST", "/auth/introduction")
+        self._sign_in(page, client)
+        client.close()
+        self.when_left.append(lambda: self._sign_in(page, self.client))
+
+    def leave(self) -> None:
+        """Put back what a place has changed."""
+        self.shown.clear()
+        self.shown_to_patient.clear()
+        while self.when_left:
+            self.when_left.pop()()
+
+    def _sign_in(self, page: Any, client: SessionClient) -> None:
+        page.context.clear_cookies()
+        page.context.add_cookies(self._cookies(client))
 
     def set_calibration(self, step: str) -> None:
         """Let the open session's calibration be at a step; at "result" every step is done, and there is one."""
@@ -132,8 +172,8 @@ class EyesClinic(ServedClinic):
 
     def storage(self) -> Any:
         """Return what makes a browser the owner's: the cookies of a sign-in."""
+        return {"cookies": self._cookies(self.client), "origins": []}
+
+    def _cookies(self, client: SessionClient) -> list[Any]:
         host = self.address.removeprefix("http://").split(":")[0]
-        cookies = [
-            {"name": name, "value": value, "domain": host, "path": "/"} for name, value in self.client.cookies.items()
-        ]
-        return json.loads(json.dumps({"cookies": cookies, "origins": []}))
+        return [{"name": name, "value": value, "domain": host, "path": "/"} for name, value in client.cookies.items()]

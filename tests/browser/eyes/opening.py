@@ -63,3 +63,10 @@ def answered(path: str, where: str, change: Callable[[Any], Any]) -> Open:
 def start_with(**changes: Any) -> Open:
     """Return what opens the application for somebody else than its owner."""
     return answered("/start", "patients", lambda start: {**start, "me": {**start["me"], **changes}})
+
+
+def patient_screen(page: Any, clinic: EyesClinic) -> None:
+    link = clinic.good("POST", "/patient-screen/pairing")["url"]
+    page.goto("about:blank")
+    page.goto(f"{clinic.address}/{link[link.index('patient.html') :]}")
+    expect(page.get_by_text("We wait for your clinician")).to_be_visible()

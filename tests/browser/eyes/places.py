@@ -7,7 +7,7 @@ from typing import Any
 
 from browser.eyes.chair_places import chair_page, no_chair, paired_chair
 from browser.eyes.eyes_clinic import EyesClinic
-from browser.eyes.opening import Open, answered, at, go, opened, start_with, tap
+from browser.eyes.opening import Open, answered, at, go, opened, patient_screen, start_with, tap
 from browser.eyes.session_places import (
     ARCHIVE_PLACES,
     SESSION_PLACES,
@@ -25,6 +25,10 @@ from browser.eyes.session_places import (
     unread,
     written_session,
 )
+from browser.eyes.states.asked_places import ASKED_PLACES
+from browser.eyes.states.empty_places import EMPTY_PLACES
+from browser.eyes.states.live_places import LIVE_PLACES
+from browser.eyes.states.role_places import ROLE_PLACES
 from playwright.sync_api import expect
 
 from app.faults import Fault
@@ -95,13 +99,6 @@ def calibrated(page: Any, clinic: EyesClinic) -> None:
 def plan_editor(page: Any, clinic: EyesClinic) -> None:
     at("plans", "New plan")(page, clinic)
     expect(page.locator(".sheet")).to_be_visible()
-
-
-def patient_screen(page: Any, clinic: EyesClinic) -> None:
-    link = clinic.good("POST", "/patient-screen/pairing")["url"]
-    page.goto("about:blank")
-    page.goto(f"{clinic.address}/{link[link.index('patient.html') :]}")
-    expect(page.get_by_text("We wait for your clinician")).to_be_visible()
 
 
 def patient_stopped(page: Any, clinic: EyesClinic) -> None:
@@ -247,16 +244,21 @@ PLACES: dict[str, Open] = {
     "other session": other_session,
     "no connection": no_connection,
     **ARCHIVE_PLACES,
+    **EMPTY_PLACES,
+    **ASKED_PLACES,
+    **LIVE_PLACES,
+    **ROLE_PLACES,
 }
 
 
 def put_back(clinic: EyesClinic) -> None:
     """Undo what a place has left behind, so that the next one starts from the same clinic."""
+    clinic.leave()
     written_session(clinic)  # not signed off
     revoke_links(clinic)
     clinic.clear()
     clinic.client.request("POST", "/patients/2/restore")
-    if clinic.good("GET", "/session")["patient"]["id"] != 1:
+    if (clinic.good("GET", "/session")["patient"] or {}).get("id") != 1:
         clinic.be_here()
     clinic.set_calibration("rest")
     while running := clinic.good("GET", "/calibration")["running"]:  # a step may end by itself meanwhile

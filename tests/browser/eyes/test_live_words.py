@@ -3,38 +3,13 @@
 import pytest
 from browser.eyes.axe import look_as
 from browser.eyes.places import PLACES, put_back
+from browser.eyes.spoken import A_WHILE, LISTEN, said, with_words
 from playwright.sync_api import expect
 
 from app.faults import Fault, State
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
 
-# Collects what live regions say: the text that is added to one, with how urgently. A region within another one that is
-# "off" is silent.
-LISTEN = """() => {
-  const LIVE = { status: "polite", alert: "assertive", log: "polite", timer: "off", output: "polite" };
-  const urgency = (node) => {
-    for (let one = node.nodeType === 1 ? node : node.parentElement; one; one = one.parentElement) {
-      const live = one.getAttribute("aria-live") ?? LIVE[one.getAttribute("role") ?? one.localName];
-      if (live) return live;
-    }
-    return "off";
-  };
-  window.said = [];
-  const collect = (node) => {
-    const words = node.textContent.trim().replaceAll(/\\s+/g, " ");
-    const live = urgency(node);
-    const element = node.nodeType === 1 ? node : node.parentElement;
-    if (words && live !== "off" && element?.closest("[hidden], [inert]") === null) window.said.push([live, words]);
-  };
-  new MutationObserver((changes) => {
-    for (const { type, target, addedNodes } of changes) {
-      if (type === "characterData") collect(target);
-      else for (const node of addedNodes) collect(node);
-    }
-  }).observe(document.body, { childList: true, subtree: true, characterData: true });
-}"""
-A_WHILE = 2500  # ms
 # The role of the notice of a page that has lost the program, without a cover over the page and with one.
 LOST_ROLES = """() => import("/js/shell/notices.js").then(({ notices }) => {
   const live = Object.assign(new EventTarget(), { connected: false, receivedAt: 0, latest: null });
@@ -63,15 +38,6 @@ CARD = """() => import("/js/widgets/trial_cue.js").then(({ trialCue }) => {
   };
   window.removeCard = () => element.remove();
 })"""
-
-
-def said(page):
-    """Return what was said since the last look, with its urgency."""
-    return page.evaluate("() => window.said.splice(0)")
-
-
-def with_words(rows, words):
-    return [live for live, row in rows if words in row]
 
 
 def test_each_state_of_a_drive_is_said_once(page, clinic):

@@ -38,21 +38,27 @@ export function showPlanList(app, root, { plans, own }) {
   };
   /** @param {Source} source */
   const openFrom = (source) => app.toasts.attempt(async () => open(await source()));
-  const ask = h("div", { class: "card ask", role: "alertdialog", hidden: true, tabindex: "-1" });
+  const ask = h("div", { class: "card ask", role: "alertdialog", "aria-labelledby": "unsaved-plan", hidden: true, tabindex: "-1" });
   /** @param {Draft} unsaved @param {Source} source */
   const askFirst = (unsaved, source) => {
+    const before = /** @type {HTMLElement | null} */ (document.activeElement);
+    const close = () => {
+      ask.hidden = true;
+      before?.focus();
+    };
     put(
       ask,
-      h("h2", {}, t("plans.unsaved.title", { title: unsaved.document.title })),
+      h("h2", { id: "unsaved-plan" }, t("plans.unsaved.title", { title: unsaved.document.title })),
       h("p", {}, t("plans.unsaved.lead")),
       h(
         "div",
         { class: "spread" },
         h("button", { type: "button", class: "btn go", onclick: () => app.go(EDIT) }, t("plans.go-on")),
         h("button", { type: "button", class: "btn", onclick: () => openFrom(source) }, t("plans.throw")),
-        h("button", { type: "button", class: "btn", onclick: () => (ask.hidden = true) }, t("cancel")),
+        h("button", { type: "button", class: "btn", onclick: close }, t("cancel")),
       ),
     );
+    ask.onkeydown = ({ key }) => void (key === "Escape" && close()); // an answer of false would hold Tab back
     ask.hidden = false;
     ask.scrollIntoView({ block: "nearest" });
     ask.focus();

@@ -22,7 +22,7 @@ export function showPlan(app, root, { draft: first, plans, models, signal }) {
   let taken = plans.map(({ name }) => name);
   const title = h("h1", { tabindex: "-1" }, draft.document.title);
   const saved = h("span", { class: "tag plain", role: "status" });
-  const ask = h("div", { class: "card ask", role: "alertdialog", hidden: true, tabindex: "-1" });
+  const ask = h("div", { class: "card ask", role: "alertdialog", "aria-labelledby": "leave-plan", hidden: true, tabindex: "-1" });
   const save = h("button", { type: "button", class: "btn go", onclick: () => saveVersion() }, t("plan.save"));
   const saveNew = h("button", { type: "button", class: "btn", onclick: () => saveAsNew() }, t("plan.save-new"));
   const drive = h("a", { class: "btn", href: "#/drive" }, t("plan.drive"));
@@ -92,9 +92,13 @@ export function showPlan(app, root, { draft: first, plans, models, signal }) {
     if (!href || !draft.dirty || href === location.hash) return;
     event.preventDefault();
     const leave = () => app.go(href);
+    const stay = () => {
+      ask.hidden = true;
+      /** @type {HTMLElement | SVGElement} */ (link).focus();
+    };
     put(
       ask,
-      h("h2", {}, t("plan.leave.title")),
+      h("h2", { id: "leave-plan" }, t("plan.leave.title")),
       h("p", {}, t("plan.leave.lead")),
       h(
         "div",
@@ -110,9 +114,10 @@ export function showPlan(app, root, { draft: first, plans, models, signal }) {
         ),
         h("button", { type: "button", class: "btn", onclick: leave }, t("plan.leave.keep")),
         h("button", { type: "button", class: "btn", onclick: () => discard(leave) }, t("plan.leave.throw")),
-        h("button", { type: "button", class: "btn", onclick: () => (ask.hidden = true) }, t("plan.leave.stay")),
+        h("button", { type: "button", class: "btn", onclick: stay }, t("plan.leave.stay")),
       ),
     );
+    ask.onkeydown = ({ key }) => void (key === "Escape" && stay()); // an answer of false would hold Tab back
     ask.hidden = false;
     ask.focus();
   }

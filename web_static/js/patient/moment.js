@@ -9,7 +9,7 @@ const TONES = { go: "go", goal: "good" };
 /** @typedef {import("./message.js").PatientMessage} PatientMessage */
 
 export function momentCard() {
-  const element = h("div", { class: "moment", "aria-live": "assertive" });
+  const element = h("div", { class: "moment", "aria-live": "polite" });
   const wordOf = momentWords();
   let word = "";
   /** @param {PatientMessage} now */

@@ -1,6 +1,7 @@
 /** What the patient sees: the picture, and over it the task, the speed, the arrow, and a conspicuous stop. */
-import { h, put, s, write } from "../widgets/dom.js";
+import { h, put, s, set, write } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
+import { faultKeys, urgency } from "../shell/notices.js";
 import { t } from "../texts.js";
 import { arrow } from "./arrow.js";
 import { cueLayer } from "./cue.js";
@@ -20,7 +21,8 @@ const BACKWARDS = -0.02; // m/s
 export function showScreen(root, live, signal) {
   const sounds = new Sounds();
   const picture = patientPicture(live, signal);
-  const parts = [taskCard(), speedCard(), arrow(), momentCard(), testLayer(), cueLayer(live, signal), stopBand()];
+  const speed = speedCard();
+  const parts = [taskCard(), speed, arrow(), momentCard(), testLayer(), cueLayer(live, signal), stopBand()];
   const lost = band("lost", h("div", {}, h("b", {}, t("patient.lost")), h("p", {}, t("patient.lost.why"))));
   const sound = h("button", { type: "button", class: "btn sound", hidden: true }, t("patient.sound"));
   sound.addEventListener("click", async () => {
@@ -44,7 +46,8 @@ export function showScreen(root, live, signal) {
   live.addEventListener("tick", show, { signal });
   live.addEventListener("connection", showConnection, { signal });
   signal.addEventListener("abort", () => root.classList.remove("is-lost")); // what the page shows next is up to date
-  put(root, picture.element, parts.map(({ element }) => element), sound, lost);
+  const others = parts.filter((part) => part !== speed);
+  put(root, picture.element, others.map(({ element }) => element), h("div", { class: "corner" }, sound, speed.element), lost);
   showConnection();
 }
 
@@ -83,25 +86,31 @@ function speedCard() {
   return { element, show };
 }
 
+/** A stop, with its reason: read out once, at once when somebody pressed Stop. */
 function stopBand() {
-  const words = h("p", {});
-  const wait = h("p", { class: "wait" });
-  const shape = s(
+  const element = h("div", { "aria-live": "polite" });
+  const faultKey = faultKeys();
+  let wait = h("p", {});
+  let shown = "";
+  /** @param {PatientMessage} now */
+  const show = ({ state, fault, stops, waits }) => {
+    const key = state === "fault" && fault ? faultKey(fault, stops) : "";
+    if (key === shown) return key && write(wait, waits.words);
+    shown = key;
+    set(element, { "aria-live": urgency(fault) });
+    wait = h("p", { class: "wait" }, waits.words);
+    put(element, key && h("div", { class: "band stopped" }, octagon(), h("div", {}, h("b", {}, t("patient.stopped")), h("p", {}, fault?.words), wait)));
+  };
+  return { element, show };
+}
+
+function octagon() {
+  return s(
     "svg",
     { viewBox: "0 0 100 100", "aria-hidden": "true" },
     s("path", { class: "octagon", d: "M31 4h38l27 27v38L69 96H31L4 69V31Z" }),
     s("path", { class: "bars", d: "M36 30v40M64 30v40" }),
   );
-  const element = band("stopped", shape, h("div", {}, h("b", {}, t("patient.stopped")), words, wait));
-  /** @param {PatientMessage} now */
-  const show = ({ state, fault, waits }) => {
-    if (fault) {
-      write(words, fault.words);
-      write(wait, waits.words);
-    }
-    element.hidden = state !== "fault";
-  };
-  return { element, show };
 }
 
 /** @param {string} name class @param {...import("types/dom").Child} children */

@@ -62,6 +62,7 @@ export function showTrialOver(app, root, read, actions, above) {
     place.scrollIntoView({ block: "nearest" });
     place.querySelector("input")?.focus();
   };
+  const mayChange = app.me?.role !== "reviewer";
   const keeping = trial.kept
     ? h("button", { type: "button", class: "btn", onclick: ask }, t("over.discard"))
     : h("button", { type: "button", class: "btn", onclick: keep }, t("over.keep"));
@@ -85,7 +86,7 @@ export function showTrialOver(app, root, read, actions, above) {
     h(
       "div",
       { class: "foot" },
-      keeping,
+      mayChange && keeping,
       !above && h("a", { class: "btn", href: `#/review/${trial.patient_id}/trial/${trial.id}` }, t("replay.look")),
       h("span", { class: "grow" }),
       actions(trial),

@@ -79,7 +79,7 @@ export function cueCircle(app, step, { isRunning, idleWords, signal, onCue }) {
     set(word, { "data-long": cueWords(cue).length > LONG_WORD || null });
     const after = step.cues[now.index + 1];
     write(next, t("cue.next", { next: after ? cueWords(after).toLowerCase() : t("cue.end") }));
-    app.toasts.announce(cueWords(cue), true);
+    app.toasts.announce(cueWords(cue));
     onCue(cue);
   };
   const turn = () => {

@@ -62,7 +62,7 @@ function choiceOf(place, question, { proposed, may_replace: mayReplace }) {
         button(null, t("cancel")),
       ),
     );
-    place.onkeydown = (event) => event.key === "Escape" && choose(null);
+    place.onkeydown = ({ key }) => void (key === "Escape" && choose(null)); // an answer of false would hold Tab back
     place.setAttribute("aria-label", question);
     addEventListener("hashchange", leave);
     place.hidden = false;

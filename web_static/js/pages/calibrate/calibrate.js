@@ -44,6 +44,12 @@ export async function show(app, root, { signal }) {
     if (answer.running) runningStep = answer.running.step;
     else if (before.running) afterStep(before.running.step);
     draw();
+    if (before.running && !answer.running) sayOutcome(before.running.step);
+  };
+  /** Tell a screen reader how a step ended: the sentence is drawn with a new page, which nobody hears. @param {string} id */
+  const sayOutcome = (id) => {
+    const step = calibration.steps.find((one) => one.id === id);
+    if (step?.words || step?.status === "done") app.toasts.announce(step.words || t("calibrate.done"));
   };
   /** @param {() => Promise<CalibrationView>} change */
   const call = async (change) => {

@@ -60,7 +60,7 @@ export function calibrateStep(app, calibration, equipment, actions, signal) {
     { class: "step-body" },
     !running && readyCard(calibration, step, actions),
     circle,
-    step.words && !isRunning && h("p", { class: "problem", role: "alert" }, step.words),
+    step.words && !isRunning && h("p", { class: "problem" }, step.words),
     stepTrace(app, equipment.layout, step, signal),
     isVisitor && pads(app, signal).element,
   );

@@ -64,7 +64,7 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
         { class: "grow" },
         bodyWords(equipment),
         " ",
-        (!equipment.shirt || equipment.shirt.kind === "simulator") &&
+        mayDrive && (!equipment.shirt || equipment.shirt.kind === "simulator") &&
           h("a", { class: "btn bare small", href: "#/shirt" }, t("drive.body.change")),
       ),
       h("a", { class: "btn", href: taskLink("tasks", task) }, t("drive.choose")),

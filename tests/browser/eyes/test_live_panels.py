@@ -1,0 +1,87 @@
+"""What a screen reader says of a chair, on the patient's screen and in a calibration: each state once, Stop at once."""
+
+import pytest
+from browser.eyes.axe import look_as
+from browser.eyes.places import PLACES, put_back
+from browser.eyes.spoken import A_WHILE, LISTEN, said, with_words
+from browser.eyes.states.live_places import DRIVE, TRIAL
+from playwright.sync_api import expect
+
+from app.faults import Fault, State
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
+
+
+@pytest.fixture(autouse=True)
+def put_back_afterwards(page, clinic):
+    look_as(page, ("1280x800", "light"))
+    yield
+    put_back(clinic)
+
+
+def after(page, change):
+    """Return what was said within a while after a change."""
+    said(page)
+    change()
+    page.wait_for_timeout(A_WHILE)
+    return [row for row in said(page) if "No connection" not in row[1]]  # on a busy machine a message may come late
+
+
+def go_on(clinic):
+    """Take a stop back while a trial or drive is under way."""
+    clinic.clear()
+    clinic.process.state = State.ARMED
+
+
+def test_each_state_of_a_real_chair_is_said_once(page, clinic):
+    PLACES["chair, checking"](page, clinic)
+    page.evaluate(LISTEN)
+    assert after(page, lambda: None) == []  # nothing has happened, though figures change twenty times a second
+    process = clinic.process
+    rows = after(page, lambda: setattr(process, "state", State.ARMED))
+    assert with_words(rows, "Driving") == ["polite"], rows
+    rows = after(page, lambda: clinic.fault(Fault.CHAIR_SILENT))
+    assert with_words(rows, "The chair no longer answers") == ["polite"], rows
+    clinic.shown["drive"] = {**DRIVE, "waits": 200.0}
+    assert after(page, lambda: None) == []  # the time that is left is for the eye
+    after(page, lambda: go_on(clinic))
+    rows = after(page, lambda: clinic.fault(Fault.STOP_TABLET))
+    assert with_words(rows, "Stop was pressed") == ["assertive"], rows
+    assert {live for live, _ in rows} == {"assertive"}, rows
+
+
+def test_each_state_is_said_once_on_the_patients_screen(page, clinic):
+    PLACES["patient's screen"](page, clinic)
+    clinic.shown_to_patient |= {"trial": TRIAL, "drives": True}
+    page.evaluate(LISTEN)
+    page.wait_for_timeout(A_WHILE)
+    process = clinic.process
+    rows = after(page, lambda: setattr(process, "state", State.CHECKING))
+    assert with_words(rows, "Rest") == ["polite"], rows
+    rows = after(page, lambda: setattr(process, "state", State.ARMED))
+    assert with_words(rows, "Go") == ["polite"], rows
+    assert after(page, lambda: None) == []
+    rows = after(page, lambda: clinic.fault(Fault.SHIRT_SILENT))
+    assert with_words(rows, "The shirt sent nothing any more.") == ["polite"], rows
+    after(page, lambda: go_on(clinic))
+    expect(page.locator(".band.stopped")).to_have_count(0)
+    for _ in range(2):  # each press is said, also the second one
+        rows = after(page, lambda: clinic.fault(Fault.STOP_TABLET))
+        assert with_words(rows, "Stop was pressed") == ["assertive"], rows
+        assert len(rows) == 1, rows
+        after(page, lambda: go_on(clinic))
+    rows = after(page, lambda: clinic.shown_to_patient.update(over={"id": 7, "end": "goal"}, trial=None, drives=False))
+    assert with_words(rows, "Goal") == ["polite"], rows
+
+
+def test_each_cue_of_a_calibration_is_said_once_and_so_is_its_end(page, clinic):
+    PLACES["calibrate"](page, clinic)
+    page.evaluate(LISTEN)
+    rows = after(page, page.get_by_role("button", name="Start").click)
+    assert rows == [["polite", "Get ready"]]
+    rows = after(page, lambda: setattr(clinic.process, "run_t", 4.0))
+    assert rows == [["polite", "Rest"]]
+    assert after(page, lambda: None) == []
+    rows = after(page, lambda: setattr(clinic.process, "run_t", 1000.0))
+    assert len(rows) == 1, rows
+    assert with_words(rows, "then repeat this step") == ["polite"], rows  # the stand-in records nothing
