@@ -8,7 +8,7 @@ from typing import Any
 
 from drills.results import Watcher, waited
 from processes.served_demo import InView, Served, bodydrive, printed_link, until
-from recorded_trial import store_trial
+from recorded_trial import record_trial, store_trial
 
 from app.api.sign_in.identity import COOKIE
 from app.cli.demonstration import furnish
@@ -22,6 +22,7 @@ from app.store.people import add_person, find_person, sign_in, the_clinic
 from app.store.records.consents import give_consent
 from app.store.runs import close_run
 from app.world.floorplan import load_floorplan
+from building import make_parameters
 
 PLAN = load_floorplan(data_folder() / "floorplans" / "apartment.json")
 WORD = "the-screen-of-this-test"
@@ -30,6 +31,7 @@ TRIALS = 12  # enough for curves
 PAGES = (
     "/trials/1",
     "/trials/1/verdicts",
+    "/trials/1/timeline",
     f"/patients/1/learning?floorplan={PLAN.name}&path={PLAN.paths[0].name}&source=simulated",
     "/patients/1/quality?source=simulated",
     "/patients/1/maps",
@@ -64,6 +66,7 @@ def furnish_with_trials(settings: Settings) -> str:
         assert person is not None
         token = sign_in(db, person, "test")
     database.close()
+    record_trial(settings.runs / "run0", make_parameters(n_channels=8), seconds=20.0, plan=PLAN)
     return token
 
 

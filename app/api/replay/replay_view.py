@@ -1,4 +1,7 @@
-"""The replay of a trial in 3D: opened, moved to a moment, shown in a frame, closed. Refused while somebody drives."""
+"""The replay of a trial in 3D: opened, moved to a moment, shown in a frame, closed. Refused while somebody drives.
+
+Decision 37 says what was measured: the web process, which shows a drive its picture, builds a whole place for it.
+"""
 
 from typing import Annotated
 
@@ -7,11 +10,11 @@ from pydantic import Field
 
 from app.api.deps import Anyone, People, PeopleParts
 from app.api.parts import Web, WebParts, web_parts_of
-from app.api.replay.trial_replay import refuse_while_driving, require_ended
+from app.api.replay.trial_replay import require_ended
 from app.api.sockets import OpenSockets
 from app.api.view.view_bridge import NO_VIEW, ViewPage, bridge
 from app.quantities import Count, Document
-from app.refusals import NotFound
+from app.refusals import Conflict, NotFound
 from app.scene.cameras import View
 from app.scene.client_messages import SUBPROTOCOL
 from app.scene.replay import Replay, ReplayPoses
@@ -22,6 +25,7 @@ from app.store.runs import find_trial
 from app.store.tables import Trial
 
 MARK = "Replay"
+BUSY = "Somebody drives: choose Plan, or wait until the drive is over."
 MOMENTS_PER_SECOND = 20.0
 
 Word = Annotated[str, Path(pattern=r"^[A-Za-z0-9_-]{8,64}$")]
@@ -74,6 +78,12 @@ def show_moment(word: Word, body: ReplayMoment, who: Anyone, web: Web) -> None:
 def close_replay(word: Word, who: Anyone, web: Web) -> None:
     """Close a replay; do nothing when it is closed already."""
     web.replays.close(word, who.person_id)
+
+
+def refuse_while_driving(web: WebParts) -> None:
+    """Refuse while a chair may move: building the place could delay the live picture."""
+    if web.trials.running or web.drives.running:
+        raise Conflict(BUSY)
 
 
 def _replay_of(parts: People, web: WebParts, trial: Trial) -> Replay:

@@ -17,10 +17,6 @@ class Timelines:
         self._computing = computing
         self._packed: dict[Path, bytes] = {}
 
-    def has(self, folder: Path) -> bool:
-        """Return whether a time line is cached; making one loads the machine."""
-        return folder in self._packed
-
     def of(self, folder: Path, path_points: list[Any], end: str | None) -> bytes:
         """Return the time line of an ended trial as compressed JSON.
 

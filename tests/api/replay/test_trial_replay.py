@@ -99,10 +99,10 @@ def test_only_two_are_open_and_none_moves_while_somebody_drives(driven: Any) -> 
         for answer in (
             driven("POST", "/replays", json=body),
             driven("POST", f"/replays/{words[2]}/at", json={"t": 0.0}),
-            driven("GET", f"/trials/{driven.trial['id']}/timeline"),
         ):
             assert (answer.status_code, answer.json()["detail"][:14]) == (409, "Somebody drive")
         assert viewings(driven) == logged
+        assert len(driven.good("GET", f"/trials/{driven.trial['id']}/timeline")["t"]) == 300
         driven.good("POST", "/trials/current/end", json={"reason": "by hand"})
     assert driven("POST", f"/replays/{words[2]}/at", json={"t": 0.0}).status_code == 204
 
