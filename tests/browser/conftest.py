@@ -129,16 +129,20 @@ class PageLog:
 # compute for it at low priority. Chromium of the superuser raises the priority of some of its threads, unless that is
 # forbidden.
 MODEST = """#!/bin/sh
-set -- nice -n {niceness} {program} "$@"
+for word; do case "$word" in --disable-features=*) off="$off,${{word#*=}}" ;; esac; done
+set -- nice -n {niceness} {program} "$@" "--disable-features={unseen}$off"
 [ "$(id -u)" = 0 ] && command -v setpriv > /dev/null && set -- setpriv --bounding-set -sys_nice "$@"
 exec "$@"
 """
+# With each window, also one that is never shown, Chromium loads two pages that stand below its address line: that takes
+# longer than to load ours. Chromium reads the last list of features that are off, so that of Playwright is in it, too.
+UNSEEN = "WebUIOmniboxPopup,WebUIOmniboxAimPopup"
 
 
 def modest(program: str, folder: Path) -> Path:
     """Return a program in `folder` that runs another one, which cannot raise its priority above that of the tests."""
     script = folder / "modest-browser"
-    script.write_text(MODEST.format(program=shlex.quote(program), niceness=NICENESS))
+    script.write_text(MODEST.format(program=shlex.quote(program), niceness=NICENESS, unseen=UNSEEN))
     script.chmod(0o755)
     return script
 

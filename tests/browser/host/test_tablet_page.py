@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from browser.conftest import CHROMIUM
+from browser.conftest import CHROMIUM, modest
 from cryptography import x509
 from playwright.sync_api import BrowserContext, Error, Playwright
 from processes.host.served_lan import HOSTS, NAME, OWNER, ServedLan, served_lan
@@ -46,6 +46,7 @@ def _programs() -> None:
 @contextmanager
 def tablet(playwright: Playwright, home: Path, root: str | None = None, **options: Any) -> Iterator[BrowserContext]:
     """Yield a browser with a home of its own, which trusts `root` (PEM)."""
+    home.mkdir(exist_ok=True)
     store = home / ".pki" / "nssdb"
     if root is not None:
         store.mkdir(parents=True)
@@ -57,7 +58,7 @@ def tablet(playwright: Playwright, home: Path, root: str | None = None, **option
     names = f"MAP {NAME} {HOSTS[1]}, MAP {FOREIGN} {HOSTS[1]}"
     context = playwright.chromium.launch_persistent_context(
         str(home / "profile"),
-        executable_path=shutil.which("chromium"),
+        executable_path=modest("chromium", home),
         args=[*CHROMIUM, f"--host-resolver-rules={names}"],
         env={**os.environ, "HOME": str(home)},
         **options,
