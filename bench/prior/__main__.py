@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import repetitions_of_prompts
 from app.calibration.guided.guided_map import with_guided_maps
+from app.calibration.prior import solving
 from app.calibration.prior.documents import OwnPrior, PersonEntry
 from app.calibration.prior.entry import PersonRecording, person_entry
 from app.calibration.prior.map_prior import MapPrior
 from app.calibration.prior.prior_map import find_arrangements, with_prior_maps
-from app.calibration.profile import Arrangement, CalibrationProfile, Forecast
+from app.calibration.profile import LARGEST_LOSS, Arrangement, CalibrationProfile, Forecast
 from bench.prior.knit import FOLDER, knit_people
 from bench.prior.simulated import simulated_people
 from bench.prior.step_cost import step_cost
@@ -31,6 +32,7 @@ from bench.prior.wearers import (
 )
 
 Array = NDArray[np.float64]
+DEAD_ZONE = solving.DEAD_ZONE_DEVIATIONS
 
 
 def entries_of(wearers: Iterable[Wearer]) -> dict[str, PersonEntry]:
@@ -69,6 +71,7 @@ class Comparison:
         self._priors = {group: MapPrior.of(self.prior_without(group)) for group in set(self._groups.values())}
         self.figures: dict[tuple[float, str], list[Figures]] = {}
         self.forecasts: dict[float, list[tuple[Forecast, float]]] = {}
+        self.offers: dict[float, list[tuple[Figures, Figures]]] = {}  # seconds -> what was offered, the standard map
 
     def prior_without(self, group: str) -> OwnPrior:
         """Return the prior of everybody outside of a group."""
@@ -92,7 +95,10 @@ class Comparison:
                     by_cues = by_pca if joint.guided is None else figures(wearer, part, profile, "guided")
                     self._note(seconds, "guided (PCA where it cannot be made)", by_cues)
                     best = joint.best_map
-                    self._note(seconds, "best", {"prior": by_prior, "guided": by_cues, "pca": by_pca}[best])
+                    by_best = {"prior": by_prior, "guided": by_cues, "pca": by_pca}[best]
+                    self._note(seconds, "best", by_best)
+                    if best != "pca":
+                        self.offers.setdefault(seconds, []).append((by_best, by_pca))
 
     def arrangements(self, wearer: Wearer, shift: int, *, mirrored: bool = False) -> Iterable[bool]:
         """Yield for each ring, turned by `shift` places or with its sensors in reverse order, whether that is found."""
@@ -111,6 +117,19 @@ class Comparison:
         """Return the table of the figures."""
         rows = [f"| {seconds:g} s | {name} | {summary(rows)} |" for (seconds, name), rows in self.figures.items()]
         return "\n".join([TABLE_HEAD, *sorted(rows, key=lambda row: int(row.split()[1]))])
+
+    def offer_lines(self) -> list[str]:
+        """Return how often another map was offered, and was then worse in phase than the standard map."""
+        lines = []
+        for seconds, offered in self.offers.items():
+            losses = [standard.in_phase - other.in_phase for other, standard in offered]
+            worse = sum(loss > 0.0 for loss in losses)
+            clear = sum(loss > LARGEST_LOSS for loss in losses)
+            lines.append(
+                f"offered in place of the standard map with {seconds:g} s: {len(offered)}; less in phase than it: "
+                f"{worse}, by more than {LARGEST_LOSS:g}: {clear}; worst loss {max(0.0, *losses):.3f}"
+            )
+        return lines
 
     def forecast_lines(self) -> list[str]:
         """Return how well hits are forecast: rank correlation, and the share within two of the stated deviations."""
@@ -132,7 +151,7 @@ def compare(title: str, wearers: Sequence[Wearer], entries: dict[str, PersonEntr
     for one in wearers:
         comparison.add(one)
     typer.echo(f"\n{title}\n\n{comparison.table()}\n")
-    for line in comparison.forecast_lines():
+    for line in (*comparison.offer_lines(), *comparison.forecast_lines()):
         typer.echo(line)
     return comparison
 
@@ -181,22 +200,30 @@ def main(
     people: Annotated[int, typer.Option(min=6, help="Simulated people.")] = 20,
     seed: Annotated[int, typer.Option(help="Of the cues' lead on the real knit.")] = 1,
     *,
+    only_knit: Annotated[bool, typer.Option("--knit", help="Only the recordings of the real knit.")] = False,
+    dead_zone: Annotated[
+        float, typer.Option(help="Deviations below the mean rate of strokes where it lies.")
+    ] = -DEAD_ZONE,
     rings: Annotated[
         bool, typer.Option("--rings", help="Only how simulated rings of sensors sit: half a minute.")
     ] = False,
 ) -> None:
     """Print the tables of docs/learning/prior-measured.md."""
+    solving.DEAD_ZONE_DEVIATIONS = -dead_zone
     if rings:
         wearers = simulated_people(people)
         print_arrangements(Comparison(wearers, entries_of(wearers)), wearers)
         return
-    typer.echo(step_cost())
+    if not only_knit:
+        typer.echo(step_cost())
     if FOLDER.exists():
         knit = [with_ring(one) for one in knit_people(seed)]
         comparison = compare(f"Real knit: {len(knit)} recordings, one fitting kept apart", knit, entries_of(knit))
         print_arrangements(comparison, knit)
     else:
         typer.echo(f"The recordings of the real knit are not here ({FOLDER}): that table is left out.")
+    if only_knit:
+        return
     simulated = simulated_people(people)
     entries = entries_of(simulated)
     for title, change in CHANGES.items():

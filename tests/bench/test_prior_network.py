@@ -15,7 +15,7 @@ def person(seed):
     """Return 4000 frames of a label that depends on the size of a feature, whatever its sign."""
     inputs = np.random.default_rng(seed).normal(size=(4000, 2))
     label = (np.abs(inputs[:, 0]) > 1.0).astype(np.int8)
-    return SimpleNamespace(frames=OwnFrames(inputs, label, np.zeros(4000, np.int_)))
+    return SimpleNamespace(frames=OwnFrames(inputs, label, np.zeros(4000, np.int_), np.array([4000])))
 
 
 def test_the_network_learns_what_a_line_cannot():

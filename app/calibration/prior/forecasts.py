@@ -18,7 +18,10 @@ from app.calibration.profile import Forecast
 
 LARGE = 0.3  # of the 95th percentile of the free movement's rate: what counts as a movement there
 LABELLED = 0.88  # of a real stroke's time above the dead-zone, by that of its labelled part: its slow edges are below
-WORTH_OF_FREE = 2.0  # repetitions that the free movement counts for
+# A movement lasts as long as its cue, and at most so many times its labelled part: a cue may be longer than it. What a
+# map does not answer at all is not labelled either, so that the labelled part alone would flatter.
+LONGEST = 1.25
+WORTH_OF_FREE = 1.0  # repetitions that the free movement counts for
 USUAL_FALSE, USUAL_MINUTES = 1.0, 0.5  # false activations expected before any is counted, and the rest they stand for
 
 Array = NDArray[np.float64]
@@ -52,6 +55,14 @@ def share_of_free(rate: Array, dead_zone: float) -> float | None:
     return above / total if total else None
 
 
+def share_of_own(held_out: Array, dead_zone: float, frames: OwnFrames) -> float:
+    """Return the share of the person's own repetitions' time in which the rate (n,) is above the dead-zone."""
+    strokes = frames.label > 0
+    labelled = np.bincount(frames.repetition[strokes], minlength=frames.repetitions)
+    lasted = np.minimum(frames.asked[: frames.repetitions], LONGEST * labelled)
+    return min(1.0, float((held_out[strokes] > dead_zone).sum() / lasted.sum()))
+
+
 def expected_hits(free: Array, dead_zone: float, held_out: Array | None, frames: OwnFrames | None) -> Forecast | None:
     """Return the expected hits of 100 movements, as the share of the movements' time with activation.
 
@@ -69,15 +80,15 @@ def expected_hits(free: Array, dead_zone: float, held_out: Array | None, frames:
     shares, weights, repetitions = [], [], 0
     in_free = share_of_free(free, dead_zone)
     if in_free is not None:
-        shares.append(in_free)
+        shares.append(LABELLED * in_free)
         weights.append(WORTH_OF_FREE)
     if held_out is not None and frames is not None:
         repetitions = frames.repetitions
-        shares.append(float((held_out[frames.label > 0] > dead_zone).mean()))
+        shares.append(share_of_own(held_out, dead_zone, frames))
         weights.append(float(repetitions))
     if not shares:
         return None
-    share = LABELLED * float(np.average(shares, weights=weights))
+    share = float(np.average(shares, weights=weights))
     return Forecast(value=round(100 * share, 1), uncertainty=deviation_of_hits(repetitions))
 
 

@@ -70,16 +70,17 @@ def prompted_frames(
         weights = solve_direction(people, sample_rate)
         rates = [one @ weights for one in made]
     together = np.concatenate(made)
+    asked = np.array([one.stop - one.start for cued in cues for one in cued])
     rough = np.concatenate([labels(*one, sample_rate) for one in zip(rates, cues, lags, strict=True)])
     if people is None:
         if not (rough > 0).any():
             return None
         weights = solve_direction(Moments.of(together, rough), sample_rate)
     else:
-        weights = solve_direction(people, sample_rate, OwnFrames(together, rough, repetition))
+        weights = solve_direction(people, sample_rate, OwnFrames(together, rough, repetition, asked))
     rates = [one @ weights for one in made]
     label = np.concatenate([stroke_labels(*one, sample_rate) for one in zip(rates, cues, lags, strict=True)])
-    return OwnFrames(together, label, repetition) if (label > 0).any() else None
+    return OwnFrames(together, label, repetition, asked) if (label > 0).any() else None
 
 
 def _first_rates(

@@ -27,6 +27,7 @@ class OwnFrames:
     features: Array  # (n, d) of scaled signals
     label: NDArray[np.int8]  # (n,) +1 in the strokes, -1 on the ways back, 0 elsewhere
     repetition: NDArray[np.int_]  # (n,) number of the repetition, counted from 0, that a frame belongs to
+    asked: NDArray[np.int_]  # (repetitions,) rows that each was cued for
 
     @property
     def repetitions(self) -> int:
@@ -36,7 +37,7 @@ class OwnFrames:
     def without(self, repetition: int) -> "OwnFrames":
         """Return the frames without those of one repetition."""
         rows = self.repetition != repetition
-        return OwnFrames(self.features[rows], self.label[rows], self.repetition[rows])
+        return OwnFrames(self.features[rows], self.label[rows], self.repetition[rows], self.asked)
 
 
 def solve(people: Moments, sample_rate: float, own: OwnFrames | None = None) -> Array:
@@ -77,7 +78,7 @@ def solve_direction(people: Moments, sample_rate: float, own: OwnFrames | None =
     d = len(people.moment)
     k = d // KINDS
     newest = Moments(people.gram[:k, :k], people.moment[:k], people.stroke_mean[:k], people.stroke_gram[:k, :k])
-    rates = None if own is None else OwnFrames(own.features[:, :k], own.label, own.repetition)
+    rates = None if own is None else OwnFrames(own.features[:, :k], own.label, own.repetition, own.asked)
     weights = np.zeros(d)
     weights[:k] = _solve(newest, np.arange(k), sample_rate, rates)
     return weights
