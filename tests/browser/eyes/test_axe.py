@@ -1,6 +1,7 @@
 """axe-core finds no violation on any page in any state, and decides the contrast of every text.
 
-Each page is looked at in one size and theme here, and by `make browser` in all of them and in every state.
+Each page is looked at in one size and theme here, and by `make browser` in all of them and in every state. The same
+visit looks for what a finger misses, what Tab does not come to, and what is cut off at 200 %.
 """
 
 import re
@@ -9,6 +10,7 @@ from urllib.parse import urlsplit
 import pytest
 from browser.eyes.axe import cells_of, findings, look_as
 from browser.eyes.places import PLACES, put_back
+from browser.eyes.sweep import keyboard_faults, lost_when_enlarged, small_targets
 
 from folders import ROOT
 
@@ -52,7 +54,8 @@ def test_one_size_and_theme_of_every_page(page, clinic):
         look_as(page, cell)
         open_place(page, clinic)
         page.wait_for_timeout(200)
-        found[name, *cell] = [str(one) for one in findings(page)]
+        found[name, *cell] = [str(one) for one in findings(page)] + small_targets(page) + keyboard_faults(page)
+        found[name, "200 %"] = lost_when_enlarged(page)
         address = address_of(page.url)
         addresses |= {address, address.split("/")[0]}
         put_back(clinic)
@@ -69,6 +72,8 @@ def test_every_size_and_theme(page, clinic, name):
     found = {}
     for cell in cells_of(name):
         look_as(page, cell)
-        found[cell] = [str(one) for one in findings(page)]
+        found[cell] = [str(one) for one in findings(page)] + small_targets(page)
+    found["keyboard"] = keyboard_faults(page)
+    found["200 %"] = lost_when_enlarged(page)
     put_back(clinic)
     assert {cell: words for cell, words in found.items() if words} == {}

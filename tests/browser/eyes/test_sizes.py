@@ -5,6 +5,7 @@ import math
 import pytest
 from browser.eyes.axe import look_as
 from browser.eyes.places import PLACES, put_back
+from browser.eyes.sweep import small_targets
 from playwright.sync_api import expect
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(600)]
@@ -15,20 +16,6 @@ SHORT = (
     "interface_test, over", "review", "review trial", "review, comments", "settings, paired", "plans", "plans, edit",
     "people, invite", "log", "chair", "session, share link",
 )  # fmt: skip
-# A link within a sentence is a part of the text; a box beside words is touched by its words too.
-SMALL = """() => {
-  const targets = "button, a[href], input:not([type=file]), select, textarea, summary, [role=slider]";
-  const name = (one) => `${one.tagName.toLowerCase()}.${one.getAttribute("class") ?? ""} "${
-    (one.getAttribute("aria-label") ?? one.textContent).trim().slice(0, 40)}"`;
-  const isShown = (one) => one.checkVisibility({ visibilityProperty: true, opacityProperty: true });
-  return [...document.querySelectorAll(targets)]
-    .filter((one) => isShown(one) && !one.closest(".unseen"))
-    .map((one) => one.closest("label") ?? one)
-    .filter((one) => !(one.matches("a:not(.btn)") && one.closest("p, li, td")))
-    .map((one) => [one, one.getBoundingClientRect()])
-    .filter(([one, { width, height }]) => width && (height < 43.5 || (width < 43.5 && !one.matches("[role=slider]"))))
-    .map(([one, { width, height }]) => `${Math.round(width)} x ${Math.round(height)} ${name(one)}`);
-}"""
 LAMPS = """() => [...document.querySelectorAll(".bodies .sensor")].map((one) => {
   const { left, top, width, height } = one.firstElementChild.getBoundingClientRect();
   return { side: one.closest("figure").textContent, x: left + width / 2, y: top + height / 2, width, height };
@@ -49,7 +36,7 @@ def test_everything_that_is_touched_is_large_enough(page, clinic, size):
     small = {}
     for name in SHORT:
         PLACES[name](page, clinic)
-        found = page.evaluate(SMALL)
+        found = small_targets(page)
         if found:
             small[name] = found
         put_back(clinic)
@@ -89,7 +76,7 @@ def test_a_handle_is_24_px_wide_and_taken_from_22_px_beside_it(page, clinic, siz
 def test_on_a_telephone_each_step_of_the_rail_is_wide_enough(page, clinic):
     look_as(page, ("390x844", "light"))
     PLACES["patients"](page, clinic)
-    assert page.evaluate(SMALL) == []
+    assert small_targets(page) == []
 
 
 @pytest.mark.parametrize("size", [(320, 256), (640, 400)])  # 1280 px enlarged by 4 and by 2
