@@ -44,6 +44,7 @@ PARTS = {
     "session": Part("bench.web.session", "measure_session", "the web process's memory after a session, in Chromium"),
     "page": Part("bench.web.page", "measure_page", "from the address to a page that can be used, in Chromium"),
     "viewers": Part("bench.web.viewers", "measure_viewers", "the 3D view for one, four and eight"),
+    "eye": Part("bench.web.eye", "measure_eye", "pictures a second of the eye's view, and of a plainer scene"),
     "tls": Part("bench.web.tls", "measure_tls", "what https costs viewers, and a first connection"),
     "report": Part("bench.report", "measure_reports", "a report of a session and of a course, as a file"),
     "exports": Part("bench.exports", "measure_exports", "10 min at 1 kHz x 52 in each format of export"),

@@ -1,0 +1,34 @@
+"""The plain scene beside which the eye's view is measured, and the chair that drives through both."""
+
+import math
+
+import numpy as np
+import pytest
+
+from app.scene.meshes.building import OVERHEAD, WALLS, building_parts
+from app.world.floorplan import bundled_floorplans, load_floorplan
+from bench.processes.eye_served import PLAN, plain_parts, tick_at
+
+
+@pytest.fixture(scope="module")
+def plan():
+    return load_floorplan(bundled_floorplans()[PLAN])
+
+
+def test_the_plain_scene_has_the_same_furniture_and_neither_ceiling_nor_tiles(plan):
+    drawn, plain = building_parts(plan), plain_parts(plan)
+    assert OVERHEAD in drawn
+    assert set(plain) == set(drawn) - {OVERHEAD}
+    assert len(plain["floor"].mesh.faces) == 2
+    walls = plain[WALLS].mesh.vertices
+    assert np.ptp(walls[:, 2]) == plan.wall_height
+
+
+def test_the_chair_drives_the_path_and_looks_along_it(plan):
+    line = plan.paths[0].line
+    for now in (0.0, 3.0, 7.5):
+        tick = tick_at(plan, now)
+        assert math.dist((tick["x"], tick["y"]), line.point_at(0.8 * now % line.length)) < 1e-6
+        later = tick_at(plan, now + 0.1)
+        way = math.atan2(later["y"] - tick["y"], later["x"] - tick["x"])
+        assert abs(math.remainder(way - tick["theta"], math.tau)) < 0.5
