@@ -2,19 +2,17 @@
 
 from typing import Any
 
-from sqlalchemy.orm import Session
-
 from app.calibration.profile import CalibrationProfile
 from app.refusals import Conflict, NotFound
 from app.store.calibrations import recordings_of
-from app.store.database import Database
+from app.store.database import Database, Transaction
 from app.store.log import write_log
 from app.store.tables import PatientSession
 
 AS_WORN = "as_worn"  # in the calibration under way: which rings, and the recording in which they looked turned
 
 
-def rings_as_worn(db: Session, session: PatientSession) -> tuple[str, ...]:
+def rings_as_worn(db: Transaction, session: PatientSession) -> tuple[str, ...]:
     """Return the rings that a person is sure of; none once the free movement was recorded again."""
     noted: dict[str, Any] = (session.script or {}).get(AS_WORN, {})
     if not noted or noted["recording"] != _free_movement(db, session.id):
@@ -52,6 +50,6 @@ def note_sitting(database: Database, session_id: int, joint: str, person: str, *
         write_log(db, person, "shirt sits right", patient=session.patient_id, joint=joint, right=is_right)
 
 
-def _free_movement(db: Session, session_id: int) -> str | None:
+def _free_movement(db: Transaction, session_id: int) -> str | None:
     """Return the folder of the recorded free movement."""
     return recordings_of(db, session_id).get("free")
