@@ -5,10 +5,14 @@ A name without a comma is a page in its first state; "shirt, lamp" is another st
 
 from typing import Any
 
-from browser.eyes.chair_places import chair_page, no_chair, paired_chair
 from browser.eyes.eyes_clinic import EyesClinic
 from browser.eyes.opening import Open, answered, at, go, opened, patient_screen, start_with, tap
-from browser.eyes.session_places import (
+from browser.eyes.states.asked_places import ASKED_PLACES
+from browser.eyes.states.chair_places import chair_page, no_chair, paired_chair
+from browser.eyes.states.empty_places import EMPTY_PLACES
+from browser.eyes.states.live_places import LIVE_PLACES
+from browser.eyes.states.role_places import ROLE_PLACES
+from browser.eyes.states.session_places import (
     ARCHIVE_PLACES,
     SESSION_PLACES,
     attention,
@@ -25,10 +29,6 @@ from browser.eyes.session_places import (
     unread,
     written_session,
 )
-from browser.eyes.states.asked_places import ASKED_PLACES
-from browser.eyes.states.empty_places import EMPTY_PLACES
-from browser.eyes.states.live_places import LIVE_PLACES
-from browser.eyes.states.role_places import ROLE_PLACES
 from playwright.sync_api import expect
 
 from app.faults import Fault

@@ -5,7 +5,7 @@ import time
 import pytest
 from browser.eyes.opening import go, tap
 from browser.eyes.places import PLACES, put_back
-from browser.eyes.session_places import interface_test_over
+from browser.eyes.states.session_places import interface_test_over
 from playwright.sync_api import expect
 
 from app.faults import Fault

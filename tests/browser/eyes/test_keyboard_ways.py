@@ -7,7 +7,7 @@ from browser.eyes.axe import look_as
 from browser.eyes.by_keyboard import focused, heading, press, tab_to
 from browser.eyes.opening import go
 from browser.eyes.places import PLACES, put_back
-from browser.eyes.session_places import written_session
+from browser.eyes.states.session_places import written_session
 from playwright.sync_api import expect
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]

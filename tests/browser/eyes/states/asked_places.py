@@ -4,7 +4,7 @@ from typing import Any
 
 from browser.eyes.eyes_clinic import EyesClinic
 from browser.eyes.opening import Open, answered, at, go, opened, start_with, tap
-from browser.eyes.session_places import session_record, trial_over, written_session
+from browser.eyes.states.session_places import session_record, trial_over, written_session
 from playwright.sync_api import expect
 
 

@@ -6,9 +6,9 @@ What the live sockets say is changed by `EyesClinic.shown`, as a chair or a tria
 from collections.abc import Callable
 from typing import Any
 
-from browser.eyes.chair_places import chair_page
 from browser.eyes.eyes_clinic import EyesClinic
 from browser.eyes.opening import Open, answered, go, patient_screen
+from browser.eyes.states.chair_places import chair_page
 from playwright.sync_api import expect
 
 from app.faults import Fault, State

@@ -4,7 +4,7 @@ from typing import Any
 
 from browser.eyes.eyes_clinic import EyesClinic
 from browser.eyes.opening import Open, at, opened, tap
-from browser.eyes.session_places import review, session_record, written_session
+from browser.eyes.states.session_places import review, session_record, written_session
 from playwright.sync_api import expect
 
 
