@@ -1,4 +1,4 @@
-"""What a screen reader says of a chair, on the patient's screen and in a calibration: each state once, Stop at once."""
+"""What a screen reader says of a real chair and on the patient's screen: each state once, Stop at once."""
 
 import pytest
 from browser.eyes.axe import look_as
@@ -72,16 +72,3 @@ def test_each_state_is_said_once_on_the_patients_screen(page, clinic):
         after(page, lambda: go_on(clinic))
     rows = after(page, lambda: clinic.shown_to_patient.update(over={"id": 7, "end": "goal"}, trial=None, drives=False))
     assert with_words(rows, "Goal") == ["polite"], rows
-
-
-def test_each_cue_of_a_calibration_is_said_once_and_so_is_its_end(page, clinic):
-    PLACES["calibrate"](page, clinic)
-    page.evaluate(LISTEN)
-    rows = after(page, page.get_by_role("button", name="Start").click)
-    assert rows == [["polite", "Get ready"]]
-    rows = after(page, lambda: setattr(clinic.process, "run_t", 4.0))
-    assert rows == [["polite", "Rest"]]
-    assert after(page, lambda: None) == []
-    rows = after(page, lambda: setattr(clinic.process, "run_t", 1000.0))
-    assert len(rows) == 1, rows
-    assert with_words(rows, "then repeat this step") == ["polite"], rows  # the stand-in records nothing
