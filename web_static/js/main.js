@@ -2,7 +2,7 @@
  * The application: who is signed in, who is here, the live link, and which page is shown.
  * @import { CurrentSession, EquipmentView, Me } from "types/api"
  */
-import { Api, failureWords } from "./api.js";
+import { Api, ApiError, failureWords } from "./api.js";
 import { Live } from "./live/live.js";
 import { h, put } from "./widgets/dom.js";
 import { Lock } from "./shell/lock.js";
@@ -22,6 +22,7 @@ import { PageSession } from "./live/page_session.js";
 import { t } from "./texts.js";
 import { currentWarning } from "./shell/warning.js";
 
+const FORBIDDEN = 403;
 const WARN_EVERY = 60_000; // ms
 
 /**
@@ -224,12 +225,11 @@ export class App extends TypedEvents {
   #failed(error) {
     console.warn(error);
     this.setShowsTrial(false);
-    put(
-      this.root,
-      h("h1", { tabindex: "-1" }, t("error.page")),
-      h("p", { class: "lead" }, failureWords(error)),
-      h("div", {}, h("button", { type: "button", class: "btn go", onclick: () => this.show() }, t("try-again"))),
-    );
+    const isForbidden = error instanceof ApiError && error.status === FORBIDDEN;
+    const way = isForbidden
+      ? h("a", { class: "btn go", href: `#/${this.#next()}` }, t("error.other-page"))
+      : h("button", { type: "button", class: "btn go", onclick: () => this.show() }, t("try-again"));
+    put(this.root, h("h1", { tabindex: "-1" }, t("error.page")), h("p", { class: "lead" }, failureWords(error)), way);
   }
 
   /** @param {Me | null} me @param {CurrentSession | null} session */

@@ -10,6 +10,7 @@ from fastapi.routing import APIRoute
 from people_of_clinic import as_person
 from test_roles import contexts, requested, table
 
+from app.api.sharing.shared_page import WRONG
 from app.clock import utc_now
 from app.store.patients import add_patient, start_session
 from app.store.people import the_clinic
@@ -105,6 +106,14 @@ def test_an_opening_and_a_wrong_pin_are_told_to_open_pages_with_their_time(
     assert before <= datetime.fromisoformat(row["last_opened"]) <= utc_now()
     consented.good("DELETE", f"/shares/{row['id']}")
     assert events == ["shares"] * 4
+
+
+def test_a_link_that_was_cut_is_refused_as_a_wrong_one(consented: Clinic) -> None:
+    link = made(consented)
+    cut = {"token": token_of(link)[:9], "pin": link["pin"]}
+    with as_person(consented, {}):
+        answer = consented("POST", "/shared/open", json=cut)
+    assert (answer.status_code, answer.json()["detail"]) == (401, WRONG)
 
 
 def test_a_link_to_a_session_shows_this_session_only(consented: Clinic, trial: int) -> None:

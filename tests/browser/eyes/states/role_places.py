@@ -36,7 +36,7 @@ def refused(where: str) -> Open:
 
     def open_place(page: Any, clinic: EyesClinic) -> None:
         at(where)(page, clinic)
-        expect(page.get_by_role("button", name="Try again")).to_be_visible()
+        expect(page.get_by_role("link", name="Go to a page for you")).to_be_visible()
 
     return open_place
 

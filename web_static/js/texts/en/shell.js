@@ -69,6 +69,7 @@ export default {
   "error.no-answer": "The program does not answer: see whether it still runs, then try again.",
   "error.status": "The program refused this (code {status}): load the page again.",
   "error.page": "This page could not be shown.",
+  "error.other-page": "Go to a page for you",
   "try-again": "Try again",
   undo: "Undo",
   redo: "Redo",
