@@ -79,7 +79,7 @@ class RunFlow(ABC, Generic[Current]):
         self._computing = computing
         self._task: asyncio.Task[None] | None = None
         self._end_asked = asyncio.Event()
-        self._starting = False
+        self._starting = self._finishing = False
         self.current: Current | None = None
         self.last_end: RunEnd | None = None  # since the program was started
         self.on_finished: Callable[[int], None] = lambda _id: None  # called with the id, after closing and measuring
@@ -88,6 +88,11 @@ class RunFlow(ABC, Generic[Current]):
     def running(self) -> bool:
         """Whether one is being started, driven or measured."""
         return self._starting or self.current is not None
+
+    @property
+    def measuring(self) -> bool:
+        """Whether what ran is over, by itself or because its end was asked for, and is being closed and measured."""
+        return self.current is not None and (self._finishing or self._end_asked.is_set())
 
     async def end(self) -> int:
         """End what runs by hand, and return its id when it is closed and measured."""
@@ -164,6 +169,7 @@ class RunFlow(ABC, Generic[Current]):
 
     async def _finish(self, current: Current, end: str) -> None:
         figures: dict[str, Any] = {}
+        self._finishing = True
         try:
             await self._runs.end()
             await self._measure(current, figures)
@@ -173,7 +179,7 @@ class RunFlow(ABC, Generic[Current]):
             try:
                 await asyncio.to_thread(self._save, current.id, end, **figures)
             finally:  # also when the database is gone: it is over
-                self.current = None
+                self.current, self._finishing = None, False
                 self._tell(self.words.event)
         self.on_finished(current.id)
 

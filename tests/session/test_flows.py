@@ -142,6 +142,33 @@ def test_a_trial_is_over_though_the_database_is_gone(tmp_path: Any) -> None:
     assert told == ["trial"]
 
 
+def test_a_trial_is_being_measured_from_when_its_end_is_asked_for_until_it_is_over(tmp_path: Any) -> None:
+    flow = TrialFlow(LostDatabase(), FakeControl(), runs_with(FakeControl(), tmp_path), [].append, None)  # type: ignore[arg-type]
+    seen: list[bool] = []
+
+    class Closing(SessionRuns):
+        async def end(self) -> Any:
+            seen.append(flow.measuring)
+            return await super().end()
+
+    async def story() -> None:
+        flow._runs = Closing(LostDatabase(), FakeControl(), tmp_path, lambda: True)  # type: ignore[arg-type]
+        for asked in (False, True):
+            flow._end_asked.clear()
+            flow.current = SimpleNamespace(id=1, run=None, path=None)  # type: ignore[assignment]
+            flow._task = asyncio.create_task(asyncio.sleep(0))
+            seen.append(flow.measuring)
+            if asked:
+                await flow.end()
+                seen.append(flow.measuring)
+            with pytest.raises(OSError, match="gone"):
+                await flow._finish(flow.current, "by hand")  # type: ignore[arg-type]
+            seen.append(flow.measuring)
+
+    asyncio.run(story())
+    assert seen == [False, True, False, False, True, True, False]
+
+
 def test_a_calibration_step_that_cannot_begin_leaves_another_run_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     ended: list[bool] = []
 

@@ -155,6 +155,7 @@ class LivePicture:
         return {
             "id": trial.id,
             "waits": _waits(trial.watch.halt),
+            "measuring": self._trials.measuring,
             **{name: None if (v := getattr(place, name)) is None else _number(v, 3) for name in names},
             "movers": [[_number(value, 3) for value in pose] for pose in trial.watch.movers(self._scene_t)],
             "leader": None if place.leader is None else [_number(value, 3) for value in place.leader],

@@ -33,6 +33,7 @@ const SIGNED_OUT = 4401; // close code
  * @typedef {object} TrialMoment what a running trial is doing
  * @property {number} id
  * @property {number | null} waits s for which a halted trial waits for Continue; null: it is not halted
+ * @property {boolean} measuring whether it is over and is being measured
  * @property {number | null} t
  * @property {number | null} done m driven along the path
  * @property {number | null} length m of the path

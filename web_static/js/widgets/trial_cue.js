@@ -20,11 +20,13 @@ export function trialCue(app, picture, onEnd, onPlan) {
   const element = h("div", { class: "over-view", "aria-live": "polite" });
   const waits = waitWords("trial.paused");
   const faultKey = faultKeys();
+  const measuring = measuringCard();
   let shown = "";
   /** @type {ReturnType<typeof overView> | null} */
   let haltCard = null;
   let isBegun = false;
   let timer = 0;
+  let isEnding = false;
   /** @param {string} big @param {string} small */
   const word = (big, small, tone = "") =>
     h(
@@ -43,8 +45,10 @@ export function trialCue(app, picture, onEnd, onPlan) {
   /** @param {LiveMessage} now */
   const show = (now) => {
     waits.show(now.trial?.waits);
-    const fault = now.control === "alive" ? now.fault : null;
-    const key = now.control !== "alive" ? "control" : fault ? faultKey(fault, now.stops) : now.state;
+    const isOver = isEnding || !!now.trial?.measuring; // then nothing can be continued or ended any more
+    measuring.count(isOver);
+    const fault = now.control === "alive" && !isOver ? now.fault : null;
+    const key = now.control !== "alive" ? "control" : isOver ? "measuring" : fault ? faultKey(fault, now.stops) : now.state;
     if (key === shown) return haltCard?.setMissing(missing());
     shown = key;
     set(element, { "aria-live": urgency(fault) });
@@ -57,14 +61,38 @@ export function trialCue(app, picture, onEnd, onPlan) {
     if (key === "disarmed" && !isBegun) return; // the trial has not begun: keep the card of `prepare`
     clearTimeout(timer);
     isBegun ||= key === "checking";
-    if (key === "checking") put(element, word(t("trial.rest"), t("trial.rest.why")));
+    if (key === "measuring") put(element, measuring.element);
+    else if (key === "checking") put(element, word(t("trial.rest"), t("trial.rest.why")));
     else if (key === "armed" && isBegun) {
       put(element, word(t("trial.go"), "", "go"));
       timer = setTimeout(() => put(element), GO_SHOWN);
     } else put(element);
   };
   prepare();
-  return { element, show, prepare };
+  /** Its end was asked for here, before the program says that it is over; or that was refused. @param {boolean} is */
+  const setEnding = (is) => {
+    isEnding = is;
+    if (app.live.latest) show(app.live.latest);
+  };
+  return { element, show, prepare, setEnding };
+}
+
+/** While a trial that is over is being measured: that, and for how long. */
+function measuringCard() {
+  const taken = h("b", { class: "number", role: "timer", "aria-live": "off" });
+  const element = h(
+    "div",
+    { class: "hud cue-card" },
+    h("div", { class: "huge long" }, t("trial.ending")),
+    h("p", {}, t("trial.ending.why"), " ", taken),
+  );
+  let since = 0;
+  /** @param {boolean} is whether it is being measured */
+  const count = (is) => {
+    since = is ? since || performance.now() : 0;
+    write(taken, clock(since ? (performance.now() - since) / 1000 : 0));
+  };
+  return { element, count };
 }
 
 /**

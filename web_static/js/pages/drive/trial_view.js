@@ -40,6 +40,7 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
   };
   const views = viewBar(app, view.surface, (which) => picture.choose(which));
   const cue = trialCue(app, picture, end.run, views.choosePlan);
+  end.tell(cue.setEnding);
   const bar = bottomBar(app, path, [views.element, end.element], onPlots, signal);
   const title = h("h1", { class: "unseen", tabindex: "-1" }, plan.title);
   /** @param {CustomEvent<LiveMessage>} event */
@@ -51,6 +52,7 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
     mini.show(now.pose, now.trial);
     drawn.show({ ...now.trial, pose: now.pose });
     bar.show(now);
+    if (now.trial.measuring) end.setMeasuring(true);
   };
   const tell = () => {
     app.screen.show(picture.shows);
@@ -89,7 +91,7 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
   /** @param {TrialView} started */
   const begin = (started) => {
     trial = started;
-    end.element.disabled = false;
+    end.setMeasuring(false);
     const words = t("trial.name", { number: started.number, plan: started.floorplan_title });
     write(title, words);
     place.name(words);
@@ -159,17 +161,33 @@ function bottomBar(app, path, [views, endElement], onPlots, signal) {
   return { element, show, setPicture };
 }
 
-/** @param {App} app */
+/**
+ * End trial. While the trial is measured the live picture says so: a program that needs longer than one answer may take is
+ * no refusal.
+ * @param {App} app
+ */
 function endButton(app) {
   const element = h("button", { type: "button", class: "btn end", disabled: true }, t("trial.end"));
+  let onEnding = /** @param {boolean} _is */ (_is) => {};
+  /** @param {boolean} is whether the trial is over and being measured */
+  const setMeasuring = (is) => {
+    element.disabled = is;
+    write(element, t(is ? "trial.ending" : "trial.end"));
+  };
   const run = async () => {
-    element.disabled = true;
-    write(element, t("trial.ending"));
-    const trial = await app.toasts.attempt(() => app.api.post("/trials/current/end", { reason: "by hand" }));
+    setMeasuring(true);
+    onEnding(true);
+    const trial = await app.toasts.attempt(async () => {
+      try {
+        return await app.api.post("/trials/current/end", { reason: "by hand" });
+      } catch (error) {
+        if (!app.live.latest?.trial?.measuring) throw error;
+      }
+    });
     if (trial) return app.go(`#/drive/over/${trial.id}`);
-    element.disabled = false;
-    write(element, t("trial.end"));
+    onEnding(false);
+    setMeasuring(!!app.live.latest?.trial?.measuring);
   };
   element.addEventListener("click", run);
-  return { element, run };
+  return { element, run, setMeasuring, tell: (/** @type {typeof onEnding} */ listener) => (onEnding = listener) };
 }

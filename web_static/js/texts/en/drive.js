@@ -94,6 +94,7 @@ export default {
   "trial.plots": "Plots",
   "trial.end": "End trial",
   "trial.ending": "Measuring…",
+  "trial.ending.why": "The trial is over. Its result comes here by itself; a long trial takes longer.",
   "trial.moment": "One moment…",
   "trial.moment.why": "The picture is being prepared.",
   "trial.rest": "Rest…",
