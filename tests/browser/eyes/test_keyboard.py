@@ -97,7 +97,7 @@ def test_drive(page, clinic):
     expect(page.get_by_role("button", name="End trial").first).to_be_enabled()
     press(page, "Stop the chair now")
     heading(page, "Stop was pressed").to_be_visible()
-    page.wait_for_timeout(600)  # a Continue that comes too soon was meant for something else
+    page.wait_for_timeout(1100)  # a Continue that comes too soon was meant for something else
     press(page, "Continue")
     heading(page, "Stop was pressed").to_be_hidden()
     press(page, "End trial")

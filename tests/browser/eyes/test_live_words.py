@@ -1,5 +1,7 @@
 """What a screen reader says during a drive: each state once and politely, Stop at once, and no figure that changes."""
 
+import re
+
 import pytest
 from browser.eyes.axe import look_as
 from browser.eyes.places import PLACES, put_back
@@ -30,7 +32,7 @@ CARD = """() => import("/js/widgets/trial_cue.js").then(({ trialCue }) => {
   const picture = { shows: "view", why: "" };
   const { element, show } = trialCue({ live: { latest: null } }, picture, () => {}, () => {});
   document.body.append(element);
-  const fault = { name: "shirt_silent", happened: "The shirt is silent.", next_step: "Look at its cable." };
+  const fault = { name: "shirt_silent", happened: "The shirt is silent.", next_step: "Look at its cable.", remedy: "" };
   window.showFault = (why) => {
     Object.assign(picture, { shows: why ? "none" : "view", why });
     show({ control: "alive", state: "fault", fault, stops: 0, trial: { waits: 300 } });
@@ -92,28 +94,46 @@ def test_a_picture_that_goes_and_comes_does_not_say_the_fault_again(page, clinic
     page.evaluate("() => showFault('')")
     page.wait_for_timeout(0)  # until the observer has run
     assert with_words(said(page), "The shirt is silent.") == ["polite"]
-    for why, words in (("stale", "older than a second"), ("", "Look at its cable.")):
+    for why, words in (("stale", "older than a second"), ("context", "took its graphics away"), ("", "")):
         assert words in page.evaluate("(why) => showFault(why)", why)
         rows = said(page)
-        assert with_words(rows, words) == ["polite"], rows
+        assert not words or with_words(rows, words) == ["polite"], rows
         assert with_words(rows, "The shirt is silent.") == [], rows
     page.evaluate("() => removeCard()")
     put_back(clinic)
 
 
-def test_the_button_that_takes_the_place_of_another_one_takes_its_focus(page, clinic):
+def test_continue_and_end_keep_their_places_when_the_picture_goes_and_comes(page, clinic):
+    look_as(page, ("1280x800", "light"))
     PLACES["settings"](page, clinic)
+    page.clock.install()
     page.evaluate(CARD)
     page.evaluate("() => showFault('')")
-    page.locator(".fault-card button").first.focus()
-    for why in ("stale", ""):
-        page.evaluate("(why) => showFault(why)", why)
-        expect(page.locator(".fault-card button").first).to_be_focused()
+    go, end, plan = (
+        page.locator(".fault-card").get_by_role("button", name=name)
+        for name in ("Continue", "End trial", "Show the drawn plan")
+    )
+    boxes = [go.bounding_box(), end.bounding_box()]
+    expect(go).to_be_disabled()  # a tap in its first second was meant for what stood there before
+    page.clock.run_for(1000)
+    expect(go).to_be_enabled()
     page.evaluate("() => showFault('stale')")
-    page.locator(".fault-card button").last.focus()
+    expect(go).to_be_disabled()
+    expect(go).to_have_accessible_description(re.compile("needs a picture.*older than a second"))
+    assert [go.bounding_box(), end.bounding_box()] == boxes
+    assert plan.bounding_box()["y"] > boxes[0]["y"] + boxes[0]["height"]
+    page.clock.run_for(5000)
+    expect(go).to_be_disabled()
+    plan.focus()
     page.evaluate("() => showFault('')")
-    expect(page.locator(".fault-card button").last).to_be_focused()
+    expect(go).to_be_focused()
+    page.clock.run_for(900)
+    expect(go).to_be_disabled()
+    page.clock.run_for(100)
+    expect(go).to_be_enabled()
+    assert [go.bounding_box(), end.bounding_box()] == boxes
     page.evaluate("() => removeCard()")
+    page.clock.resume()
     put_back(clinic)
 
 

@@ -8,9 +8,10 @@ import { t } from "../texts.js";
 import { h, put, set } from "../widgets/dom.js";
 import { timeOfDay } from "../widgets/format.js";
 import { icon } from "../widgets/icons.js";
+import { continueButton, mayGoOn } from "./continue_button.js";
 import { isPageOff } from "./offline.js";
 
-const SEEN_AFTER = 400; // ms: a tap that comes sooner was meant for what stood there before
+const ONE_PRESS = 400; // ms within which two stops are those of one press
 
 /** @param {import("../main.js").App} app */
 export function notices(app) {
@@ -82,7 +83,7 @@ export function faultKeys() {
   let [counted, presses, since] = [-1, 0, -Infinity];
   return ({ name }, stops) => {
     const now = performance.now();
-    if (stops !== counted && now - since > SEEN_AFTER) [presses, since] = [presses + 1, now];
+    if (stops !== counted && now - since > ONE_PRESS) [presses, since] = [presses + 1, now];
     counted = stops;
     return `fault ${name} ${presses}`;
   };
@@ -109,30 +110,7 @@ function note(app, kind) {
   const fault = app.live.latest?.fault;
   if (!fault) return null;
   const { happened, next_step: next } = fault;
-  return strip("", h("b", {}, happened), mayGoOn(app) ? next : t("note.fault.others"), continueButton(app));
-}
-
-/** A reviewer looks, and stops; others go on. @param {App} app */
-const mayGoOn = (app) => app.me?.role !== "reviewer";
-
-/** The Continue button: it clears the stops that had come when it could first be pressed, and none that came later. @param {import("../main.js").App} app */
-export function continueButton(app) {
-  let stops = 0;
-  /** @param {boolean} off */
-  const isOff = (off) => button.setAttribute("aria-disabled", String(off));
-  const button = h("button", { type: "button", class: "btn go continue", hidden: !mayGoOn(app) }, t("note.fault.continue"));
-  isOff(true);
-  setTimeout(() => {
-    stops = app.live.latest?.stops ?? 0;
-    isOff(false);
-  }, SEEN_AFTER);
-  button.addEventListener("click", async () => {
-    if (button.getAttribute("aria-disabled") === "true") return;
-    isOff(true);
-    await app.toasts.attempt(() => app.api.post("/control/clear", { stops }));
-    isOff(false);
-  });
-  return button;
+  return strip("", h("b", {}, happened), mayGoOn(app) ? next : t("note.fault.others"), continueButton(app).element);
 }
 
 /** @param {string} tone @param {HTMLElement} happened @param {string} why @param {Node | null} [button] */

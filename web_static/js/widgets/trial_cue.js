@@ -7,7 +7,8 @@ import { t } from "../texts.js";
 import { h, put, set, write } from "./dom.js";
 import { clock } from "./format.js";
 import { icon } from "./icons.js";
-import { continueButton, faultKeys, urgency } from "../shell/notices.js";
+import { continueButton } from "../shell/continue_button.js";
+import { faultKeys, urgency } from "../shell/notices.js";
 
 const LONG = 6; // letters; longer words are written smaller
 const GO_SHOWN = 1600; // ms
@@ -19,14 +20,14 @@ const GO_SHOWN = 1600; // ms
 export function trialCue(app, picture, onEnd, onPlan) {
   const element = h("div", { class: "over-view", "aria-live": "polite" });
   const waits = waitWords("trial.paused");
-  const faultKey = faultKeys();
   const measuring = measuringCard();
+  const faultKey = faultKeys();
   let shown = "";
   /** @type {ReturnType<typeof overView> | null} */
   let haltCard = null;
   let isBegun = false;
-  let timer = 0;
   let isEnding = false;
+  let timer = 0;
   /** @param {string} big @param {string} small */
   const word = (big, small, tone = "") =>
     h(
@@ -68,12 +69,12 @@ export function trialCue(app, picture, onEnd, onPlan) {
       timer = setTimeout(() => put(element), GO_SHOWN);
     } else put(element);
   };
-  prepare();
   /** Its end was asked for here, before the program says that it is over; or that was refused. @param {boolean} is */
   const setEnding = (is) => {
     isEnding = is;
     if (app.live.latest) show(app.live.latest);
   };
+  prepare();
   return { element, show, prepare, setEnding };
 }
 
@@ -96,26 +97,34 @@ function measuringCard() {
 }
 
 /**
- * The card of a fault. A picture that goes or comes back changes what to do, and only that is read out again.
+ * The card of a fault. Continue and End keep their places: why there is no picture, and the drawn plan, come below them.
+ * Only that is read out when the picture goes.
  * @param {App} app @param {FaultWords} fault @param {Node} waits @param {() => Promise<void>} onEnd @param {() => void} onPlan
  */
 function overView(app, fault, waits, onEnd, onPlan) {
-  const next = h("p", {}, fault.next_step);
   const end = h("button", { type: "button", class: "btn", onclick: onEnd }, t("trial.end"));
-  let go = continueButton(app);
+  const go = continueButton(app);
+  const element = card(fault.happened, h("p", {}, fault.next_step), waits, go.element, end);
+  const why = h("p", { id: "why-no-continue" });
+  const plan = h("button", { type: "button", class: "btn", onclick: onPlan }, t("picture.plan.show"));
+  const below = h("div", { class: "no-picture" }, why, plan);
   let lacks = "";
   /** @param {string} missing why there is no picture; empty when there is one */
   const setMissing = (missing) => {
     if (missing === lacks) return;
+    if (!missing !== !lacks) go.setBlocked(!!missing);
     lacks = missing;
-    write(next, missing ? t(`picture.${missing}`) : fault.next_step);
-    const other = missing ? planButton("picture.plan.show", onPlan) : continueButton(app);
-    const isFocused = go === document.activeElement;
-    go.replaceWith(other);
-    if (isFocused) other.focus();
-    go = other;
+    set(go.element, { "aria-describedby": missing ? why.id : null });
+    if (missing) {
+      write(why, `${t("picture.continue")} ${t(`picture.${missing}`)}`);
+      if (!below.isConnected) element.append(below);
+      return;
+    }
+    const isFocused = plan === document.activeElement;
+    below.remove();
+    if (isFocused) go.element.focus();
   };
-  return { element: card(fault.happened, next, waits, go, end), setMissing };
+  return { element, setMissing };
 }
 
 /** The card while there is no picture to drive by. @param {string} why @param {() => void} onPlan */
@@ -143,7 +152,7 @@ export function waitWords(key) {
 
 /** What happened, what to do, Continue, and how to end. @param {import("../main.js").App} app @param {FaultWords} fault @param {Node} waits @param {Node} end */
 export function faultCard(app, { happened, next_step: next }, waits, end) {
-  return card(happened, h("p", {}, next), waits, continueButton(app), end);
+  return card(happened, h("p", {}, next), waits, continueButton(app).element, end);
 }
 
 /** @param {string} happened @param {Node} next @param {Node | null} waits @param {Node} go @param {Node} other */

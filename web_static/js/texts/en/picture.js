@@ -10,6 +10,7 @@ export default {
   "picture.none": "No picture to drive by",
   "picture.plan.start": "Drive in the drawn plan",
   "picture.plan.show": "Show the drawn plan",
+  "picture.continue": "Continue needs a picture.",
   "picture.back": "Back to Drive",
   "picture.choose":
     "This screen cannot draw the 3D view: its browser offers no WebGL 2. Trials are driven in the drawn plan from above instead, and a replay shows it too.",
