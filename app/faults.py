@@ -40,11 +40,19 @@ class Fault(IntEnum):
     PICTURE_LOST = 21
 
 
+CONTINUE = ", then tap Continue."  # how the next step of a halted trial or drive ends
+
+
 class Explanation(NamedTuple):
     """A fault in words: what happened, and what to do next."""
 
     happened: str
     next_step: str
+
+    @property
+    def remedy(self) -> str:
+        """What to do next without the word of the button, which is another one when no trial and no drive runs."""
+        return self.next_step.replace(CONTINUE, ".")
 
 
 EXPLANATIONS: dict[Fault, Explanation] = {

@@ -20,7 +20,7 @@ def refusal(loop: ControlLoop, digest: str) -> str:
         return missing
     if gate.state is State.FAULT:
         what = EXPLANATIONS[gate.fault]
-        return f"{what.happened} {what.next_step}"
+        return f"{what.happened} {what.remedy} Take the stop back, then start again."
     return real_chair_refusal(loop)
 
 

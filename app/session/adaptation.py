@@ -116,7 +116,7 @@ class AdaptationFlow:
         if tick["chair_kind"]:
             return REAL_CHAIR
         if tick["state"] == State.FAULT:
-            return "A stop is still in force: tap Continue first, then apply."
+            return "A stop is still in force: take it back first, then apply."
         moves = max(abs(float(tick[name])) for name in ("v", "omega", "driven_v", "driven_omega")) > STANDSTILL
         return NOT_STILL if moves or tick["state"] != State.DISARMED else None
 

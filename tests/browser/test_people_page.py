@@ -135,9 +135,9 @@ def only_who_may_go_on_is_offered_it(reviewer, clinician):
     """Stop as a reviewer, and go on as a clinician."""
     reviewer.locator("#stop").click()
     expect(reviewer.get_by_text("The clinician beside the chair looks around")).to_be_visible()
-    expect(reviewer.get_by_role("button", name="Continue")).to_have_count(0)
+    expect(reviewer.get_by_role("button", name="Take the stop back")).to_have_count(0)
     photograph(reviewer, "stopped")
-    clinician.get_by_role("button", name="Continue").click()
+    clinician.get_by_role("button", name="Take the stop back").click()
     expect(reviewer.get_by_text("The clinician beside the chair looks around")).to_have_count(0)
 
 

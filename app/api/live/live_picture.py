@@ -255,7 +255,12 @@ def fault_view(fault: Fault) -> dict[str, str] | None:
     if fault is Fault.NONE:
         return None
     words = EXPLANATIONS[fault]
-    return {"name": fault.name.lower(), "happened": words.happened, "next_step": words.next_step}
+    return {
+        "name": fault.name.lower(),
+        "happened": words.happened,
+        "next_step": words.next_step,
+        "remedy": words.remedy,
+    }
 
 
 def lamps(layout: ShirtLayout, frames: NDArray[np.float64], sample_rate: float, unused: list[str]) -> list[str]:

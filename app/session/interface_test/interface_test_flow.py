@@ -42,7 +42,7 @@ class InterfaceTestFlow(RunFlow[RunningInterfaceTest]):
         """Begin an interface test and return its id; its number decides the order of the targets."""
         tick = self._control.newest()
         if tick is not None and int(tick["state"]) == State.FAULT:
-            raise Conflict("A stop is in force: tap Continue first, then start the two-minute test.")
+            raise Conflict("A stop is in force: take it back first, then start the two-minute test.")
         async with self._alone():
             parameters_id, number = await asyncio.to_thread(self._prepared, session.patient_id)
             plan = self.plan_of(number)

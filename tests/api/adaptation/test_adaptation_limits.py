@@ -158,7 +158,7 @@ def test_it_is_applied_at_a_disarmed_standstill_only(ready: Any) -> None:
         ({"driven_omega": -0.3}, "armed or moves"),
         ({"state": State.ARMED}, "armed or moves"),
         ({"state": State.CHECKING}, "armed or moves"),
-        ({"state": State.FAULT, "fault": Fault.STOP_TABLET}, "tap Continue"),
+        ({"state": State.FAULT, "fault": Fault.STOP_TABLET}, "take it back first"),
         ({"chair_kind": 1}, "A real chair"),
     ):
         ready.process.says = says

@@ -67,7 +67,7 @@ def test_stop_ends_a_test_and_a_stop_in_force_refuses_one(calibrated: Any) -> No
     assert found["tests"][0]["end"] == "stopped"
     calibrated.process.state = State.FAULT  # a latched stop outlives the run
     refused = calibrated("POST", "/interface-tests", json=START)
-    assert (refused.status_code, "tap Continue first" in refused.json()["detail"]) == (409, True)
+    assert (refused.status_code, "take it back first" in refused.json()["detail"]) == (409, True)
 
 
 def test_a_complete_test_ends_by_itself(calibrated: Any) -> None:

@@ -171,7 +171,7 @@ def same_name(page: Any, clinic: EyesClinic) -> None:
 def with_fault(page: Any, clinic: EyesClinic) -> None:
     clinic.fault(Fault.SHIRT_SILENT)
     go(page, clinic, "patients")
-    expect(page.get_by_role("button", name="Continue")).to_be_visible()
+    expect(page.get_by_role("button", name="Take the stop back")).to_be_visible()
 
 
 PLACES: dict[str, Open] = {

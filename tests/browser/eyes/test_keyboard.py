@@ -109,8 +109,8 @@ def test_chair(page, clinic):
     tab_to(page, "Practise it now")
     press(page, "Stop the chair now")
     expect(page.get_by_text("Stop was pressed on the screen")).to_be_visible()
-    page.wait_for_timeout(600)
-    press(page, "Continue")
+    page.wait_for_timeout(1100)
+    press(page, "Take the stop back")
     expect(page.get_by_text("Stop was pressed on the screen")).to_be_hidden()
 
 

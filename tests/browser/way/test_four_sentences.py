@@ -52,8 +52,9 @@ def test_stop_is_in_view_with_its_number_and_one_tap_stops(browser, demo, page_l
     stop = page.get_by_role("button", name="Stop the chair now")
     expect(stop).to_be_in_viewport(ratio=1)
     stop.tap()
-    expect(page.get_by_role("button", name="Continue")).to_be_visible()
-    page.get_by_role("button", name="Continue").tap()
+    expect(page.get_by_role("button", name="Take the stop back")).to_be_visible()
+    page.get_by_role("button", name="Take the stop back").tap()
+    expect(page.get_by_role("button", name="Take the stop back")).to_have_count(0)
     log.assert_clean()
 
 

@@ -75,7 +75,7 @@ const SIGNED_OUT = 4401; // close code
  * @property {string} words empty when there is nothing to say
  */
 
-/** @typedef {{name: string, happened: string, next_step: string}} FaultWords */
+/** `remedy` is the next step without the word of the button. @typedef {{name: string, happened: string, next_step: string, remedy: string}} FaultWords */
 
 /**
  * @typedef {object} ClinicianFields what only the clinician's socket tells

@@ -56,7 +56,7 @@ function noticeKind(app, faultKey) {
   if (!now) return "";
   if (now.control !== "alive") return "control";
   // While driving, the drive page shows faults over the picture itself.
-  if (now.fault && !app.showsTrial) return faultKey(now.fault, now.stops);
+  if (now.fault && !app.showsTrial) return `${faultKey(now.fault, now.stops)} ${placeOfDrive(now)}`;
   if (now.drive && !app.showsTrial) return "driving";
   if (app.warning && !app.showsTrial && app.warning.href !== `#/${app.route.page}`) return `warning ${app.warning.words}`;
   return needsConsent(app) ? `consent ${app.session?.patient?.id}` : "";
@@ -109,8 +109,19 @@ function note(app, kind) {
   }
   const fault = app.live.latest?.fault;
   if (!fault) return null;
-  const { happened, next_step: next } = fault;
-  return strip("", h("b", {}, happened), mayGoOn(app) ? next : t("note.fault.others"), continueButton(app).element);
+  const happened = h("b", {}, fault.happened);
+  const place = placeOfDrive(app.live.latest);
+  if (!mayGoOn(app)) return strip("", happened, t(place ? "note.fault.others" : "note.fault.idle.others"));
+  // Nobody lets a chair go on from a page that does not show it.
+  if (place) return strip("", happened, t("note.fault.drive"), h("a", { class: "btn go", href: place }, t("note.fault.drive.go")));
+  const back = continueButton(app, t("note.fault.idle.go"));
+  return strip("", happened, `${fault.remedy} ${t("note.fault.idle")}`, back.element);
+}
+
+/** The address of the page that shows what is halted; empty when no trial and no drive runs. @param {App["live"]["latest"]} now */
+function placeOfDrive(now) {
+  if (now?.drive) return "#/drive/chair";
+  return now?.trial ? "#/drive" : "";
 }
 
 /** @param {string} tone @param {HTMLElement} happened @param {string} why @param {Node | null} [button] */

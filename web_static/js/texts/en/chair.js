@@ -81,7 +81,7 @@ export default {
   "arm.missing": { one: "One thing is missing:", other: "{count} things are missing:" },
   "arm.missing.short": { one: "One thing is missing, see above.", other: "{count} things are missing, see above." },
   "arm.lost": "This page has no connection to the program: wait until it is back.",
-  "arm.fault": "A stop or fault is still in force: tap Continue in the strip above.",
+  "arm.fault": "A stop or fault is still in force: take the stop back in the strip above.",
   "arm.front": "Keep this page in front while the chair drives: when it is hidden or out of reach, the chair stops.",
   "driving.title": "Driving “{name}”",
   "driving.checking": "Rest…",

@@ -1,0 +1,52 @@
+"""The strip of a stop: the way to the drive while something is halted, and what takes the stop back when nothing runs."""
+
+import pytest
+from browser.eyes.opening import go
+from browser.eyes.places import PLACES, put_back
+from browser.eyes.states.live_places import DRIVE
+from playwright.sync_api import expect
+
+from app.faults import Fault
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
+
+
+def test_no_page_without_the_chair_in_view_lets_it_go_on(page, clinic):
+    PLACES["drive, stopped"](page, clinic)
+    page.evaluate("() => (location.hash = '#/controls')")
+    strip = page.locator(".note")
+    expect(strip).to_contain_text("Stop was pressed on the screen.")
+    expect(strip).not_to_contain_text("tap Continue")
+    expect(strip.get_by_role("button")).to_have_count(0)
+    strip.get_by_role("link", name="Go to the drive").click()
+    expect(page.locator(".fault-card").get_by_role("button", name="Continue")).to_be_visible()
+    put_back(clinic)
+
+    clinic.fault(Fault.SHIRT_SILENT)
+    clinic.shown["drive"] = {**DRIVE, "waits": 271.0}
+    go(page, clinic, "session/patient/2")
+    expect(strip.get_by_role("link", name="Go to the drive")).to_have_attribute("href", "#/drive/chair")
+    put_back(clinic)
+
+
+def test_without_a_trial_the_stop_is_taken_back_and_nothing_is_continued(page, clinic):
+    clinic.fault(Fault.SHIRT_SILENT)
+    go(page, clinic, "controls")
+    strip = page.locator(".note")
+    expect(strip).to_contain_text("Check its battery and cable on the Shirt page. No trial and no drive runs")
+    expect(strip).not_to_contain_text("Continue")
+    expect(strip.get_by_role("button", name="Take the stop back")).to_be_enabled()
+    put_back(clinic)
+
+
+def test_a_trial_that_is_measured_offers_nothing_else(page, clinic):
+    PLACES["drive, stopped"](page, clinic)
+    picture = clinic.app.state.web.live._picture
+    clinic.shown["trial"] = {**picture()["trial"], "measuring": True}
+    card = page.locator(".over-view")
+    expect(card).to_contain_text("Measuring")
+    expect(card).to_contain_text("Its result comes here by itself")
+    expect(card.get_by_role("button")).to_have_count(0)
+    expect(page.get_by_role("button", name="Measuring")).to_be_disabled()
+    expect(page.get_by_role("button", name="End trial")).to_have_count(0)
+    put_back(clinic)
