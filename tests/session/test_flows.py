@@ -184,7 +184,7 @@ def test_a_calibration_step_that_cannot_begin_leaves_another_run_alone(monkeypat
     step = SimpleNamespace(id="rest", kind="rest", cues=())
 
     async def progress(_session: int) -> Any:
-        return SimpleNamespace(layout=None, steps=(step,))
+        return SimpleNamespace(layout=None, step=lambda _id: step)
 
     monkeypatch.setattr(flow, "progress", progress)
     with pytest.raises(Conflict):

@@ -28,7 +28,6 @@ from app.store.tables import PatientSession
 LOOK_EVERY = 0.05  # s
 STANDSTILL_LIMIT = 3.0  # s without progress of the run's time, after which the step fails
 RESULT = "result"
-OVER = ("done", "skipped")  # statuses of a finished step
 
 
 class CalibrationFlow:
@@ -65,7 +64,10 @@ class CalibrationFlow:
         return await asyncio.to_thread(self._progress, session_id)
 
     async def start(self, session_id: int, step_id: str) -> None:
-        """Record one step; its earlier recording no longer counts."""
+        """Record one step; its earlier recording no longer counts.
+
+        After the first unfinished one the next is shown; after any other nobody is made to move on: it stays shown.
+        """
         progress = await self.progress(session_id)
         step = progress.step(step_id)
         needed = self._equipment.needed_layout()
@@ -85,7 +87,9 @@ class CalibrationFlow:
             self._running = None
             await self._runs.end()
             raise
-        task = asyncio.create_task(self._record(session_id, step, run.number))
+        task = asyncio.create_task(
+            self._record(session_id, step, run.number, stays=step.id not in progress.missing[:1])
+        )
         await asyncio.sleep(0)  # let it begin: a task cancelled before that would never close its recording
         self._task = task
         self._tell("calibration")
@@ -180,7 +184,7 @@ class CalibrationFlow:
         await asyncio.to_thread(self._begin, session_id, self._equipment.needed_layout())
         self._tell("calibration")
 
-    async def _record(self, session_id: int, step: Step, number: int) -> None:
+    async def _record(self, session_id: int, step: Step, number: int, *, stays: bool) -> None:
         status, words = "failed", ""
         try:
             words = await self._wait(number, step.duration)
@@ -205,7 +209,7 @@ class CalibrationFlow:
                 self._ended()
         if status == "done":
             try:
-                await self._go_on(session_id)
+                await self._go_on(session_id, step.id if stays else None)
             finally:
                 self._ended()
 
@@ -230,11 +234,10 @@ class CalibrationFlow:
             if monotonic() - moved_at > STANDSTILL_LIMIT:
                 return "Nothing was recorded for three seconds: look at the Shirt page, then repeat this step."
 
-    async def _go_on(self, session_id: int) -> None:
-        """After a step, show the next unfinished one, or fit the map when all are finished."""
-        progress = await self.progress(session_id)
-        missing = [step.id for step in progress.steps if progress.status[step.id][0] not in OVER]
-        await self.go(session_id, missing[0] if missing else RESULT)
+    async def _go_on(self, session_id: int, stay: str | None = None) -> None:
+        """After a step, show the next unfinished one or the one to stay at, or fit the map when all are finished."""
+        missing = (await self.progress(session_id)).missing
+        await self.go(session_id, (stay or missing[0]) if missing else RESULT)
         if not missing:
             await self._fit_now(session_id)
 

@@ -9,6 +9,8 @@ from app.calibration.script import Step
 from app.layout import ShirtLayout
 from app.refusals import NotFound
 
+OVER = ("done", "skipped")  # statuses of a finished step
+
 
 class EarlierCalibration(NamedTuple):
     """The version of the patient's map that drives until this session's calibration is accepted."""
@@ -38,6 +40,11 @@ class Progress:
             if step.id == step_id:
                 return step
         raise NotFound(f"There is no step '{step_id}' in this calibration: choose one of the list.")
+
+    @property
+    def missing(self) -> tuple[str, ...]:
+        """The steps that are not finished, in their order."""
+        return tuple(step.id for step in self.steps if self.status[step.id][0] not in OVER)
 
     @property
     def may_drive_now(self) -> bool:

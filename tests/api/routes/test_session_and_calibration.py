@@ -129,6 +129,25 @@ def test_a_step_can_be_cancelled_repeated_and_fail_in_words(signed_in: Any) -> N
     assert [step["status"] for step in wizard["steps"]].count("done") == 7
 
 
+@pytest.mark.parametrize("looked_at", [None, "prompt-right_shoulder"])
+def test_after_a_step_out_of_order_no_other_one_is_shown(signed_in: Any, looked_at: str | None) -> None:
+    """The page starts by itself only an unfinished step that is shown: nobody is made to move unasked."""
+    signed_in.begin_session()
+    signed_in.good("POST", "/calibration/steps/prompt-left_elbow/start")
+    if looked_at is not None:
+        signed_in.good("POST", "/calibration/go", json={"step": looked_at})
+    signed_in.process.run_t = 1000.0
+    wizard = signed_in.until("/calibration", lambda c: c["running"] is None)
+    assert [step["id"] for step in wizard["steps"] if step["status"] == "done"] == ["prompt-left_elbow"]
+    assert wizard["current"] == "prompt-left_elbow"
+    signed_in.good("POST", "/calibration/steps/rest/start")  # the first one that was missing
+    signed_in.process.run_t = 1000.0
+    assert signed_in.until("/calibration", lambda c: c["running"] is None)["current"] == "free"
+    signed_in.good("POST", "/calibration/steps/rest/start")  # a repetition
+    signed_in.process.run_t = 1000.0
+    assert signed_in.until("/calibration", lambda c: c["running"] is None)["current"] == "rest"
+
+
 def test_a_step_that_ends_while_it_is_looked_at_is_shown_as_running_or_as_ended(
     signed_in: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
