@@ -15,6 +15,7 @@ MOST_NEW, MOST_KNOWN = 8, 3  # taps, from sign-in and from the patient's card un
 CALIBRATION = 240_000  # ms
 COUNT = """window.taps ??= 0;
 document.addEventListener("click", (event) => { if (event.isTrusted && event.detail > 0) window.taps += 1; }, true)"""
+ONE_LINE = 60  # px
 FITS = "() => { const page = document.querySelector('main'); return page.scrollHeight <= page.clientHeight; }"
 
 
@@ -61,7 +62,17 @@ def test_the_sentences_of_a_first_time_come_until_they_are_put_away(opened):
     for words in ("STOP", "repeat one joint", "turning slower", "last week was better"):
         expect(first).to_contain_text(words)
     go_to(page, "review")
-    expect(first).to_be_visible()
+    opener = first.get_by_role("button", name="Four things, the first time")
+    expect(opener).to_be_visible()
+    assert first.bounding_box()["height"] <= ONE_LINE
+    opener.click()
+    expect(first.get_by_role("listitem")).to_have_count(4)
+    expect(page.locator(".app.first-time")).to_have_count(1)
+    go_to(page, "calibrate")
+    expect(first.get_by_role("listitem")).to_have_count(0)
+    opener.click()
+    expect(first.get_by_role("listitem")).to_have_count(4)
+    expect(page.locator(".app.first-time")).to_have_count(0)  # its numbers would stand beside those of the steps
     first.get_by_role("button", name="Got it").click()
     expect(first).to_have_count(0)
     expect(page.locator("h1")).to_be_focused()

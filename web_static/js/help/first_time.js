@@ -6,30 +6,62 @@ import { loadStyles, words } from "./help_words.js";
 const SENTENCES = /** @type {const} */ (["first.stop", "first.calibrate", "first.controls", "first.review"]);
 const FOR_REVIEWERS = /** @type {const} */ (["first.reviewer.stop", "first.reviewer.patients", "first.reviewer.review"]);
 
-/** @param {import("../main.js").App} app @param {HTMLElement} place between the header and the page */
+const WITH_STEPS = "calibrate"; // this page has numbers of its own, so that none stand on the rail
+const BEFORE = ["sign_in", "invitation"]; // the page of a person is not shown yet
+
+/**
+ * Show them, and fold them to one line as soon as the person goes on to another page; a tap opens them again.
+ * @param {import("../main.js").App} app @param {HTMLElement} place between the header and the page
+ */
 export function showFirstTime(app, place) {
   loadStyles();
   const isReviewer = app.me?.role === "reviewer";
   const sentences = isReviewer ? FOR_REVIEWERS : SENTENCES;
-  app.frame.classList.add("first-time");
   for (const [i, key] of sentences.entries()) {
     const link = app.frame.querySelector(`.rail a[href="#/${key.split(".").at(-1)}"]`);
     if (link) set(link, { "data-first": i + 1 });
   }
+  const done = new AbortController();
   const putAway = async () => {
+    done.abort();
     if (app.me) app.me = { ...app.me, introduced: true };
     app.frame.classList.remove("first-time");
     put(place);
     app.root.querySelector("h1")?.focus();
     await app.toasts.attempt(() => app.api.post("/auth/introduction"));
   };
-  put(
-    place,
-    h(
-      "section",
-      { class: "first-sentences", "aria-label": words(isReviewer ? "first.reviewer.title" : "first.title") },
-      h("ol", {}, sentences.map((key) => h("li", {}, words(key)))),
-      h("button", { type: "button", class: "btn", onclick: putAway }, words("first.done")),
-    ),
+  const title = words(isReviewer ? "first.reviewer.title" : "first.title");
+  const list = h("ol", { tabindex: "-1", "aria-label": title }, sentences.map((key) => h("li", {}, words(key))));
+  const open = () => {
+    fold(false);
+    list.focus();
+  };
+  const opener = h("button", { type: "button", class: "btn bare", "aria-expanded": "false", onclick: open }, title);
+  const section = h(
+    "section",
+    { class: "first-sentences", "aria-label": title },
+    opener,
+    list,
+    h("button", { type: "button", class: "btn", onclick: putAway }, words("first.done")),
   );
+  /** @param {boolean} isFolded */
+  const fold = (isFolded) => {
+    list.hidden = isFolded;
+    opener.hidden = !isFolded;
+    section.classList.toggle("folded", isFolded);
+    app.frame.classList.toggle("first-time", !isFolded && app.route.page !== WITH_STEPS);
+  };
+  let first = "";
+  const follow = () => {
+    const { page } = app.route;
+    if (!section.isConnected) done.abort(); // somebody signed out, or the page is locked
+    else if (!BEFORE.includes(page)) {
+      first ||= page;
+      if (page !== first || page === WITH_STEPS) fold(true);
+    }
+  };
+  put(place, section);
+  fold(false);
+  follow();
+  app.addEventListener("route", follow, { signal: done.signal });
 }

@@ -34,7 +34,7 @@ export function notices(app) {
   return element;
 }
 
-/** The sentences for a first time, until the person puts them away; a trial has the page for itself. @param {App} app */
+/** The sentences for a first time, in full or folded, until the person puts them away; a trial has the page for itself. @param {App} app */
 export function firstTimePlace(app) {
   const element = h("div", { class: "first-time-place" });
   const show = async () => {
