@@ -17,6 +17,8 @@ export type CalibrationStep = {
   kind: string;
   joint: string | null;
   title: string;
+  /** Its name in a few letters: the joint. */
+  label: string;
   instruction: string;
   duration: number;
   cues: Cue[];

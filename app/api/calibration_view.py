@@ -56,12 +56,14 @@ def view_of(progress: Progress) -> CalibrationView:
 
 def _steps(progress: Progress) -> list[dict[str, Any]]:
     waiting = ("waiting", "")
+    labels = {} if progress.layout is None else {joint.name: joint.label for joint in progress.layout.joints}
     steps: list[dict[str, Any]] = [
         {
             "id": step.id,
             "kind": step.kind,
             "joint": step.joint,
             "title": step.title,
+            "label": step.title if step.joint is None else labels[step.joint].capitalize(),
             "instruction": step.instruction,
             "duration": step.duration,
             "cues": [cue.model_dump(mode="json") for cue in step.cues],
@@ -74,6 +76,7 @@ def _steps(progress: Progress) -> list[dict[str, Any]]:
             "kind": "result",
             "joint": None,
             "title": "Result",
+            "label": "Result",
             "instruction": "Look at each joint. Repeat what is not good enough, then tap “Use this calibration”.",
             "duration": 0.0,
             "cues": [],

@@ -81,6 +81,8 @@ def test_the_wizard_goes_from_rest_to_a_saved_profile(signed_in: Any) -> None:
     signed_in.begin_session()
     wizard = signed_in.good("GET", "/calibration")
     assert [step["kind"] for step in wizard["steps"]] == ["rest", "free"] + ["prompt"] * 4 + ["result"]
+    labels = ["Right elbow", "Left elbow", "Right shoulder", "Left shoulder"]
+    assert [step["label"] for step in wizard["steps"]] == ["Rest", "Move freely", *labels, "Result"]
     assert (wizard["current"], wizard["result"], wizard["running"]) == ("rest", None, None)
     assert signed_in("GET", "/controls").status_code == 409
     assert signed_in("POST", "/calibration/accept").status_code == 409

@@ -16,6 +16,19 @@ CALIBRATION = 240_000  # ms
 COUNT = """window.taps ??= 0;
 document.addEventListener("click", (event) => { if (event.isTrusted && event.detail > 0) window.taps += 1; }, true)"""
 ONE_LINE = 60  # px
+TABLET_WIDTH = 768  # px, from which a step fits the screen
+JOINTS = [f"{side} {part}" for part in ("shoulder", "elbow", "wrist") for side in ("Right", "Left")]
+STEPS = ["Rest", "Move freely", *JOINTS, "Result"]
+# How many names of steps can be seen, and how many of them are cut off or wider than their place.
+CUT_NAMES = """() => {
+  const names = [...document.querySelectorAll(".steps small")].filter((one) => one.checkVisibility());
+  const cut = names.filter((one) => {
+    const [name, place] = [one.getBoundingClientRect(), one.closest("li").getBoundingClientRect()];
+    if (one.scrollWidth > place.width + 1) return true;
+    return name.left < 0 || name.right > innerWidth || name.bottom > place.bottom + 1;
+  });
+  return [names.length, cut.length];
+}"""
 FITS = "() => { const page = document.querySelector('main'); return page.scrollHeight <= page.clientHeight; }"
 
 
@@ -79,6 +92,26 @@ def test_the_sentences_of_a_first_time_come_until_they_are_put_away(opened):
     again = opened()
     expect(again.get_by_role("heading", name="Where to?")).to_be_visible()
     expect(again.locator(".first-sentences")).to_have_count(0)
+
+
+def test_each_step_has_its_name_and_one_joint_of_an_earlier_session_is_not_promised(opened):
+    page = opened()
+    go_to(page, "calibrate")
+    steps = page.get_by_role("list", name="The steps of the calibration")
+    expect(steps.locator("small")).to_have_text(STEPS)
+    steps.get_by_role("button", name="Left elbow: not done yet").click()
+    expect(page.get_by_role("heading", name="Bend your left elbow")).to_be_visible()
+    expect(page.get_by_text("One joint of it cannot be repeated alone")).to_be_visible()
+    page.get_by_role("button", name="Stop the chair now").click()
+    expect(page.get_by_role("button", name="Continue")).to_be_visible()  # a notice above the page
+    for width, height, names in ((1024, 768, 9), (768, 1024, 9), (512, 384, 1), (390, 844, 1)):
+        page.set_viewport_size({"width": width, "height": height})
+        assert page.evaluate(CUT_NAMES) == [names, 0], width
+        if width >= TABLET_WIDTH:
+            trace, foot = (page.locator(one).bounding_box() for one in (".step-body .trace", ".foot"))
+            assert trace["y"] + trace["height"] <= foot["y"], (width, height)
+    page.set_viewport_size({"width": 768, "height": 1024})
+    page.get_by_role("button", name="Continue").click()
 
 
 def test_the_drive_page_fits_on_the_first_screen_and_leads_to_all_else(opened):

@@ -58,7 +58,7 @@ export function calibrateStep(app, calibration, equipment, actions, signal) {
   const body = h(
     "div",
     { class: "step-body" },
-    !running && readyCard(calibration, step, actions),
+    !running && readyCard(calibration, actions),
     circle,
     step.words && !isRunning && h("p", { class: "problem" }, step.words),
     stepTrace(app, equipment.layout, step, signal),
@@ -70,13 +70,13 @@ export function calibrateStep(app, calibration, equipment, actions, signal) {
 
 /**
  * What makes driving possible before the prompted movements: this person's earlier calibration, or else other people.
- * @param {Calibration} calibration @param {CalibrationStep} step @param {Actions} actions
+ * @param {Calibration} calibration @param {Actions} actions
  */
-function readyCard({ earlier, may_fit_earlier: mayFitEarlier, others, may_drive_now: mayDriveNow }, step, actions) {
+function readyCard({ earlier, may_fit_earlier: mayFitEarlier, others, may_drive_now: mayDriveNow }, actions) {
   const of = earlier && { version: earlier.version, day: day(earlier.created) };
   if (mayFitEarlier) return card(t("calibrate.earlier.lead", of ?? {}), t("calibrate.earlier.go"), actions.fitEarlier);
   if (mayDriveNow) return card(t("calibrate.now.lead", { count: others }), t("calibrate.now.go"), actions.driveNow);
-  return of && step.kind !== "prompt" && h("p", { class: "card small" }, t("calibrate.earlier", of));
+  return of && h("p", { class: "card small" }, t("calibrate.earlier", of));
 }
 
 /** @param {string} lead @param {string} go @param {() => void} run */

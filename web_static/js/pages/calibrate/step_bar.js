@@ -1,4 +1,4 @@
-/** The steps of the calibration as a row: which are done, which is shown, which has to be repeated. */
+/** The steps of the calibration as a row with their names: which are done, which is shown, which has to be repeated. */
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { icon } from "../../widgets/icons.js";
@@ -11,7 +11,7 @@ export function stepBar(steps, current, onGo, onRestart) {
     "ol",
     { class: "steps", "aria-label": t("calibrate.steps") },
     steps.map((step, index) => {
-      const label = `${step.title}: ${t(`calibrate.step.${step.status}`)}`;
+      const label = `${step.label}: ${t(`calibrate.step.${step.status}`)}`;
       /** @type {Record<string, Node | string>} */
       const marks = { done: icon("tick", 16), failed: icon("undo", 16), skipped: "–" };
       const mark = marks[step.status] ?? String(index + 1);
@@ -24,11 +24,12 @@ export function stepBar(steps, current, onGo, onRestart) {
             type: "button",
             class: step.status,
             "aria-label": typeof mark === "string" ? `${mark} ${label}` : label, // what is written is a part of the name
-            title: label,
+            title: step.title,
             "aria-current": step.id === current ? "step" : null,
             onclick: () => onGo(step.id),
           },
           h("span", {}, mark),
+          h("small", {}, step.label),
         ),
       );
     }),

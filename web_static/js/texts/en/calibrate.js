@@ -27,10 +27,10 @@ export default {
     "{count} other people have moved in this shirt. Their movements stand in for this person's own, on the virtual chair. The movements that follow here make it better, one joint at a time, now or later.",
   "calibrate.now.go": "Drive now",
   "calibrate.earlier":
-    "There is a calibration of {day} (version {version}). After rest and free movement it can be fitted to how the shirt sits today, in place of a new one.",
+    "There is a calibration of {day} (version {version}). Do Rest and Move freely: then it can be used again, fitted to how the shirt sits today. One joint of it cannot be repeated alone, because the shirt was put on anew: a new calibration takes every step.",
   "calibrate.earlier.lead":
-    "The calibration of {day} (version {version}) can be fitted to how the shirt sits today; the controls stay as they are. The movements that follow here make a new calibration instead.",
-  "calibrate.earlier.go": "Fit it and drive",
+    "The calibration of {day} (version {version}) can be used again: it is fitted to how the shirt sits today, and the controls stay as they are. The movements that follow here make a new calibration instead, which takes every step.",
+  "calibrate.earlier.go": "Drive with this calibration",
   "calibrate.wait": "Wait",
   "calibrate.fitting": "Working out what each movement looks like…",
   "cue.ready": "Get ready",

@@ -2,7 +2,7 @@
 export default {
   "first.title": "Four things, the first time",
   "first.stop": "STOP, on every page, stops the chair at once; so does the space bar while somebody drives.",
-  "first.calibrate": "Calibrate: to repeat one joint, tap its step in the row of steps, or Repeat on its card of the result.",
+  "first.calibrate": "Calibrate: to repeat one joint in the same session, tap its step, or Repeat on its card of the result.",
   "first.controls": "Controls: a lower Turn speed, further down, makes turning slower; Undo takes it back.",
   "first.review": "Review: whether last week was better, or the change is within noise.",
   "first.reviewer.title": "Three things, the first time",
@@ -22,7 +22,7 @@ export default {
   "shirt.3": "Under Source you choose the shirt that is worn, or a simulated one to practise with.",
   "calibrate.title": "The calibration",
   "calibrate.1": "The calibration learns which movements this body can make: rest, free movement, then one movement after the other.",
-  "calibrate.2": "The circle says what to do and when; each step can be repeated from the row at the top.",
+  "calibrate.2": "The circle says what to do and when; each step of this session can be repeated from the row at the top.",
   "calibrate.3": "At the end, look at each joint, repeat what was poor, and tap Use this calibration.",
   "controls.title": "The controls",
   "controls.1": "Choose here which movement makes the chair faster, slower, or turn, and from where it counts.",
