@@ -6,6 +6,7 @@
  * @import { Control } from "./controls_draft.js"
  */
 import { failureWords } from "../../api.js";
+import { busyLine } from "../../shell/busy.js";
 import { controlRow } from "./control_row.js";
 import { ControlsDraft } from "./controls_draft.js";
 import { cross } from "../../widgets/control_cross.js";
@@ -37,8 +38,9 @@ export async function show(app, root, { signal }) {
   const draft = new ControlsDraft(app.api, view);
   /** @type {Set<Control>} */
   const open = new Set(); // rows whose fine-tuning is open stay open when the page is drawn again
-  const state = h("span", { role: "status" });
-  const problem = h("p", { class: "problem", role: "alert" });
+  // Both stand in the foot, which is in view wherever on the page a change was made.
+  const state = h("span", { class: "grow", role: "status" });
+  const problem = h("p", { class: "problem foot-line", role: "alert" });
   const suggestion = h("p", { class: "card suggestion", role: "status", hidden: true });
   const rowsPlace = h("section", { class: "card" });
   const sidePlace = h("div", { class: "stack" });
@@ -46,6 +48,7 @@ export async function show(app, root, { signal }) {
   const undo = iconButton("undo", () => ask(() => draft.api.post("/controls/undo")));
   const redo = iconButton("redo", () => ask(() => draft.api.post("/controls/redo")));
   const suggest = () => ask(() => draft.api.post("/controls/suggest"), true);
+  const suggestButton = h("button", { type: "button", class: "btn", onclick: suggest }, t("controls.suggest"));
   const title = h("span", {});
   /** @type {ReturnType<typeof controlRow>[]} */
   let rows = [];
@@ -62,10 +65,16 @@ export async function show(app, root, { signal }) {
       write(problem, failureWords(error));
     }
   };
+  let isBusy = false;
+  const showButtons = () => {
+    undo.disabled = isBusy || !draft.view.can_undo;
+    redo.disabled = isBusy || !draft.view.can_redo;
+    suggestButton.disabled = isBusy;
+    for (const place of [rowsPlace, morePlace, discovery]) place.inert = isBusy;
+  };
   const showState = () => {
     write(problem, draft.view.obstacle ?? "");
-    undo.disabled = !draft.view.can_undo;
-    redo.disabled = !draft.view.can_redo;
+    showButtons();
     write(title, t("controls.lead", { title: draft.settings.title }));
   };
   const draw = () => {
@@ -96,6 +105,11 @@ export async function show(app, root, { signal }) {
     write(problem, detail);
   });
   put(sidePlace, tryCard(app, draft, signal));
+  const discovery = discoveryCard(app.api, jointLabels(draft.profile), suggest);
+  const busy = busyLine(app, signal, (is) => {
+    isBusy = is;
+    showButtons();
+  });
   app.live.addEventListener("tick", ({ detail: now }) => rows.forEach((row) => row.showLive(now)), { signal });
   app.live.addEventListener(
     "changed",
@@ -111,20 +125,21 @@ export async function show(app, root, { signal }) {
       "div",
       { class: "body" },
       h("h1", { tabindex: "-1" }, t("controls.title")),
-      h("div", { class: "lead controls-lead" }, title, undo, redo, state),
-      problem,
+      h("div", { class: "lead controls-lead" }, title, undo, redo),
       suggestion,
       h("div", { class: "controls-columns" }, rowsPlace, sidePlace),
       morePlace,
-      discoveryCard(app.api, jointLabels(draft.profile), suggest),
+      discovery,
       equipment.body?.kind === "visitor" && h("div", { class: "card pad-card docked" }, pads(app, signal).element),
     ),
     h(
       "div",
       { class: "foot" },
-      h("button", { type: "button", class: "btn", onclick: suggest }, t("controls.suggest")),
+      busy,
+      problem,
+      suggestButton,
       h("a", { class: "btn bare", href: "#/adapt" }, t("adapt.link")),
-      h("span", { class: "grow" }),
+      state,
       h("a", { class: "btn go", href: "#/drive" }, t("controls.drive")),
     ),
   );

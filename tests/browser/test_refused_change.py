@@ -1,0 +1,75 @@
+"""What cannot be changed or started now says why where one looks, and leads to what has to be done first."""
+
+import json
+import re
+
+import pytest
+from browser.served.clinic_app import ClinicApp, assert_quiet, go
+from playwright.sync_api import expect
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(240)]
+
+REFUSED = "Another screen is changing the controls: try again."
+TRIAL = {"id": 1, "number": 1, "waits": None, "done": 0.0, "length": 1.0, "movers": []}
+
+
+def refuse(route):
+    if route.request.method == "PUT":
+        route.fulfill(status=409, json={"detail": REFUSED})
+    else:
+        route.continue_()
+
+
+@pytest.fixture(scope="module")
+def served(tmp_path_factory):
+    app = ClinicApp(tmp_path_factory.mktemp("clinic"))
+    app.start()
+    yield app
+    app.stop()
+
+
+@pytest.fixture
+def page(browser, page_log, served):
+    log = page_log(served.address)
+    page = log.watch(browser.new_context(viewport={"width": 1024, "height": 768}).new_page())
+    page.trial = None
+
+    def with_trial(words):
+        message = json.loads(words)
+        return json.dumps({**message, "trial": page.trial}) if "trial" in message else words
+
+    def pass_on(socket):
+        server = socket.connect_to_server()
+        server.on_message(lambda words: socket.send(with_trial(words)))
+
+    page.route_web_socket(re.compile("/api/v1/live$"), pass_on)
+    served.open_session("A-03")
+    served.sign_in(page)
+    expect(page.locator(".who")).to_contain_text("A-03")
+    yield page
+    assert_quiet(log)
+    page.context.close()
+
+
+def test_a_refused_change_says_so_in_view_and_a_trial_disables_the_page(page):
+    go(page, "controls")
+    slower = page.get_by_role("button", name="Turn speed −")
+    slower.scroll_into_view_if_needed()
+    page.route("**/api/v1/controls", refuse)
+    slower.click()
+    reason = page.get_by_role("alert").filter(has_text=REFUSED)
+    expect(reason).to_be_in_viewport(ratio=1)
+    page.unroute("**/api/v1/controls")
+    slower.click()
+    expect(page.get_by_role("status").filter(has_text=re.compile("^saved$"))).to_be_in_viewport(ratio=1)
+    expect(reason).to_have_count(0)
+    page.trial = TRIAL
+    line = page.locator(".foot .busy")
+    expect(line).to_contain_text("A trial is running")
+    expect(line).to_be_in_viewport(ratio=1)
+    expect(line.get_by_role("link", name="Go to the drive")).to_have_attribute("href", "#/drive")
+    expect(page.locator(".controls-more")).to_have_js_property("inert", True)
+    expect(page.get_by_role("button", name="Suggest for me")).to_be_disabled()
+    page.trial = None
+    expect(line).to_be_hidden()
+    expect(page.locator(".controls-more")).to_have_js_property("inert", False)
