@@ -59,8 +59,9 @@ def test_who_was_calibrated_before_shirts_had_to_be_chosen_finds_the_way_to_one(
     page.reload()
     go(page, "drive")
     expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
-    expect(page.locator(".foot")).to_contain_text("No shirt yet")
-    page.locator(".foot").get_by_role("link", name="Change").click()
+    expect(page.locator(".foot")).to_contain_text("A trial needs a shirt")
+    expect(page.get_by_role("button", name="Start trial")).to_have_count(0)
+    page.locator(".foot").get_by_role("link", name="Choose a shirt").click()
     expect(page.get_by_text("No shirt yet: choose one").first).to_be_visible()
     page.unroute("**/api/v1/session")
 

@@ -73,3 +73,20 @@ def test_a_refused_change_says_so_in_view_and_a_trial_disables_the_page(page):
     page.trial = None
     expect(line).to_be_hidden()
     expect(page.locator(".controls-more")).to_have_js_property("inert", False)
+
+
+def test_without_a_shirt_the_way_to_one_is_in_view_and_the_page_keeps_its_place(page):
+    go(page, "drive")
+    page.get_by_role("link", name="Choose a shirt").click()
+    page.set_viewport_size({"width": 1024, "height": 500})
+    page.get_by_role("radio", name="Simulated shirt").check(force=True)
+    use = page.get_by_role("button", name="Use this")
+    expect(use).to_be_in_viewport(ratio=1)
+    side = "(one) => Math.round(one.closest('.stack').getBoundingClientRect().left)"
+    before = use.evaluate("(one) => Math.round(one.closest('.shirt-columns > .stack').getBoundingClientRect().left)")
+    use.click()
+    card = page.locator("[data-card=source]")
+    expect(card).to_contain_text("Simulated shirt, 100 frames a second")
+    expect(card).to_be_in_viewport()
+    assert card.evaluate(side) == before
+    expect(page.locator(".lamps .lamp").first).not_to_have_text("No shirt yet")

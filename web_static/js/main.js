@@ -151,6 +151,8 @@ export class App extends TypedEvents {
       /** @type {HTMLElement | null} */ (this.frame.querySelector(".note .btn"))?.focus();
       return;
     }
+    // The page of the task has a button for what is missing.
+    if (this.live.present?.shirt.chosen === false) return this.go(`#/drive/task/${where.floorplan}/${where.path}`);
     this.#trialRequest = where;
     this.go("#/drive");
   }

@@ -94,6 +94,7 @@ export function header(app) {
   app.addEventListener("session", showWho);
   app.live.addEventListener("quality", showShirt);
   app.live.addEventListener("tick", showChair);
+  app.live.addEventListener("tick", showShirt);
   app.live.addEventListener("connection", () => {
     showShirt();
     showChair();

@@ -64,13 +64,19 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
         { class: "grow" },
         bodyWords(equipment),
         " ",
-        mayDrive && (!equipment.shirt || equipment.shirt.kind === "simulator") &&
+        mayDrive && equipment.shirt?.kind === "simulator" &&
           h("a", { class: "btn bare small", href: "#/shirt" }, t("drive.body.change")),
       ),
       h("a", { class: "btn", href: taskLink("tasks", task) }, t("drive.choose")),
-      mayDrive && h("button", { type: "button", class: "btn go large", onclick: start }, t(has3d ? "drive.start" : "drive.start.plan")),
+      mayDrive && mainButton(equipment, start, has3d),
     ),
   );
+}
+
+/** The start of the trial, or the way to what it lacks. @param {EquipmentView} equipment @param {() => void} start @param {boolean} has3d */
+function mainButton({ shirt }, start, has3d) {
+  if (!shirt) return h("a", { class: "btn go large", href: "#/shirt" }, t("drive.no-shirt.go"));
+  return h("button", { type: "button", class: "btn go large", onclick: start }, t(has3d ? "drive.start" : "drive.start.plan"));
 }
 
 /** The task: its name, where it is, and its way over the plan. @param {App} app @param {Task} task @param {AbortSignal} signal */
@@ -115,7 +121,7 @@ function screenState(app, read, signal) {
 
 /** @param {EquipmentView} equipment */
 function bodyWords({ shirt, body }) {
-  if (!shirt) return t("lamp.shirt.none");
+  if (!shirt) return h("b", {}, t("drive.no-shirt"));
   if (shirt.kind !== "simulator" || !body) return t("drive.body.patient");
   return t(body.kind === "person" ? `drive.body.person.${body.skill}` : `drive.body.${body.kind}`);
 }

@@ -31,7 +31,8 @@ export async function show(app, root, { signal }) {
   const lead = h("p", { class: "lead" }, state, " ", counts);
   const left = h("div", { class: "stack" });
   const right = h("div", { class: "stack" });
-  const columns = h("div", { class: "shirt-columns" });
+  // Without a shirt, first the one thing to do; it keeps its side when one has been chosen.
+  const columns = h("div", { class: "shirt-columns" }, equipment.shirt ? [left, right] : [right, left]);
   const below = h("div", {});
   const [next, nextKey] = app.session?.has_profile ? ["#/drive", "shirt.drive"] : ["#/calibrate", "shirt.calibrate"];
   const onward = h("a", { class: "btn go", href: next }, t(nextKey));
@@ -47,7 +48,6 @@ export async function show(app, root, { signal }) {
     drawn = new AbortController();
     signal.addEventListener("abort", () => drawn.abort(), { signal: drawn.signal });
     const { layout } = equipment;
-    put(columns, equipment.shirt ? [left, right] : [right, left]); // without a shirt, first the one thing to do
     put(left, lampsCard(layout ?? NO_LAYOUT));
     put(
       below,
@@ -124,7 +124,9 @@ export async function show(app, root, { signal }) {
     const answer = await call;
     const isDone = card && open.delete(card);
     take(answer);
-    if (isDone) drawRight();
+    if (!isDone) return;
+    drawRight();
+    right.querySelector(`[data-card="${card}"]`)?.scrollIntoView({ block: "nearest" }); // the page has become shorter
   };
   /**
    * A card that says what is in use; its form stays open, and as it is, when the page is drawn again.
@@ -133,7 +135,7 @@ export async function show(app, root, { signal }) {
    */
   const card = (name, words, first, makeForm) =>
     summary(
-      t(`${name}.title`),
+      name,
       words,
       open.has(name),
       (isOpen) => {
@@ -210,10 +212,10 @@ function formsKeyOf({ head, files, shirt_keys }) {
 }
 
 /**
- * @param {string} title @param {Child} words @param {boolean} isOpen @param {(isOpen: boolean) => void} onToggle
+ * @param {CardName} name @param {Child} words @param {boolean} isOpen @param {(isOpen: boolean) => void} onToggle
  * @param {() => HTMLElement} makeForm called when it is opened first
  */
-function summary(title, words, isOpen, onToggle, makeForm) {
+function summary(name, words, isOpen, onToggle, makeForm) {
   const place = h("div", {});
   const details = h("details", { open: isOpen }, h("summary", {}, t("source.change")), place);
   const fillIn = () => details.open && !place.firstChild && put(place, makeForm());
@@ -222,7 +224,7 @@ function summary(title, words, isOpen, onToggle, makeForm) {
     fillIn();
   });
   fillIn();
-  return h("section", { class: "card" }, h("h2", {}, title), h("p", {}, words), details);
+  return h("section", { class: "card", "data-card": name }, h("h2", {}, t(`${name}.title`)), h("p", {}, words), details);
 }
 
 function legend() {

@@ -46,11 +46,16 @@ export function sourceForm(app, equipment, onUse, { kind: first, onKind }) {
   /** @type {Part | null} */
   let parts = null;
   /** @param {string} kind */
-  const choose = (kind) => {
+  const show = (kind) => {
     onKind(kind);
     parts = made[kind](app, equipment);
     put(settings, parts.fields);
     use.hidden = false;
+  };
+  /** @param {string} kind */
+  const choose = (kind) => {
+    show(kind);
+    use.scrollIntoView({ block: "nearest" }); // it is the next step
   };
   /** @param {SubmitEvent} event */
   const submit = async (event) => {
@@ -63,7 +68,7 @@ export function sourceForm(app, equipment, onUse, { kind: first, onKind }) {
     }
   };
   const use = h("button", { class: "btn go", hidden: true }, t("source.use"));
-  if (first) choose(first);
+  if (first) show(first);
   return h(
     "form",
     { class: "stack", onsubmit: submit },

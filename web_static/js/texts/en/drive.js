@@ -36,6 +36,8 @@ export default {
   "drive.screens.none": "None is paired",
   "drive.done": "Back to the task",
   "drive.level": "How difficult “{plan}” is",
+  "drive.no-shirt": "A trial needs a shirt: none is chosen yet.",
+  "drive.no-shirt.go": "Choose a shirt",
   "drive.start": "Start trial",
   "drive.start.plan": "Start in the drawn plan",
   "drive.length": "{length} m",
