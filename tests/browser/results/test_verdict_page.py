@@ -70,6 +70,9 @@ def test_a_change_has_one_word_on_every_page(served, browser, page_log):
     card.locator("summary").first.click()
     expect(card.locator("tbody tr").filter(has_text="Time").first).to_contain_text("within noise")
     keep("review")
+    card.get_by_role("link", name="Compare sessions").click()
+    expect(page.get_by_role("link", name="Session 4").first).to_be_in_viewport()
+    page.go_back()
     log.errors = [error for error in log.errors if "404" not in error]  # these trials have no recordings
     log.assert_clean()
     page.context.close()

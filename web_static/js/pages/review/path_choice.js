@@ -4,6 +4,8 @@
  * @typedef {{key: string, floorplan: string, name: string, title: string}} PathChoice
  */
 
+const GETTING_USED = 3; // trials of a day that are not compared
+
 /** Which path a trial was driven on. @param {{floorplan: string, path: string}} trial */
 export function keyOf({ floorplan, path }) {
   return `${floorplan}/${path}`;
@@ -23,6 +25,25 @@ export function pathsOf(trials) {
     });
   }
   return [...found.values()];
+}
+
+/**
+ * The path that is shown first: the last driven of those in which two days can be compared, else the last driven.
+ * @param {PathChoice[]} paths the last driven last @param {TrialView[]} trials
+ */
+export function firstPath(paths, trials) {
+  /** @param {PathChoice} path */
+  const hasTwoDays = ({ key }) => {
+    /** @type {Map<string, number>} */
+    const days = new Map();
+    for (const trial of trials) {
+      if (!trial.kept || trial.measures?.reached === false || keyOf(trial) !== key) continue;
+      const day = `${trial.source.simulated} ${new Date(trial.started).toDateString()}`;
+      days.set(day, (days.get(day) ?? 0) + 1);
+    }
+    return [...days.values()].filter((count) => count > GETTING_USED).length > 1;
+  };
+  return paths.findLast(hasTwoDays) ?? paths[paths.length - 1];
 }
 
 /** Sort by place and level as on the Drive page, then by task; paths that no longer exist come last. @param {PathChoice[]} paths @param {FloorPlanView[]} plans */

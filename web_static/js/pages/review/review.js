@@ -8,7 +8,7 @@ import { compareChoice } from "./compare_choice.js";
 import { curveCard } from "./curve_card.js";
 import { followTrials } from "./follow_trials.js";
 import { h, put } from "../../widgets/dom.js";
-import { inOrder, keyOf, pathsOf, pathWords } from "./path_choice.js";
+import { firstPath, inOrder, keyOf, pathsOf, pathWords } from "./path_choice.js";
 import { field, selection } from "../../widgets/fields.js";
 import { measured, MEASURES, leadingMeasures } from "../../results/measures.js";
 import { emptyPage } from "../../shell/nobody.js";
@@ -53,7 +53,7 @@ export async function show(app, root, { signal, rest }) {
   const [plans, unread] = await Promise.all([app.api.get("/floorplans"), unreadMarks(app, patient.id, signal)]);
   if (signal.aborted) return;
   const paths = pathsOf(trials);
-  let path = paths.find(({ key }) => key === decodeURIComponent(rest.slice(1, 3).join("/"))) ?? paths[paths.length - 1];
+  let path = paths.find(({ key }) => key === decodeURIComponent(rest.slice(1, 3).join("/"))) ?? firstPath(paths, trials);
   /** @param {number} trial id */
   const opens = (trial) => app.go(`#/review/${patient.id}/trial/${trial}`);
   let measure = sessionStorage.getItem(MEASURE_PLACE) ?? "e_diff";
@@ -97,7 +97,7 @@ export async function show(app, root, { signal, rest }) {
     }
     put(
       place,
-      counts && sessionVerdicts(learning, measure),
+      counts && sessionVerdicts(learning, measure, patient),
       counts &&
         h(
           "div",

@@ -1,6 +1,6 @@
 /**
  * The newest session of a task against the one before and the first: what is better than noise, as a card of Review.
- * @import { SessionVerdicts } from "types/api"
+ * @import { SessionVerdicts, Verdict } from "types/api"
  * @import { Learning } from "types/documents"
  */
 import { t } from "../../texts.js";
@@ -9,18 +9,36 @@ import { MEASURES, withUnit } from "../../results/measures.js";
 import { noiseNote, verdictLine, verdictWords } from "../../results/verdict_words.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 
-/** @param {Pick<Learning, "verdicts">} learning @param {string} measure that stands first */
-export function sessionVerdicts({ verdicts: { sessions, deterioration } }, measure) {
+const FEWEST = 5; // trials that a verdict needs
+
+/**
+ * @param {Pick<Learning, "verdicts" | "trials">} learning @param {string} measure that stands first
+ * @param {{id: number, sessions: number}} patient
+ */
+export function sessionVerdicts({ trials, verdicts: { sessions, deterioration } }, measure, patient) {
   const worse = deterioration[measure];
   return h(
     "section",
     { class: "card session-verdicts" },
     h("h2", {}, t("verdict.title")),
     worse && h("p", { class: "problem" }, worse),
-    sessions.length === 0 && h("p", { class: "quiet" }, t("verdict.none")),
+    sessions.length === 0 && h("p", {}, countWords(trials), " ", t("verdict.needed", { count: FEWEST })),
     sessions.map((one) => comparison(one, measure)),
     sessions.length > 0 && noiseNote(),
+    patient.sessions > 1 && h("p", {}, h("a", { class: "btn", href: `#/session/patient/${patient.id}/compare` }, t("verdict.compare"))),
   );
+}
+
+/** How many trials of the task count towards a verdict. @param {Learning["trials"]} trials */
+export function countWords(trials) {
+  const count = trials.filter(({ familiarisation, reached }) => !familiarisation && reached !== false).length;
+  return t(count ? "verdict.counts" : "verdict.counts.none", { count, all: trials.length });
+}
+
+/** What a measure with too few trials lacks; empty for any other verdict. @param {Verdict} verdict */
+function lackWords({ word, trials }) {
+  if (word !== "too few") return "";
+  return t(trials < FEWEST ? "verdict.few" : "verdict.few.sessions", { count: trials, needed: FEWEST });
 }
 
 /** @param {SessionVerdicts} compared @param {string} measure */
@@ -38,6 +56,7 @@ function comparison(compared, measure) {
         {},
         `${t(`measure.${measure}`)}: ${withUnit(measure, verdicts[measure].earlier)} → ${withUnit(measure, verdicts[measure].later)} `,
         h("b", { class: `change ${verdict.tone}` }, verdictLine(verdict)),
+        ` ${lackWords(verdicts[measure])}`,
       ),
     Object.keys(verdicts).length > 0 && h("details", {}, h("summary", {}, t("verdict.all")), table(compared, title)),
   );

@@ -15,7 +15,7 @@ import { unreadMarks } from "../../results/unread_marks.js";
 import { shareCard } from "./share_card.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
-export async function show(app, root, { signal, rest: [, patient] }) {
+export async function show(app, root, { signal, rest: [, patient, part] }) {
   const id = Number(patient);
   const [sessions, consents, shares, unread] = await Promise.all([
     app.api.get(`/patients/${id}/sessions`),
@@ -50,6 +50,7 @@ export async function show(app, root, { signal, rest: [, patient] }) {
     ),
     h("div", { class: "foot" }, h("span", { class: "grow" }), h("a", { class: "btn", href: `#/review/${id}` }, t("rail.review"))),
   );
+  if (part === "compare") list.scrollIntoView(); // the consents stand above
 }
 
 /** @param {SessionRow} session @param {HTMLElement} box @param {HTMLElement} unread its mark */

@@ -19,6 +19,15 @@ export default {
   "verdict.trials": { one: "{count} trial", other: "{count} trials" },
   "verdict.session": "Session {number}",
   "verdict.all": "All measures",
-  "verdict.none":
-    "When this task has been driven in two sessions, with more than three trials in each, the newest session is compared here with the one before.",
+  "verdict.counts": {
+    one: "{count} of the {all} trials of this task counts here: the first three of a day count as getting used to it, and the goal has to be reached.",
+    other: "{count} of the {all} trials of this task count here: the first three of a day count as getting used to it, and the goal has to be reached.",
+  },
+  "verdict.counts.none":
+    "No trial of this task counts here yet ({all} driven): the first three of a day count as getting used to it, and the goal has to be reached.",
+  "verdict.needed": "A verdict needs {count} that count, from two sessions together: drive this task more than three times in each.",
+  "verdict.few": { one: "{count} trial counts so far, {needed} are needed.", other: "{count} trials count so far, {needed} are needed." },
+  "verdict.few.sessions":
+    "{count} trials count, which is enough; to compare sessions, one more session is needed, or three other people of the clinic who did this task.",
+  "verdict.compare": "Compare sessions",
 };
