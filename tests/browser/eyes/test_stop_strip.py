@@ -1,4 +1,4 @@
-"""The strip of a stop: the way to the drive while something is halted, and what takes the stop back when nothing runs."""
+"""The strip of a stop: the way to the drive while something is halted; what takes the stop back when nothing runs."""
 
 import pytest
 from browser.eyes.opening import go
