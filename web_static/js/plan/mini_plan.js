@@ -20,6 +20,7 @@ export function miniPlan(plan, path) {
     { class: "hud mini", open: localStorage.getItem(STORAGE_KEY) !== "closed" },
     h("summary", {}, t("trial.above")),
     picture.element,
+    path.task.kind === "path" && h("p", { class: "legend" }, t("trial.above.line")),
   );
   details.addEventListener("toggle", () => localStorage.setItem(STORAGE_KEY, details.open ? "open" : "closed"));
   /** @param {(number | null)[]} pose @param {Pick<import("../live/live.js").TrialMoment, "leader" | "target">} trial */

@@ -67,6 +67,7 @@ export default {
   "trial.off": "{distance} m off the path",
   "trial.contacts": { one: "{count} contact", other: "{count} contacts" },
   "trial.above": "From above",
+  "trial.above.line": "Blue: the white line on the floor",
   "trial.speed": "Speed",
   "trial.views": "View",
   "trial.view.eye": "Eye",
