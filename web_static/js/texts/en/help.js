@@ -51,7 +51,7 @@ export default {
   "drive.over.title": "After a trial",
   "drive.over.1": "See how this trial went: the trajectory over the path, the measures, and whether they are better than noise.",
   "drive.over.2": "Discard a trial that was disturbed, with a reason; then go on with the next trial, or choose another task.",
-  "drive.over.3": "The chair stands. STOP keeps it so: after it, no trial starts before Continue is tapped.",
+  "drive.over.3": "The chair stands. STOP keeps it so: after it, no trial starts before the stop is taken back.",
   "review.title": "The review",
   "review.1": "Choose a patient and a task to see what was learnt over all trials.",
   "review.2": "Tap a trial to see it again and comment on its moments, or tick two to see them side by side.",
