@@ -43,7 +43,7 @@ def test_only_a_patient_who_consents_is_exported_and_anybody_gets_a_copy_of_the_
     expect(report.get_by_role("link")).to_have_count(0)
     report.get_by_label("Made for").select_option("patient")
     with page.expect_download() as download:
-        report.get_by_role("link", name="Session 1 of P-1 as an HTML file").click()
+        report.get_by_role("link", name="Make the web page: Session 1 of P-1").click()
     download.value.save_as(tmp_path / "report.html")
     assert "Copy for the patient" in (tmp_path / "report.html").read_text()
     page.context.close()

@@ -35,11 +35,13 @@ export function reportChoice(app, patient, session) {
   /** @type {ConsentsView["consents"] | null} */
   let consents = null;
   const files = h("span", { class: "row" }, links.map(({ link }) => link));
-  const words = h("p", { role: "status" });
+  const words = h("span", { class: "grow", role: "status" });
+  const enter = h("a", { class: "btn", href: `#/session/patient/${patient.id}` }, t("report.consent.go"));
   const draw = () => {
     const isShared = consents?.some(({ consent, given }) => consent === "sharing" && given);
     files.hidden = reader === "others" && !isShared;
     write(words, consents && files.hidden ? t("report.consent", { code: patient.code }) : "");
+    enter.hidden = !words.textContent;
     for (const { form, link } of links) {
       link.setAttribute("href", reportAddress(patient.id, form, chosen, paper, reader));
       link.setAttribute("aria-label", t(`report.${form}.label`, { what: wordsOf(chosen), code: patient.code }));
@@ -70,9 +72,9 @@ export function reportChoice(app, patient, session) {
     "div",
     { class: "stack report-choice" },
     h("div", { class: "columns" }, field(t("report.what"), sessions), field(t("report.reader"), readers), field(t("report.paper"), papers)),
-    words,
+    h("p", { class: "spread" }, words, enter),
     h("p", { class: "spread" }, files),
-    h("p", { class: "quiet small" }, t("report.log")),
+    h("p", { class: "quiet small" }, t("report.log"), " ", t("report.apart")),
   );
 }
 

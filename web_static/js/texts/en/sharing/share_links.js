@@ -1,7 +1,7 @@
 /** Texts of the share links of a patient, which clinicians make, list and revoke. */
 export default {
   "shares.title": "Share links",
-  "shares.lead": "For somebody outside the clinic: read only, named by the code, for at most 14 days, with a PIN. The log has each opening.",
+  "shares.lead": "For somebody outside the clinic: read only, named by the code, for at most 14 days, with a PIN. The log has each opening. A report, made on Review, is a file that stays with whoever gets it.",
   "shares.none": "There is no link that can be opened.",
   "shares.all": "All sessions",
   "shares.session": "Session {number}",
