@@ -28,13 +28,16 @@ assert.deepEqual(
 assert.deepEqual(
   sessionWords(rows).map(({ text, x }) => [text, x]),
   [
-    ["session 1", 1.5],
-    ["session 2", 4.5],
-    ["session 3", 7],
+    ["session", 0],
+    ["1", 1.5],
+    ["2", 4.5],
+    ["3", 7],
   ],
 );
+// With room for it, the word stands at each.
+assert.deepEqual(sessionWords(rows.slice(0, 5)).map(({ text }) => text), ["session 1", "session 2"]);
 const many = Array.from({ length: 8 }, (_, i) => row(i + 1, i + 1, 1, "calibration"));
-assert.deepEqual(sessionWords(many).map(({ text }) => text).slice(0, 3), ["session 1", "2", "3"]);
+assert.deepEqual(sessionWords(many).map(({ text }) => text).slice(0, 3), ["session", "1", "2"]);
 
 const maps = mapTraces(rows, colours);
 assert.deepEqual(

@@ -10,7 +10,7 @@ import { faint } from "./plotly.js";
 export const ABOVE = 0.82; // share of the chart's height that the curve has; sessions and maps stand above it
 const MAPS = [0.84, 0.93]; // of the height
 const SESSIONS = 0.94;
-const MANY = 6; // sessions: from then on the word stands only at the first
+const WORD_ROOM = 1 / 4; // of the width: where the narrowest session has less, the word stands once, beside the numbers
 const ROOM = 40; // numbers of maps that fit side by side over the whole width
 /** The mark of a map by where it comes from. @type {Record<string, string>} */
 const SYMBOLS = { calibration: "diamond", adaptation: "triangle-up", donning: "square", back: "triangle-left" };
@@ -50,14 +50,16 @@ export function sessionShapes(rows, colours) {
 /** @param {LearningTrial[]} rows */
 export function sessionWords(rows) {
   const all = sessions(rows);
-  return all.map(({ session, first, last }, i) => ({
-    text: all.length > MANY && i > 0 ? String(session) : t("review.session", { number: session }),
+  if (!all.length) return [];
+  const trials = rows[rows.length - 1].number - rows[0].number + 1;
+  const hasRoom = Math.min(...all.map(({ first, last }) => last - first + 1)) >= trials * WORD_ROOM;
+  const place = { y: SESSIONS, yref: "paper", yanchor: "bottom", showarrow: false };
+  const numbers = all.map(({ session, first, last }) => ({
+    text: hasRoom ? t("review.session", { number: session }) : String(session),
     x: (first + last) / 2,
-    y: SESSIONS,
-    yref: "paper",
-    yanchor: "bottom",
-    showarrow: false,
+    ...place,
   }));
+  return hasRoom ? numbers : [{ text: t("review.sessions"), x: 0, xref: "paper", xanchor: "right", xshift: -4, ...place }, ...numbers];
 }
 
 /** The row in which the maps stand. */

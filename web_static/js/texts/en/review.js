@@ -35,6 +35,7 @@ export default {
     "{model}: describes these trials about as well as the best, {best}.",
   "review.tap": "Tap a trial to open it.",
   "review.session": "session {number}",
+  "review.sessions": "session",
   "review.map.calibration": "calibrated",
   "review.map.adaptation": "calibration adapted",
   "review.map.donning": "fitted to the shirt",

@@ -8,7 +8,7 @@ export default {
   "stop.label": "Stop the chair now",
   "stop.sent": "Stop was sent.",
   "stop.not-sent": "Stop did not get through: switch the chair off at its own switch.",
-  "who.session": "{code} · session {number}",
+  "who.session": "Open: {code} · session {number}",
   "busy.trial": "A trial is running. Nothing can be changed here until it has ended.",
   "busy.trial.go": "Go to the drive",
   "busy.drive": "The real chair is armed. Nothing can be changed here until the drive has ended.",
