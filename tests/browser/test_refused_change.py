@@ -1,4 +1,4 @@
-"""What cannot be changed or started now says why where one looks, and leads to what has to be done first."""
+"""What waits, or cannot be changed or started now, says so where one looks, and leads to what has to be done first."""
 
 import json
 import re
@@ -90,3 +90,16 @@ def test_without_a_shirt_the_way_to_one_is_in_view_and_the_page_keeps_its_place(
     expect(card).to_be_in_viewport()
     assert card.evaluate(side) == before
     expect(page.locator(".lamps .lamp").first).not_to_have_text("No shirt yet")
+
+
+def test_signing_in_says_that_it_waits_and_is_not_sent_twice(browser, served):
+    page = browser.new_page()
+    waiting = []
+    page.route("**/auth/sign-in", waiting.append)
+    served.sign_in(page)
+    expect(page.get_by_role("status").filter(has_text="One moment…")).to_be_visible()
+    page.get_by_role("button", name="Sign in").click(force=True)
+    waiting[0].continue_()
+    expect(page.locator(".who")).to_contain_text("A-03")
+    assert len(waiting) == 1
+    page.context.close()

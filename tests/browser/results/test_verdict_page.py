@@ -59,7 +59,12 @@ def test_a_change_has_one_word_on_every_page(served, browser, page_log):
     expect(page.locator("main tbody tr").filter(has_text="Mean speed")).to_contain_text("–")
     keep("compare")
 
+    waiting = []
+    page.route("**/learning?*", waiting.append)
     page.goto(review)
+    expect(page.locator("main .stack > [role=status]")).to_have_text("One moment…")
+    page.unroute("**/learning?*")
+    waiting[0].continue_()
     card = page.locator(".session-verdicts")
     expect(card.get_by_role("heading", name=re.compile("^Session 4 .* against session 3"))).to_be_visible()
     expect(card.locator("b.change.good").first).to_contain_text("better than noise")

@@ -58,7 +58,7 @@ export async function show(app, root, { signal, rest }) {
   const opens = (trial) => app.go(`#/review/${patient.id}/trial/${trial}`);
   let measure = sessionStorage.getItem(MEASURE_PLACE) ?? "e_diff";
   const place = h("div", { class: "stack" });
-  const pathPlace = h("div", {});
+  const pathPlace = h("div", { class: "path-place" });
   const measurePlace = h("div", {});
   const groupPlace = h("div", {});
   const testPlace = testsPlace(app, patient.id, signal);
@@ -118,6 +118,14 @@ export async function show(app, root, { signal, rest }) {
       reportCard(app, patient),
     );
   };
+  /** Draw what somebody has chosen: until it has come, nothing of the choice before is shown. */
+  const drawChoice = async () => {
+    put(place, h("p", { class: "quiet", role: "status" }, t("loading")));
+    await draw().catch((error) => {
+      put(place);
+      throw error;
+    });
+  };
   let offered = "";
   /** Offer the paths of the trials; a choice that somebody has open stays while it is the same. */
   const choosePath = () => {
@@ -128,14 +136,14 @@ export async function show(app, root, { signal, rest }) {
     const choice = selection(choices, path.key, (key) => {
       path = paths.find((one) => one.key === key) ?? path;
       compare = compareChoice(patient.id);
-      app.toasts.attempt(draw);
+      app.toasts.attempt(drawChoice);
     });
     put(pathPlace, field(t("review.path"), choice));
   };
   const chooseGroup = () => {
     const choice = groupChoice(trials.filter((trial) => keyOf(trial) === path.key), group, (chosen) => {
       group = chosen;
-      app.toasts.attempt(draw);
+      app.toasts.attempt(drawChoice);
     });
     put(groupPlace, choice);
   };
@@ -151,7 +159,7 @@ export async function show(app, root, { signal, rest }) {
       (name) => {
         measure = name;
         sessionStorage.setItem(MEASURE_PLACE, name);
-        app.toasts.attempt(draw);
+        app.toasts.attempt(drawChoice);
       },
     );
     put(measurePlace, field(t("review.measure"), choice));
@@ -176,7 +184,7 @@ export async function show(app, root, { signal, rest }) {
     ),
   );
   redraw = async () => void (await app.toasts.attempt(draw));
-  await draw();
+  await drawChoice();
 }
 
 /**

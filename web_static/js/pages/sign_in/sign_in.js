@@ -1,5 +1,5 @@
 /** Signing in by name and password. */
-import { h, put } from "../../widgets/dom.js";
+import { h, put, set, write } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
 import { passwordField } from "../../shell/password_field.js";
 import { failureWords } from "../../api.js";
@@ -10,14 +10,24 @@ export async function show(app, root) {
   const name = h("input", { type: "text", autocomplete: "username", required: true, maxlength: 80 });
   const password = h("input", { type: "password", autocomplete: "current-password", required: true });
   const problem = h("p", { class: "problem", role: "alert" });
+  const go = h("button", { class: "btn go large" }, t("sign-in.go"));
+  const waiting = h("p", { class: "quiet", role: "status" });
+  /** @param {boolean} is */
+  const wait = (is) => {
+    set(go, { "aria-disabled": is });
+    write(waiting, is ? t("loading") : "");
+  };
   /** @param {SubmitEvent} event */
   const submit = async (event) => {
     event.preventDefault();
+    if (go.getAttribute("aria-disabled") === "true") return;
     problem.textContent = "";
+    wait(true); // the password's hash alone takes a moment
     try {
       await app.signedIn(await app.api.post("/auth/sign-in", { name: name.value.trim(), password: password.value }));
     } catch (error) {
       problem.textContent = failureWords(error);
+      wait(false);
     }
   };
   const form = h(
@@ -26,7 +36,8 @@ export async function show(app, root) {
     field(t("sign-in.name"), name),
     passwordField(t("sign-in.password"), password),
     problem,
-    h("button", { class: "btn go large" }, t("sign-in.go")),
+    go,
+    waiting,
   );
   put(
     root,
