@@ -226,6 +226,15 @@ def test_study_refuses_a_place_before_it_works(bodydrive, tmp_path, monkeypatch,
     assert (tmp_path / "full" / "letter").read_text() == "dear"
 
 
+@pytest.fixture
+def interruptible():
+    """Take an interrupt as at a terminal: a shell lets what it starts in the background ignore it."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.usefixtures("interruptible")
 def test_ctrl_c_in_a_study_leaves_nothing(bodydrive, tmp_path, monkeypatch):
     def interrupted(*_, **__):
         signal.raise_signal(signal.SIGINT)
