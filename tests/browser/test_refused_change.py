@@ -93,12 +93,15 @@ def test_without_a_shirt_the_way_to_one_is_in_view_and_the_page_keeps_its_place(
 
 
 def test_signing_in_says_that_it_waits_and_is_not_sent_twice(browser, served):
+    served.open_session("A-03")
     page = browser.new_page()
     waiting = []
-    page.route("**/auth/sign-in", waiting.append)
+    page.route("**/auth/sign-in", lambda route: waiting.append(route))  # noqa: PLW0108 - Playwright sets an attribute of it
     served.sign_in(page)
     expect(page.get_by_role("status").filter(has_text="One moment…")).to_be_visible()
     page.get_by_role("button", name="Sign in").click(force=True)
+    while not waiting:
+        page.wait_for_timeout(50)
     waiting[0].continue_()
     expect(page.locator(".who")).to_contain_text("A-03")
     assert len(waiting) == 1

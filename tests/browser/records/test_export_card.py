@@ -40,7 +40,8 @@ def test_only_a_patient_who_consents_is_exported_and_anybody_gets_a_copy_of_the_
     page.goto(f"{app.address}/#/session/1")
     report = page.locator(".card").filter(has=page.get_by_role("heading", name="Report"))
     expect(report).to_contain_text("P-1 has not consented to sharing outside")
-    expect(report.get_by_role("link")).to_have_count(0)
+    expect(report.get_by_role("link", name="Make the")).to_have_count(0)
+    expect(report.get_by_role("link", name="Enter the consent")).to_be_visible()
     report.get_by_label("Made for").select_option("patient")
     with page.expect_download() as download:
         report.get_by_role("link", name="Make the web page: Session 1 of P-1").click()

@@ -22,6 +22,18 @@ def served(tmp_path_factory):
     app.stop()
 
 
+def opens_with_a_word(page, address):
+    """Open Review: until its curve has come, it says that it waits."""
+    waiting = []
+    page.route("**/learning?*", lambda route: waiting.append(route))  # noqa: PLW0108 - Playwright sets an attribute of it
+    page.goto(address)
+    expect(page.locator("main .stack > [role=status]")).to_have_text("One moment…")
+    while not waiting:
+        page.wait_for_timeout(50)
+    waiting[0].continue_()
+    page.unroute("**/learning?*")
+
+
 def test_a_change_has_one_word_on_every_page(served, browser, page_log):
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     log = page_log(served.address)
@@ -59,12 +71,7 @@ def test_a_change_has_one_word_on_every_page(served, browser, page_log):
     expect(page.locator("main tbody tr").filter(has_text="Mean speed")).to_contain_text("–")
     keep("compare")
 
-    waiting = []
-    page.route("**/learning?*", waiting.append)
-    page.goto(review)
-    expect(page.locator("main .stack > [role=status]")).to_have_text("One moment…")
-    page.unroute("**/learning?*")
-    waiting[0].continue_()
+    opens_with_a_word(page, review)
     card = page.locator(".session-verdicts")
     expect(card.get_by_role("heading", name=re.compile("^Session 4 .* against session 3"))).to_be_visible()
     expect(card.locator("b.change.good").first).to_contain_text("better than noise")
