@@ -103,7 +103,7 @@ def test_each_step_has_its_name_and_one_joint_of_an_earlier_session_is_not_promi
     expect(page.get_by_role("heading", name="Bend your left elbow")).to_be_visible()
     expect(page.get_by_text("One joint of it cannot be repeated alone")).to_be_visible()
     page.get_by_role("button", name="Stop the chair now").click()
-    expect(page.get_by_role("button", name="Continue")).to_be_visible()  # a notice above the page
+    expect(page.get_by_role("button", name="Take the stop back")).to_be_visible()  # a notice above the page
     for width, height, names in ((1024, 768, 9), (768, 1024, 9), (512, 384, 1), (390, 844, 1)):
         page.set_viewport_size({"width": width, "height": height})
         assert page.evaluate(CUT_NAMES) == [names, 0], width
@@ -111,7 +111,7 @@ def test_each_step_has_its_name_and_one_joint_of_an_earlier_session_is_not_promi
             trace, foot = (page.locator(one).bounding_box() for one in (".step-body .trace", ".foot"))
             assert trace["y"] + trace["height"] <= foot["y"], (width, height)
     page.set_viewport_size({"width": 768, "height": 1024})
-    page.get_by_role("button", name="Continue").click()
+    page.get_by_role("button", name="Take the stop back").click()
 
 
 def test_the_drive_page_fits_on_the_first_screen_and_leads_to_all_else(opened):

@@ -29,6 +29,7 @@ export function stepBar(steps, current, onGo, onRestart) {
             onclick: () => onGo(step.id),
           },
           h("span", {}, mark),
+          " ", // between number and name, also for what reads them out
           h("small", {}, step.label),
         ),
       );
