@@ -7218,6 +7218,8 @@ export interface components {
             deterioration: {
                 [key: string]: string;
             };
+            /** @default 5 */
+            needed: number;
         };
         Timeline: {
             t: (number | null)[];

@@ -1,5 +1,6 @@
 """The calibration profile: the map of one body in one shirt, as a versioned document."""
 
+import operator
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
@@ -24,11 +25,6 @@ LARGEST_LOSS = 0.03  # of the hit rate that a guided map may lose
 FEWEST_JUDGED = 3  # repetitions: what one or two say of a map does not agree with how it does later
 LEAST_HITS = 0.25  # hit rate on a person's own repetitions below which a map from other people is not offered
 MOSTLY_IN_PHASE = 0.5  # in-phase share below which it is not: most of the activation would come without the movement
-
-
-def is_empty(value: dict[str, Any]) -> bool:
-    """Return whether a field holds nothing."""
-    return not value
 
 
 class Arrangement(Document):
@@ -110,7 +106,7 @@ class PriorMap(LinearMap):
     arrangement: dict[Name, Arrangement] = Field(default_factory=dict)
     # Per ring that looked so, and that a person is sure sits right: the weights go by the layout. Left out where it is
     # empty, so that profiles from before keep their hash.
-    as_worn: dict[Name, Arrangement] = Field(default_factory=dict, exclude_if=is_empty)
+    as_worn: dict[Name, Arrangement] = Field(default_factory=dict, exclude_if=operator.not_)
     hits: Forecast | None = None  # expected of 100 movements; None: not known
     false_per_minute: Forecast | None = None  # expected activations without a prompt; None: not known
     prior_check: MapCheck | None = None  # on this person's own held-out repetitions; None without any

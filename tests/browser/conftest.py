@@ -13,6 +13,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 import pytest
+from browser.served.clinic_app import ClinicApp
 from playwright.sync_api import (
     Browser,
     BrowserContext,
@@ -211,6 +212,15 @@ def browser() -> Iterator[FewPicturesBrowser]:
     yield FewPicturesBrowser(chromium)
     for context in chromium.contexts:
         context.close()
+
+
+@pytest.fixture(scope="module")
+def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ClinicApp]:
+    """Yield a clinic for the tests of one file: two calibrated patients, and an owner who is signed in."""
+    app = ClinicApp(tmp_path_factory.mktemp("served") / "clinic")
+    app.start()
+    yield app
+    app.stop()
 
 
 @pytest.fixture(scope="session")

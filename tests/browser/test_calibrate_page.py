@@ -4,12 +4,15 @@ import re
 from contextlib import ExitStack
 
 import pytest
+from browser.eyes.spoken import LISTEN, said
 from browser.tablets import TABLETS, go_to, signed_in
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
 
+# What a screen reader says of one step: each once, and nothing that could cut off a Stop.
+SAID = [["polite", "Get ready"], ["polite", "Move freely"], ["polite", "Done. Go on, or repeat it."]]
 STEP_LIMIT = 60_000  # ms: the longest step of the calibration takes 13 s
 
 
@@ -46,11 +49,13 @@ def test_the_calibration_is_walked_through_and_survives_a_reload(tablets, end):
     page.reload()
     expect(page.get_by_role("heading", name="Move freely")).to_be_visible()
     page.get_by_role("switch", name="Go on by itself").set_checked(True, force=True)
+    page.evaluate(LISTEN)
     page.get_by_role("button", name="Start").click()
     page.wait_for_timeout(5000)
     keep("calibrate-free")
     earlier = page.get_by_role("button", name="Drive with this calibration")
     expect(earlier).to_be_visible(timeout=STEP_LIMIT)  # a person chooses
+    assert said(page) == SAID
     keep("calibrate-now")
     page.get_by_role("button", name="Start").click()
     expect(page.locator(".cue-word")).to_have_text("Push", timeout=STEP_LIMIT)

@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from browser.served.clinic_app import ClinicApp, assert_quiet, go
+from browser.served.clinic_app import assert_quiet, go
 from playwright.sync_api import expect
 
 from folders import SCREENSHOTS
@@ -16,12 +16,9 @@ CHANGES = {"POST", "PUT", "DELETE"}
 
 
 @pytest.fixture(scope="module")
-def served(tmp_path_factory):
-    app = ClinicApp(tmp_path_factory.mktemp("clinic"))
-    app.start()
-    app.good("PUT", "/equipment/shirt", {"kind": "simulator", "seed": 1})
-    yield app
-    app.stop()
+def served(served):
+    served.good("PUT", "/equipment/shirt", {"kind": "simulator", "seed": 1})
+    return served
 
 
 @pytest.fixture

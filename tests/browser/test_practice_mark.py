@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from browser.served.clinic_app import ClinicApp, assert_quiet, go
+from browser.served.clinic_app import assert_quiet, go
 from playwright.sync_api import expect
 
 from folders import ROOT, SCREENSHOTS
@@ -18,14 +18,6 @@ IN_VIEW = """(one) => {
   const { left, top, right, bottom } = one.getBoundingClientRect();
   return left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight && right > left;
 }"""
-
-
-@pytest.fixture(scope="module")
-def served(tmp_path_factory):
-    app = ClinicApp(tmp_path_factory.mktemp("clinic"))
-    app.start()
-    yield app
-    app.stop()
 
 
 @pytest.fixture

@@ -4,7 +4,7 @@ import json
 import re
 
 import pytest
-from browser.served.clinic_app import ClinicApp, assert_quiet, go
+from browser.served.clinic_app import assert_quiet, go
 from playwright.sync_api import expect
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(240)]
@@ -18,14 +18,6 @@ def refuse(route):
         route.fulfill(status=409, json={"detail": REFUSED})
     else:
         route.continue_()
-
-
-@pytest.fixture(scope="module")
-def served(tmp_path_factory):
-    app = ClinicApp(tmp_path_factory.mktemp("clinic"))
-    app.start()
-    yield app
-    app.stop()
 
 
 @pytest.fixture

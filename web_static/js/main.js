@@ -229,9 +229,9 @@ export class App extends TypedEvents {
     this.setShowsTrial(false);
     const isForbidden = error instanceof ApiError && error.status === FORBIDDEN;
     const way = isForbidden
-      ? h("a", { class: "btn go", href: `#/${this.#next()}` }, t("error.other-page"))
+      ? h("a", { class: "btn go", href: `#/${this.#next()}` }, t("error.other-page", { page: t(`rail.${this.#next()}`) }))
       : h("button", { type: "button", class: "btn go", onclick: () => this.show() }, t("try-again"));
-    put(this.root, h("h1", { tabindex: "-1" }, t("error.page")), h("p", { class: "lead" }, failureWords(error)), way);
+    put(this.root, h("h1", { tabindex: "-1" }, t("error.page")), h("p", { class: "lead" }, failureWords(error)), h("div", {}, way));
   }
 
   /** @param {Me | null} me @param {CurrentSession | null} session */

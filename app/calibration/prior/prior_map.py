@@ -116,16 +116,17 @@ def with_prior_maps(
     check_layout(prior.layout, profile.layout)
     moved = without_gaps(free, profile.sample_rate)
     found = find_arrangements(prior, moved, profile.sample_rate)
-    arrangements = {ring: sits for ring, sits in found.items() if ring in profile.layout.rings}
+    of_layout = {ring: sits for ring, sits in found.items() if ring in profile.layout.rings}
+    sitting = Sitting(of_layout, frozenset(as_worn))
     joints, reasons = [], {}
     for joint in profile.joints:
         own = [one for one in stretches if one.joint == joint.name]
         try:
-            joints.append(_joint(joint, prior, moved, own, Sitting(arrangements, frozenset(as_worn)), profile))
+            joints.append(_joint(joint, prior, moved, own, sitting, profile))
         except PriorMapError as error:
             joints.append(joint)
             reasons[joint.name] = str(error)
-    return PriorFit(profile.model_copy(update={"joints": tuple(joints)}), reasons, arrangements)
+    return PriorFit(profile.model_copy(update={"joints": tuple(joints)}), reasons, of_layout)
 
 
 def with_best_maps(profile: CalibrationProfile) -> CalibrationProfile:

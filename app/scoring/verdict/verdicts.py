@@ -5,7 +5,7 @@ from collections.abc import Collection
 from app.quantities import Document
 from app.scoring.verdict.deterioration import deteriorations
 from app.scoring.verdict.measure_comparison import COMPARISONS
-from app.scoring.verdict.measure_verdict import ClinicSpreads, Rows, Verdict, compare, series_of
+from app.scoring.verdict.measure_verdict import FEWEST, ClinicSpreads, Rows, Verdict, compare, series_of
 
 
 class TrialVerdicts(Document):
@@ -30,6 +30,7 @@ class TaskVerdicts(Document):
 
     sessions: list[SessionVerdicts]  # the newest session against the one before, and against the first
     deterioration: dict[str, str]  # measure -> sentence with what to do; only of measures that have become worse
+    needed: int = FEWEST  # trials in all that a verdict needs
 
 
 def trial_verdicts(rows: Rows, clinic: ClinicSpreads, later: int, earlier: int | None) -> TrialVerdicts:

@@ -4,7 +4,7 @@ import re
 from functools import partial
 
 import pytest
-from browser.served.clinic_app import ClinicApp, assert_quiet, go
+from browser.served.clinic_app import assert_quiet, go
 from playwright.sync_api import expect
 
 from folders import SCREENSHOTS
@@ -15,14 +15,6 @@ SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)
 THEMES = ("light", "dark")
 SMALL = """[...document.querySelectorAll("main button, main a")]
   .filter((one) => one.getBoundingClientRect().height < 44).map((one) => one.outerHTML.slice(0, 80))"""
-
-
-@pytest.fixture(scope="module")
-def served(tmp_path_factory):
-    clinic = ClinicApp(tmp_path_factory.mktemp("computer"))
-    clinic.start()
-    yield clinic
-    clinic.stop()
 
 
 @pytest.fixture

@@ -1,7 +1,7 @@
 """Review pages that are open while a trial begins and ends elsewhere, in a real browser of a reviewer."""
 
 import pytest
-from browser.served.clinic_app import ClinicApp, assert_quiet, go
+from browser.served.clinic_app import assert_quiet, go
 from playwright.sync_api import expect
 
 from app.store.people import add_person, sign_in, the_clinic
@@ -12,13 +12,10 @@ PLACE = {"floorplan": "apartment", "screen": "the-screen-of-the-tests"}
 
 
 @pytest.fixture(scope="module")
-def served(tmp_path_factory):
-    app = ClinicApp(tmp_path_factory.mktemp("clinic"))
-    app.start()
-    app.open_session("A-03")
-    app.good("PUT", "/equipment/shirt", {"kind": "simulator", "seed": 1})
-    yield app
-    app.stop()
+def served(served):
+    served.open_session("A-03")
+    served.good("PUT", "/equipment/shirt", {"kind": "simulator", "seed": 1})
+    return served
 
 
 @pytest.fixture

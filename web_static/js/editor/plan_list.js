@@ -1,5 +1,5 @@
 /** The first page of the editor: a new plan, the clinic's own plans, the plans that come with the software, an import. */
-import { h, put } from "../widgets/dom.js";
+import { h, onEscape, put } from "../widgets/dom.js";
 import { icon } from "../widgets/icons.js";
 import { replacedList } from "../widgets/replaced_list.js";
 import { t } from "../texts.js";
@@ -58,7 +58,7 @@ export function showPlanList(app, root, { plans, own }) {
         h("button", { type: "button", class: "btn", onclick: close }, t("cancel")),
       ),
     );
-    ask.onkeydown = ({ key }) => void (key === "Escape" && close()); // an answer of false would hold Tab back
+    onEscape(ask, close);
     ask.hidden = false;
     ask.scrollIntoView({ block: "nearest" });
     ask.focus();

@@ -1,5 +1,5 @@
 /** The page around the workbench: saves the plan under a name, and asks before unsaved changes are lost. */
-import { h, put, write } from "../widgets/dom.js";
+import { h, onEscape, put, write } from "../widgets/dom.js";
 import { sendUnderName } from "../widgets/same_name.js";
 import { t } from "../texts.js";
 import { nameFrom } from "./document.js";
@@ -117,7 +117,7 @@ export function showPlan(app, root, { draft: first, plans, models, signal }) {
         h("button", { type: "button", class: "btn", onclick: stay }, t("plan.leave.stay")),
       ),
     );
-    ask.onkeydown = ({ key }) => void (key === "Escape" && stay()); // an answer of false would hold Tab back
+    onEscape(ask, stay);
     ask.hidden = false;
     ask.focus();
   }

@@ -56,6 +56,15 @@ export function write(element, words) {
   if (element.textContent !== words) element.textContent = words;
 }
 
+/**
+ * Call `close` when Escape is pressed in a question, in place of what it called before; null: nothing any more. The
+ * listener answers nothing: an answer of false would hold Tab back.
+ * @param {HTMLElement} question @param {(() => void) | null} close
+ */
+export function onEscape(question, close) {
+  question.onkeydown = close && (({ key }) => void (key === "Escape" && close()));
+}
+
 /** @template {Element} E @param {E} element @param {Attributes} attributes @param {Child[]} children */
 function fill(element, attributes, children) {
   set(element, attributes);

@@ -5,7 +5,7 @@
  */
 import { ApiError } from "../api.js";
 import { t } from "../texts.js";
-import { h, put } from "./dom.js";
+import { h, onEscape, put } from "./dom.js";
 
 /** An empty place, beside the pages that are drawn again, in which the question appears. @returns {HTMLElement} */
 export function questionPlace() {
@@ -40,7 +40,7 @@ function choiceOf(place, question, { proposed, may_replace: mayReplace }) {
     /** @param {SameName | null} sameName */
     const choose = (sameName) => {
       place.hidden = true;
-      place.onkeydown = null;
+      onEscape(place, null);
       removeEventListener("hashchange", leave);
       put(place);
       before?.focus?.();
@@ -62,7 +62,7 @@ function choiceOf(place, question, { proposed, may_replace: mayReplace }) {
         button(null, t("cancel")),
       ),
     );
-    place.onkeydown = ({ key }) => void (key === "Escape" && choose(null)); // an answer of false would hold Tab back
+    onEscape(place, leave);
     place.setAttribute("aria-label", question);
     addEventListener("hashchange", leave);
     place.hidden = false;

@@ -1,5 +1,6 @@
 """Pages as people of another role than the owner meet them: what they may do, and what they are refused."""
 
+import re
 from typing import Any
 
 from browser.eyes.eyes_clinic import EyesClinic
@@ -36,7 +37,7 @@ def refused(where: str) -> Open:
 
     def open_place(page: Any, clinic: EyesClinic) -> None:
         at(where)(page, clinic)
-        expect(page.get_by_role("link", name="Go to a page for you")).to_be_visible()
+        expect(page.locator("main").get_by_role("link", name=re.compile("^Go to “"))).to_be_visible()
 
     return open_place
 

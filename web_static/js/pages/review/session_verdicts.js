@@ -9,21 +9,19 @@ import { MEASURES, withUnit } from "../../results/measures.js";
 import { noiseNote, verdictLine, verdictWords } from "../../results/verdict_words.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 
-const FEWEST = 5; // trials that a verdict needs
-
 /**
  * @param {Pick<Learning, "verdicts" | "trials">} learning @param {string} measure that stands first
  * @param {{id: number, sessions: number}} patient
  */
-export function sessionVerdicts({ trials, verdicts: { sessions, deterioration } }, measure, patient) {
+export function sessionVerdicts({ trials, verdicts: { sessions, deterioration, needed } }, measure, patient) {
   const worse = deterioration[measure];
   return h(
     "section",
     { class: "card session-verdicts" },
     h("h2", {}, t("verdict.title")),
     worse && h("p", { class: "problem" }, worse),
-    sessions.length === 0 && h("p", {}, countWords(trials), " ", t("verdict.needed", { count: FEWEST })),
-    sessions.map((one) => comparison(one, measure)),
+    sessions.length === 0 && h("p", {}, countWords(trials), " ", t("verdict.needed", { count: needed })),
+    sessions.map((one) => comparison(one, measure, needed)),
     sessions.length > 0 && noiseNote(),
     patient.sessions > 1 && h("p", {}, h("a", { class: "btn", href: `#/session/patient/${patient.id}/compare` }, t("verdict.compare"))),
   );
@@ -35,14 +33,14 @@ export function countWords(trials) {
   return t(count ? "verdict.counts" : "verdict.counts.none", { count, all: trials.length });
 }
 
-/** What a measure with too few trials lacks; empty for any other verdict. @param {Verdict} verdict */
-function lackWords({ word, trials }) {
+/** What a measure with too few trials lacks; empty for any other verdict. @param {Verdict} verdict @param {number} needed */
+function lackWords({ word, trials }, needed) {
   if (word !== "too few") return "";
-  return t(trials < FEWEST ? "verdict.few" : "verdict.few.sessions", { count: trials, needed: FEWEST });
+  return t(trials < needed ? "verdict.few" : "verdict.few.sessions", { count: trials, needed });
 }
 
-/** @param {SessionVerdicts} compared @param {string} measure */
-function comparison(compared, measure) {
+/** @param {SessionVerdicts} compared @param {string} measure @param {number} needed trials */
+function comparison(compared, measure, needed) {
   const { earlier, later, trials, verdicts } = compared;
   const verdict = verdictWords(measure, verdicts[measure]);
   const title = t("verdict.sessions", { earlier, later, first: trialsWords(trials[0]), second: trialsWords(trials[1]) });
@@ -56,7 +54,7 @@ function comparison(compared, measure) {
         {},
         `${t(`measure.${measure}`)}: ${withUnit(measure, verdicts[measure].earlier)} → ${withUnit(measure, verdicts[measure].later)} `,
         h("b", { class: `change ${verdict.tone}` }, verdictLine(verdict)),
-        ` ${lackWords(verdicts[measure])}`,
+        ` ${lackWords(verdicts[measure], needed)}`,
       ),
     Object.keys(verdicts).length > 0 && h("details", {}, h("summary", {}, t("verdict.all")), table(compared, title)),
   );

@@ -71,7 +71,7 @@ export default {
   "report.paper.a4": "A4",
   "report.paper.letter": "Letter",
   "report.reader": "Made for",
-  "report.reader.others": "Somebody else: doctor, family, insurer",
+  "report.reader.others": "Doctor, family, insurer",
   "report.reader.patient": "The patient, to take home",
   "report.consent": "{code} has not consented to sharing outside: ask, and enter the consent. A copy for the patient needs none.",
   "report.consent.go": "Enter the consent",
