@@ -12,7 +12,8 @@ const MORE = "/docs/clinicians";
  */
 
 /**
- * Open the help of the page that is shown; it closes by its button, by Escape, and with the page.
+ * Open the help of the page that is shown; it closes by its button, by Escape, with the page, and when it would lie over
+ * what the focus goes to.
  * @param {Shown} app what shows the page @param {HTMLButtonElement} opener the button that gets the focus back
  */
 export function openPageHelp(app, opener) {
@@ -40,6 +41,14 @@ export function openPageHelp(app, opener) {
   opener.setAttribute("aria-expanded", "true");
   opener.addEventListener("click", (event) => (event.stopImmediatePropagation(), close()), { capture: true, signal });
   window.addEventListener("keydown", (event) => event.key === "Escape" && close(), { signal });
+  /** @param {FocusEvent} event */
+  const uncover = (event) => {
+    const target = /** @type {Element} */ (event.target);
+    const { left, top, width, height } = target.getBoundingClientRect();
+    const seen = document.elementFromPoint(left + width / 2, top + height / 2);
+    if (panel.contains(seen) && !panel.contains(target)) close(false);
+  };
+  window.addEventListener("focusin", uncover, { capture: true, signal });
   for (const event of /** @type {const} */ (["route", "me"])) app.addEventListener(event, () => close(false), { signal });
   app.root.before(panel);
   title.focus();
