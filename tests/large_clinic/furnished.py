@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from datetime import datetime, timedelta
 from itertools import count
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, get_args
 
 import numpy as np
 from large_clinic.written import written_rows
@@ -26,12 +26,13 @@ from app.source import Source
 from app.store.database import Database
 from app.store.log_chain import FIRST, entry_hash
 from app.store.people import add_clinic, add_person, sign_in
+from app.store.records.consents import Consent, give_consent
 from app.store.tables import LogEntry, Parameters, Patient, PatientSession, Profile, Run, Trial
 from app.world.floorplan import FloorPlan, load_floorplan
 from building import make_parameters
 
 PLANS = ("apartment", "clinic")
-RECORDINGS = 12  # driven ones
+RECORDINGS = 12  # driven ones, at most
 SECONDS = 60.0  # of each
 SOURCE = Source(shirt="udp", body=None, chair="virtual", simulated=False)
 CALIBRATE_EVERY = 5  # sessions
@@ -60,7 +61,7 @@ def furnish_years(state: Path, size: Size) -> str:
     settings = Settings(state=state)
     database = Database(settings.database)
     parameters = make_parameters()
-    recorded = list(_recordings(settings.runs, parameters))
+    recorded = list(_recordings(settings.runs, parameters, min(RECORDINGS, size.trials)))
     plans = [load_floorplan(data_folder() / "floorplans" / f"{name}.json") for name in PLANS]
     with database.transaction() as db:
         clinic = add_clinic(db, "Many years")
@@ -72,6 +73,9 @@ def furnish_years(state: Path, size: Size) -> str:
         token = sign_in(db, ada, "large clinic")
         for table, documents in rows.written_by(ada.id).items():
             _insert(db, table, documents)
+        for patient in rows.patients:
+            for consent in get_args(Consent):
+                give_consent(db, patient["id"], consent, patient["created"].date(), ada.name)
     _link(settings.runs, recorded, [row["id"] for row in rows.runs if row["kind"] == "drive"])
     database.close()
     return token
@@ -82,9 +86,9 @@ def _insert(db: Session, table: Any, documents: Sequence[dict[str, Any]]) -> Non
         db.execute(insert(table), documents[start : start + 5000])
 
 
-def _recordings(folder: Path, parameters: DriveParameters) -> Iterator[Recorded]:
+def _recordings(folder: Path, parameters: DriveParameters, driven: int) -> Iterator[Recorded]:
     plan = plan_of()
-    for number in range(RECORDINGS):
+    for number in range(driven):
         own = folder / f"recorded-{number}"
         record_trial(own, parameters, seconds=SECONDS, seed=number, plan=plan, source=SOURCE.model_dump())
         measures = {**measure_recording(own, plan, plan.paths[0]), "reached": True}
