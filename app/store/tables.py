@@ -123,7 +123,7 @@ class CalibrationStep(Table):
     step: Mapped[str] = mapped_column(String(64), primary_key=True)
     status: Mapped[str] = mapped_column(String(16))  # waiting, running, done, failed, skipped
     words: Mapped[str] = mapped_column(String(400))
-    run_id: Mapped[str | None] = mapped_column(ForeignKey("run.id"))
+    run_id: Mapped[str | None] = mapped_column(ForeignKey("run.id"), index=True)
 
 
 class Run(Table):
@@ -157,7 +157,7 @@ class Profile(Table):
     __table_args__ = (UniqueConstraint("patient_id", "version"),)
     id: Mapped[int] = mapped_column(primary_key=True)
     patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"))
-    session_id: Mapped[int] = mapped_column(ForeignKey("session.id"))
+    session_id: Mapped[int] = mapped_column(ForeignKey("session.id"), index=True)
     version: Mapped[int]
     origin: Mapped[str] = mapped_column(
         String(16), server_default="calibration"
@@ -191,14 +191,15 @@ class Trial(Table):
         UniqueConstraint("patient_id", "floorplan", "path", "number"),
         Index(None, "floorplan", "path", "status"),
         Index(None, "patient_id", "status", "kept"),
+        Index(None, "patient_id", "floorplan", "path", "status"),
         Index("ix_trial_counted", "clinic_id", "patient_id", "floorplan", "path", "run_id", sqlite_where=text(COUNTED)),
     )
     id: Mapped[int] = mapped_column(primary_key=True)
     clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
     patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"))
-    session_id: Mapped[int] = mapped_column(ForeignKey("session.id"))
-    parameters_id: Mapped[int] = mapped_column(ForeignKey("parameters.id"))
-    run_id: Mapped[str] = mapped_column(ForeignKey("run.id"))
+    session_id: Mapped[int] = mapped_column(ForeignKey("session.id"), index=True)
+    parameters_id: Mapped[int] = mapped_column(ForeignKey("parameters.id"), index=True)
+    run_id: Mapped[str] = mapped_column(ForeignKey("run.id"), index=True)
     run: Mapped[Run] = relationship(lazy="joined", innerjoin=True)
     number: Mapped[int]
     floorplan: Mapped[str] = mapped_column(String(64))
@@ -242,11 +243,11 @@ class Drive(Table):
     id: Mapped[int] = mapped_column(primary_key=True)
     clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
     patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"), index=True)
-    session_id: Mapped[int] = mapped_column(ForeignKey("session.id"))
-    run_id: Mapped[str] = mapped_column(ForeignKey("run.id"))
+    session_id: Mapped[int] = mapped_column(ForeignKey("session.id"), index=True)
+    run_id: Mapped[str] = mapped_column(ForeignKey("run.id"), index=True)
     run: Mapped[Run] = relationship(lazy="joined", innerjoin=True)
-    chair_id: Mapped[int] = mapped_column(ForeignKey("chair.id"))
-    parameters_id: Mapped[int] = mapped_column(ForeignKey("parameters.id"))
+    chair_id: Mapped[int] = mapped_column(ForeignKey("chair.id"), index=True)
+    parameters_id: Mapped[int] = mapped_column(ForeignKey("parameters.id"), index=True)
     hash: Mapped[str] = mapped_column(String(64))  # of the parameter set as it was armed
     started: Mapped[datetime]
     ended: Mapped[datetime | None]
@@ -268,8 +269,8 @@ class InterfaceTest(Table):
     clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
     patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"))
     session_id: Mapped[int] = mapped_column(ForeignKey("session.id"), index=True)
-    parameters_id: Mapped[int] = mapped_column(ForeignKey("parameters.id"))
-    run_id: Mapped[str] = mapped_column(ForeignKey("run.id"))
+    parameters_id: Mapped[int] = mapped_column(ForeignKey("parameters.id"), index=True)
+    run_id: Mapped[str] = mapped_column(ForeignKey("run.id"), index=True)
     run: Mapped[Run] = relationship(lazy="joined", innerjoin=True)
     number: Mapped[int]  # 1, 2, 3 ... per patient
     started: Mapped[datetime]

@@ -4,6 +4,7 @@ from datetime import timedelta
 from typing import Any
 
 import pytest
+from sqlalchemy import Connection, event
 from sqlalchemy.orm import Session
 
 from app.calibration.profile import CalibrationProfile
@@ -138,3 +139,16 @@ def test_everybody_is_every_patient_but_the_deleted_with_numbers_only(
     }
     assert trials_of_everybody(db, patient.clinic_id, "clinic", "corridor", "worn") == {}
     assert count_of_everybody(db, "clinic", "corridor") == 3
+
+
+def test_a_patients_trials_in_a_task_are_found_without_reading_everybodys(db: Session, patient: Patient) -> None:
+    plans: list[str] = []
+
+    def explain(connection: Connection, _cursor: object, statement: str, given: Any, *_: object) -> None:
+        rows = connection.connection.cursor().execute(f"EXPLAIN QUERY PLAN {statement}", given).fetchall()
+        plans.extend(row[-1] for row in rows if " trial " in row[-1])
+
+    event.listen(db.get_bind(), "before_cursor_execute", explain)
+    counted_trials(db, patient.clinic_id, patient.id, "clinic", "corridor")
+    assert len(plans) == 1
+    assert "(patient_id=? AND floorplan=? AND path=?" in plans[0]

@@ -1,5 +1,6 @@
 """Two sessions of a patient side by side: what was driven, the measures with their verdicts, what changed."""
 
+from collections import Counter
 from typing import Annotated
 
 from fastapi import APIRouter, Query
@@ -20,7 +21,7 @@ from app.store.log import write_log
 from app.store.parameters import as_document
 from app.store.records.session_contents import UsedSet, set_of, sets_of_session, trials_of_session
 from app.store.records.session_record import find_session
-from app.store.tables import PatientSession
+from app.store.tables import PatientSession, Trial
 
 router = APIRouter(tags=["records"])
 
@@ -64,26 +65,27 @@ def compare_two(
             raise Conflict(OTHER_PATIENT)
         earlier, later = sorted(pair, key=lambda one: one.number)
         write_log(db, who.name, "sessions compared", patient=earlier.patient_id, sessions=[earlier.id, later.id])
-        tasks = _tasks(db, earlier, later)
+        trials = [trials_of_session(db, one.id) for one in (earlier, later)]
+        driven = [Counter(map(_task, of_session)) for of_session in trials]
+        titles = {_task(one): one.floorplan_title for of_session in trials for one in of_session}
         rows = {}
-        for task, title in tasks.items():
+        for task in titles:
             counted = counted_trials(db, who.clinic_id, earlier.patient_id, task.floorplan, task.path)
-            rows[task] = title, [one.row() for one in counted if one.group == task.group]
-        driven = {task: tuple(_count(db, one, task) for one in (earlier, later)) for task in tasks}
+            rows[task] = [one.row() for one in counted if one.group == task.group]
         pairs = pairs_of_tests(db, earlier, later)
         views = record_view(db, earlier), record_view(db, later)
         sets = [_last_set(db, one) for one in (earlier, later)]
         changes = _changes(db, sets[0], sets[1])
     compared = []
-    for task, (title, own) in rows.items():
+    for task, own in rows.items():
         clinic = web.spread.of_others(task, earlier.patient_id)
         compared.append(
             TaskComparison(
                 floorplan=task.floorplan,
-                floorplan_title=title,
+                floorplan_title=titles[task],
                 path=task.path,
                 source=task.group,
-                trials=(driven[task][0], driven[task][1]),
+                trials=(driven[0][task], driven[1][task]),
                 counted=(_of_session(own, earlier), _of_session(own, later)),
                 measures=web.computing.ask(compare_sessions, own, clinic, earlier.number, later.number),
             )
@@ -104,18 +106,8 @@ def _last_set(db: Transaction, session: PatientSession) -> UsedSet | None:
     return used[-1] if used else None
 
 
-def _tasks(db: Transaction, *sessions: PatientSession) -> dict[Task, str]:
-    """Return the tasks of these sessions with the titles of their floor plans, in the order driven."""
-    return {
-        Task(trial.clinic_id, trial.floorplan, trial.path, trial.source.group): trial.floorplan_title
-        for session in sessions
-        for trial in trials_of_session(db, session.id)
-    }
-
-
-def _count(db: Transaction, session: PatientSession, task: Task) -> int:
-    trials = trials_of_session(db, session.id)
-    return sum((one.floorplan, one.path, one.source.group) == (task.floorplan, task.path, task.group) for one in trials)
+def _task(trial: Trial) -> Task:
+    return Task(trial.clinic_id, trial.floorplan, trial.path, trial.source.group)
 
 
 def _of_session(rows: list[dict[str, object]], session: PatientSession) -> int:

@@ -31,7 +31,7 @@ class SignIn(Table):
     __tablename__ = "auth_session"
     id: Mapped[int] = mapped_column(primary_key=True)
     token_hash: Mapped[str] = mapped_column(String(64), unique=True)
-    person_id: Mapped[int] = mapped_column(ForeignKey("person.id"))
+    person_id: Mapped[int] = mapped_column(ForeignKey("person.id"), index=True)
     created: Mapped[datetime]
     active: Mapped[datetime]  # the last action of the person; stored at most every few seconds
     expires: Mapped[datetime]

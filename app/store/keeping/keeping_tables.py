@@ -66,7 +66,7 @@ class IncidentPatient(Table):
 
     __tablename__ = "incident_patient"
     incident_id: Mapped[int] = mapped_column(ForeignKey("incident.id"), primary_key=True)
-    patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"), primary_key=True)
+    patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"), primary_key=True, index=True)
 
 
 class MadeBackup(Table):

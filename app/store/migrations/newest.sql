@@ -527,4 +527,42 @@ CREATE TABLE comment_reading (
 	CONSTRAINT fk_comment_reading_revision_id FOREIGN KEY(revision_id) REFERENCES comment_revision (id)
 );
 
-INSERT INTO alembic_version (version_num) VALUES ('0018')
+CREATE INDEX ix_auth_session_person_id ON auth_session (person_id);
+
+CREATE INDEX ix_calibration_step_run_id ON calibration_step (run_id);
+
+CREATE INDEX ix_comment_reading_person_id ON comment_reading (person_id);
+
+CREATE INDEX ix_comment_reading_revision_id ON comment_reading (revision_id);
+
+CREATE INDEX ix_drive_session_id ON drive (session_id);
+
+CREATE INDEX ix_drive_run_id ON drive (run_id);
+
+CREATE INDEX ix_drive_chair_id ON drive (chair_id);
+
+CREATE INDEX ix_drive_parameters_id ON drive (parameters_id);
+
+CREATE INDEX ix_imported_session_import_id ON imported_session (import_id);
+
+CREATE INDEX ix_incident_patient_patient_id ON incident_patient (patient_id);
+
+CREATE INDEX ix_interface_test_parameters_id ON interface_test (parameters_id);
+
+CREATE INDEX ix_interface_test_run_id ON interface_test (run_id);
+
+CREATE INDEX ix_moment_comment_person_id ON moment_comment (person_id);
+
+CREATE INDEX ix_profile_session_id ON profile (session_id);
+
+CREATE INDEX ix_share_link_session_id ON share_link (session_id);
+
+CREATE INDEX ix_trial_session_id ON trial (session_id);
+
+CREATE INDEX ix_trial_parameters_id ON trial (parameters_id);
+
+CREATE INDEX ix_trial_run_id ON trial (run_id);
+
+CREATE INDEX ix_trial_patient_id_floorplan_path_status ON trial (patient_id, floorplan, path, status);
+
+INSERT INTO alembic_version (version_num) VALUES ('0019')

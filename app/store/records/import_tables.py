@@ -25,4 +25,4 @@ class ImportedSession(Table):
 
     __tablename__ = "imported_session"
     session_id: Mapped[int] = mapped_column(ForeignKey("session.id"), primary_key=True)
-    import_id: Mapped[int] = mapped_column(ForeignKey("patient_import.id"))
+    import_id: Mapped[int] = mapped_column(ForeignKey("patient_import.id"), index=True)

@@ -15,7 +15,7 @@ class MomentComment(Table):
     id: Mapped[int] = mapped_column(primary_key=True)
     clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
     trial_id: Mapped[int] = mapped_column(ForeignKey("trial.id"), index=True)
-    person_id: Mapped[int | None] = mapped_column(ForeignKey("person.id"))  # its author; None: somebody elsewhere
+    person_id: Mapped[int | None] = mapped_column(ForeignKey("person.id"), index=True)  # None: an author elsewhere
     author: Mapped[str | None] = mapped_column(String(80))  # name of an author elsewhere: it came with an archive
     t: Mapped[float] = mapped_column(Float)  # s on the time line of the trial
     withdrawn: Mapped[datetime | None]
@@ -36,8 +36,8 @@ class CommentReading(Table):
 
     __tablename__ = "comment_reading"
     comment_id: Mapped[int] = mapped_column(ForeignKey("moment_comment.id"), primary_key=True)
-    person_id: Mapped[int] = mapped_column(ForeignKey("person.id"), primary_key=True)
-    revision_id: Mapped[int] = mapped_column(ForeignKey("comment_revision.id"))
+    person_id: Mapped[int] = mapped_column(ForeignKey("person.id"), primary_key=True, index=True)
+    revision_id: Mapped[int] = mapped_column(ForeignKey("comment_revision.id"), index=True)
 
 
 class ShareLink(Table):
@@ -47,7 +47,7 @@ class ShareLink(Table):
     id: Mapped[int] = mapped_column(primary_key=True)
     clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
     patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"), index=True)
-    session_id: Mapped[int | None] = mapped_column(ForeignKey("session.id"))  # None: all sessions
+    session_id: Mapped[int | None] = mapped_column(ForeignKey("session.id"), index=True)  # None: all sessions
     token_hash: Mapped[str] = mapped_column(String(64), unique=True)
     pin_hash: Mapped[str]
     person: Mapped[str] = mapped_column(String(80))  # who made it
