@@ -19,8 +19,8 @@ from app.store.learning_trials import CountedTrial, counted_trials
 from app.store.log_chain import Head
 from app.store.patients import find_patient
 from app.store.records.imports import Origin, origins_of
+from app.store.records.session_contents import trials_of_session
 from app.store.records.session_record import SessionRecord, session_record, sessions_of
-from app.store.runs import trials_of
 from app.store.sharing.comments import Comment, comments_of
 from app.store.tables import Clinic, InterfaceTest, Parameters, Patient, PatientSession, Profile, Trial
 
@@ -146,7 +146,7 @@ def _own_material(db: Transaction, patient: Patient, session: int | None, runs: 
     if not reported:
         raise NotFound(NO_SESSION if session is None else NOT_THIS_SESSION.format(number=session))
     numbers = {one.id: one.number for one in reported}
-    trials = [trial for trial in trials_of(db, patient.clinic_id, patient.id) if trial.session_id in numbers]
+    trials = [trial for one in reported for trial in trials_of_session(db, one.id)]
     drives = reported_drives(db, patient.clinic_id, patient.id, numbers)
     last, origins = every[-1].number, origins_of(db, patient.id)
     return ReportMaterial(

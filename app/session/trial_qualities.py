@@ -9,9 +9,9 @@ from app.refusals import DiskFull
 from app.scoring.control_quality import ControlQuality
 from app.scoring.trial_assessment import TrialAssessment
 from app.session.recordings import quality_of_recording
-from app.store.control_quality import map_version_of, save_quality, stored_quality
+from app.store.control_quality import save_quality, sessions_and_versions, stored_qualities
 from app.store.database import Database
-from app.store.tables import PatientSession, Trial
+from app.store.tables import Trial
 
 
 class TrialQualities:
@@ -25,9 +25,28 @@ class TrialQualities:
 
     def of(self, trial: Trial) -> ControlQuality | None:
         """Return how well a trial was controlled; None while it runs or when its recording cannot be read."""
-        known = stored_quality(trial)
-        if known is not None or trial.status != "done" or trial.id in self._unreadable:
-            return known
+        with self._database.transaction() as db:
+            known = stored_qualities(db, [trial.id])
+        return known.get(trial.id) or self._made(trial)
+
+    def assessments(self, trials: list[Trial]) -> list[TrialAssessment]:
+        """Return the assessments of the kept trials whose recording can be read, in the order driven."""
+        kept = {trial.id: trial for trial in trials if trial.kept}
+        with self._database.transaction() as db:
+            known = stored_qualities(db, kept)
+            places = sessions_and_versions(db, kept)
+        found = []
+        for own, trial in kept.items():
+            quality = known.get(own) or self._made(trial)
+            if quality is not None:
+                task = f"{trial.floorplan}/{trial.path}"
+                found.append(TrialAssessment(own, trial.number, *places[own], task, quality))
+        return found
+
+    def _made(self, trial: Trial) -> ControlQuality | None:
+        """Return the quality by the recording, and store it; None where there is none."""
+        if trial.status != "done" or trial.id in self._unreadable:
+            return None
         try:
             made = self._computing.ask(quality_of_recording, self._folder_of(trial.run_id))
         except (ValueError, OSError):
@@ -36,18 +55,3 @@ class TrialQualities:
         with suppress(DiskFull), self._database.transaction() as db:
             save_quality(db, trial.id, made)
         return made
-
-    def assessments(self, trials: list[Trial]) -> list[TrialAssessment]:
-        """Return the assessments of the kept trials whose recording can be read, in the order driven."""
-        with self._database.transaction() as db:
-            places = {
-                trial.id: (db.get_one(PatientSession, trial.session_id).number, map_version_of(db, trial))
-                for trial in trials
-            }
-        found = []
-        for trial in trials:
-            quality = self.of(trial) if trial.kept else None
-            if quality is not None:
-                task = f"{trial.floorplan}/{trial.path}"
-                found.append(TrialAssessment(trial.id, trial.number, *places[trial.id], task, quality))
-        return found

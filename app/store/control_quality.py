@@ -1,11 +1,13 @@
 """The stored control quality of trials."""
 
+from collections.abc import Collection
+
 from pydantic import ValidationError
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.scoring.control_quality import ControlQuality
-from app.store.tables import Parameters, Profile, Trial
+from app.store.tables import Parameters, PatientSession, Profile, Trial
 
 
 def save_quality(db: Session, trial_id: int, quality: ControlQuality) -> None:
@@ -13,15 +15,25 @@ def save_quality(db: Session, trial_id: int, quality: ControlQuality) -> None:
     db.get_one(Trial, trial_id).quality = quality.model_dump(mode="json")
 
 
-def stored_quality(trial: Trial) -> ControlQuality | None:
-    """Return the stored quality of a trial; None when there is none, or an older program stored other fields."""
-    try:
-        return None if trial.quality is None else ControlQuality.model_validate(trial.quality)
-    except ValidationError:
-        return None
+def stored_qualities(db: Session, trials: Collection[int]) -> dict[int, ControlQuality]:
+    """Return the stored quality of each of these trials that has one; a document of an older program may be none."""
+    found = {}
+    for trial, document in db.execute(select(Trial.id, Trial.quality).where(Trial.id.in_(trials))):
+        try:
+            if document is not None:
+                found[trial] = ControlQuality.model_validate(document)
+        except ValidationError:
+            continue
+    return found
 
 
-def map_version_of(db: Session, trial: Trial) -> int:
-    """Return the version of the profile that a trial was driven with."""
-    query = select(Profile.version).join(Parameters, Parameters.profile_id == Profile.id)
-    return db.scalars(query.where(Parameters.id == trial.parameters_id)).one()
+def sessions_and_versions(db: Session, trials: Collection[int]) -> dict[int, tuple[int, int]]:
+    """Return the number of the session of each of these trials, and the version of the map that it was driven with."""
+    query = (
+        select(Trial.id, PatientSession.number, Profile.version)
+        .join(PatientSession, PatientSession.id == Trial.session_id)
+        .join(Parameters, Parameters.id == Trial.parameters_id)
+        .join(Profile, Profile.id == Parameters.profile_id)
+        .where(Trial.id.in_(trials))
+    )
+    return {trial: (number, version) for trial, number, version in db.execute(query)}

@@ -192,6 +192,7 @@ class Trial(Table):
         Index(None, "floorplan", "path", "status"),
         Index(None, "patient_id", "status", "kept"),
         Index(None, "patient_id", "floorplan", "path", "status"),
+        Index(None, "clinic_id", "end", "started"),
         Index("ix_trial_counted", "clinic_id", "patient_id", "floorplan", "path", "run_id", sqlite_where=text(COUNTED)),
     )
     id: Mapped[int] = mapped_column(primary_key=True)
@@ -212,7 +213,8 @@ class Trial(Table):
     kept: Mapped[bool]
     discard_reason: Mapped[str | None] = mapped_column(String(200))
     measures: Mapped[dict[str, Any] | None]
-    quality: Mapped[dict[str, Any] | None]  # the control quality, as a document
+    # The control quality, as a document: the longest column, and read where it is shown only.
+    quality: Mapped[dict[str, Any] | None] = mapped_column(deferred=True, deferred_raiseload=True)
 
     @property
     def source(self) -> Source:

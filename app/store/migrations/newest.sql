@@ -565,4 +565,6 @@ CREATE INDEX ix_trial_run_id ON trial (run_id);
 
 CREATE INDEX ix_trial_patient_id_floorplan_path_status ON trial (patient_id, floorplan, path, status);
 
+CREATE INDEX ix_trial_clinic_id_end_started ON trial (clinic_id, "end", started);
+
 INSERT INTO alembic_version (version_num) VALUES ('0019')

@@ -1,4 +1,4 @@
-"""Indexes of keys to other tables, and of a patient's trials in a task: they are found without reading everybody's."""
+"""Indexes of keys to other tables, and of what is asked about trials: they are found without reading them all."""
 
 from alembic import op
 
@@ -27,18 +27,20 @@ KEYS = (
     ("trial", "parameters_id"),
     ("trial", "run_id"),
 )
-TASK = "ix_trial_patient_id_floorplan_path_status"
+OF_TRIALS = (["patient_id", "floorplan", "path", "status"], ["clinic_id", "end", "started"])
 
 
 def upgrade() -> None:
     """Add them."""
     for table, column in KEYS:
         op.create_index(f"ix_{table}_{column}", table, [column], unique=False)
-    op.create_index(TASK, "trial", ["patient_id", "floorplan", "path", "status"], unique=False)
+    for columns in OF_TRIALS:
+        op.create_index(f"ix_trial_{'_'.join(columns)}", "trial", columns, unique=False)
 
 
 def downgrade() -> None:
     """Drop them: an older program reads the whole table."""
-    op.drop_index(TASK, table_name="trial")
+    for columns in reversed(OF_TRIALS):
+        op.drop_index(f"ix_trial_{'_'.join(columns)}", table_name="trial")
     for table, column in reversed(KEYS):
         op.drop_index(f"ix_{table}_{column}", table_name=table)
