@@ -9,8 +9,8 @@ import signal
 import sys
 import threading
 import traceback
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from functools import partial
 from importlib import import_module
 from multiprocessing.connection import Connection, Pipe
@@ -47,6 +47,9 @@ class ComputingProcess:
     def __init__(self, idle_limit: float = IDLE_LIMIT) -> None:
         self._idle_limit = idle_limit
         self._one_at_a_time = threading.Lock()
+        self._answered = threading.Condition()  # guards `questions`
+        self.questions = 0
+        """How many questions are being answered or wait for it."""
         self._running: _Running | None = None
         self._idle = threading.Timer(0.0, self._end_idle)
         self._closed = False
@@ -74,6 +77,12 @@ class ComputingProcess:
             When the function raised another error; it names the place.
         """
         return self._answer(partial(function, *given, **named), lambda: False)
+
+    def ask_last(self, function: Callable[Asked, Answer], /, *given: Asked.args, **named: Asked.kwargs) -> Answer:
+        """Return `function(*given, **named)`, computed when nobody else waits. Raises what `ask` raises."""
+        with self._answered:
+            self._answered.wait_for(lambda: not self.questions)
+        return self.ask(function, *given, **named)
 
     def ask_unless(self, leave_off: Callable[[], bool], question: Callable[[], Answer]) -> Answer | None:
         """Return `question()`, a partial function; None when `leave_off` returned True before the answer came.
@@ -108,7 +117,7 @@ class ComputingProcess:
         leave_off: Callable[[], bool],
         progress: Callable[[], object] = lambda: None,
     ) -> Answer:
-        with self._one_at_a_time:
+        with self._counted(), self._one_at_a_time:
             self._idle.cancel()
             running = self._started()
             try:
@@ -120,6 +129,17 @@ class ComputingProcess:
         if error is not None:
             raise error
         return answer  # type: ignore[no-any-return]
+
+    @contextmanager
+    def _counted(self) -> Iterator[None]:
+        with self._answered:
+            self.questions += 1
+        try:
+            yield
+        finally:
+            with self._answered:
+                self.questions -= 1
+                self._answered.notify_all()
 
     def _started(self) -> "_Running":
         if self._closed:

@@ -10,7 +10,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 
@@ -108,6 +108,37 @@ def test_what_nobody_wants_any_more_is_left_off(computing: ComputingProcess) -> 
     assert computing.ask_unless(lambda: True, partial(time.sleep, LONG)) is None
     assert gone(pid)
     assert computing.ask_unless(lambda: False, partial(math.sqrt, 4.0)) == 2.0
+
+
+def test_a_question_that_can_wait_comes_after_those_of_people_who_wait(
+    computing: ComputingProcess, tmp_path: Path
+) -> None:
+    until = tmp_path / "until"
+    os.mkfifo(until)
+    order: list[str] = []
+
+    def wait_for(questions: int) -> None:
+        while computing.questions != questions:
+            time.sleep(0.01)
+
+    def begin(ask: Callable[..., object], name: str, *question: object) -> threading.Thread:
+        def answered() -> None:
+            ask(*question)
+            order.append(name)
+
+        thread = threading.Thread(target=answered)
+        thread.start()
+        return thread
+
+    threads = [begin(computing.ask, "first", Path.read_text, until)]
+    wait_for(1)
+    threads.append(begin(computing.ask_last, "last", os.getpid))
+    threads.append(begin(computing.ask, "second", os.getpid))
+    wait_for(2)
+    until.write_text("")
+    for thread in threads:
+        thread.join(20)
+    assert order == ["first", "second", "last"]
 
 
 def test_an_idle_process_ends_and_comes_back() -> None:

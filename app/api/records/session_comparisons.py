@@ -11,7 +11,7 @@ from app.api.records.compared_tests import ComparedTests, pairs_of_tests, verdic
 from app.api.records.session_views import SessionRecordView, UsedSetView, record_view
 from app.quantities import Document
 from app.refusals import Conflict
-from app.scoring.verdict.session_comparison import MeasureOfSessions, compare_sessions
+from app.scoring.verdict.session_comparison import MeasureOfSessions, compare_tasks
 from app.session.clinic_spread import Task
 from app.session.parameter_differences import Difference, differences
 from app.source import SourceGroup
@@ -76,20 +76,22 @@ def compare_two(
         views = record_view(db, earlier), record_view(db, later)
         sets = [_last_set(db, one) for one in (earlier, later)]
         changes = _changes(db, sets[0], sets[1])
-    compared = []
-    for task, own in rows.items():
-        clinic = web.spread.of_others(task, earlier.patient_id)
-        compared.append(
-            TaskComparison(
-                floorplan=task.floorplan,
-                floorplan_title=titles[task],
-                path=task.path,
-                source=task.group,
-                trials=(driven[0][task], driven[1][task]),
-                counted=(_of_session(own, earlier), _of_session(own, later)),
-                measures=web.computing.ask(compare_sessions, own, clinic, earlier.number, later.number),
-            )
+    spreads = [web.spread.of_others(task, earlier.patient_id) for task in rows]
+    measures = web.computing.ask(
+        compare_tasks, list(zip(rows.values(), spreads, strict=True)), earlier.number, later.number
+    )
+    compared = [
+        TaskComparison(
+            floorplan=task.floorplan,
+            floorplan_title=titles[task],
+            path=task.path,
+            source=task.group,
+            trials=(driven[0][task], driven[1][task]),
+            counted=(_of_session(own, earlier), _of_session(own, later)),
+            measures=of_task,
         )
+        for (task, own), of_task in zip(rows.items(), measures, strict=True)
+    ]
     shown = [None if one is None else UsedSetView.of(one) for one in sets]
     return SessionComparison(
         earlier=views[0],

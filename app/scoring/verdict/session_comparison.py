@@ -1,5 +1,6 @@
 """Two sessions of a person in one task, side by side: the median of each measure with its spread, and the verdict."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -43,6 +44,13 @@ def compare_sessions(rows: Rows, clinic: ClinicSpreads, earlier: int, later: int
                 verdict=compare(name, series, first, second, clinic.get(name)),
             )
     return found
+
+
+def compare_tasks(
+    tasks: Sequence[tuple[Rows, ClinicSpreads]], earlier: int, later: int
+) -> list[dict[str, MeasureOfSessions]]:
+    """Compare the trials of two sessions in each of these tasks: the person's rows in it, and the clinic's spreads."""
+    return [compare_sessions(rows, clinic, earlier, later) for rows, clinic in tasks]
 
 
 def _summary(name: str, values: Any) -> Quartiles | None:
