@@ -109,44 +109,51 @@ def own_spread(before: Series, later: Series | None = None, least: float = 0.0) 
     sessions: means of the residuals of the learning curve. The variance of these means contains the variance within a
     session over its trials; `session` is not freed of it (see `pool_spreads`).
     """
-    parts = [before] if later is None or len(later.value) < 2 else [before, later]
-    centred, within, sessions = [], [], 0
-    for part in parts:
-        residual = part.value - fit_curve(part.number, part.value, part.number)[0] if len(part.value) else part.value
-        for session in np.unique(part.session):
-            chosen = part.session == session
-            sessions += 1
-            place = np.arange(int(chosen.sum()), dtype=np.float64)
-            centred.append(place - place.mean())
-            within.append(residual[chosen] - residual[chosen].mean())
-    trial = _around_slope(centred, within, sessions)
+    fitted = _residuals(before)
+    parts = [(before.session, fitted[0])]
+    if later is not None and len(later.value) > 1:
+        parts.append((later.session, _residuals(later)[0]))
+    places, values, sessions = [], [], 0
+    for session, residual in parts:
+        _, first, count = np.unique(session, return_index=True, return_counts=True)
+        sessions += len(count)
+        places.append(np.arange(len(session)) - np.repeat(first + (count - 1) / 2, count))
+        values.append(residual - np.repeat(np.add.reduceat(residual, first) / count, count))
+    trial = _around_slope(np.concatenate(places), np.concatenate(values), sessions)
     trial = Variance(max(trial.value, least**2), trial.df)
-    earlier = before if later is None else before.where(before.session != later.session[0])
-    session, share = _between_sessions(earlier)
-    return Spread(trial, session), share
+    if later is not None and (others := before.session != later.session[0]).sum() < len(others):
+        before = before.where(others)
+        fitted = _residuals(before)
+    between, share = _between_sessions(before.session, *fitted)
+    return Spread(trial, between), share
 
 
-def _around_slope(place: Sequence[Numbers], value: Sequence[Numbers], groups: int) -> Variance:
-    """Return the variance around the slope that all sessions share, with one degree of freedom less for it."""
-    if not value:
-        return Variance(0.0, 0.0)
-    x, y = np.concatenate(place), np.concatenate(value)
-    df = len(y) - groups
-    steep = float(x @ x)
+def _residuals(series: Series) -> tuple[Numbers, int]:
+    """Return the values less the learning curve (n,), and how many parameters the curve has."""
+    if not len(series.value):
+        return series.value, 1
+    curve, parameters = fit_curve(series.number, series.value, series.number)
+    return series.value - curve, parameters
+
+
+def _around_slope(place: Numbers, value: Numbers, sessions: int) -> Variance:
+    """Return the variance around the slope that all sessions share, with one degree of freedom less for it.
+
+    Places and values (n,), both less the mean of their session.
+    """
+    df = len(value) - sessions
+    steep = float(place @ place)
     if df < 2 or steep == 0:
-        return Variance(float(y @ y) / df, df) if df > 0 else Variance(0.0, 0.0)
-    slope = float(x @ y) / steep
-    rest = y - slope * x
+        return Variance(float(value @ value) / df, df) if df > 0 else Variance(0.0, 0.0)
+    rest = value - float(place @ value) / steep * place
     return Variance(float(rest @ rest) / (df - 1), df - 1)
 
 
-def _between_sessions(series: Series) -> tuple[Variance, float]:
+def _between_sessions(session: Sessions, residual: Numbers, parameters: int) -> tuple[Variance, float]:
     """Return the variance of the session means around the learning curve, and the mean of 1 / trials of a session."""
-    if not len(series.value):
+    if not len(session):
         return Variance(0.0, 0.0), 1.0
-    curve, parameters = fit_curve(series.number, series.value, series.number)
-    residual = series.value - curve
-    _, place, count = np.unique(series.session, return_inverse=True, return_counts=True)
+    _, place, count = np.unique(session, return_inverse=True, return_counts=True)
     share = float(np.mean(1.0 / count))
     df = len(count) - parameters
     if df < 1:
