@@ -1988,6 +1988,40 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/controls/obstacle": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["ObstacleView"] | null;
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/controls/undo": {
         parameters: {
             query?: never;
@@ -5725,7 +5759,7 @@ export interface components {
             held: {
                 [key: string]: number;
             };
-            obstacle: string | null;
+            obstacle: components["schemas"]["ObstacleView"] | null;
         };
         Course: {
             /**
@@ -6575,6 +6609,11 @@ export interface components {
         NoteView: {
             id: number;
             revisions: components["schemas"]["RevisionView"][];
+        };
+        ObstacleView: {
+            words: string;
+            /** @enum {string} */
+            page: "shirt" | "calibrate" | "controls";
         };
         OfferView: {
             code: string;
@@ -7553,6 +7592,7 @@ export type NewTrial = components['schemas']['NewTrial'];
 export type NextTaskView = components['schemas']['NextTaskView'];
 export type NoteText = components['schemas']['NoteText'];
 export type NoteView = components['schemas']['NoteView'];
+export type ObstacleView = components['schemas']['ObstacleView'];
 export type OfferView = components['schemas']['OfferView'];
 export type OpenShare = components['schemas']['OpenShare'];
 export type OpentrackConfig = components['schemas']['OpentrackConfig'];

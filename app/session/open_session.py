@@ -3,6 +3,7 @@
 import asyncio
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
+from typing import Literal, NamedTuple
 
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.person_brakes import missing_brake
@@ -19,6 +20,13 @@ from app.store.parameters import as_document, current_parameters, newest_profile
 from app.store.patients import open_session
 from app.store.people import the_clinic
 from app.store.tables import PatientSession
+
+
+class DriveObstacle(NamedTuple):
+    """Why a parameter set cannot drive in the shirt in use, in one sentence, and the page on which that is mended."""
+
+    words: str
+    page: Literal["shirt", "calibrate", "controls"]
 
 
 class SessionFlow:
@@ -118,35 +126,47 @@ class SessionFlow:
         current = await asyncio.to_thread(self._current)
         if current is not None:
             document, simulated = current
-            words = self.misfit(document, simulated=simulated)
-            if words is None:
+            misfit = self._misfit(document, simulated=simulated)
+            if misfit is None:
                 await self._control.load("parameters", parameters=document.model_dump(mode="json"))
                 self.loaded = document
-                return self.obstacle(document, simulated=simulated)
+                obstacle = self.obstacle(document, simulated=simulated)
+                return None if obstacle is None else obstacle.words
         else:
-            words = None
+            misfit = None
         await self._control.load("parameters", parameters=None)
-        return words
+        return None if misfit is None else misfit.words
 
-    def obstacle(self, parameters: DriveParameters, *, simulated: bool | None) -> str | None:
-        """Return in one sentence why parameters cannot drive: another shirt, or no way to stop; None when they can."""
-        return self.misfit(parameters, simulated=simulated) or missing_brake(parameters) or None
+    def current_obstacle(self) -> DriveObstacle | None:
+        """Return why the current parameters of the open session's patient cannot drive, None when they can.
 
-    def misfit(self, parameters: DriveParameters, *, simulated: bool | None) -> str | None:
-        """Return in one sentence why parameters do not fit the shirt in use, None when they do.
+        None also for a patient without a calibration. Reads the database: call it in a thread.
+        """
+        current = self._current()
+        return None if current is None else self.obstacle(current[0], simulated=current[1])
+
+    def obstacle(self, parameters: DriveParameters, *, simulated: bool | None) -> DriveObstacle | None:
+        """Return why parameters cannot drive: another shirt, or no way to stop; None when they can.
 
         `simulated` says whether nobody wore the shirt in which they were calibrated, None where that is unknown.
         """
+        misfit = self._misfit(parameters, simulated=simulated)
+        brake = missing_brake(parameters) if misfit is None else ""
+        return DriveObstacle(brake, "controls") if brake else misfit
+
+    def _misfit(self, parameters: DriveParameters, *, simulated: bool | None) -> DriveObstacle | None:
         layout = self._equipment.layout
         if layout is None:
-            return self._equipment.words or NO_SHIRT
+            return DriveObstacle(self._equipment.words or NO_SHIRT, "shirt")
         if simulated and not self._equipment.simulated:
-            return "The patient's calibration is one of a shirt that nobody wore: calibrate in the worn shirt first."
-        if layout.channel_names != parameters.profile.layout.channel_names:
-            return "The patient was calibrated in another shirt: calibrate in this one first."
-        if abs(self._equipment.sample_rate - parameters.profile.sample_rate) > 0.01 * parameters.profile.sample_rate:
-            return "The shirt sends at another rate than it was calibrated at: calibrate again first."
-        return None
+            words = "The patient's calibration is one of a shirt that nobody wore: calibrate in the worn shirt first."
+        elif layout.channel_names != parameters.profile.layout.channel_names:
+            words = "The patient was calibrated in another shirt: calibrate in this one first."
+        elif abs(self._equipment.sample_rate - parameters.profile.sample_rate) > 0.01 * parameters.profile.sample_rate:
+            words = "The shirt sends at another rate than it was calibrated at: calibrate again first."
+        else:
+            return None
+        return DriveObstacle(words, "calibrate")
 
     async def try_load_parameters(self) -> None:
         """Load the current parameters, ignoring a refusal: a trial loads them again before it arms."""

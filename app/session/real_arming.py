@@ -117,7 +117,7 @@ class RealArming:
         refusals = []
         obstacle = self._session.obstacle(stored.parameters, simulated=stored.simulated)
         if obstacle is not None:
-            refusals.append(obstacle)
+            refusals.append(obstacle.words)
         if self._equipment.mistrust:
             refusals.append(self._equipment.mistrust)
         unconfirmed = own_movement_refusal(stored.parameters)

@@ -2,7 +2,7 @@
 
 import asyncio
 from collections.abc import Callable
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from fastapi import APIRouter, HTTPException
 from pydantic import Field, ValidationError
@@ -16,6 +16,7 @@ from app.messages import MAX_GESTURES
 from app.quantities import Cutoff, Document, Title
 from app.sentences import one_sentence
 from app.session.calibration.gesture_discovery import patient_gestures
+from app.session.open_session import DriveObstacle
 from app.speeds import Speeds
 from app.store.database import Transaction
 from app.store.log import write_log
@@ -77,6 +78,18 @@ class ControlsSuggestion(Document):
     reason: str
 
 
+class ObstacleView(Document):
+    """Why a parameter set cannot drive, and the page on which that is mended."""
+
+    words: str
+    page: Literal["shirt", "calibrate", "controls"]
+
+    @classmethod
+    def of(cls, obstacle: DriveObstacle | None) -> "ObstacleView | None":
+        """Return the answer for an obstacle, None for none."""
+        return None if obstacle is None else cls(words=obstacle.words, page=obstacle.page)
+
+
 class ControlsView(Document):
     """The current parameter set, and the choices."""
 
@@ -88,7 +101,7 @@ class ControlsView(Document):
     suggested: ControlsSuggestion
     limits: dict[str, tuple[float, float]]
     held: dict[str, float]  # the limits of the clinic or the chosen chair that are lower than the set's speeds
-    obstacle: str | None  # why this set cannot drive
+    obstacle: ObstacleView | None  # why this set cannot drive
 
 
 def _view(db: Transaction, web: WebParts, patient_id: int, suggestion: SuggestedVocabulary) -> ControlsView:
@@ -104,7 +117,7 @@ def _view(db: Transaction, web: WebParts, patient_id: int, suggestion: Suggested
         suggested=ControlsSuggestion(bindings=suggestion.bindings, reason=suggestion.reason),
         limits=LIMITS,
         held=web.arming.lowered_speeds(parameters.speeds),
-        obstacle=web.session.obstacle(parameters, simulated=profile.simulated),
+        obstacle=ObstacleView.of(web.session.obstacle(parameters, simulated=profile.simulated)),
     )
 
 
@@ -124,6 +137,12 @@ async def look(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
             return _view(db, web, session.patient_id, suggestion)
 
     return await asyncio.to_thread(_read)
+
+
+@router.get("/obstacle")
+async def look_at_obstacle(_who: Clinician, web: Web) -> ObstacleView | None:
+    """Return why the current parameter set cannot drive; null when it can, and without a calibration."""
+    return ObstacleView.of(await asyncio.to_thread(web.session.current_obstacle))
 
 
 Change = Callable[[Transaction, PatientSession, SuggestedVocabulary], Parameters]

@@ -241,7 +241,8 @@ def test_controls_are_set_undone_named_and_never_half(signed_in: Any) -> None:
     for cruise_time in (0.5, 10.5, None, "3"):
         assert signed_in("PUT", "/controls", json={**body, "turn_cruise_time": cruise_time}).status_code == 422
     no_brake = [{"control": "u1+", "gestures": ["right_elbow"]}]
-    assert "bind a movement" in signed_in.good("PUT", "/controls", json={**body, "bindings": no_brake})["obstacle"]
+    obstacle = signed_in.good("PUT", "/controls", json={**body, "bindings": no_brake})["obstacle"]
+    assert ("bind a movement" in obstacle["words"], obstacle["page"]) == (True, "controls")
     assert signed_in.good("POST", "/controls/undo")["obstacle"] is None
     changed = signed_in.good("PUT", "/controls", json={**body, "cutoff": 5.0, "title": "Brisk"})
     assert changed["can_undo"] is True
@@ -279,9 +280,11 @@ def test_another_shirt_does_not_drive_with_this_calibration(signed_in: Clinic) -
     signed_in.calibrate()
     worn = signed_in.client.app.state.web.equipment
     worn.sample_rate = 250.0
-    assert "calibrate again" in signed_in.good("GET", "/controls")["obstacle"]
+    obstacle = signed_in.good("GET", "/controls")["obstacle"]
+    assert ("calibrate again" in obstacle["words"], obstacle["page"]) == (True, "calibrate")
+    assert signed_in.good("GET", "/controls/obstacle") == obstacle  # for the Drive page, before anybody starts a trial
     plan = signed_in.good("GET", "/floorplans/apartment")
     answer = signed_in(
         "POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
     )
-    assert answer.status_code == 409
+    assert (answer.status_code, answer.json()["detail"]) == (409, obstacle["words"])

@@ -130,7 +130,7 @@ def test_a_simulated_calibration_drives_no_worn_shirt_and_no_calibration_mixes_b
     clinic.calibrate()
     assert clinic.process.parameters is not None
     clinic.good("PUT", "/equipment/shirt", json=WORN)
-    assert "calibration is one of a shirt that nobody wore" in clinic.good("GET", "/controls")["obstacle"]
+    assert "calibration is one of a shirt that nobody wore" in clinic.good("GET", "/controls")["obstacle"]["words"]
     assert clinic.process.parameters is None
     plan = clinic.good("GET", "/floorplans/apartment")
     where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}

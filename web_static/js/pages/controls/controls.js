@@ -47,6 +47,7 @@ export async function show(app, root, { signal }) {
   const morePlace = h("div", { class: "controls-more" });
   const undo = iconButton("undo", () => ask(() => draft.api.post("/controls/undo")));
   const redo = iconButton("redo", () => ask(() => draft.api.post("/controls/redo")));
+  const onward = h("a", { class: "btn go" }); // to driving, or to what is missing before
   const suggest = () => ask(() => draft.api.post("/controls/suggest"), true);
   const suggestButton = h("button", { type: "button", class: "btn", onclick: suggest }, t("controls.suggest"));
   const title = h("span", {});
@@ -73,7 +74,11 @@ export async function show(app, root, { signal }) {
     for (const place of [rowsPlace, morePlace, discovery]) place.inert = isBusy;
   };
   const showState = () => {
-    write(problem, draft.view.obstacle ?? "");
+    const { words = "", page = "controls" } = draft.view.obstacle ?? {};
+    write(problem, words);
+    const isMendedHere = page === "controls";
+    onward.href = isMendedHere ? "#/drive" : `#/${page}`;
+    write(onward, t(isMendedHere ? "controls.drive" : `drive.obstacle.${page}`));
     showButtons();
     write(title, t("controls.lead", { title: draft.settings.title }));
   };
@@ -140,7 +145,7 @@ export async function show(app, root, { signal }) {
       suggestButton,
       h("a", { class: "btn bare", href: "#/adapt" }, t("adapt.link")),
       state,
-      h("a", { class: "btn go", href: "#/drive" }, t("controls.drive")),
+      onward,
     ),
   );
   draw();

@@ -1,12 +1,13 @@
 /**
  * The Drive page before a trial: one task with its button; everything else has a page of its own.
  * @import { App } from "../../main.js"
- * @import { EquipmentView, PatientView, ScreensView } from "types/api"
+ * @import { EquipmentView, ObstacleView, PatientView, ScreensView } from "types/api"
  * @import { Task } from "./task_words.js"
  */
 import { warningsPlace } from "../../results/control_warnings.js";
 import { h, put, write } from "../../widgets/dom.js";
 import { planPicture } from "../../plan/plan_svg.js";
+import { wayBeforeDriving } from "./obstacle_link.js";
 import { findTask, taskLink, taskWords } from "./task_words.js";
 import { chooseView } from "../../view/view_bar.js";
 import { canDrawIn3d } from "../../view/webgl.js";
@@ -19,11 +20,13 @@ import { t } from "../../texts.js";
 export async function showTask(app, root, patient, [floorplan, path], signal) {
   const mayDrive = app.me?.role !== "reviewer";
   const source = app.practice ? "simulated" : "worn";
-  const [plans, proposal, equipment, chairs, screens] = await Promise.all([
+  const readObstacle = () => app.api.get("/controls/obstacle").catch(() => null); // the start of a trial says it too
+  const [plans, proposal, equipment, chairs, obstacle, screens] = await Promise.all([
     app.api.get("/floorplans"),
     app.api.get(`/patients/${patient.id}/next-task?source=${source}`),
     app.api.get("/equipment"),
     app.api.get("/chairs"),
+    mayDrive ? readObstacle() : null,
     mayDrive ? app.api.get("/patient-screen").catch(() => null) : null,
   ]);
   if (signal.aborted) return;
@@ -37,6 +40,7 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
     app.requestTrial({ floorplan: task.plan.name, path: task.path.name });
   };
   app.live.addEventListener("changed", ({ detail }) => detail === "trial" && app.show(), { signal });
+  whenOtherObstacle(app, obstacle, mayDrive, readObstacle, signal);
   put(
     root,
     h(
@@ -62,20 +66,38 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
       h(
         "span",
         { class: "grow" },
-        bodyWords(equipment),
+        bodyWords(equipment, obstacle),
         " ",
         mayDrive && equipment.shirt?.kind === "simulator" &&
           h("a", { class: "btn bare small", href: "#/shirt" }, t("drive.body.change")),
       ),
       h("a", { class: "btn", href: taskLink("tasks", task) }, t("drive.choose")),
-      mayDrive && mainButton(equipment, start, has3d),
+      mayDrive && mainButton(equipment, obstacle, start, has3d),
     ),
   );
 }
 
-/** The start of the trial, or the way to what it lacks. @param {EquipmentView} equipment @param {() => void} start @param {boolean} has3d */
-function mainButton({ shirt }, start, has3d) {
-  if (!shirt) return h("a", { class: "btn go large", href: "#/shirt" }, t("drive.no-shirt.go"));
+/**
+ * Show the page anew when the shirt or the controls have changed so that something else stands against driving.
+ * @param {App} app @param {ObstacleView | null} shown @param {boolean} mayDrive
+ * @param {() => Promise<ObstacleView | null>} read @param {AbortSignal} signal
+ */
+function whenOtherObstacle(app, shown, mayDrive, read, signal) {
+  const look = async () => {
+    const now = await read();
+    if (!signal.aborted && now?.words !== shown?.words) app.show();
+  };
+  const isOfIt = new Set(["equipment", "controls", "everything"]);
+  app.live.addEventListener("changed", ({ detail }) => mayDrive && isOfIt.has(detail) && look(), { signal });
+}
+
+/**
+ * The start of the trial, or the way to what it lacks.
+ * @param {EquipmentView} equipment @param {ObstacleView | null} obstacle @param {() => void} start @param {boolean} has3d
+ */
+function mainButton({ shirt }, obstacle, start, has3d) {
+  const way = wayBeforeDriving(shirt, obstacle);
+  if (way) return h("a", { class: "btn go large", href: way.href }, way.go);
   return h("button", { type: "button", class: "btn go large", onclick: start }, t(has3d ? "drive.start" : "drive.start.plan"));
 }
 
@@ -119,9 +141,10 @@ function screenState(app, read, signal) {
   return state;
 }
 
-/** @param {EquipmentView} equipment */
-function bodyWords({ shirt, body }) {
-  if (!shirt) return h("b", {}, t("drive.no-shirt"));
+/** @param {EquipmentView} equipment @param {ObstacleView | null} obstacle */
+function bodyWords({ shirt, body }, obstacle) {
+  const way = wayBeforeDriving(shirt, obstacle);
+  if (way || !shirt) return h("b", {}, way?.words);
   if (shirt.kind !== "simulator" || !body) return t("drive.body.patient");
   return t(body.kind === "person" ? `drive.body.person.${body.skill}` : `drive.body.${body.kind}`);
 }
