@@ -5,6 +5,7 @@
  */
 
 const GETTING_USED = 3; // trials of a day that are not compared
+const NEEDED = 5; // compared trials without which a verdict is “too few trials”
 
 /** Which path a trial was driven on. @param {{floorplan: string, path: string}} trial */
 export function keyOf({ floorplan, path }) {
@@ -28,22 +29,34 @@ export function pathsOf(trials) {
 }
 
 /**
- * The path that is shown first: the last driven of those in which two days can be compared, else the last driven.
+ * The path that is shown first: the last driven of those with enough trials for a verdict, else of those in which two
+ * days can be compared, else of all.
  * @param {PathChoice[]} paths the last driven last @param {TrialView[]} trials
  */
 export function firstPath(paths, trials) {
-  /** @param {PathChoice} path */
-  const hasTwoDays = ({ key }) => {
-    /** @type {Map<string, number>} */
-    const days = new Map();
-    for (const trial of trials) {
-      if (!trial.kept || trial.measures?.reached === false || keyOf(trial) !== key) continue;
-      const day = `${trial.source.simulated} ${new Date(trial.started).toDateString()}`;
-      days.set(day, (days.get(day) ?? 0) + 1);
-    }
-    return [...days.values()].filter((count) => count > GETTING_USED).length > 1;
-  };
-  return paths.findLast(hasTwoDays) ?? paths[paths.length - 1];
+  /** @param {PathChoice} path @param {number} needed trials */
+  const isCompared = ({ key }, needed) =>
+    [false, true].some((simulated) => {
+      const days = comparedDays(trials.filter((one) => keyOf(one) === key && one.source.simulated === simulated));
+      return days.length > 1 && days.reduce((sum, count) => sum + count) >= needed;
+    });
+  return (
+    paths.findLast((path) => isCompared(path, NEEDED)) ??
+    paths.findLast((path) => isCompared(path, 2)) ??
+    paths[paths.length - 1]
+  );
+}
+
+/** How many trials can be compared of each day that has such trials. @param {TrialView[]} trials */
+function comparedDays(trials) {
+  /** @type {Map<string, number>} */
+  const days = new Map();
+  for (const { kept, measures, started } of trials) {
+    if (!kept || measures?.reached === false) continue;
+    const day = new Date(started).toDateString();
+    days.set(day, (days.get(day) ?? 0) + 1);
+  }
+  return [...days.values()].map((count) => count - GETTING_USED).filter((count) => count > 0);
 }
 
 /** Sort by place and level as on the Drive page, then by task; paths that no longer exist come last. @param {PathChoice[]} paths @param {FloorPlanView[]} plans */
