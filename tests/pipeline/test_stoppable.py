@@ -126,12 +126,20 @@ class Person:
             tick = self.make(*names)
         return tick
 
+    def twin(self):
+        """Return a copy of this person; what never changes is shared."""
+        return copy.deepcopy(self, {id(self.parameters): self.parameters, id(self.gestures): self.gestures})
+
+    def sensed(self, names):
+        """Return those of these gestures that the shirt senses."""
+        return tuple(name for name in names if self.gestures[name].joint not in self.broken)
+
     def rests_after(self, *names):
         """Return whether these gestures, of a copy of this person, bring the chair to rest or make the gate stop it."""
-        other = copy.deepcopy(self)
+        other = self.twin()
         before = speeds(self.chain)
         for _ in range(round(BRAKING * RATE)):
-            other.make(*(name for name in names if self.gestures[name].joint not in self.broken))
+            other.make(*names)
             if all(now * then <= 0.0 for now, then in zip(speeds(other.chain), before, strict=True)):
                 return True
         return False
@@ -165,7 +173,7 @@ def cases_of(vocabulary, feature):
             start = moving_along(direction, bound, parameters)
             for count in range(len(joints) + 1) if start else ():
                 for broken in itertools.combinations(joints, count):
-                    person = copy.deepcopy(start)
+                    person = start.twin()
                     person.broken = frozenset(broken)
                     yield (modes, direction, broken), person
 
@@ -174,6 +182,8 @@ def cases_of(vocabulary, feature):
 @pytest.mark.parametrize("feature", get_args(Feature))
 def test_what_moves_is_stopped_by_the_person_or_by_the_gate(vocabulary, feature):
     unstoppable, went_on = [], 0
+    stop = VOCABULARIES[vocabulary].get("stop", ())
+    ways = list(dict.fromkeys([(), *((name,) for bound in VOCABULARIES[vocabulary].values() for name in bound), stop]))
     for case, person in cases_of(vocabulary, feature):
         tick = person.for_seconds(STOPPED_WITHIN)
         if tick.state is State.FAULT:
@@ -181,8 +191,12 @@ def test_what_moves_is_stopped_by_the_person_or_by_the_gate(vocabulary, feature)
             is_stopped = speeds(person.chain) == (0.0, 0.0)
         else:
             went_on += 1
-            ways = [(), *((name,) for name in person.gestures), VOCABULARIES[vocabulary].get("stop", ())]
-            is_stopped = any(person.rests_after(*way) for way in ways)
+            brakes = dict.fromkeys(person.sensed(way) for way in ways)
+            brake = next((way for way in brakes if person.rests_after(*way)), None)
+            is_stopped = brake is not None
+            if brake in ways:  # it is likely to be the brake of the next case, too
+                ways.remove(brake)
+                ways.insert(0, brake)
         if not is_stopped:
             unstoppable.append(case)
     assert unstoppable == []
