@@ -24,7 +24,7 @@ from app.api.guard import Guard
 from app.api.interface_tests import interface_tests
 from app.api.live import live_socket, screen_socket
 from app.api.page_session import SessionRequired
-from app.api.pages import Pages
+from app.api.pages import Pages, PagesFirst
 from app.api.parts import web_parts_of
 from app.api.patient_screen import patient_socket
 from app.api.patient_screen import routes as patient_screen
@@ -193,6 +193,7 @@ def create_app(
     pages = _pages()
     app.mount("/docs/", docs_pages(docs_folder(), pages.text("docs.html")), name="docs")
     app.mount("/", pages, name="pages")
+    app.add_middleware(PagesFirst, pages=pages)
     app.add_middleware(Guard, settings=settings)
     app.add_middleware(BehindProxy, settings=settings)  # before all others, which see what the browser sent
     return app

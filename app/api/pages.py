@@ -13,7 +13,7 @@ from fastapi import HTTPException
 from fastapi.concurrency import run_in_threadpool
 from starlette.datastructures import Headers
 from starlette.responses import Response
-from starlette.types import Receive, Scope, Send
+from starlette.types import ASGIApp, Receive, Scope, Send
 from starlette.websockets import WebSocketClose
 
 from app import __version__
@@ -86,9 +86,20 @@ class Pages:
         is_present = version is not None and version[1] == self.version
         await self._answer(file, Headers(scope=scope), is_present=is_present)(scope, receive, send)
 
+    def is_asked_for(self, scope: Scope) -> bool:
+        """Return whether a request is for a file under the address of a version."""
+        return scope["type"] == "http" and scope["method"] == "GET" and self._versioned(scope["path"]) in self._files
+
     def text(self, name: str) -> str:
         """Return a file as it is sent."""
         return self._files[name].content.decode()
+
+    @staticmethod
+    def _versioned(path: str) -> str | None:
+        """Return the name of the file at a path that names a version, and None at any other path."""
+        name = path.lstrip("/")
+        version = VERSION.match(name)
+        return name[version.end() :] if version else None
 
     async def _file(self, name: str) -> PageFile:
         if name == PLOTLY and name not in self._files:
@@ -127,6 +138,22 @@ class Pages:
         joined = STYLES.sub(f'  <link rel="stylesheet" href="{styles}">\n', text)
         joined = ENTRY.sub(BEGINNING, joined).replace("</body>", PROGRAM.format(preloads + scripts))
         return LINK.sub(rf'\1="/v-{self.version}/\2"', joined).encode()
+
+
+class PagesFirst:
+    """Middleware that answers for the files of a version at once.
+
+    A page asks for more than a hundred of them, and to look through all routes first takes longer than the answer.
+    """
+
+    def __init__(self, app: ASGIApp, pages: Pages) -> None:
+        self._app = app
+        self._pages = pages
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer a request for such a file, and pass on any other."""
+        app = self._pages if self._pages.is_asked_for(scope) else self._app
+        await app(scope, receive, send)
 
 
 def read_entry(folder: Path, entry: str) -> dict[str, PageFile]:

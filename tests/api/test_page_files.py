@@ -8,7 +8,7 @@ import pytest
 from starlette.applications import Starlette
 from starlette.testclient import TestClient
 
-from app.api.pages import Pages
+from app.api.pages import Pages, PagesFirst
 from app.settings import static_folder
 
 ENTRY = """<!doctype html>
@@ -133,3 +133,15 @@ def test_every_module_that_a_page_imports_is_preloaded_and_there() -> None:
             links = re.findall(r'(?:href|src)="([^"]+)"', client.get(f"/{entry}.html").text)
             assert len(links) > 20
             assert {client.get(link).status_code for link in links} == {200}
+
+
+def test_no_route_is_looked_through_for_a_file_of_a_version(pages: Pages) -> None:
+    app = Starlette()
+    app.add_middleware(PagesFirst, pages=pages)  # there is no route at all
+    with TestClient(app) as client:
+        at = f"/v-{pages.version}"
+        assert client.get(f"{at}/js/one.js").text == FILES["js/one.js"]
+        assert client.get("/v-0/js/one.js").headers["cache-control"] == "no-cache"
+        for other in ("/js/one.js", f"{at}/js/three.js", f"{at}/notes.txt", "/"):
+            assert client.get(other).status_code == 404
+        assert client.post(f"{at}/js/one.js").status_code == 404
