@@ -9,8 +9,12 @@ import pytest
 from fake_clinic import Clinic
 from pairing import code_of, only, pair
 from running_app import running
+from session.same_process import SameProcess
+from session.same_reader import read_in_this_process
 
+from app.api.exports import archive_import, export_file
 from app.api.sign_in import hashing
+from app.exports.archive import imported_archive
 from app.session import run_watch
 from app.session.calibration import calibration_flow
 from app.settings import Settings
@@ -30,11 +34,15 @@ def sign_in(clinic: Clinic) -> None:
 
 
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Take the time out of what a test waits for: hashing passwords, filling the ballast, looking again."""
+    """Take the time out of what a test waits for: hashes, the ballast, looking again, processes."""
     monkeypatch.setattr(hashing, "COST", hashing.Cost(time=1, memory=8, lanes=1))
     monkeypatch.setattr(ballast, "SIZE", 65_536)  # each test keeps its folder for a while
     monkeypatch.setattr(calibration_flow, "LOOK_EVERY", 0.002)
     monkeypatch.setattr(run_watch, "LOOK_EVERY", 0.002)
+    read_in_this_process(monkeypatch)
+    monkeypatch.setattr(export_file, "ComputingProcess", SameProcess)
+    monkeypatch.setattr(archive_import, "ComputingProcess", SameProcess)
+    monkeypatch.setattr(imported_archive, "limit_memory", lambda: None)
 
 
 @pytest.fixture

@@ -4,6 +4,7 @@ Building the application's routes takes longer than most tests. So an applicatio
 settings for each test: whatever it keeps, it makes at its start and gives up at its end.
 """
 
+import asyncio
 from collections.abc import Callable, Iterator
 from dataclasses import fields
 from pathlib import Path
@@ -11,6 +12,7 @@ from typing import Any
 
 import numpy as np
 from fake_clinic import BASE, Clinic, FakeProcess, TestClient, profile_for
+from one_hop import OneHop
 from session.same_process import SameProcess
 
 from app.api.app import create_app
@@ -64,6 +66,9 @@ class RunningApp:
         self._answers = {"judge": None, "measures": {"dist": 12.0, "e_diff": 1.5, "reached": True}}
         browser = ("127.0.0.1", 50_000)
         with TestClient(self._app, base_url=BASE, raise_server_exceptions=False, client=browser) as client:
+            assert client.portal is not None
+            loop = client.portal.call(asyncio.get_running_loop)
+            client._transport = OneHop(self._app, loop, browser, client._transport)
             yield Clinic(client, self._processes, self._answers)
 
     async def _start_process(self) -> FakeProcess:

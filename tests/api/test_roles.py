@@ -206,7 +206,7 @@ def test_the_matrix_of_roles_and_routes(in_session: Clinic, role: str) -> None:
             add_person(db, the_clinic(db), role, role.partition(" ")[0], None, patients=patients)
     wrong = []
     for name, right in table(clinic.client.app).items():  # type: ignore[arg-type]
-        for view in ("clinician", "patient"):
+        for view in ("clinician", "patient") if "{role}" in name else ("clinician",):
             clinic.client.cookies.clear()
             if role == "patient's screen":
                 clinic.client.cookies[SCREEN_COOKIE] = screen

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from scene_messages import everything, of_node, tick
+from session.same_reader import read_in_this_process
 
 from app.geometry import Pose
 from app.scene.cameras import VIEWS, EyeSettings, Orbit, chase_camera, eye_camera, free_camera, world_placement
@@ -230,7 +231,8 @@ def test_the_free_camera_is_moved_by_the_server(servers):
     assert of_node(found, "SetPositionMessage", "/world")[-1]["position"] == pytest.approx(placed.position, abs=1e-5)
 
 
-def test_an_object_that_cannot_be_read_is_a_plain_box_and_said_so(servers, tmp_path, caplog):
+def test_an_object_that_cannot_be_read_is_a_plain_box_and_said_so(servers, tmp_path, caplog, monkeypatch):
+    read_in_this_process(monkeypatch)
     (tmp_path / "piano.glb").write_bytes(b"nothing")
     plan = OPEN.model_copy(
         update={"obstacles": (Box(kind="box", label="x", position=(8.0, 5.0), size=(1.0, 1.0), model="piano"),)}

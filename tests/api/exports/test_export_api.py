@@ -70,6 +70,7 @@ def test_an_export_takes_as_long_as_it_writes(driven: Any, monkeypatch: pytest.M
     looks = itertools.count()
     with driven.client.app.state.people.database.transaction() as db:
         give_consent(db, driven.patient, "sharing", date(2025, 1, 1), "Ana")
+    monkeypatch.setattr(export_file, "ComputingProcess", computing_process.ComputingProcess)
     monkeypatch.setattr(computing_process, "ANSWER_LIMIT", 0.0)
     monkeypatch.setattr(export_file, "bytes_in", lambda _: next(looks))
     answer = driven("GET", f"/patients/{driven.patient}/export?form=csv")

@@ -12,6 +12,7 @@ import trimesh
 from PIL import Image
 
 from app import isolated_reader
+from app.api import foreign_files
 from app.world.floorplan import load_floorplan
 
 ROOM = [[[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [0.0, 4.0], [0.0, 0.0]]]
@@ -227,6 +228,7 @@ def test_bad_files_are_refused_in_one_sentence(signed_in: Any) -> None:
 
 
 def test_a_reader_that_dies_or_hangs_is_said(signed_in: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(foreign_files, "read_isolated", isolated_reader.read_isolated)
     monkeypatch.setattr(isolated_reader, "COMMAND", ("false",))
     assert "could not be read" in sentence(bring(signed_in, ("hall.dxf", dxf())), 422)
     monkeypatch.setattr(isolated_reader, "COMMAND", ("sh", "-c", "sleep 60", "-"))
