@@ -32,7 +32,7 @@ PLAN = FloorPlan(
             "title": "Two bends",
             "points": ((0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (8.0, 4.0)),
             "instruction": "Go.",
-            "time_limit": 120.0,
+            "time_limit": 60.0,  # s: who is lost by then does not find back, and such a trial does not count
         },
     ),
 )
