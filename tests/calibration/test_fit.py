@@ -3,7 +3,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from simulated_person import JOINTS, SimulatedPerson, calibrate, layout_of
-from sklearn.decomposition import PCA
 
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import Repetition
@@ -46,6 +45,8 @@ def test_the_saved_document_is_read_back_the_same(person):
 
 
 def test_evr_and_span_are_those_of_the_free_movement(person):
+    from sklearn.decomposition import PCA  # here: it takes a second to load
+
     free = person.free()
     profile = calibrate(person, free=free)
     for joint in profile.joints:

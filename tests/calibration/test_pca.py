@@ -2,13 +2,14 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sklearn.decomposition import PCA
 
 from app.calibration.fit.pca import JointPCA, angle_between
 
 
 @given(seed=st.integers(0, 2**32 - 1), channels=st.integers(1, 9))
 def test_map_variance_equals_that_of_scikit_learn(seed, channels):
+    from sklearn.decomposition import PCA  # here: it takes a second to load
+
     rng = np.random.default_rng(seed)
     values = rng.normal(size=(200, 12)) @ rng.normal(size=(12, 12)) + rng.normal(size=12)
     mine = rng.permutation(12)[:channels].tolist()

@@ -2,8 +2,6 @@
 
 import shutil
 
-from playwright.sync_api import sync_playwright
-
 from folders import ROOT
 
 STATIC = ROOT / "web_static"
@@ -21,6 +19,8 @@ ICONS = (
 
 def draw() -> None:
     """Write the icons."""
+    from playwright.sync_api import sync_playwright
+
     drawing = (STATIC / "icon.svg").read_text()
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
