@@ -68,7 +68,7 @@ FEW_PICTURES = """(() => {
 
 
 class FewPicturesBrowser:
-    """Chromium whose pages draw few pictures."""
+    """Chromium whose pages draw few pictures; those that a test opens are closed when it ends."""
 
     def __init__(self, browser: Browser) -> None:
         self._browser = browser
@@ -76,6 +76,8 @@ class FewPicturesBrowser:
     def new_context(self, *, all_pictures: bool = False, **options: Any) -> BrowserContext:
         """Open a context, as Playwright does; with `all_pictures` its pages draw as often as they can."""
         context = self._browser.new_context(**options)
+        if not STARTED.lasting:
+            STARTED.passing.append(context)
         context.set_default_timeout(PATIENCE)
         if not all_pictures:
             context.add_init_script(FEW_PICTURES)
@@ -155,6 +157,8 @@ class StartedOnce:
         self._ends = ExitStack()
         self._playwright: Playwright | None = None
         self._chromium: Browser | None = None
+        self.passing: list[BrowserContext] = []  # opened by the test that runs now
+        self.lasting = 0  # fixtures under way that outlive a test, and so does what they open
 
     def playwright(self) -> Playwright:
         """Return what starts browsers; there can be one only."""
@@ -174,8 +178,14 @@ class StartedOnce:
             self._ends.callback(self._chromium.close)
         return self._chromium
 
+    def close_passing(self) -> None:
+        """Close what the test has opened: a page that is left open goes on to draw, and a server waits for it."""
+        while self.passing:
+            self.passing.pop().close()
+
     def end(self) -> None:
         """End both; they can be started again."""
+        self.passing.clear()
         self._ends.close()
         self._playwright = self._chromium = None
 
@@ -192,6 +202,23 @@ def pytest_runtest_teardown(nextitem: pytest.Item | None) -> Iterator[None]:
     yield
     if nextitem is None or Path(__file__).parent not in nextitem.path.parents:
         STARTED.end()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_fixture_setup(fixturedef: pytest.FixtureDef[Any]) -> Iterator[None]:
+    """Note that what is opened now belongs to more tests than one."""
+    is_lasting = fixturedef.scope != "function"
+    STARTED.lasting += is_lasting
+    try:
+        return (yield)
+    finally:
+        STARTED.lasting -= is_lasting
+
+
+@pytest.fixture(autouse=True)
+def _pages_of_the_test() -> Iterator[None]:
+    yield
+    STARTED.close_passing()
 
 
 @pytest.fixture(scope="session")
