@@ -89,6 +89,12 @@ def numbered(name: str, parts: list[Part]) -> dict[str, Part]:
 
 
 def place_node(node: viser.SceneNodeHandle, placement: Placement) -> None:
-    """Set the orientation and the position of a node."""
-    node.wxyz = placement.wxyz
-    node.position = placement.position
+    """Set the orientation and the position of a node.
+
+    Viser compares what it is given with what it has, which takes much longer than to compare numbers; most of the time
+    nothing moves, and this is called sixty times a second for each node.
+    """
+    if tuple(node.wxyz) != tuple(placement.wxyz):
+        node.wxyz = placement.wxyz
+    if tuple(node.position) != tuple(placement.position):
+        node.position = placement.position
