@@ -18,8 +18,9 @@ settings.load_profile("bodydrive")
 
 # Side by side, what takes longest is begun first, so that no process of the tests waits for another at the end.
 LONGEST = (
-    *("test_calibrate_page", "test_story", "test_drawn_plan", "test_without_program", "test_view", "test_chair_page"),
-    *("test_drills_short", "test_odd_equipment"),
+    *("test_axe", "test_way", "test_chair_page", "test_story", "test_drawn_plan", "test_calibrate_page"),
+    *("test_without_program", "test_view", "test_keyboard", "test_live_words", "test_people_page"),
+    *("test_drills_short", "test_odd_equipment", "test_study_learning", "test_stoppable", "test_study_sessions"),
 )
 
 
