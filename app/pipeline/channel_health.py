@@ -97,7 +97,7 @@ class ChannelHealth:
         bad = self.bad_in_block(values, before)
         return np.zeros(values.shape, dtype=np.bool_) if bad is None else bad
 
-    def bad_in_block(self, values: NDArray[np.float64], before: NDArray[np.float64] | None) -> NDArray[np.bool_] | None:
+    def bad_in_block(self, values: Frame, before: Frame | None) -> NDArray[np.bool_] | None:
         """Return what `block` does, None when no channel is bad.
 
         `before` are the `memory` frames just before them, to notice a constant channel; None at the beginning.

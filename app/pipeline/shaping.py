@@ -1,8 +1,10 @@
 """From u1 and u2 to the requested twist: control mode, speeds, ramps. Stops do not pass through here."""
 
 import math
-from collections.abc import Sequence
 from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
 
 from app.calibration.vocabulary import DriveParameters
 from app.geometry import Twist
@@ -41,13 +43,12 @@ class Cruise:
         self._unasked = 0.0 if control else self._unasked + dt
         return self._unasked <= self._longest
 
-    def coast(self, steps: Sequence[float]) -> int:
-        """Let `steps` (s) pass with control 0 and constant speed; return how many pass before the time-out."""
-        for count, dt in enumerate(steps):
-            if self._unasked + dt > self._longest:
-                return count
-            self._unasked += dt
-        return len(steps)
+    def coast(self, steps: NDArray[np.float64]) -> int:
+        """Let `steps` (n,) in s pass with control 0 and constant speed; return how many pass before the time-out."""
+        unasked = np.cumsum(np.concatenate(([self._unasked], steps)))
+        count = int(np.searchsorted(unasked[1:], self._longest, side="right"))
+        self._unasked = float(unasked[count])
+        return count
 
 
 class Shaper:

@@ -5,6 +5,7 @@ of the loop. The gate's decisions are not made again but read from the recording
 armed throughout.
 """
 
+from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -121,12 +122,10 @@ def _projected(
     health = ChannelHealth(parameters.profile, np.asarray(uses.any(axis=0)), sample_rate)
     score = np.empty((len(values), len(weights)))
     bad = np.zeros(score.shape, dtype=np.bool_)
-    before = None
     for start in range(0, len(values), CHUNK):
         part = slice(start, start + CHUNK)
+        wrong = health.bad_in_block(values[part], values[max(0, start - health.memory) : start] if start else None)
         frames = values[part].astype(np.float64)
-        wrong = health.bad_in_block(frames, before)
-        before = frames[-health.memory :].copy()
         if wrong is not None:
             bad[part] = wrong.astype(np.float32) @ uses.T.astype(np.float32) > 0
             frames[wrong] = 0.0
@@ -213,9 +212,10 @@ def _twists(
 ) -> tuple[Array, Array]:
     shaper = Shaper(parameters)
     forward, turn = forward_ramp(parameters.speeds), turn_ramp(parameters.speeds)
+    time = _Time(dt, dt.tolist(), permitted.tolist(), np.diff(permitted, prepend=permitted[:1]))
     return (
-        _ramped(_Axis(shaper.speed, forward, STOP_DECELERATION, shaper.cruise), u1, dt, permitted),
-        _ramped(_Axis(shaper.turn_rate, turn, STOP_TURN_DECELERATION, shaper.turn_cruise), u2, dt, permitted),
+        _ramped(_Axis(shaper.speed, forward, STOP_DECELERATION, shaper.cruise), u1, time),
+        _ramped(_Axis(shaper.turn_rate, turn, STOP_TURN_DECELERATION, shaper.turn_cruise), u2, time),
     )
 
 
@@ -228,39 +228,50 @@ class _Axis(NamedTuple):
     cruise: Cruise | None  # the time-out in acceleration mode
 
 
-def _ramped(axis: _Axis, control: Array, dt: Array, permitted: NDArray[np.bool_]) -> Array:
+class _Time(NamedTuple):
+    """The steps of both axes."""
+
+    dt: Array  # s
+    steps: list[float]  # the same
+    permitted: list[bool]
+    changes: NDArray[np.bool_]  # where `permitted` changes
+
+
+def _ramped(axis: _Axis, control: Array, time: _Time) -> Array:
     """Return one axis of the twists: each speed follows from the one before.
 
-    While the control is 0 and the speed is constant, the steps up to the next control are skipped.
+    While neither the speed nor the control changes, the steps up to the next change of the control are skipped.
     """
-    speeds = np.empty(len(control))
-    asks = (control != 0.0) | np.diff(permitted, prepend=permitted[:1])
-    places = np.append(np.flatnonzero(asks), len(control))
-    next_ask = places[np.searchsorted(places, np.arange(len(control)), side="right")].tolist()
-    controls, steps, permissions = control.tolist(), dt.tolist(), permitted.tolist()
+    ramp, shape, cruise = axis.ramp, axis.shape, axis.cruise
+    steps, permitted, controls = time.steps, time.permitted, control.tolist()
+    changes = np.flatnonzero((np.diff(control, prepend=np.nan) != 0.0) | time.changes).tolist()
+    changes.append(len(controls))
+    speeds: list[float] = []
+    ends: list[int] = []  # up to where each of the speeds stays
     last = rate = stop = 0.0
     was_permitted = True
     i = 0
     while i < len(controls):
         step = steps[i]
-        if permissions[i]:
-            speed = axis.ramp.bounded(last, rate, axis.shape(controls[i], last, rate, step), step)
+        if permitted[i]:
+            speed = ramp.bounded(last, rate, shape(controls[i], last, rate, step), step)
             rate = (speed - last) / step if step > 0.0 else rate
         else:
             if was_permitted:
                 stop, rate = stop_rate(last, axis.stop_deceleration), 0.0
-                if axis.cruise:
-                    axis.cruise.reset()
+                if cruise:
+                    cruise.reset()
             speed = towards_zero(last, stop * step)
-        was_permitted = permissions[i]
-        settled = speed == last and step > 0.0 and (controls[i] == 0.0 or not was_permitted)
-        end = next_ask[i] if settled else i + 1
-        if settled and axis.cruise and was_permitted and speed:
-            end = i + 1 + axis.cruise.coast(steps[i + 1 : end])
-        speeds[i:end] = speed
+        was_permitted = permitted[i]
+        i += 1
+        if speed == last and step > 0.0:
+            start, i = i, changes[bisect_right(changes, i - 1)]
+            if cruise and was_permitted and speed and not controls[start - 1]:
+                i = start + cruise.coast(time.dt[start:i])
+        speeds.append(speed)
+        ends.append(i)
         last = speed
-        i = end
-    return speeds
+    return np.repeat(speeds, np.diff(ends, prepend=0))
 
 
 def _drive(chair: Chair, v: Array, omega: Array, dt: Array, permitted: NDArray[np.bool_]) -> tuple[Array, Array, Array]:
