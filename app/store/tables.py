@@ -213,8 +213,7 @@ class Trial(Table):
     kept: Mapped[bool]
     discard_reason: Mapped[str | None] = mapped_column(String(200))
     measures: Mapped[dict[str, Any] | None]
-    # The control quality, as a document: the longest column, and read where it is shown only.
-    quality: Mapped[dict[str, Any] | None] = mapped_column(deferred=True, deferred_raiseload=True)
+    quality: Mapped[dict[str, Any] | None] = mapped_column(deferred=True, deferred_raiseload=True)  # long: read apart
 
     @property
     def source(self) -> Source:
