@@ -8,13 +8,14 @@ import viser
 
 # Only the canvas and the plots are visible, and nothing can be pressed or dragged. The rule hides every element without
 # a canvas in it. A uPlot chart contains a canvas, so that the chart and its parents stay visible; the header and the
-# grips of viser's panel are hidden.
+# grips of viser's panel are hidden. Without a scene the canvas is hidden: viser draws its cross of axes until then.
 STYLE: Final = """
 html, body { margin: 0; overflow: hidden; }
 body, body div:has(> [data-dock-root]), body div:has(> div > [data-dock-root]) {
   background: linear-gradient(#d3e2ec, #eaf1f4 46%, #dfe6e4 54%, #d5dcd8) !important;
 }
 body :not(:has(canvas)):not(canvas):not(.uplot *) { display: none !important; }
+html:not([data-scene]) canvas { visibility: hidden; }
 * { pointer-events: none !important; touch-action: none; }
 [data-floating-window] {
   left: auto !important; right: 12px !important; top: 12px !important; height: auto !important;
@@ -32,6 +33,8 @@ body :not(:has(canvas)):not(canvas):not(.uplot *) { display: none !important; }
 # - Keys would move viser's camera and open its command palette. They are passed to the page around the frame instead.
 # - viser starts a sorter for Gaussian splats that compiles code from text. The content security policy forbids that;
 #   its error is ignored, since no splats are drawn.
+# - data-scene marks the document while there is a scene: the node "/world" has arrived and is drawn. Before that, and
+#   again after each reconnection, viser's page shows a cross of axes of its own, which the server cannot hide earlier.
 # - bodydriveView.age() returns the age of the picture (s): the time since the last stamp, plus that stamp's lateness.
 #   lag() returns the age of the drawn pose at its stamp (s): the time since its tick, plus the stamp's lateness.
 #   draws() returns false while the canvas has no drawing context: the browser took it away or gave none.
@@ -49,6 +52,17 @@ for (const kind of ["keydown", "keyup"]) {
     }
   }, true);
 }
+(() => {
+  const DRAWN = 3;  // pictures after which a node that has arrived is drawn
+  let pictures = 0;
+  const look = () => {
+    const nodes = window.__viserMutable && window.__viserMutable.nodePoseData;
+    pictures = nodes && nodes["/world"] ? pictures + 1 : 0;
+    document.documentElement.toggleAttribute("data-scene", pictures > DRAWN);
+    requestAnimationFrame(look);
+  };
+  requestAnimationFrame(look);
+})();
 (() => {
   const WRAP = 100;  // s
   const STAMPS = 0.15;  // s; at least this often one comes when all is well
