@@ -2,4 +2,4 @@
 
 
 def test_a_second_is_too_old_unless_the_page_itself_is_late(run_script):
-    assert " holds" in run_script("picture_age.mjs")
+    assert " holds" in run_script("view/picture_age.mjs")
