@@ -35,10 +35,10 @@ def upward(mesh):
 def test_what_matters_stands_out_from_walls_and_floor():
     faces = {
         name: luminance(painted(box((1, 1, 1)), getattr(palette, name), Lights()).light)
-        for name in ("WALL", "DOOR", "SKIRTING", "CEILING", "LAMP", "FLOOR", "FLOOR_TILE")
+        for name in ("WALL", "DOOR", "DOOR_LEAF", "SKIRTING", "CEILING", "LAMP", "FLOOR", "FLOOR_TILE")
     }
     top, bottom, sides = slice(0, 4), slice(4, 8), slice(8, 24)
-    for name in ("DOOR", "SKIRTING"):
+    for name in ("DOOR", "DOOR_LEAF", "SKIRTING"):
         assert contrast(faces["WALL"][sides].min(), faces[name][sides].max()) >= 3
     for floor in ("FLOOR", "FLOOR_TILE"):
         assert contrast(faces[floor][top].max(), faces["SKIRTING"][sides].max()) >= 3

@@ -1,6 +1,6 @@
 """The colours of the drawn world: light walls, calm floors, the chair in the product's teal.
 
-The colours from FLOOR to DOOR are those on the screen (sRGB); all others are lit by sun and sky.
+The colours from FLOOR to DOOR_HANDLE are those on the screen (sRGB); all others are lit by sun and sky.
 """
 
 from typing import Final
@@ -15,6 +15,8 @@ CEILING: Final[Colour] = (184, 190, 194)
 LAMP: Final[Colour] = (226, 226, 226)
 SKIRTING: Final[Colour] = (66, 78, 90)
 DOOR: Final[Colour] = (116, 74, 44)
+DOOR_LEAF: Final[Colour] = (146, 92, 54)
+DOOR_HANDLE: Final[Colour] = (58, 64, 70)
 PATH: Final[Colour] = (255, 255, 255)
 PATH_EDGE: Final[Colour] = (92, 114, 132)
 GOAL: Final[Colour] = (11, 107, 107)

@@ -1,4 +1,4 @@
-"""The meshes of walls, skirting, door frames and the wall above doors."""
+"""The meshes of walls, skirting, doors and the wall above doors."""
 
 import math
 from typing import Final
@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from app.scene.meshes import palette
 from app.scene.meshes.bodies import Mesh, box, merged, rectangle, standing_box
+from app.scene.meshes.door_leaves import leaves_part
 from app.scene.meshes.paint import Numbers, PaintedPart, joined, painted
 from app.scene.meshes.wall_shade import REACH, Pieces, corner_shade
 from app.world.floorplan import Door, FloorPlan
@@ -68,10 +69,12 @@ def skirting_part(plan: FloorPlan) -> PaintedPart:
 
 
 def doors_part(plan: FloorPlan, has_ceiling: bool) -> PaintedPart:
-    """Return the door frames, and the wall above the doors."""
+    """Return the door frames with open leaves, and the wall above the doors."""
     frames = painted(merged(_frame(door, plan.wall_thickness) for door in plan.doors), palette.DOOR, plan.lights)
+    leaves = leaves_part(plan, min(DOOR_HEIGHT, plan.wall_height) - FRAME_WIDTH)
+    doors = frames if leaves is None else joined([frames, leaves])
     if plan.wall_height <= DOOR_HEIGHT:
-        return frames
+        return doors
     above = merged(
         standing_box(plan.wall_thickness * 0.98, door.width, DOOR_HEIGHT, plan.wall_height).moved(
             *door.position, heading=door.heading
@@ -79,7 +82,7 @@ def doors_part(plan: FloorPlan, has_ceiling: bool) -> PaintedPart:
         for door in plan.doors
     )
     shade = np.where((above.vertices[:, 2] > plan.wall_height - EDGE) & has_ceiling, UNDER_CEILING, 1.0)
-    return joined([frames, painted(above, palette.WALL, plan.lights, shade)])
+    return joined([doors, painted(above, palette.WALL, plan.lights, shade)])
 
 
 def _place(pieces: Pieces, number: int) -> tuple[float, float, float, float]:
