@@ -98,6 +98,7 @@ def take(page: Any, clinic: EyesClinic, cells: list[Cell], places: list[str], ou
     """Photograph the places in the cells, into a folder for each cell, with contact sheets beside these folders."""
     pictures: dict[Cell, list[Path]] = {one: [] for one in cells}
     for name in places:
+        page.emulate_media(**THEMES["light"])  # a page loaded in forced colours keeps their black in the next cells
         PLACES[name](page, clinic)
         page.wait_for_timeout(2 * SETTLE)
         for one in cells:
