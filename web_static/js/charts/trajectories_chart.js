@@ -37,11 +37,12 @@ export function trajectoriesChart(driven, plan, signal) {
       }),
     );
     const path = columns(driven.path);
+    const isOneColour = colours["path-prescribed"] === colours["path-driven"]; // in forced colours
     if (driven.path.length)
       traces.push({
         mode: "lines",
         ...path,
-        line: { color: colours["path-prescribed"], width: 3 },
+        line: { color: colours["path-prescribed"], width: 3, dash: isOneColour ? "dash" : "solid" },
         name: t("review.path.line"),
         hoverinfo: "skip",
       });

@@ -24,7 +24,7 @@ export async function show(app, root, { signal, rest: [patient, , ...ids] }) {
   const link = (trial) =>
     h("a", { href: `#/review/${patient}/trial/${trial.id}` }, t("compare.trial", { number: trial.number }), ` (${moment(trial.started)})`);
   /** @param {TrialDetail} trial */
-  const named = (trial) => [link(trial), " ", groupMark(groupOf(trial))];
+  const named = (trial) => h("span", { class: "trial-name" }, link(trial), " ", groupMark(groupOf(trial)));
   put(
     root,
     h(
