@@ -1,4 +1,4 @@
-"""Pages with nothing on them yet, and pages whose request failed: each says what to do next."""
+"""Pages with nothing on them yet, or not ready, and pages whose request failed: each says what to do next."""
 
 from typing import Any
 
@@ -7,6 +7,10 @@ from browser.eyes.opening import Open, answered, go, opened
 from playwright.sync_api import expect
 
 NO_SHIRT = {"shirt": None, "body": None, "layout": None, "unused": []}
+OTHER_SHIRT = {
+    "words": "The patient was calibrated in another shirt: calibrate in this one first.",
+    "page": "calibrate",
+}
 
 
 def with_nobody(where: str) -> Open:
@@ -95,6 +99,8 @@ EMPTY_PLACES: dict[str, Open] = {
     "adapt, not calibrated": not_calibrated("adapt"),
     "drive, nobody": with_nobody("drive"),
     "drive, not calibrated": not_calibrated("drive"),
+    "drive, other shirt": answered("/controls/obstacle", "drive", lambda _: OTHER_SHIRT),
+    "controls, other shirt": answered("/controls", "controls", lambda view: {**view, "obstacle": OTHER_SHIRT}),
     "patients, none found": nobody_found,
     "patients, failed": failed("/patients", "patients"),
     "review, no trials": review_without_trials,
