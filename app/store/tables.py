@@ -159,9 +159,8 @@ class Profile(Table):
     patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"))
     session_id: Mapped[int] = mapped_column(ForeignKey("session.id"), index=True)
     version: Mapped[int]
-    origin: Mapped[str] = mapped_column(
-        String(16), server_default="calibration"
-    )  # calibration, adaptation, donning, back
+    # calibration, adaptation, donning or back
+    origin: Mapped[str] = mapped_column(String(16), server_default="calibration")
     parent: Mapped[int | None]  # version of the same patient that it was made from; None: from a calibration
     difference: Mapped[dict[str, Any] | None]  # the changes from the parent
     document: Mapped[dict[str, Any]]
