@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 from sqlalchemy.orm import Session
+from store.shared_statements import share_statements
 
 from app.calibration.profile import CalibrationProfile
 from app.store.database import Database
@@ -15,6 +16,7 @@ from small_profile import small_profile
 
 settings.register_profile("bodydrive", deadline=None, derandomize=os.environ.get("CI") == "true")
 settings.load_profile("bodydrive")
+share_statements()
 
 # Side by side, what takes longest is begun first, so that no process of the tests waits for another at the end.
 LONGEST = (
