@@ -80,9 +80,10 @@ def _one(folder, dice, result, told, whole):
 
 def _fill_database(demo):
     """Add patients until there is no room in SQLite's files either, and return the refusal."""
+    session = str(demo.client.get("/session").json()["session"]["id"])  # asked once, because there are many patients
     for number in range(MOST_PATIENTS):
         patient = {"code": f"D-{number}", "pseudonym": "Heron", "note": "n" * 2000}
-        answer = demo.client.post("/patients", json=patient)
+        answer = demo.client.post("/patients", json=patient, headers={"Patient-Session": session})
         if answer.status_code != 201:
             break
     return answer

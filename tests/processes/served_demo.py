@@ -54,13 +54,13 @@ def free_port() -> int:
 
 
 class SessionClient(httpx.Client):
-    """A client that names the open session with every change, as a page does."""
+    """A client that names the open session with every change, as a page does, unless the change names one itself."""
 
     def __init__(self, base: str, **more: Any) -> None:
         super().__init__(base_url=f"{base}/api/v1", headers={"Origin": base}, timeout=60, **more)
 
     def request(self, method: str, url: Any, **more: Any) -> httpx.Response:
-        if method != "GET":
+        if method != "GET" and "Patient-Session" not in (more.get("headers") or {}):
             answer = super().request("GET", "/session")
             session = (answer.json()["session"] or {}).get("id") if answer.is_success else None
             more["headers"] = {"Patient-Session": str(session or "none"), **(more.get("headers") or {})}
