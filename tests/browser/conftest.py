@@ -41,11 +41,11 @@ CHROMIUM = (
     "--no-first-run",
 )
 
-# Without a limit, software draws as many pictures of a page and of its 3D view as the processors can: five in a second,
-# and the 3D view in a quarter of its pixels, leave time for other tests.
+# Without a limit, software draws as many pictures of a page and of its 3D view as the processors can: three a second,
+# and the 3D view in a quarter of its pixels, leave time for other tests. The chair stops for a picture 1 s old.
 FEW_PICTURES = """(() => {
   if (window !== top) Object.defineProperty(window, "devicePixelRatio", { get: () => 0.5 });
-  const pause = 190;  // ms
+  const pause = 320;  // ms
   const next = window.requestAnimationFrame.bind(window), cancel = window.cancelAnimationFrame.bind(window);
   const pending = new Map();
   let last = 0, count = 0;
