@@ -10,7 +10,7 @@ from datetime import date, datetime
 from typing import Any
 
 from sqlalchemy import Select, inspect, select
-from sqlalchemy.orm import Session
+from sqlalchemy.orm import Session, undefer
 
 from app.store.access.visible_patients import WITH_DELETED
 from app.store.database import Database
@@ -93,7 +93,7 @@ def sessions_since(db: Session, since: datetime) -> list[int]:
 
 
 def _all(db: Session, query: Select[Any]) -> list[dict[str, Any]]:
-    return [_document(row) for row in db.scalars(query, execution_options=WITH_DELETED)]
+    return [_document(row) for row in db.scalars(query.options(undefer("*")), execution_options=WITH_DELETED)]
 
 
 def _document(row: Table) -> dict[str, Any]:
