@@ -80,26 +80,20 @@ class Pages:
             return
         if scope["method"] not in {"GET", "HEAD"}:
             raise HTTPException(405)
-        name = scope["path"].lstrip("/") or "index.html"
-        version = VERSION.match(name)
-        file = await self._file(name[version.end() :] if version else name)
-        is_present = version is not None and version[1] == self.version
-        await self._answer(file, Headers(scope=scope), is_present=is_present)(scope, receive, send)
+        name, version = _name_and_version(scope["path"])
+        file = await self._file(name)
+        await self._answer(file, Headers(scope=scope), is_present=version == self.version)(scope, receive, send)
 
     def is_asked_for(self, scope: Scope) -> bool:
         """Return whether a request is for a file under the address of a version."""
-        return scope["type"] == "http" and scope["method"] == "GET" and self._versioned(scope["path"]) in self._files
+        if scope["type"] != "http" or scope["method"] != "GET":
+            return False
+        name, version = _name_and_version(scope["path"])
+        return version is not None and name in self._files
 
     def text(self, name: str) -> str:
         """Return a file as it is sent."""
         return self._files[name].content.decode()
-
-    @staticmethod
-    def _versioned(path: str) -> str | None:
-        """Return the name of the file at a path that names a version, and None at any other path."""
-        name = path.lstrip("/")
-        version = VERSION.match(name)
-        return name[version.end() :] if version else None
 
     async def _file(self, name: str) -> PageFile:
         if name == PLOTLY and name not in self._files:
@@ -138,6 +132,13 @@ class Pages:
         joined = STYLES.sub(f'  <link rel="stylesheet" href="{styles}">\n', text)
         joined = ENTRY.sub(BEGINNING, joined).replace("</body>", PROGRAM.format(preloads + scripts))
         return LINK.sub(rf'\1="/v-{self.version}/\2"', joined).encode()
+
+
+def _name_and_version(path: str) -> tuple[str, str | None]:
+    """Return the name of the file at a path, and the version that the path names, None for none."""
+    name = path.lstrip("/") or "index.html"
+    version = VERSION.match(name)
+    return (name[version.end() :], version[1]) if version else (name, None)
 
 
 class PagesFirst:

@@ -1,8 +1,8 @@
 """In which tasks each patient has become worse than noise explains: worked out in the background, and kept.
 
-A task of twenty sessions needs a third of a second, and a clinic of 200 patients more than a minute. So a page is
-answered at once with what is known; what is not is worked out one task after the other, and again when the trials that
-count in it have changed. Each is judged with the clinic's spread of that moment.
+A task of twenty sessions needs more than a tenth of a second, and a clinic of 200 patients more than a minute. So a
+page is answered at once with what is known; what is not is worked out one task after the other, and again when the
+trials that count in it have changed. Each is judged with the clinic's spread of that moment.
 """
 
 import logging

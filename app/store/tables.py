@@ -212,7 +212,8 @@ class Trial(Table):
     kept: Mapped[bool]
     discard_reason: Mapped[str | None] = mapped_column(String(200))
     measures: Mapped[dict[str, Any] | None]
-    quality: Mapped[dict[str, Any] | None] = mapped_column(deferred=True, deferred_raiseload=True)  # long: read apart
+    # A long document: only a query that names it reads it.
+    quality: Mapped[dict[str, Any] | None] = mapped_column(deferred=True, deferred_raiseload=True)
 
     @property
     def source(self) -> Source:

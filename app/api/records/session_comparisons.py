@@ -77,9 +77,8 @@ def compare_two(
         sets = [_last_set(db, one) for one in (earlier, later)]
         changes = _changes(db, sets[0], sets[1])
     spreads = [web.spread.of_others(task, earlier.patient_id) for task in rows]
-    measures = web.computing.ask(
-        compare_tasks, list(zip(rows.values(), spreads, strict=True)), earlier.number, later.number
-    )
+    given = list(zip(rows.values(), spreads, strict=True))
+    measures = web.computing.ask(compare_tasks, given, earlier.number, later.number) if given else []
     compared = [
         TaskComparison(
             floorplan=task.floorplan,

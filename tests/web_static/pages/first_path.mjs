@@ -16,6 +16,8 @@ const first = (trials) => firstPath(pathsOf(trials), trials).name;
 const compared = [...times(4, "straight", 11), ...times(4, "straight", 18)];
 assert.equal(first([...compared, ...times(3, "door", 18)]), "straight"); // the door was driven last
 assert.equal(first([...compared, ...times(4, "door", 18), ...times(4, "door", 25)]), "door");
+const unknown = { source: { simulated: null } }; // of an older program
+assert.equal(first([...times(4, "straight", 11, unknown), ...times(4, "straight", 18, unknown), trial("door", 18, unknown)]), "straight");
 const enough = [...times(6, "straight", 11), ...times(5, "straight", 18)]; // 3 and 2 trials that count
 assert.equal(first([...enough, ...times(4, "door", 18), ...times(4, "door", 25)]), "straight"); // the door: "too few trials"
 assert.equal(first([...enough, ...times(5, "door", 18), ...times(6, "door", 25)]), "door");

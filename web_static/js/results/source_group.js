@@ -8,7 +8,7 @@ import { h } from "../widgets/dom.js";
 import { field, selection } from "../widgets/fields.js";
 
 /** @type {SourceGroup[]} */
-const GROUPS = ["worn", "simulated", "unknown"];
+export const GROUPS = ["worn", "simulated", "unknown"];
 
 /** @param {WithSource} trial @returns {SourceGroup} */
 export function groupOf({ source: { simulated } }) {

@@ -4,6 +4,8 @@
  * @typedef {{key: string, floorplan: string, name: string, title: string}} PathChoice
  */
 
+import { GROUPS, groupOf } from "../../results/source_group.js";
+
 const GETTING_USED = 3; // trials of a day that are not compared
 const NEEDED = 5; // compared trials without which a verdict is “too few trials”
 
@@ -36,8 +38,8 @@ export function pathsOf(trials) {
 export function firstPath(paths, trials) {
   /** @param {PathChoice} path @param {number} needed trials */
   const isCompared = ({ key }, needed) =>
-    [false, true].some((simulated) => {
-      const days = comparedDays(trials.filter((one) => keyOf(one) === key && one.source.simulated === simulated));
+    GROUPS.some((group) => {
+      const days = comparedDays(trials.filter((one) => keyOf(one) === key && groupOf(one) === group));
       return days.length > 1 && days.reduce((sum, count) => sum + count) >= needed;
     });
   return (
