@@ -102,7 +102,7 @@ class PageLog:
     def watch(self, page: Page) -> Page:
         """Keep a page's console errors, uncaught errors and requests to other hosts."""
         page.on("console", self._console)
-        page.on("pageerror", lambda error: self.errors.append(f"uncaught: {error}"))
+        page.on("pageerror", lambda error: self.errors.append(f"uncaught: {error.stack or error}"))
         page.on("request", self._request)
         page.on("websocket", lambda socket: self._reached(socket.url))
         return page
