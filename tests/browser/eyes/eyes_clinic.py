@@ -14,6 +14,7 @@ from browser.served.served_clinic import ServedClinic
 from processes.served_demo import SessionClient
 from stored_interface_test import store_interface_test
 
+from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import standard_parameters
 from app.faults import Fault, State
 from app.hardware.shirt.standard import standard_layout
@@ -129,7 +130,9 @@ class EyesClinic(ServedClinic):
         page.context.clear_cookies()
         page.context.add_cookies(self._cookies(client))
 
-    def set_calibration(self, step: str) -> None:
+    def set_calibration(
+        self, step: str, change: Callable[[CalibrationProfile], CalibrationProfile] = lambda profile: profile
+    ) -> None:
         """Let the open session's calibration be at a step; at "result" every step is done, and there is one."""
         self.good("GET", "/calibration")  # it has begun
         session_id = self.good("GET", "/session")["session"]["id"]
@@ -139,7 +142,7 @@ class EyesClinic(ServedClinic):
             session.current_step, session.accepted = step, False
             for row in calibration_steps(db, session_id).values():
                 row.status = "done" if step == "result" else "waiting"
-            session.result = profile_for(LAYOUT).model_dump(mode="json") if step == "result" else None
+            session.result = change(profile_for(LAYOUT)).model_dump(mode="json") if step == "result" else None
         database.close()
 
     def add_tests(self) -> None:

@@ -8,6 +8,7 @@ from typing import Any
 from browser.eyes.eyes_clinic import EyesClinic
 from browser.eyes.opening import Open, answered, at, go, opened, patient_screen, start_with, tap
 from browser.eyes.states.asked_places import ASKED_PLACES
+from browser.eyes.states.calibrate_places import CALIBRATE_PLACES
 from browser.eyes.states.chair_places import chair_page, no_chair, paired_chair
 from browser.eyes.states.empty_places import EMPTY_PLACES
 from browser.eyes.states.live_places import LIVE_PLACES
@@ -246,6 +247,7 @@ PLACES: dict[str, Open] = {
     **ARCHIVE_PLACES,
     **EMPTY_PLACES,
     **ASKED_PLACES,
+    **CALIBRATE_PLACES,
     **LIVE_PLACES,
     **ROLE_PLACES,
 }

@@ -98,49 +98,6 @@ def withdrawn_consent(page: Any, clinic: EyesClinic) -> None:
     opened("session/patient/1")(page, clinic)
 
 
-def restarting(page: Any, clinic: EyesClinic) -> None:
-    clinic.set_calibration("result")
-    opened("calibrate")(page, clinic)
-    tap(page, "Begin anew")
-    expect(page.locator(".toast")).to_be_visible()
-
-
-def failed_step(page: Any, clinic: EyesClinic) -> None:
-    words = "The body moved too much: let the arms hang, and repeat this step."
-
-    def change(view: Any) -> Any:
-        first, *others = view["steps"]
-        return {**view, "steps": [{**first, "status": "failed", "words": words}, *others], "current": first["id"]}
-
-    answered("/calibration", "calibrate", change)(page, clinic)
-    expect(page.get_by_text(words)).to_be_visible()
-
-
-def drive_now(page: Any, clinic: EyesClinic) -> None:
-    def change(view: Any) -> Any:
-        return {**view, "may_drive_now": True, "others": 12}
-
-    answered("/calibration", "calibrate", change)(page, clinic)
-    expect(page.locator(".drive-now")).to_be_visible()
-
-
-def fitting(page: Any, clinic: EyesClinic) -> None:
-    clinic.set_calibration("result")
-    running = {"step": "result", "t": 0.0}
-    answered("/calibration", "calibrate", lambda view: {**view, "running": running})(page, clinic)
-    expect(page.locator(".working")).to_be_visible()
-
-
-def missing_steps(page: Any, clinic: EyesClinic) -> None:
-    clinic.set_calibration("result")
-
-    def change(view: Any) -> Any:
-        steps = [{**step, "status": "waiting"} if i in (2, 4) else step for i, step in enumerate(view["steps"])]
-        return {**view, "steps": steps, "result": None}
-
-    answered("/calibration", "calibrate", change)(page, clinic)
-
-
 def log_that_was_changed(page: Any, clinic: EyesClinic) -> None:
     finding = {"whole": False, "words": "Row 12 was changed: its hash does not fit."}
     answered("/log/check", "log", lambda _: finding)(page, clinic)
@@ -234,11 +191,6 @@ ASKED_PLACES: dict[str, Open] = {
     "patients, open": opened("patients"),
     "session, refused": refused_goal,
     "session patient, withdrawn": withdrawn_consent,
-    "calibrate, begin anew": restarting,
-    "calibrate, failed": failed_step,
-    "calibrate, drive now": drive_now,
-    "calibrate, fitting": fitting,
-    "calibrate, missing": missing_steps,
     "log, changed": log_that_was_changed,
     "backup, made": backups_made,
     "computer, measuring": measuring,
