@@ -71,7 +71,7 @@ function leadOf(state, facts) {
 
 /** @param {string | number} time */
 function moment(time) {
-  return new Date(time).toLocaleString([], { dateStyle: "long", timeStyle: "short" });
+  return new Date(time).toLocaleString([], { dateStyle: "long", timeStyle: "short", hourCycle: "h23" });
 }
 
 /** Check now and again, until this device trusts the machine. */

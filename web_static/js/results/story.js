@@ -27,7 +27,8 @@ export function storyParts({ goal, scales, is_signed: isSigned, origin, events }
 /** @param {EventView} event @param {(trial: number) => string} [replay] */
 function eventLine({ at, kind, person, words, facts }, replay) {
   const end = hasText(`review.end.${facts.end}`) ? t(`review.end.${facts.end}`) : "";
-  const title = t(`share.event.${kind}`, { ...facts, words, end });
+  const seconds = typeof facts.t === "number" ? number(facts.t, 1) : "";
+  const title = t(`share.event.${kind}`, { ...facts, t: seconds, words, end });
   const trial = kind === "trial" ? facts.id : facts.trial;
   const marks = [
     facts.simulated && t("share.simulated"),

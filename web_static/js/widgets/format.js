@@ -3,12 +3,10 @@ import { LANGUAGE } from "../texts.js";
 
 const NONE = "–";
 const DAY = new Intl.DateTimeFormat(LANGUAGE, { day: "numeric", month: "short", year: "numeric" });
-const MOMENT = new Intl.DateTimeFormat(LANGUAGE, {
-  day: "numeric",
-  month: "short",
-  hour: "2-digit",
-  minute: "2-digit",
-});
+/** @type {Intl.DateTimeFormatOptions} */
+const TO_THE_MINUTE = { day: "numeric", month: "short", hour: "2-digit", minute: "2-digit", hourCycle: "h23" };
+const MOMENT = new Intl.DateTimeFormat(LANGUAGE, TO_THE_MINUTE);
+const MOMENT_OF_A_YEAR = new Intl.DateTimeFormat(LANGUAGE, { ...TO_THE_MINUTE, year: "numeric" });
 const TIME = new Intl.DateTimeFormat(LANGUAGE, { timeStyle: "medium", hourCycle: "h23" });
 const MINUTE = new Intl.DateTimeFormat(LANGUAGE, { hour: "2-digit", minute: "2-digit", hourCycle: "h23" });
 
@@ -46,9 +44,12 @@ export function day(iso) {
   return iso ? DAY.format(new Date(iso)) : NONE;
 }
 
-/** @param {string | null} iso */
+/** With the year where it is not this one. @param {string | null} iso */
 export function moment(iso) {
-  return iso ? MOMENT.format(new Date(iso)) : NONE;
+  if (!iso) return NONE;
+  const date = new Date(iso);
+  const isThisYear = date.getFullYear() === new Date().getFullYear();
+  return (isThisYear ? MOMENT : MOMENT_OF_A_YEAR).format(date);
 }
 
 /** Hours, minutes and seconds of the day. @param {number} at ms of the wall clock */
