@@ -65,8 +65,12 @@ class ClinicPrior:
                 db, session.clinic_id, garment.hash, simulated=garment.simulated, without=session.patient_id
             )
         shipped = shipped_prior(garment)
-        count += 0 if shipped is None else shipped.people
-        return count if count >= FEWEST_PEOPLE else 0
+        if shipped is not None:
+            return count + shipped.people
+        # Somebody of whom one joint is known counts, too, and a joint needs enough people who are known in it. With so
+        # many entries that one joint must have enough, they need not be read.
+        is_sure = count > (FEWEST_PEOPLE - 1) * len(garment.layout.joints)
+        return count if is_sure or self.of_others(session_id, garment) is not None else 0
 
     def of_others(self, session_id: int, garment: Garment) -> MapPrior | None:
         """Return what is known of other people in this shirt; None when they are too few, or the owner wants none."""
