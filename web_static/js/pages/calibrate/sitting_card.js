@@ -68,9 +68,9 @@ function ring(label, sensors, large, first, arrows) {
   );
 }
 
-/** The way to turn the shirt back. @param {string} joint @param {number} shift @param {number} sensors */
+/** The way to turn the shirt back. @param {string} joint @param {number} shift the sensor at place p belongs at p + `shift` @param {number} sensors */
 function shiftedPicture(joint, shift, sensors) {
-  const isForwards = sensors - shift < shift;
+  const isForwards = shift <= sensors - shift;
   const count = back(shift, sensors);
   const [from, to] = isForwards ? [0, count] : [count, 0];
   const [x0, y0] = at(from, sensors, TURN);
