@@ -10,7 +10,7 @@ from app.api.exports.export_courses import ExportCourses
 from app.api.exports.import_courses import ImportCourses
 from app.api.foreign_files import OneAtATime
 from app.api.sign_in.hashing import Hashing
-from app.api.sign_in.identity import PairedScreen, SignedInPerson, find_viewer
+from app.api.sign_in.identity import DRIVERS, PairedScreen, SignedInPerson, find_viewer
 from app.api.sign_in.set_up import SetUp
 from app.api.sign_in.sign_in_limits import SignInLimits
 from app.api.sockets import OpenSockets
@@ -23,7 +23,6 @@ from app.store.files.replacements import ReplacedFiles
 
 RowId = Annotated[int, Path(ge=1, le=2**31)]
 
-DRIVERS = frozenset({"owner", "clinician"})
 EXPORTERS = frozenset({"owner", "clinician"})  # may take reports and exports out of the clinic
 LOCKED = "This page is locked: give the password, or let somebody else sign in."
 NOBODY = "You are not signed in, or no longer: sign in again."

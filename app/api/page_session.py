@@ -9,7 +9,7 @@ import re
 from fastapi import Depends, HTTPException
 from starlette.requests import HTTPConnection
 
-from app.api.deps import DRIVERS, People, PeopleParts
+from app.api.deps import People, PeopleParts
 from app.api.who_asks import READS, WhoAsks
 from app.session.page_session import PAGE_SESSION, PageSession, require_page_session
 
@@ -99,7 +99,7 @@ async def require_session(connection: HTTPConnection, parts: PeopleParts, who: W
     method = connection.scope.get("method", "GET")  # a websocket has no method, and opening one changes nothing
     if method in READS or f"{method} {_path(connection)}" in WITHOUT_SESSION:
         return
-    if who is not None and not who.locked and who.role in DRIVERS:  # the route refuses everybody else
+    if who is not None and who.drives:  # the route refuses everybody else
         await require_named(connection, parts)
 
 

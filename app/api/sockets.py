@@ -104,6 +104,11 @@ class OpenSockets:
         who = self._open.get(websocket)
         return isinstance(who, SignedInPerson) and who.locked
 
+    def may_drive(self, websocket: WebSocket) -> bool:
+        """Return whether who opened a websocket may change what drives now."""
+        who = self._open.get(websocket)
+        return isinstance(who, SignedInPerson) and who.drives
+
     async def acted(self, websocket: WebSocket) -> None:
         """Store that the person at the page of a websocket does something."""
         await asyncio.to_thread(find_sign_in, self._database, websocket, acts=True)

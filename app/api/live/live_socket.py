@@ -87,6 +87,8 @@ async def _take(text: str, websocket: WebSocket, web: WebParts) -> None:
         return
     if message.pictures is not None:
         web.graphics.take(websocket, message.pictures)
+    if not sockets.may_drive(websocket):
+        return
     if message.move is not None:
         web.control.move(message.move)
     if message.look is not None:

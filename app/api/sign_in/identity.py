@@ -11,6 +11,7 @@ from app.store.patient_screens import find_screen
 from app.store.people import is_locked, note_action, signed_in
 
 COOKIE = "bodydrive_sign_in"
+DRIVERS = frozenset({"owner", "clinician"})  # roles whose people change what drives; a reviewer reads and comments
 SCREEN_COOKIE = "bodydrive_screen"  # of a paired screen of the patient: it gives access to the patient's picture only
 
 
@@ -25,6 +26,11 @@ class SignedInPerson:
     role: str
     patients: VisiblePatients = None  # those that exist for this person; None: all
     locked: bool = False  # nothing may be seen or changed until the password was given
+
+    @property
+    def drives(self) -> bool:
+        """Return whether this person may change what drives now."""
+        return not self.locked and self.role in DRIVERS
 
     def sees(self, patient_id: int | None) -> bool:
         """Return whether this person may see a patient now; None stands for nobody, whom everybody may see."""

@@ -2,13 +2,16 @@
 
 from typing import Any
 
-from fake_clinic import Clinic
+from fake_clinic import BASE, Clinic
 from fastapi.routing import APIRoute
 from people_of_clinic import as_person
 from test_other_clinics import BODIES
 from test_roles import contexts
 
 from app.store.sharing.comments import comment_history
+
+ORIGIN = {"Origin": BASE}
+LIVE = f"{BASE.replace('http', 'ws')}/api/v1/live"
 
 ASKS = {"heartbeat", "status"}  # of the web process itself, or a question that changes nothing
 MOMENT = {"t": 1.5, "text": "The left shoulder tires here."}
@@ -120,3 +123,19 @@ def test_nothing_of_a_reviewer_reaches_the_control_process(calibrated: Clinic, t
                 reached += [(method, name, do) for do in after if do not in ASKS]
             reviewer = cookies_of("Rhea", "reviewer")  # one of the routes signs out
     assert reached == []
+
+
+def test_a_reviewers_page_moves_nothing_and_stops(calibrated: Clinic, cookies_of: Any) -> None:
+    """The live websocket carries more than Stop, as every page has it."""
+    for patients in (None, []):
+        with (
+            as_person(calibrated, cookies_of(f"Rhea {patients}", "reviewer", patients)),
+            calibrated.client.websocket_connect(LIVE, headers=ORIGIN) as socket,
+        ):
+            told, stops = len(calibrated.process.told), calibrated.process.stops
+            socket.send_json({"move": {"right_elbow": 0.7}})
+            socket.send_json({"look": {"yaw": 0.5, "pitch": 0.0, "roll": 0.0}})
+            socket.send_json({"stop": True})
+            while calibrated.process.stops == stops:
+                socket.receive_json()
+            assert [do for do, _ in calibrated.process.told[told:] if do in {"move", "look"}] == []
