@@ -5,7 +5,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from app.refusals import NotFound
+from app.exports.room_to_make import words_without_room
+from app.refusals import DiskFull, NotFound
 from app.scoring.verdict.spread import Spread
 from app.source import SourceGroup, source_words
 from app.store.database import Database
@@ -18,6 +19,8 @@ from app.store.records.recorded_runs import RecordedRun, recorded_runs
 
 SIMULATED_WORDS = {True: "yes", False: "no", None: "unknown"}
 NOTHING = "There is nothing to export: nothing was recorded."
+
+LARGEST = 4.0  # times the recordings: the zip file of their CSV, and the largest recording as text beside it
 
 SpreadsOf = Callable[[str, str, SourceGroup], dict[str, Spread]]
 """Returns the median spreads of the clinic's other patients, by floor plan, path and source."""
@@ -51,10 +54,12 @@ def exported_material(
     person: str,
     runs: Path,
     spreads_of: SpreadsOf,
+    *,
+    place: Path | None = None,
 ) -> ExportMaterial:
     """Return what an export of one session (its number), or of all of a patient (None), is made from; log the export.
 
-    `runs` is the folder of all recordings, `person` who exports.
+    `runs` is the folder of all recordings, `person` who exports, `place` where on the clinic's disk the file is made.
 
     Raises
     ------
@@ -62,6 +67,8 @@ def exported_material(
         When there is no such patient or session, or nothing was recorded in it.
     Conflict
         When the patient has not consented to sharing outside the clinic.
+    DiskFull
+        When the disk of `place` has no room for the export and for recording beside it.
     """
     with database.transaction() as db:
         patient = find_patient(db, clinic_id, patient_id)
@@ -69,6 +76,8 @@ def exported_material(
         found = recorded_runs(db, patient_id, session, runs)
         if not found:
             raise NotFound(NOTHING)
+        if place is not None and form != "fhir":
+            _require_room(found, place)
         tasks = {
             (one.trial.floorplan, one.trial.path, one.source.group): list[dict[str, Any]]()
             for one in found
@@ -81,6 +90,13 @@ def exported_material(
         write_log(db, person, "export", patient=patient_id, session=session, form=form, runs=len(found))
     known = tuple(TaskMaterial(rows, spreads_of(*task)) for task, rows in tasks.items())
     return ExportMaterial(patient_id, patient.code, tuple(found), known, mark)
+
+
+def _require_room(found: list[RecordedRun], place: Path) -> None:
+    size = sum(file.stat().st_size for run in found for file in run.folder.glob("*"))
+    words = words_without_room("export", LARGEST * size, place)
+    if words:
+        raise DiskFull(words)
 
 
 def run_facts(code: str, run: RecordedRun, meta: dict[str, Any], damage: str) -> dict[str, str]:

@@ -75,10 +75,21 @@ def export(
 
     With a word in `course`, `GET /exports?course=WORD` says meanwhile how far it is.
 
-    A process of its own writes it, recording by recording; 409 without the patient's consent to sharing outside.
+    A process of its own writes it, recording by recording; 409 without the patient's consent to sharing outside;
+    507 without room on the clinic's disk, where its parts are made.
     """
-    runs, spreads_of = parts.settings.runs, _spreads(web, who.clinic_id, patient_id)
-    material = exported_material(parts.database, who.clinic_id, patient_id, session, form, who.name, runs, spreads_of)
+    settings, spreads_of = parts.settings, _spreads(web, who.clinic_id, patient_id)
+    material = exported_material(
+        parts.database,
+        who.clinic_id,
+        patient_id,
+        session,
+        form,
+        who.name,
+        settings.runs,
+        spreads_of,
+        place=settings.state,
+    )
     recordings = 0 if form == "fhir" else len(material.runs)
     return _sent(export_steps(material, form), recordings, form, parts, who, course)
 

@@ -11,6 +11,7 @@ from app.api.deps import Anyone, Clinician, PeopleParts, RowId
 from app.api.parts import Web, open_view
 from app.quantities import Count, Document, Line, Name, Note, Title
 from app.store.database import Transaction
+from app.store.files.disk_watch import require_room_to_record
 from app.store.log import log_listing, write_log
 from app.store.patients import (
     PatientFigures,
@@ -174,7 +175,7 @@ def who_is_here(who: Anyone, parts: PeopleParts) -> CurrentSession:
 
 @router.post("/session")
 async def begin_session(body: NewSession, who: Clinician, parts: PeopleParts, web: Web) -> CurrentSession:
-    """Open a session of a patient, and end the one that was open."""
+    """Open a session of a patient, and end the one that was open; 507 where the disk has no room to record it."""
 
     def _open() -> CurrentSession:
         with parts.database.transaction() as db:
@@ -182,6 +183,7 @@ async def begin_session(body: NewSession, who: Clinician, parts: PeopleParts, we
             write_log(db, who.name, "session opened", patient=body.patient_id, session=session.id)
         return current_session(parts, who.clinic_id)
 
+    await run_in_threadpool(require_room_to_record, parts.settings.state)
     async with web.session.undisturbed("open a session"):
         answer = await run_in_threadpool(_open)
         await parts.sockets.close_ended_screens()

@@ -1,21 +1,14 @@
 """Whether the disk has room for the archive of a patient, before it is made."""
 
-from math import ceil, floor
 from pathlib import Path
 from typing import NamedTuple
 
-from app.disk_room import ROOM_TO_RECORD
 from app.exports.archive.archive_writing import recorded_files
+from app.exports.room_to_make import words_without_room
 from app.refusals import DiskFull
 from app.store.database import Database
-from app.store.files.disk_watch import disk_room
 from app.store.patients import find_patient
 from app.store.runs import run_ids
-
-NO_ROOM_TO_MAKE = (
-    "There is no room for this archive: {needed} MB must be free on the disk where it is made, and {free} MB are. "
-    "Make room, then try again; nothing was made."
-)
 
 
 class ArchiveRoom(NamedTuple):
@@ -39,9 +32,7 @@ def archive_room(database: Database, clinic_id: int, patient_id: int, runs: Path
 def room_for(folders: list[Path], place: Path) -> ArchiveRoom:
     """Return whether an archive of the recordings in `folders` can be made in `place`: recording goes on beside it."""
     size = sum(file.stat().st_size for folder in folders for _, file in recorded_files(folder))
-    needed, free = size + ROOM_TO_RECORD, disk_room(place).free
-    words = "" if free >= needed else NO_ROOM_TO_MAKE.format(needed=ceil(needed / 1e6), free=floor(free / 1e6))
-    return ArchiveRoom(size, words)
+    return ArchiveRoom(size, words_without_room("archive", size, place))
 
 
 def require_room_for(folders: list[Path], place: Path) -> None:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app.disk_room import LITTLE_ROOM, NO_ROOM, ROOM_TO_RECORD
+from app.refusals import DiskFull
 from app.store.files.ballast import Ballast
 
 LOOK_EVERY = 1.0  # s: people are told of a full disk within 2 s
@@ -39,6 +40,16 @@ def disk_room(folder: Path) -> DiskRoom:
             f"{ROOM_TO_RECORD / 1e9:.1f} GB nothing is recorded or driven any more: make room.",
         )
     return DiskRoom(free, "")
+
+
+def require_room_to_record(folder: Path) -> None:
+    """Raise DiskFull when nothing could be recorded on the disk of `folder`."""
+    free = disk_room(folder).free
+    if free < ROOM_TO_RECORD:
+        raise DiskFull(
+            f"No session is opened: only {free // 1_000_000} MB are free on the disk of the recordings. Make "
+            f"{ROOM_TO_RECORD / 1e6:.0f} MB free on the computer that runs bodydrive, then open it again."
+        )
 
 
 class DiskWatch:

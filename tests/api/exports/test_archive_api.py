@@ -15,7 +15,7 @@ from people_of_clinic import accepted, as_person, invited
 
 from app.api.exports import archive_import
 from app.disk_room import ROOM_TO_RECORD
-from app.exports.archive import archive_room
+from app.exports import room_to_make
 from app.exports.archive.archive_list import PATIENT, REPORT
 from app.exports.archive.archive_making import make_archive
 from app.exports.archive.open_archive import open_archive
@@ -124,15 +124,27 @@ def test_an_archive_without_room_on_the_disk_is_refused_before_anything_is_made(
     settings = signed_in.client.app.state.people.settings
     assert room == {"bytes": sum(file.stat().st_size for file in (settings.runs / RUN).iterdir()), "words": ""}
     needed = room["bytes"] + ROOM_TO_RECORD
-    monkeypatch.setattr(archive_room, "disk_room", lambda _: DiskRoom(needed - 1, ""))
+    monkeypatch.setattr(room_to_make, "disk_room", lambda _: DiskRoom(needed - 1, ""))
     refused = signed_in("GET", f"/patients/{patient}/archive")
     words = refused.json()["detail"]
     assert (refused.status_code, words.startswith("There is no room for this archive: 501 MB must")) == (507, True)
     assert signed_in.good("GET", f"/patients/{patient}/archive/room") == {**room, "words": words}
     assert [row for row in signed_in.log() if row.what == "export"] == []
     assert list(settings.state.glob(".export-*")) == []
-    monkeypatch.setattr(archive_room, "disk_room", lambda _: DiskRoom(needed, ""))
+    monkeypatch.setattr(room_to_make, "disk_room", lambda _: DiskRoom(needed, ""))
     assert signed_in("GET", f"/patients/{patient}/archive").status_code == 200
+
+
+def test_an_export_without_room_on_the_disk_is_refused_before_anything_is_made(
+    signed_in: Any, package: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    patient = brought(signed_in, package).json()["patient_id"]
+    monkeypatch.setattr(room_to_make, "disk_room", lambda _: DiskRoom(ROOM_TO_RECORD, ""))
+    refused = signed_in("GET", f"/patients/{patient}/export?form=csv")
+    words = refused.json()["detail"]
+    assert (refused.status_code, words.startswith("There is no room for this export: 501 MB must")) == (507, True)
+    assert [row for row in signed_in.log() if row.what == "export"] == []
+    assert signed_in("GET", f"/patients/{patient}/export?form=fhir").status_code == 200
 
 
 def twice(tables: Any) -> None:

@@ -147,6 +147,21 @@ def test_the_disk_is_told_before_it_is_full(signed_in: Clinic, monkeypatch: pyte
     assert "1.4 GB" in signed_in.good("GET", "/equipment")["disk"]["words"]
 
 
+def test_no_session_is_opened_where_nothing_could_be_recorded(
+    signed_in: Clinic, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    patient = signed_in.good("POST", "/patients", json={"code": "P-1", "pseudonym": "Heron"})["id"]
+    usage = type("Usage", (), {"free": 499_900_000})()
+    monkeypatch.setattr("app.store.files.disk_watch.shutil.disk_usage", lambda _folder: usage)
+    refused = signed_in("POST", "/session", json={"patient_id": patient})
+    assert (refused.status_code, "only 499 MB are free" in refused.json()["detail"]) == (507, True)
+    assert signed_in.good("GET", "/session")["session"] is None
+    usage.free = 500_000_000
+    signed_in.good("POST", "/session", json={"patient_id": patient})
+    usage.free = 0
+    signed_in.good("DELETE", "/session")
+
+
 def test_a_full_disk_is_a_sentence(signed_in: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
     def full(_file: Path, *_given: Any) -> None:
         raise OSError(28, "No space left on device")
