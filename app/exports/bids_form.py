@@ -8,9 +8,10 @@ import json
 import re
 from contextlib import ExitStack
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.exports.flat_table import channel_names
 from app.recording.groups import RunGroups
@@ -70,23 +71,49 @@ def write_bids(run: RunGroups, facts: dict[str, Any], folder: Path, place: dict[
     shirt = [(name, "n/a", "MISC", "n/a", "V") for name in names]
     systems = {"shirt": shirt, "wheelchair": list(CHAIR.values())}
     stems = {name: where / f"{entities}_tracksys-{name}_run-{place['run']:03d}" for name in systems}
-    rows = dict.fromkeys(systems, 0)
+    spans = dict.fromkeys(systems, Span())
     with ExitStack() as stack:
         tables = {name: stack.enter_context(Path(f"{stem}_motion.tsv").open("wb")) for name, stem in stems.items()}
         for columns in run.groups:
             for name, values in _rows(columns).items():
                 tables[name].write(_tab_separated(values))
-                rows[name] += len(values[0])
+                spans[name] = spans[name].then(values[0])
     files = []
     for name, channels in systems.items():
-        rate = float(run.meta["sample_rate"])
+        # The loop also turns between the frames of a slow shirt, so that the rate of the chair's rows is measured.
+        nominal, span = float(run.meta["sample_rate"]), spans[name]
+        rate = span.rate or nominal if name == "wheelchair" else nominal
         table = "\t".join(("name", "component", "type", "tracked_point", "units", "sampling_frequency"))
         lines = [table, *("\t".join((*one, f"{rate:g}")) for one in (LATENCY, *channels))]
         Path(f"{stems[name]}_channels.tsv").write_text("\n".join(lines) + "\n")
-        sidecar = _sidecar(name, channels, rate, rows[name], place, facts)
+        sidecar = _sidecar(name, channels, rate, span, place, facts)
         Path(f"{stems[name]}_motion.json").write_text(json.dumps(sidecar, indent=2, ensure_ascii=False))
         files += [Path(f"{stems[name]}_{end}") for end in ("channels.tsv", "motion.json", "motion.tsv")]
     return files
+
+
+class Span(NamedTuple):
+    """How many rows there are, and the times of the first and the last one, s."""
+
+    rows: int = 0
+    first: float = 0.0
+    last: float = 0.0
+
+    def then(self, times: NDArray[np.float64]) -> "Span":
+        """Return the span with these later rows, too."""
+        if not len(times):
+            return self
+        return Span(self.rows + len(times), self.first if self.rows else float(times[0]), float(times[-1]))
+
+    @property
+    def duration(self) -> float:
+        """Return the time from the first row to the last, s."""
+        return self.last - self.first
+
+    @property
+    def rate(self) -> float:
+        """Return how many rows there are in a second, Hz; 0 for fewer than two."""
+        return round((self.rows - 1) / self.duration, 3) if self.duration > 0.0 else 0.0
 
 
 def _rows(columns: Columns) -> dict[str, list[Any]]:
@@ -115,7 +142,7 @@ def _tab_separated(values: list[Any]) -> bytes:
 
 
 def _sidecar(
-    system: str, channels: list[Any], rate: float, rows: int, place: dict[str, Any], facts: dict[str, Any]
+    system: str, channels: list[Any], rate: float, span: Span, place: dict[str, Any], facts: dict[str, Any]
 ) -> dict[str, Any]:
     kinds = [channel[2] for channel in channels]
     return {
@@ -124,7 +151,8 @@ def _sidecar(
         "SamplingFrequency": rate,
         "TrackingSystemName": system,
         "RecordingType": "continuous",
-        "RecordingDuration": rows / rate,
+        "SamplingFrequencyEffective": span.rate or rate,
+        "RecordingDuration": round(span.duration, 3),
         "TrackedPointsCount": 0 if system == "shirt" else 1,
         "MotionChannelCount": len(kinds) + 1,
         **{f"{kind}ChannelCount": kinds.count(kind) for kind in sorted({*kinds} - {"LATENCY"})},
