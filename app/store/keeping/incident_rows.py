@@ -35,6 +35,7 @@ from app.store.tables import (
 
 AT_ONCE = 500  # rows of the log in memory, and read under one lock of the database
 SECRET = {"token_hash"}  # columns
+WRITTEN = {"goal", "discard_reason"}  # columns with words about a patient
 
 Rows = dict[str, list[dict[str, Any]]]
 
@@ -97,10 +98,10 @@ def _all(db: Session, query: Select[Any]) -> list[dict[str, Any]]:
 
 
 def _document(row: Table) -> dict[str, Any]:
-    """Return the columns of a row for JSON, without secrets."""
+    """Return the columns of a row for JSON, without secrets, and without what people wrote."""
     values = {column.key: getattr(row, column.key) for column in inspect(type(row)).column_attrs}
     return {
         name: value.isoformat() if isinstance(value, date) else value
         for name, value in values.items()
-        if name not in SECRET
+        if name not in SECRET | WRITTEN
     }

@@ -47,4 +47,4 @@ def lift_incident(db: Session, clinic_id: int, incident_id: int, reason: str, pe
     if incident.lifted is not None:
         raise Conflict("The mark of this incident was lifted already.")
     incident.lifted, incident.reason = utc_now(), reason
-    write_log(db, person, "incident mark lifted", incident=incident_id, reason=reason)
+    write_log(db, person, "incident mark lifted", incident=incident_id)

@@ -110,6 +110,7 @@ def test_every_table_of_a_session_is_in_it_but_what_people_wrote_and_who_may_loo
     assert naming - LEFT_OUT <= parameters.keys()
     assert not LEFT_OUT & parameters.keys()
     assert all(len(parameters[name]) == 1 for name in naming - LEFT_OUT)
+    assert not any({"goal", "discard_reason"} & row.keys() for rows in parameters.values() for row in rows)
     assert "token_hash" not in parameters["patient_screen"][0]
     assert parameters["patient_screen"][0]["number"] == 1
 
