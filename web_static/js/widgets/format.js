@@ -2,6 +2,7 @@
 import { LANGUAGE } from "../texts.js";
 
 const NONE = "–";
+const CALENDAR_DAY = /^\d{4}-\d{2}-\d{2}$/;
 const DAY = new Intl.DateTimeFormat(LANGUAGE, { day: "numeric", month: "short", year: "numeric" });
 /** @type {Intl.DateTimeFormatOptions} */
 const TO_THE_MINUTE = { day: "numeric", month: "short", hour: "2-digit", minute: "2-digit", hourCycle: "h23" };
@@ -39,9 +40,9 @@ export function clock(seconds) {
   return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
 }
 
-/** @param {string | null} iso */
+/** @param {string | null} iso a moment, or a day of the calendar, which is the same day everywhere */
 export function day(iso) {
-  return iso ? DAY.format(new Date(iso)) : NONE;
+  return iso ? DAY.format(new Date(CALENDAR_DAY.test(iso) ? `${iso}T00:00` : iso)) : NONE;
 }
 
 /** With the year where it is not this one. @param {string | null} iso */
@@ -64,7 +65,8 @@ export function minuteOfDay(iso) {
 
 /** @param {number} bytes */
 export function size(bytes) {
-  return bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1e3))} kB` : `${(bytes / 1e6).toFixed(1)} MB`;
+  if (bytes < 999_500) return `${Math.max(1, Math.round(bytes / 1e3))} kB`;
+  return bytes < 999.95e6 ? `${(bytes / 1e6).toFixed(1)} MB` : `${(bytes / 1e9).toFixed(1)} GB`;
 }
 
 /** A share of the full movement, as people read it. @param {number | null | undefined} share 0..1 @param {string} unit "% / s" or "%" */
