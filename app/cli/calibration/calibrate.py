@@ -18,7 +18,9 @@ def calibrate(
     out: Annotated[Path, typer.Option(help="Where the calibration profile goes, JSON.")],
     prompts: Annotated[
         Path | None,
-        typer.Option(help="CSV start,end,joint: when which joint moved towards its gesture. Fixes the sign."),
+        typer.Option(
+            help="CSV start,end,joint: when which joint moved towards its gesture; every row counts. Fixes the sign."
+        ),
     ] = None,
     start: Annotated[float | None, typer.Option("--from", help="Where the free movement begins, s.")] = None,
     end: Annotated[float | None, typer.Option("--to", help="Where the free movement ends, s.")] = None,

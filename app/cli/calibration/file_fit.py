@@ -65,7 +65,7 @@ def fit_file(
     unused : collection of str
         Channels not to be used.
     until : float or None
-        Prompts count up to this time of the recording, s.
+        What follows the last prompt of a joint is used up to this time of the recording, s. Every prompt counts.
 
     pool : MapPrior or None
         What is known of other people.

@@ -4,7 +4,7 @@
  */
 import { t, hasText } from "../texts.js";
 import { h } from "../widgets/dom.js";
-import { minuteOfDay, number } from "../widgets/format.js";
+import { day, minuteOfDay, number } from "../widgets/format.js";
 import { originWords } from "./origin_words.js";
 
 const SAID = ["note", "comment", "unlock"]; // kinds of events with words of a person
@@ -20,12 +20,12 @@ export function storyParts({ goal, scales, is_signed: isSigned, origin, events }
     origin && h("p", { class: "quiet" }, originWords(origin)),
     goal && h("p", { class: "own-words" }, `${t("share.goal")}: ${goal}`),
     scales.length > 0 && h("p", {}, scales.map(({ name, total }) => `${name}: ${number(total, Number.isInteger(total) ? 0 : 1)}`).join(" · ")),
-    h("ol", { class: "story" }, events.map((event) => eventLine(event, replay))),
+    h("ol", { class: "story" }, events.map((event, i) => eventLine(event, replay, day(event.at) !== day(events[i - 1]?.at ?? null)))),
   ];
 }
 
-/** @param {EventView} event @param {(trial: number) => string} [replay] */
-function eventLine({ at, kind, person, words, facts }, replay) {
+/** @param {EventView} event @param {((trial: number) => string) | undefined} replay @param {boolean} isNewDay */
+function eventLine({ at, kind, person, words, facts }, replay, isNewDay) {
   const end = hasText(`review.end.${facts.end}`) ? t(`review.end.${facts.end}`) : "";
   const seconds = typeof facts.t === "number" ? number(facts.t, 1) : "";
   const title = t(`share.event.${kind}`, { ...facts, t: seconds, words, end });
@@ -41,6 +41,7 @@ function eventLine({ at, kind, person, words, facts }, replay) {
     h(
       "div",
       {},
+      isNewDay && h("div", { class: "quiet small" }, day(at)),
       replay && trial ? h("a", { class: "row-link", href: replay(Number(trial)) }, title) : title,
       person && h("span", { class: "quiet" }, ` · ${person}`),
       marks.length > 0 && h("div", { class: "quiet small" }, marks.join(", ")),
