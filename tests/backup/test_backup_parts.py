@@ -1,7 +1,7 @@
 """Small parts of a backup: which are kept, which paths are safe, which pages the system may forget."""
 
 import os
-from datetime import datetime
+from datetime import datetime, timedelta
 from pathlib import Path
 
 import pytest
@@ -25,6 +25,15 @@ def test_what_is_kept_is_bounded_and_holds_the_newest(moments: set[datetime]) ->
     assert kept_backups(kept) == kept
     days = sorted({moment.date() for moment in moments}, reverse=True)[:7]
     assert all(max(moment for moment in moments if moment.date() == day) in kept for day in days)
+
+
+def test_of_a_year_of_nights_seven_days_four_weeks_and_six_months_are_kept() -> None:
+    newest = datetime(2026, 12, 31, 2)  # noqa: DTZ001  (a Thursday)
+    kept = kept_backups(newest - timedelta(days=day) for day in range(365))
+    days = {datetime(2026, 12, day, 2) for day in range(25, 32)}  # noqa: DTZ001
+    sundays = {datetime(2026, 12, day, 2) for day in (13, 20, 27)}  # noqa: DTZ001  (the fourth week is the present one)
+    ends = {datetime(2026, month, day, 2) for month, day in ((7, 31), (8, 31), (9, 30), (10, 31), (11, 30))}  # noqa: DTZ001
+    assert kept == days | sundays | ends
 
 
 @pytest.mark.parametrize(
