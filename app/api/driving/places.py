@@ -11,6 +11,7 @@ from app.refusals import NotFound
 from app.scoring.next_task import PastTrial, Reason, is_worse_than_noise, next_task, went_well
 from app.session.clinic_spread import Task
 from app.store.learning_trials import counted_trials
+from app.store.log import log_viewing
 from app.store.patients import find_patient
 from app.store.runs import trials_of
 from app.store.tables import Trial
@@ -112,6 +113,7 @@ def propose_task(patient_id: RowId, who: Anyone, parts: PeopleParts, web: Web, s
     """Return the task that is proposed to a patient; only trials of one source lead to the next level."""
     with parts.database.transaction() as db:
         find_patient(db, who.clinic_id, patient_id)
+        log_viewing(db, who.name, patient_id)
         trials = [_past(trial) for trial in trials_of(db, who.clinic_id, patient_id) if trial.status == "done"]
 
     def _is_worse(floorplan: str, path: str) -> bool:

@@ -136,6 +136,7 @@ def verdicts_of_trial(
         other = trial if against is None else find_trial(db, who.clinic_id, against)
         if _task_of(trial) != _task_of(other):
             raise Conflict("These two trials differ in their patient, task or source, so neither is called better.")
+        log_viewing(db, who.name, trial.patient_id)
         counted = counted_trials(db, who.clinic_id, trial.patient_id, trial.floorplan, trial.path)
     group = trial.run.source.group
     clinic = web.spread.of_others(Task(who.clinic_id, trial.floorplan, trial.path, group), trial.patient_id)
