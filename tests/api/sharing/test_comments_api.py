@@ -136,6 +136,6 @@ def test_a_reviewers_page_moves_nothing_and_stops(calibrated: Clinic, cookies_of
             socket.send_json({"move": {"right_elbow": 0.7}})
             socket.send_json({"look": {"yaw": 0.5, "pitch": 0.0, "roll": 0.0}})
             socket.send_json({"stop": True})
-            while calibrated.process.stops == stops:
-                socket.receive_json()
+            while socket.receive_json()["stops"] == stops:
+                pass
             assert [do for do, _ in calibrated.process.told[told:] if do in {"move", "look"}] == []
