@@ -43,6 +43,7 @@ def compose(material: ReportMaterial) -> Report:
     measured = (*material.tasks, *material.tests, *material.drives)
     sources = list(dict.fromkeys(one.source for one in measured))
     several = len(sources) > 1
+    goals = _goals(sessions, course=course)
     return Report(
         title="Course of " + amount(len(sessions), "session") if course else f"Session {sessions[0].number}",
         code=without_invisible(material.code),
@@ -51,7 +52,8 @@ def compose(material: ReportMaterial) -> Report:
         practice=any(one.group == "simulated" for one in measured),
         source="; ".join(sources) or "No trial counted, so there is no source of signals.",
         facts=_facts(material),
-        goals=_goals(sessions, course=course),
+        goals=goals if len(goals) < 3 else (goals[0], goals[-1]),
+        other_goals=goals[1:-1],
         condition=() if parameters is None else condition_facts(parameters),
         controls=NO_TABLE if parameters is None else controls_table(parameters),
         condition_note=_condition_note(parameters),

@@ -94,7 +94,8 @@ class Report:
     practice: bool  # whether a signal was simulated, which a reader must see first
     source: str
     facts: tuple[Fact, ...]  # who, when
-    goals: tuple[Remark, ...]
+    goals: tuple[Remark, ...]  # of a course, the first and the newest one
+    other_goals: tuple[Remark, ...]  # of a course, those between them
     condition: tuple[Fact, ...]
     controls: Table  # which movement does what, with its gains
     condition_note: str

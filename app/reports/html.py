@@ -42,10 +42,9 @@ def render_html(report: Report, paper: Paper) -> bytes:
             *(_section("Drives of real chairs", [_table(report.drives)]) if report.drives.rows else ()),
             *_section("Condition", _condition(report)),
             *_section("Scales", [_table(report.scales) or "<p>No scale was entered.</p>"]),
-            *_section("Notes", map(_remark, report.notes)),
-            *(_section("Comments on trials", map(_remark, report.comments)) if report.comments else ()),
+            *(() if report.sessions.rows else _words(report)),
             *_foot(report),
-            *(_section("Sessions", [_table(report.sessions)]) if report.sessions.rows else ()),
+            *((*_section("Sessions", [_table(report.sessions)]), *_words(report)) if report.sessions.rows else ()),
             "</main>\n</body>\n</html>\n",
         ]
     ).encode()
@@ -58,6 +57,15 @@ def _head(report: Report) -> list[str]:
         f'<p class="made"><bdi>{escape(report.clinic)}</bdi>, report of {escape(report.made)}</p></header>',
         f'<p class="{"source practice" if report.practice else "source"}"><b>Source:</b> {escape(report.source)}</p>',
         _facts(report.facts),
+    ]
+
+
+def _words(report: Report) -> list[str]:
+    """Return what people wrote; of a course it comes last, because it may be long."""
+    return [
+        *(_section("Goals of the sessions between", map(_remark, report.other_goals)) if report.other_goals else ()),
+        *_section("Notes", map(_remark, report.notes)),
+        *(_section("Comments on trials", map(_remark, report.comments)) if report.comments else ()),
     ]
 
 

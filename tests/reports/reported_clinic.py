@@ -109,6 +109,7 @@ def with_words(report: Report, words: str) -> Report:
         code=words,
         clinic=words,
         goals=(remark,),
+        other_goals=(remark,),
         notes=(remark,),
         comments=(remark,),
         signed=words,

@@ -13,6 +13,7 @@ from app.reports.characters import without_invisible
 from app.reports.document import Remark
 from app.reports.html import render_html
 from app.reports.pdf import render_pdf
+from app.store.tables import PatientSession
 
 SCRIPTS = {
     "Hebrew": "המטופל מרוצה מהנסיעה",
@@ -111,13 +112,18 @@ def test_long_notes_flow_to_further_pages(session_report):
 
 def test_a_course_of_forty_sessions_is_a_page_and_the_list_of_its_sessions(database, tmp_path):
     patient = store_reported_course(database, tmp_path / "runs", 40, recordings=False)
+    with database.transaction() as db:
+        for number, session in enumerate(db.query(PatientSession).order_by(PatientSession.id), 1):
+            session.goal = f"To get {number} m further by myself."
     report = report_of(database, tmp_path / "runs", patient, None)
-    report = replace(report, notes=report.notes[:1])
+    assert [goal.head for goal in report.goals] == ["Session 1", "Session 40"]
+    assert (len(report.other_goals), len(report.notes)) == (38, 40)
     pages = pdf_pages(render_pdf(report, "a4"))
-    assert len(pages) == 2
     assert "Name, date, signature" in pages[0]
     assert "Head of the log" in pages[0]
     assert pages[1].strip().startswith("Sessions")
+    after = "".join(pages[1:])
+    assert all(f"get {number} m further" in after for number in range(2, 40))
     assert "recordings cannot be read" in report.tasks[0].trajectories_words
     assert [row[0] for row in report.sessions.rows] == [str(number) for number in range(1, 41)]
 
