@@ -186,6 +186,9 @@ def test_who_is_part_of_an_incident_stays_until_the_mark_is_lifted(filled: Fille
         lift_incident(db, CLINIC, incident, "The report is closed", "Ada")
     filled.erase(filled.goes)
     assert filled.whats()[-2:] == ["incident mark lifted", "patient erased"]
+    with filled.database.transaction() as db:
+        lifted = db.query(LogEntry).where(LogEntry.what == "incident mark lifted").one()
+    assert lifted.details == {"incident": incident}  # the words stay with the incident
 
 
 def test_a_restored_database_loses_the_erased_patients_and_nobody_else(filled: Filled, tmp_path: Path) -> None:
