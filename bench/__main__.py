@@ -1,10 +1,14 @@
-"""`python -m bench`: prints each figure beside its target; exits with 0 whether targets are met or not."""
+"""`python -m bench`: prints each figure beside its target.
+
+It exits with 0 whether targets are met or not, and with 1 when a part failed.
+"""
 
 import argparse
 import json
 import os
 import platform
 import sys
+import traceback
 from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
@@ -64,6 +68,7 @@ def main() -> None:
         if part not in PARTS:
             parser.error(f"there is no part '{part}' to measure: use any of {', '.join(PARTS)}")
     rows: list[Row] = []
+    has_failed = False
     for part in chosen:
         module, function, words = PARTS[part]
         if not given.json:
@@ -72,12 +77,16 @@ def main() -> None:
             rows += getattr(import_module(module), function)()
         except RuntimeError as error:  # for example without a browser: the other parts are measured all the same
             sys.stderr.write(f"{part} is not measured: {error}\n")
+        except Exception:  # what the other parts have measured, perhaps for an hour, is not lost
+            sys.stderr.write(f"{part} is not measured, because it failed:\n{traceback.format_exc()}")
+            has_failed = True
     if given.json:
         sys.stdout.write(json.dumps({"machine": machine(), "rows": [document(row) for row in rows]}) + "\n")
-        return
-    sys.stdout.write(table(RATIOS, [row for row in rows if row.is_ratio]))
-    sys.stdout.write(table(ABSOLUTE, [row for row in rows if not row.is_ratio]))
-    sys.stdout.write(f"{machine()}\n")
+    else:
+        sys.stdout.write(table(RATIOS, [row for row in rows if row.is_ratio]))
+        sys.stdout.write(table(ABSOLUTE, [row for row in rows if not row.is_ratio]))
+        sys.stdout.write(f"{machine()}\n")
+    sys.exit(1 if has_failed else 0)
 
 
 def document(row: Row) -> dict[str, Any]:

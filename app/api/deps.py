@@ -10,7 +10,7 @@ from app.api.exports.export_courses import ExportCourses
 from app.api.exports.import_courses import ImportCourses
 from app.api.foreign_files import OneAtATime
 from app.api.sign_in.hashing import Hashing
-from app.api.sign_in.identity import DRIVERS, PairedScreen, SignedInPerson, find_viewer
+from app.api.sign_in.identity import PairedScreen, SignedInPerson, find_viewer
 from app.api.sign_in.set_up import SetUp
 from app.api.sign_in.sign_in_limits import SignInLimits
 from app.api.sockets import OpenSockets
@@ -79,7 +79,7 @@ def viewer(role: Role, connection: HTTPConnection, parts: PeopleParts, who: WhoA
 
 async def clinician(who: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
     """Return the person who is signed in; 403 for reviewers, who may only look."""
-    if who.role not in DRIVERS:
+    if not who.drives:
         raise HTTPException(
             403, "A reviewer reads and comments, and changes nothing else: ask an owner for more rights."
         )

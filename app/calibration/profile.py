@@ -30,9 +30,8 @@ MOSTLY_IN_PHASE = 0.5  # in-phase share below which it is not: most of the activ
 class Arrangement(Document):
     """How a ring of sensors sits on the body: turned by so many places, and perhaps mirrored."""
 
-    shift: Annotated[int, Field(strict=True, ge=0, lt=MAX_CHANNELS)] = (
-        0  # at place p lies the sensor of place p + shift
-    )
+    # At place p of the ring lies the sensor that belongs at place p + shift.
+    shift: Annotated[int, Field(strict=True, ge=0, lt=MAX_CHANNELS)] = 0
     mirrored: bool = False
 
 

@@ -82,7 +82,7 @@ def write_bids(run: RunGroups, facts: dict[str, Any], folder: Path, place: dict[
     for name, channels in systems.items():
         # The loop also turns between the frames of a slow shirt, so that the rate of the chair's rows is measured.
         nominal, span = float(run.meta["sample_rate"]), spans[name]
-        rate = span.rate or nominal if name == "wheelchair" else nominal
+        rate = (span.rate or nominal) if name == "wheelchair" else nominal
         table = "\t".join(("name", "component", "type", "tracked_point", "units", "sampling_frequency"))
         lines = [table, *("\t".join((*one, f"{rate:g}")) for one in (LATENCY, *channels))]
         Path(f"{stems[name]}_channels.tsv").write_text("\n".join(lines) + "\n")

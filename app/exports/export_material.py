@@ -20,7 +20,9 @@ from app.store.records.recorded_runs import RecordedRun, recorded_runs
 SIMULATED_WORDS = {True: "yes", False: "no", None: "unknown"}
 NOTHING = "There is nothing to export: nothing was recorded."
 
-LARGEST = 4.0  # times the recordings: the zip file of their CSV, and the largest recording as text beside it
+# Times the size of the recordings: the zip file of their CSV, and a recording as text beside it while it is packed. The
+# text of a simulated trial is 2.1 times its recording.
+LARGEST = 4.0
 
 SpreadsOf = Callable[[str, str, SourceGroup], dict[str, Spread]]
 """Returns the median spreads of the clinic's other patients, by floor plan, path and source."""
@@ -55,11 +57,11 @@ def exported_material(
     runs: Path,
     spreads_of: SpreadsOf,
     *,
-    place: Path | None = None,
+    place: Path,
 ) -> ExportMaterial:
     """Return what an export of one session (its number), or of all of a patient (None), is made from; log the export.
 
-    `runs` is the folder of all recordings, `person` who exports, `place` where on the clinic's disk the file is made.
+    `runs` is the folder of all recordings, `person` who exports, `place` the folder in which the file is made.
 
     Raises
     ------
@@ -76,7 +78,7 @@ def exported_material(
         found = recorded_runs(db, patient_id, session, runs)
         if not found:
             raise NotFound(NOTHING)
-        if place is not None and form != "fhir":
+        if form != "fhir":
             _require_room(found, place)
         tasks = {
             (one.trial.floorplan, one.trial.path, one.source.group): list[dict[str, Any]]()

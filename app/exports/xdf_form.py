@@ -22,8 +22,7 @@ HEADER, STREAM_HEADER, SAMPLES, STREAM_FOOTER = 1, 2, 3, 6  # tags of chunks
 COMMANDS = ("u1", "u2", "v", "omega", "driven_v", "driven_omega", "dial")
 POSE = ("x", "y", "theta", "head_yaw", "head_pitch", "head_roll", "scene_t")
 STATE = ("state", "fault", "cue", "in_contact", "contacts", "frame_seq")
-LOOP_RATE = 50.0  # Hz: with a slower shirt, the loop also makes ticks without a frame, at no even rate
-IRREGULAR = 0.0  # of the specification: no nominal rate
+IRREGULAR = 0.0  # in place of a nominal rate, by the specification: the loop also makes ticks without a frame
 FORMATS = {"float32": "<f4", "double64": "<f8", "int64": "<i8"}
 
 
@@ -63,8 +62,7 @@ def write_xdf(run: RunGroups, facts: dict[str, Any], folder: Path, stem: str) ->
     with path.open("wb") as file:
         file.write(b"XDF:" + _chunk(HEADER, _xml("info", {"version": "1.0", "desc": facts})))
         for stream in streams:
-            is_even = stream.frames_only or rate >= LOOP_RATE
-            header = _header(stream, rate if is_even else IRREGULAR, facts)
+            header = _header(stream, rate if stream.frames_only else IRREGULAR, facts)
             file.write(_chunk(STREAM_HEADER, _number(stream) + header))
         for columns in run.groups:
             for stream, times, values in _samples(streams, columns):

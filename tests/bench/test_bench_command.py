@@ -5,7 +5,12 @@ import os
 import re
 import subprocess
 import sys
+from types import SimpleNamespace
 
+import pytest
+
+import bench.__main__ as command
+from bench.row import Row
 from folders import ROOT
 
 
@@ -43,3 +48,20 @@ def test_a_part_that_cannot_be_measured_here_is_a_sentence_and_the_others_are_me
     assert ended.returncode == 0
     assert ended.stderr.startswith("page is not measured: there is no chromium here: install Debian's package")
     assert len(json.loads(ended.stdout)["rows"]) == 1
+
+
+def test_what_was_measured_is_printed_although_another_part_failed(monkeypatch, capsys):
+    def measure(module):
+        if module == "bench.fit":
+            return SimpleNamespace(measure_fit=lambda: [Row("a fit", [2.0], "ms", None, "lower", "two runs")])
+        raise AssertionError("the page did not come")
+
+    monkeypatch.setattr(command, "import_module", measure)
+    monkeypatch.setattr(sys, "argv", ["bench", "page", "fit"])
+    with pytest.raises(SystemExit) as ended:
+        command.main()
+    printed = capsys.readouterr()
+    assert ended.value.code == 1
+    assert "| a fit | 2 ms" in printed.out
+    assert "page is not measured, because it failed:" in printed.err
+    assert "the page did not come" in printed.err

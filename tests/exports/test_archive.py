@@ -95,7 +95,9 @@ def test_the_story_of_an_imported_session_has_no_stop_of_this_clinic(archive, ot
 def test_exports_and_reports_of_imported_sessions_name_the_clinic_and_who_imported_them(archive, other):
     found = bring(other, archive[0])
     with closing(Database(other.database)) as database:
-        exported = exported_material(database, 1, found.patient_id, None, "csv", "Ben", other.runs, lambda *_: {})
+        exported = exported_material(
+            database, 1, found.patient_id, None, "csv", "Ben", other.runs, lambda *_: {}, place=other.state
+        )
         (row,) = csv.DictReader(io.StringIO(trial_csv(exported, {}).removeprefix(SPREADSHEET_BEGIN)))
         report = report_material(database, 1, found.patient_id, None, other.runs, lambda *_: {})
     assert (row["origin_clinic"], row["imported_by"]) == ("Riverside", "Ben")

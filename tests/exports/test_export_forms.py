@@ -57,7 +57,9 @@ def exported(tmp_path):
 
     def run(clinic: Settings, form: Form, session: int | None = None) -> Path:
         with closing(Database(clinic.database)) as database:
-            found = exported_material(database, 1, 1, session, form, "Ana", clinic.runs, lambda *_: {})
+            found = exported_material(
+                database, 1, 1, session, form, "Ana", clinic.runs, lambda *_: {}, place=clinic.state
+            )
             with database.transaction() as db:
                 assert (read_log(db, 1)[0].what, read_log(db, 1)[0].details["form"]) == ("export", form)
         package = tmp_path / "export.zip"
@@ -258,6 +260,6 @@ def test_without_consent_nothing_is_exported_and_nothing_is_logged(tmp_path):
     settings = make_clinic(tmp_path, consent=False)
     with closing(Database(settings.database)) as database:
         with pytest.raises(Conflict, match="has not consented to sharing outside"):
-            exported_material(database, 1, 1, None, "csv", "Ana", settings.runs, lambda *_: {})
+            exported_material(database, 1, 1, None, "csv", "Ana", settings.runs, lambda *_: {}, place=settings.state)
         with database.transaction() as db:
             assert "export" not in {row.what for row in read_log(db, 100)}

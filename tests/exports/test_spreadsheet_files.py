@@ -47,7 +47,7 @@ def clinic(tmp_path_factory):
 
 def test_tables_of_an_export_show_every_letter_of_every_script(clinic):
     settings, database = clinic
-    material = exported_material(database, 1, 1, None, "csv", "Zoë", settings.runs, lambda *_: {})
+    material = exported_material(database, 1, 1, None, "csv", "Zoë", settings.runs, lambda *_: {}, place=settings.state)
     head, row = opened(trial_csv(material, {}).encode())
     shown = dict(zip(head, row, strict=True))
     assert (shown["patient"], shown["reason_left_out"]) == (f"'{CODE}", REASON)

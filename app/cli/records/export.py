@@ -42,7 +42,7 @@ def export(
         raise InputError(f"--format {form}: give one of {', '.join(FORMS)}.")
     settings = Settings(state=(state or state_folder()).expanduser().resolve())
     with written_whole(out) as part:
-        steps = export_steps(_material(settings, patient, session, chosen), chosen)
+        steps = export_steps(_material(settings, patient, session, chosen, part.parent), chosen)
         for done, step in enumerate(steps):
             if done:
                 typer.echo(f"Recording {done} of {len(steps) - 1}", err=True)
@@ -94,7 +94,7 @@ def spreads_of_others(
     return spreads_of
 
 
-def _material(settings: Settings, patient: str, session: int | None, form: Form) -> "ExportMaterial":
+def _material(settings: Settings, patient: str, session: int | None, form: Form, place: Path) -> "ExportMaterial":
     from app.computing_process import ComputingProcess
     from app.exports.export_material import exported_material
 
@@ -102,6 +102,8 @@ def _material(settings: Settings, patient: str, session: int | None, form: Form)
         clinic_id, patient_id = patient_named(database, patient)
         spreads_of = spreads_of_others(database, computing, clinic_id, patient_id)
         try:
-            return exported_material(database, clinic_id, patient_id, session, form, COMMAND, settings.runs, spreads_of)
+            return exported_material(
+                database, clinic_id, patient_id, session, form, COMMAND, settings.runs, spreads_of, place=place
+            )
         except Refusal as refusal:
             raise InputError(str(refusal)) from refusal

@@ -69,8 +69,9 @@ class ClinicPrior:
             return count + shipped.people
         # Somebody of whom one joint is known counts, too, and a joint needs enough people who are known in it. With so
         # many entries that one joint must have enough, they need not be read.
-        is_sure = count > (FEWEST_PEOPLE - 1) * len(garment.layout.joints)
-        return count if is_sure or self.of_others(session_id, garment) is not None else 0
+        if count > (FEWEST_PEOPLE - 1) * len(garment.layout.joints):
+            return count
+        return count if count >= FEWEST_PEOPLE and self.of_others(session_id, garment) is not None else 0
 
     def of_others(self, session_id: int, garment: Garment) -> MapPrior | None:
         """Return what is known of other people in this shirt; None when they are too few, or the owner wants none."""

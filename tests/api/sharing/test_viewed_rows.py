@@ -14,7 +14,6 @@ from app.store import log
 ROWS = {"patient viewed", "trial viewed", "export", "report exported"}
 SILENT = {
     "/patients/{patient_id}/archive/room",  # how large the recordings are
-    "/patients/{patient_id}/report/consent",
 }
 
 

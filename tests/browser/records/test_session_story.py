@@ -1,5 +1,7 @@
 """A session as a story for a reviewer: from the list of sessions to the replay of a trial, on each size of screen."""
 
+import re
+
 import pytest
 from browser.served.review_app import ReviewApp
 from browser.tablets import put_first_sentences_away
@@ -48,6 +50,9 @@ def test_a_reviewer_reads_a_session_as_a_story_and_opens_a_replay(browser, page_
     expect(page.get_by_role("heading", name="Story of session 1 of P-1")).to_be_visible()
     story = page.locator(".story")
     expect(story.locator("li").first).to_contain_text("Session began")
+    days = [line.inner_text() for line in story.locator("li").all() if re.search(r"\d, 20\d\d", line.inner_text())]
+    assert len(days) == 1  # the day stands where it begins
+    assert "Session began" in days[0]
     assert "share." not in story.inner_text()  # a key that has no text
     page.screenshot(path=SCREENSHOTS / f"story-{size}-{theme}.png")
     assert not page.evaluate(TOO_WIDE)
