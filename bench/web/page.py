@@ -12,6 +12,7 @@ from bench.web.demonstration import chromium, demonstration
 RUNS = 5
 FIRST, RELOAD = "first page", "reload"
 REACH = {FIRST: 1600.0, RELOAD: 800.0}  # ms
+REACH_DRAWN = 300.0  # ms: until the page says that it is starting
 SLOW = 60.0  # ms of latency, as between two buildings
 BUTTON = ".foot .btn.go"  # Start trial: the main button of a demonstration's first page
 WATCH = f"""new MutationObserver((_, watch) => {{
@@ -27,7 +28,10 @@ FIGURES = """() => {
 
 
 def measure_page(runs: int = RUNS) -> list[Row]:
-    """Return the times (ms) from the address to the main button that can be pressed, each the median of `runs`.
+    """Return the times (ms) from the address to the first words and to a main button that can be pressed.
+
+    Each is the median of `runs`. A browser that has only just been started needs some 300 ms more for its first picture
+    of any page, and one of the runs has it.
 
     Raises
     ------
@@ -50,7 +54,7 @@ def _rows(new_context: Any, link: str, latency: float, runs: int) -> list[Row]:
         page.reload()
         figures[RELOAD].append(_usable(page))
         context.close()
-    return [_row(what, loads, latency) for what, loads in figures.items()]
+    return [row for what, loads in figures.items() for row in _load_rows(what, loads, latency)]
 
 
 def _delay(session: CDPSession, latency: float) -> None:
@@ -65,12 +69,12 @@ def _usable(page: Page) -> list[float]:
     return [float(figure) for figure in page.evaluate(FIGURES)]
 
 
-def _row(what: str, loads: Sequence[Sequence[float]], latency: float) -> Row:
+def _load_rows(what: str, loads: Sequence[Sequence[float]], latency: float) -> list[Row]:
     usable, drawn, files, size = (sorted(column) for column in zip(*loads, strict=True))
-    words = (
-        f"{len(loads)} runs; something to see after "
-        f"{statistics.median(drawn):.0f} ms; {statistics.median(files):.0f} requests, "
-        f"{statistics.median(size) / 1000:.0f} kB"
-    )
     named = f"{what}, {latency:.0f} ms of latency" if latency else what
-    return Row(named, usable, "ms", None if latency else REACH[what], "lower", words)
+    runs = f"{len(loads)} runs"
+    sent = f"{statistics.median(files):.0f} requests, {statistics.median(size) / 1000:.0f} kB"
+    return [
+        Row(f"{named}: first words", drawn, "ms", None if latency else REACH_DRAWN, "lower", runs),
+        Row(named, usable, "ms", None if latency else REACH[what], "lower", f"{runs}; {sent}"),
+    ]
