@@ -129,7 +129,7 @@ class Decoder:
             self.bad = np.asarray((self._uses & bad_channels).any(axis=1)).tolist()
             trusted = np.where(bad_channels | ~np.isfinite(frame), 0.0, frame)
         if self._prior is not None:
-            if periods == 1.0 and self.bad is was_bad is self._none_bad and self._prior.is_even:
+            if periods == 1.0 and self.bad == was_bad and self._prior.is_even:
                 products = self._prior.step(trusted)
             else:
                 products = self._prior.step_slowly(

@@ -2,7 +2,8 @@
 
 A map reads 7 projections of a frame and their past. All of that is linear, so that the usual frame costs one matrix
 product for all gestures. Its input are the frame, earlier projections and the state; its output are the rates and the
-new state. Frames after a gap, and frames with a bad channel, take a longer way to the same numbers.
+new state. A gesture with a bad channel reads nothing of the frame: its rows of the matrix have zeros there. Frames
+after a gap, and those in which a channel becomes bad or good again, take a longer way to the same numbers.
 """
 
 import math
@@ -52,8 +53,8 @@ class PriorRates:
         self._head = len(others) + count
         self._state = slice(self._head, self._head + STATES * count)
         self._earlier = slice(self._state.stop, self._state.stop + EARLIER * count)
-        self._matrix = self._usual_matrix()
-        self._input = np.zeros(self._matrix.shape[1])
+        self._usual = self._usual_matrix()
+        self._input = np.zeros(self._usual.shape[1])
         self._frame, self._memory = self._input[:channels], self._input[channels:]
         self._ring = np.zeros((self._size, self._earlier.stop))
         self._flat = self._ring.ravel()
@@ -68,14 +69,14 @@ class PriorRates:
         self._newest = 0
         self._even = 0  # frames since one was missing
         self.is_even = False
-        """Whether a frame without a gap and without a bad channel may take the short way, `step`."""
+        """Whether a frame without a gap may take the short way, `step`, when no channel became bad or good again."""
         self._steps = [1.0] * self._size  # sample periods from the row before to each row of the ring
-        self._seen: Array | None = None  # (g, 7) projections that count; None: those of the last frame
+        self._matrix = self._usual
 
     def step(self, frame: Array) -> list[float]:
         """Return the other products and the rates (FS/s) after a usual frame (n_channels,), one period after the last.
 
-        Usual is a frame without a bad channel, after one without, when `is_even`.
+        Usual is a frame with the bad channels of the frame before, each 0, when `is_even`.
         """
         self._frame[:] = frame
         newest = self._newest + 1
@@ -91,7 +92,6 @@ class PriorRates:
         self._flat.take(self._places[newest], None, self._memory, "clip")
         self._newest = newest
         self._steps[newest] = 1.0
-        self._seen = None
         return values
 
     def step_slowly(self, frame: Array, bad: Sequence[bool], was_bad: Sequence[bool], periods: float) -> list[float]:
@@ -101,18 +101,16 @@ class PriorRates:
         channel now, and whether it did in the frame before: what it reads then does not count.
         """
         clean = np.nan_to_num(frame, posinf=0.0, neginf=0.0)
-        now = self._parts @ clean
-        is_bad = np.array(bad, dtype=np.bool_)
+        is_bad, was = np.array(bad, dtype=np.bool_), np.array(was_bad, dtype=np.bool_)
         count = len(is_bad)
+        seen = np.where(is_bad[:, np.newaxis], 0.0, self._parts @ clean)
         if self._fresh:
-            seen = np.where(is_bad[:, np.newaxis], 0.0, now)
             self._settle(seen)
-        else:
-            before = self._parts @ self._frame if self._seen is None else self._seen
-            back = np.array(was_bad, dtype=np.bool_) & ~is_bad
-            if back.any():
-                self._move_past(np.where(back[:, np.newaxis], now - before, 0.0))
-            seen = np.where(is_bad[:, np.newaxis], before, now)
+        elif (is_bad != was).any():
+            # While a channel is bad the past is as if the projections had ended at 0; afterwards, at what they are now.
+            ended = np.where((is_bad & ~was)[:, np.newaxis], self._parts @ self._frame, 0.0)
+            self._move_past(np.where((was & ~is_bad)[:, np.newaxis], seen, 0.0) - ended)
+        self._matrix = self._without_frame(is_bad)
         total, short, long, first, second = self._ring[self._newest, self._state].reshape(STATES, count)
         newest = (self._newest + 1) % self._size
         self._steps[newest] = periods
@@ -130,11 +128,20 @@ class PriorRates:
         row[self._earlier] = seen[:, 1 : EARLIER + 1].T.ravel()
         self._flat.take(self._places[newest], None, self._memory, "clip")
         self._frame[:] = clean
-        self._seen, self._newest, self._fresh = seen, newest, False
+        self._newest, self._fresh = newest, False
         self._even = self._even + 1 if periods == 1.0 else 0
         self.is_even = self._even >= self._size
         values: list[float] = self._heads[newest].tolist()
         return values
+
+    def _without_frame(self, is_bad: NDArray[np.bool_]) -> Array:
+        """Return the matrix of usual frames in which the gestures that read a bad channel (g,) read nothing."""
+        if not is_bad.any():
+            return self._usual
+        matrix = self._usual.copy()
+        own = len(self._others) + np.flatnonzero(np.tile(is_bad, 1 + STATES + EARLIER))
+        matrix[own, : self._parts.shape[2]] = 0.0
+        return matrix
 
     def _settle(self, seen: Array) -> None:
         """Let the past be as if these projections (g, 7) had been seen for ever."""
