@@ -45,6 +45,14 @@ def test_false_activations_are_counted_once_each_and_not_beside_a_movement():
     assert found.false_per_minute == pytest.approx(60 * 3 / (4.0 - 0.6))
 
 
+def test_the_edge_of_a_movement_is_neither_in_phase_nor_outside():
+    rate = np.where(LABEL > 0, 1.0, 0.0)
+    rate[190:200] = rate[400:410] = 1.0  # within 0.3 s of a labelled movement
+    assert measures(rate).in_phase == 1.0
+    rate[100:110] = 1.0
+    assert measures(rate).in_phase == pytest.approx(100 / 110)
+
+
 def test_without_any_activation_nothing_is_in_phase():
     found = measures(np.zeros(600))
     assert (found.in_phase, found.hit_rate) == (0.0, 0.0)

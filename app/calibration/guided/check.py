@@ -6,7 +6,9 @@ from numpy.typing import NDArray
 from app.calibration.profile import MapCheck
 
 SHORTEST_REST = 2.0  # s: less rest is too short to count false activations in
-MARGIN = 0.3  # s before and after a movement that do not count as rest, because the lag is not known more exactly
+# s before and after a movement that count neither as rest nor as movement: the lag is not known more exactly, and the
+# slow edges of a stroke have no label.
+MARGIN = 0.3
 
 Array = NDArray[np.float64]
 
@@ -41,12 +43,12 @@ def check(
     """
     activation = np.clip((rate - dead_zone) / (full - dead_zone), 0.0, 1.0)
     moving = label > 0
-    total = float(activation.sum())
-    count, seconds = 0, 0.0
+    count, seconds, total = 0, 0.0, 0.0
     for name in np.unique(repetition):
         rows = repetition == name
         resting = at_rest(label[rows], round(MARGIN * sample_rate))
         active = (activation[rows] > 0.0) & resting
+        total += float(activation[rows][resting | (label[rows] != 0)].sum())
         count += int(np.count_nonzero(np.diff(active.astype(np.int8), prepend=0) > 0))
         seconds += float(resting.sum()) / sample_rate
     return MapCheck(
