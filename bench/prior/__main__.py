@@ -89,15 +89,15 @@ class Comparison:
                 self._note(seconds, "prior", by_prior)
                 if joint.prior is not None and joint.prior.hits is not None:
                     self.forecasts.setdefault(seconds, []).append((joint.prior.hits, 100 * by_prior.hit))
-                if seconds and joint.prompted:
-                    by_pca = figures(wearer, part, profile, "pca")
-                    self._note(seconds, "PCA", by_pca)
+                by_pca = figures(wearer, part, profile, "pca")  # of free movement alone where nothing was prompted
+                self._note(seconds, "PCA", by_pca)
+                if seconds:
                     by_cues = by_pca if joint.guided is None else figures(wearer, part, profile, "guided")
                     self._note(seconds, "guided (PCA where it cannot be made)", by_cues)
                     best = joint.best_map
                     by_best = {"prior": by_prior, "guided": by_cues, "pca": by_pca}[best]
                     self._note(seconds, "best", by_best)
-                    if best != "pca":
+                    if joint.prompted and best != "pca":
                         self.offers.setdefault(seconds, []).append((by_best, by_pca))
 
     def arrangements(self, wearer: Wearer, shift: int, *, mirrored: bool = False) -> Iterable[bool]:
@@ -132,7 +132,7 @@ class Comparison:
         return lines
 
     def forecast_lines(self) -> list[str]:
-        """Return how well hits are forecast: rank correlation, and the share within two of the stated deviations."""
+        """Return how well hits are forecast: means, rank correlation, share within two of the stated deviations."""
         from scipy.stats import spearmanr
 
         lines = []
@@ -141,7 +141,8 @@ class Comparison:
             deviation = np.array([one.uncertainty for one, _ in pairs])
             within = float((np.abs(expected - came) < 2 * deviation).mean())
             rho = float(spearmanr(expected, came)[0])
-            lines.append(f"forecast of hits with {seconds:g} s: rho {rho:.2f}, {within:.0%} within two deviations")
+            means = f"{expected.mean():.0f} of 100 expected, {came.mean():.0f} came"
+            lines.append(f"forecast of hits with {seconds:g} s: {means}; rho {rho:.2f}, {within:.0%} within two deviations")
         return lines
 
 
@@ -215,7 +216,7 @@ def main(
         print_arrangements(Comparison(wearers, entries_of(wearers)), wearers)
         return
     if not only_knit:
-        typer.echo(step_cost())
+        typer.echo("\n".join(step_cost()))
     if FOLDER.exists():
         knit = [with_ring(one) for one in knit_people(seed)]
         comparison = compare(f"Real knit: {len(knit)} recordings, one fitting kept apart", knit, entries_of(knit))

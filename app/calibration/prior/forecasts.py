@@ -1,7 +1,7 @@
 """What is expected of a prior's map in use: hits of 100 movements, and false activations a minute.
 
-The person's own repetitions are judged by a map that is learnt without them. Before there are any, the free movement
-alone says how many of this person's movements are quick enough for the dead-zone.
+The person's own repetitions are judged by a map that is learnt without them. Before there are any, other people's
+strokes and the person's free movement say how many movements are quick enough for the dead-zone.
 """
 
 import math
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from app.calibration.guided.check import MARGIN, SHORTEST_REST, at_rest
 from app.calibration.prior.moments import Moments
 from app.calibration.prior.prompting import deviation_of_hits
-from app.calibration.prior.solving import OwnFrames, solve
+from app.calibration.prior.solving import DEAD_ZONE_DEVIATIONS, OwnFrames, solve
 from app.calibration.prior.strokes import EDGE
 from app.calibration.profile import Forecast
 
@@ -21,7 +21,8 @@ LABELLED = 0.88  # of a real stroke's time above the dead-zone, by that of its l
 # A movement lasts as long as its cue, and at most so many times its labelled part: a cue may be longer than it. What a
 # map does not answer at all is not labelled either, so that the labelled part alone would flatter.
 LONGEST = 1.25
-WORTH_OF_FREE = 1.0  # repetitions that the free movement counts for
+WORTH_OF_OTHERS = 1.0  # own repetitions that other people's strokes count for
+WORTH_OF_FREE = 0.5  # the same of the free movement, which may be gentler than strokes
 USUAL_FALSE, USUAL_MINUTES = 1.0, 0.5  # false activations expected before any is counted, and the rest they stand for
 
 Array = NDArray[np.float64]
@@ -55,6 +56,11 @@ def share_of_free(rate: Array, dead_zone: float) -> float | None:
     return above / total if total else None
 
 
+def share_of_others() -> float:
+    """Return the share of other people's strokes' time above their dead-zone, with normally distributed rates."""
+    return LABELLED * (1.0 + math.erf(-DEAD_ZONE_DEVIATIONS / math.sqrt(2.0))) / 2.0
+
+
 def share_of_own(held_out: Array, dead_zone: float, frames: OwnFrames) -> float:
     """Return the share of the person's own repetitions' time in which the rate (n,) is above the dead-zone."""
     strokes = frames.label > 0
@@ -65,6 +71,8 @@ def share_of_own(held_out: Array, dead_zone: float, frames: OwnFrames) -> float:
 
 def expected_hits(free: Array, dead_zone: float, held_out: Array | None, frames: OwnFrames | None) -> Forecast | None:
     """Return the expected hits of 100 movements, as the share of the movements' time with activation.
+
+    None when nothing of this person moved the gesture's way.
 
     Parameters
     ----------
@@ -77,7 +85,7 @@ def expected_hits(free: Array, dead_zone: float, held_out: Array | None, frames:
     frames : OwnFrames or None
         The labels of those repetitions.
     """
-    shares, weights, repetitions = [], [], 0
+    shares, weights, repetitions = [share_of_others()], [WORTH_OF_OTHERS], 0
     in_free = share_of_free(free, dead_zone)
     if in_free is not None:
         shares.append(LABELLED * in_free)
@@ -86,7 +94,7 @@ def expected_hits(free: Array, dead_zone: float, held_out: Array | None, frames:
         repetitions = frames.repetitions
         shares.append(share_of_own(held_out, dead_zone, frames))
         weights.append(float(repetitions))
-    if not shares:
+    if in_free is None and not repetitions:
         return None
     share = float(np.average(shares, weights=weights))
     return Forecast(value=round(100 * share, 1), uncertainty=deviation_of_hits(repetitions))

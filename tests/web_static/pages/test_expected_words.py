@@ -23,10 +23,10 @@ def test_each_forecast_has_its_uncertainty_and_what_is_not_known_is_said(run_scr
     assert unknown[1] == "How often it acts at rest is known once this movement has been repeated."
 
 
-def test_before_any_prompt_hits_stand_there_without_and_with_it(run_script: Any, tmp_path: Any) -> None:
+def test_before_any_prompt_it_says_what_prompts_would_bring(run_script: Any, tmp_path: Any) -> None:
     file = tmp_path / "forecasts.json"
     without = {"value": 70.8, "uncertainty": 17.9}
     file.write_text(json.dumps([{"hits": without, "hits_with_prompts": HITS, "false_per_minute": None}]))
     ((hits, _, prompted),) = json.loads(run_script("pages/expected_words.mjs", file))
     assert hits == "Of 100 movements about 71 are answered (± 18)."
-    assert prompted.startswith("After three repetitions of this movement: about 71 of 100 (± 11)")
+    assert prompted.startswith("After three repetitions of this movement that is surer (± 11)")

@@ -65,7 +65,7 @@ export default {
   "result.expected.hits": "Of 100 movements about {value} are answered (± {uncertainty}).",
   "result.expected.false": "At rest it acts about {value} times a minute (± {uncertainty}).",
   "result.expected.prompted":
-    "After three repetitions of this movement: about {value} of 100 (± {uncertainty}), and it is known how often it acts at rest.",
+    "After three repetitions of this movement that is surer (± {uncertainty}), and it is known how often it acts at rest.",
   "result.expected.hits.none": "How many of 100 movements are answered is not known yet: nothing in the free movement went this way.",
   "result.expected.false.none": "How often it acts at rest is known once this movement has been repeated.",
   "result.expected.own.hits": "Of 100 movements about {value} are answered; so few repetitions show only that it is at least {bound}.",
