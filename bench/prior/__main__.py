@@ -142,7 +142,8 @@ class Comparison:
             within = float((np.abs(expected - came) < 2 * deviation).mean())
             rho = float(spearmanr(expected, came)[0])
             means = f"{expected.mean():.0f} of 100 expected, {came.mean():.0f} came"
-            lines.append(f"forecast of hits with {seconds:g} s: {means}; rho {rho:.2f}, {within:.0%} within two deviations")
+            how_well = f"rho {rho:.2f}, {within:.0%} within two deviations"
+            lines.append(f"forecast of hits with {seconds:g} s: {means}; {how_well}")
         return lines
 
 

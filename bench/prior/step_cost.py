@@ -19,7 +19,7 @@ SAMPLE_RATE, SECONDS, TURNS = 1000.0, 2.0, 15
 
 
 def step_cost() -> list[str]:
-    """Return in words how long a step takes with each kind of map, and the ratio of the two, also with a bad channel."""
+    """Return in words how long a step takes with each kind of map, and their ratio, without and with a bad channel."""
     plain = bench_parameters(SAMPLE_RATE)
     joints = tuple(_with_prior(joint) for joint in plain.profile.joints)
     prior = plain.model_copy(update={"profile": plain.profile.model_copy(update={"joints": joints})})
