@@ -4,5 +4,5 @@ from typing import Literal
 
 Mode = Literal["off", "suggest", "auto"]
 PersonKind = Literal["steady", "improving", "deteriorating", "redonned"]
-StudyMap = Literal["pca", "guided"]
+StudyMap = Literal["pca", "guided", "prior"]
 FigureFormat = Literal["png", "svg"]

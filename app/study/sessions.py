@@ -14,6 +14,8 @@ from app.calibration.adaptation.donning_range import fit_ranges
 from app.calibration.adaptation.movement import Movement
 from app.calibration.adaptation.proposal import propose
 from app.calibration.adaptation.proposal_document import Proposal
+from app.calibration.prior.map_prior import MapPrior
+from app.calibration.prior.shipped import shipped_prior
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import calibration_script
 from app.calibration.vocabulary import DriveParameters, standard_parameters
@@ -24,6 +26,7 @@ from app.study.choices import Mode, PersonKind, StudyMap
 from app.study.experiment import SAMPLE_RATE, SEEDS_APART, shirt_layout
 from app.study.participant import Participant
 from app.study.simulated_calibration import calibrate, record_step
+from app.study.simulated_pool import GARMENT, calibrate_with_prior
 from app.study.simulated_trial import FrameLog, StudyTrial, drive_trial, score_trial
 from app.world.floorplan import FloorPlan, PrescribedPath
 
@@ -71,7 +74,15 @@ class CalibratedParticipant:
 
 
 def calibrated_participant(who: PersonKind, seed: int, map_kind: StudyMap = "pca") -> CalibratedParticipant:
-    """Return a participant with this seed, with the profile of the calibration."""
+    """Return a participant with this seed, with the profile of the calibration.
+
+    For a map from other people the participant wears the simulated shirt that a prior ships for; for the others, a
+    shirt of one's own.
+    """
+    if map_kind == "prior":
+        participant = Participant(Person(PERSONS[who], seed), shirt_layout(), SAMPLE_RATE, GARMENT)
+        participant.wear(seed + SEEDS_APART)
+        return CalibratedParticipant(who, seed, participant, calibrate_with_prior(participant, _other_people()))
     participant = Participant(Person(PERSONS[who], seed), shirt_layout(), SAMPLE_RATE, seed + SEEDS_APART)
     return CalibratedParticipant(who, seed, participant, calibrate(participant, map_kind))
 
@@ -179,6 +190,13 @@ def _run_participant(
         for mode in modes
         for row in run_sessions(mode, calibrated_participant(who, seed, map_kind), sessions, trials, floorplan, path)
     ]
+
+
+def _other_people() -> MapPrior:
+    shipped = shipped_prior(shirt_layout())
+    if shipped is None:
+        raise ValueError("no prior ships for the simulated shirt: make one with `make simulated-prior`")
+    return MapPrior.of(shipped)
 
 
 def _free_movement(participant: Participant) -> Movement:

@@ -1,4 +1,4 @@
-"""Simulated people who wear one and the same simulated shirt, and what their calibrations add to a prior."""
+"""Simulated people who wear one and the same simulated shirt: what each adds to a prior, and what a prior gives one."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -8,11 +8,14 @@ import numpy as np
 from app.calibration.fit.repetitions import stretch_of_run
 from app.calibration.prior.documents import OwnPrior
 from app.calibration.prior.entry import PersonRecording, person_entry
+from app.calibration.prior.map_prior import MapPrior
+from app.calibration.prior.prior_map import with_prior_maps
+from app.calibration.profile import CalibrationProfile
 from app.hardware.body.person import Person
 from app.hardware.body.person_parameters import NOVICE, PRACTISED
 from app.layout import ShirtLayout
 from app.study.participant import Participant
-from app.study.simulated_calibration import StepRecording, record_calibration
+from app.study.simulated_calibration import StepRecording, fit_recorded, record_calibration
 
 GARMENT = 1  # seed of the simulated shirt that a control process starts with
 SAMPLE_RATE = 100.0  # Hz
@@ -43,3 +46,19 @@ def prior_of_wearers(layout: ShirtLayout, seeds: Sequence[int]) -> OwnPrior:
         participant = wearer(layout, seed)
         people[f"simulated-{seed}"] = person_entry(layout, [recording_of(participant, record_calibration(participant))])
     return OwnPrior(layout=layout, people=people)
+
+
+def calibrate_with_prior(participant: Participant, prior: MapPrior) -> CalibrationProfile:
+    """Calibrate with the whole script; what is learnt from other people and the own prompts decodes where it can be.
+
+    Raises
+    ------
+    ValueError
+        When no joint can be mapped.
+    """
+    recorded = record_calibration(participant)
+    profile = fit_recorded(participant.layout, participant.sample_rate, recorded)
+    own = recording_of(participant, recorded)
+    fitted = with_prior_maps(profile, prior, own.free, own.stretches).profile
+    joints = tuple(one.model_copy(update={"map": "prior"}) if one.prior else one for one in fitted.joints)
+    return fitted.model_copy(update={"joints": joints})

@@ -6,12 +6,13 @@ import pytest
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.prior.map_prior import MapPrior
 from app.calibration.prior.prior_map import find_arrangements, with_best_maps, with_prior_maps
+from app.calibration.prior.shipped import SHIPPED_SEED, shipped_prior
 from app.calibration.profile import Arrangement, CalibrationProfile
 from app.calibration.script import calibration_script
 from app.calibration.vocabulary import standard_parameters
 from app.hardware.shirt.standard import standard_layout
 from app.pipeline.replay.batch import decode_block
-from app.session.calibration.clinic_prior import SHIPPED_SEED, Garment, shipped_prior
+from app.session.calibration.clinic_prior import Garment
 from app.study.simulated_calibration import StepRecording, record_calibration, record_step
 from app.study.simulated_pool import SAMPLE_RATE, recording_of, wearer
 
@@ -38,7 +39,7 @@ def shares(profile: CalibrationProfile, recorded: list[StepRecording]) -> list[t
 
 @pytest.mark.parametrize("seed", [5, 6])
 def test_somebody_new_drives_by_it_after_ten_seconds_of_movement(seed: int) -> None:
-    released = shipped_prior(Garment(standard_layout(), True, SHIPPED_SEED))
+    released = shipped_prior(standard_layout())
     assert released is not None
     person = wearer(standard_layout(), seed)
     recorded = record_calibration(person)
@@ -53,7 +54,7 @@ def test_somebody_new_drives_by_it_after_ten_seconds_of_movement(seed: int) -> N
 
 
 def test_its_rings_tell_how_somebody_new_wears_the_elbows() -> None:
-    released = shipped_prior(Garment(standard_layout(), True, SHIPPED_SEED))
+    released = shipped_prior(standard_layout())
     assert released is not None
     prior, person = MapPrior.of(released), wearer(standard_layout(), 5)
     assert set(prior.rings) == {"right_elbow", "left_elbow"}
@@ -79,5 +80,6 @@ def test_a_shirt_whose_layout_named_rings_later_is_the_same_garment() -> None:
 
 
 def test_another_simulated_shirt_has_no_prior() -> None:
-    assert shipped_prior(Garment(standard_layout(), True, 2)) is None
-    assert shipped_prior(Garment(standard_layout(), False, None)) is None
+    assert Garment(standard_layout(), True, SHIPPED_SEED).shipped_prior is not None
+    assert Garment(standard_layout(), True, 2).shipped_prior is None
+    assert Garment(standard_layout(), False, None).shipped_prior is None

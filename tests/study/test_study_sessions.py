@@ -36,6 +36,16 @@ def test_a_map_learnt_from_cues_is_followed_as_any_other() -> None:
     assert [row.from_calibration_deg for row in rows] == [0.0] * 4
 
 
+def test_a_map_learnt_from_other_people_is_followed_as_any_other() -> None:
+    by_others = calibrated_participant("steady", 5, "prior")
+    assert {joint.map for joint in by_others.profile.joints} == {"prior"}
+    by_others.participant.person.parameters = replace(PRACTISED, tremor=0.08)
+    rows = run_sessions("auto", by_others, 5, 1, CLINIC, CORRIDOR)
+    assert sum(row.proposed for row in rows) > 0
+    assert rows[-1].dead_zone > rows[0].dead_zone
+    assert [row.from_calibration_deg for row in rows] == [0.0] * 5
+
+
 def test_an_outgrown_dead_zone_follows_by_itself_and_a_suggestion_changes_nothing() -> None:
     """A tremor that is there at once stands for one that has grown over many sessions."""
     shaking = replace(PRACTISED, tremor=0.015)

@@ -46,7 +46,8 @@ def study(
     ] = None,
     person: Annotated[PersonKind, typer.Option(help="Over sessions: what happens to body or shirt.")] = "deteriorating",
     map_kind: Annotated[
-        StudyMap, typer.Option("--map", help="With --adapt: the standard calibration, or what is learnt from the cues.")
+        StudyMap,
+        typer.Option("--map", help="With --adapt: standard calibration, or what cues or other people teach."),
     ] = "pca",
     sessions: Annotated[
         int, typer.Option(min=1, max=MOST_SESSIONS, help="How many, with --adapt or --interface-test.")

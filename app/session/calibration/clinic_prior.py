@@ -2,15 +2,12 @@
 
 import hashlib
 import json
-from functools import cache
-from pathlib import Path
 from typing import NamedTuple
 
 from app.calibration.prior.documents import FEWEST_PEOPLE, PersonEntry, ReleasedPrior
 from app.calibration.prior.map_prior import MapPrior, layout_key, sums_of
-from app.calibration.prior.prior_file import read_prior
+from app.calibration.prior.shipped import SHIPPED_SEED, shipped_prior
 from app.layout import ShirtLayout
-from app.settings import data_folder
 from app.store.access.visible_patients import every_patient
 from app.store.database import Database
 from app.store.prior.prior_entries import (
@@ -41,8 +38,10 @@ class Garment(NamedTuple):
         key = [(*channel, None, None) for channel in layout_key(self.layout)]
         return hashlib.sha256(json.dumps([key, self.seed]).encode()).hexdigest()
 
-
-SHIPPED_SEED = 1  # of the simulated shirt that a prior ships for, which is the one that a clinic begins with
+    @property
+    def shipped_prior(self) -> ReleasedPrior | None:
+        """The prior that ships with this shirt; None for a worn shirt, and for another simulated one."""
+        return shipped_prior(self.layout) if self.simulated and self.seed == SHIPPED_SEED else None
 
 
 class ClinicPrior:
@@ -64,7 +63,7 @@ class ClinicPrior:
             count = count_entries(
                 db, session.clinic_id, garment.hash, simulated=garment.simulated, without=session.patient_id
             )
-        shipped = shipped_prior(garment)
+        shipped = garment.shipped_prior
         if shipped is not None:
             return count + shipped.people
         # Somebody of whom one joint is known counts, too, and a joint needs enough people who are known in it. With so
@@ -84,7 +83,7 @@ class ClinicPrior:
             )
         entries = [PersonEntry.model_validate(entry).in_layout(garment.layout) for entry in found]
         prior = MapPrior(garment.layout, *sums_of(entries))
-        shipped = shipped_prior(garment)
+        shipped = garment.shipped_prior
         if shipped is not None:
             prior += MapPrior.of(shipped)
         return prior if prior.people >= FEWEST_PEOPLE else None
@@ -104,19 +103,3 @@ class ClinicPrior:
                 entry = entry.completed(PersonEntry.model_validate(before))
             document = entry.model_dump(mode="json")
             put_entry(db, patient_id, garment.hash, document, simulated=garment.simulated)
-
-
-def priors_folder() -> Path:
-    """Return the folder of the priors that ship with the program; `make simulated-prior` writes them."""
-    return data_folder() / "priors"
-
-
-def shipped_prior(garment: Garment) -> ReleasedPrior | None:
-    """Return the prior that ships with a simulated shirt, None when there is none."""
-    return _shipped_priors(priors_folder()).get(garment.hash) if garment.simulated else None
-
-
-@cache
-def _shipped_priors(folder: Path) -> dict[str, ReleasedPrior]:
-    found = [read_prior(file) for file in sorted(folder.glob("*.json"))]
-    return {Garment(one.layout, True, SHIPPED_SEED).hash: one for one in found if isinstance(one, ReleasedPrior)}
