@@ -1,10 +1,14 @@
-"""The profile that comes with the program is what a calibration gives today."""
+"""The profile and the prior that come with the program are what their commands make today."""
 
 import pytest
 from cli.demonstration_profile import calibrated
+from cli.shipped_prior import released
 
+from app.calibration.prior.documents import ReleasedPrior
+from app.calibration.prior.shipped import shipped_prior
 from app.calibration.profile import CalibrationProfile
 from app.cli.demonstration import profile_file
+from app.hardware.shirt.standard import standard_layout
 
 # Beyond rounding by another processor or another release of LAPACK; a change of the fit is larger.
 CLOSE = {"rel": 1e-6, "abs": 1e-9}
@@ -22,14 +26,22 @@ def leaves(value, place="profile"):
         yield place, value
 
 
+def differences(shipped, fresh):
+    """Return the places at which two documents differ beyond rounding, with both values."""
+    one, other = (dict(leaves(document.model_dump(mode="json"))) for document in (shipped, fresh))
+    assert one.keys() == other.keys()
+    return {
+        place: (value, other[place])
+        for place, value in one.items()
+        if other[place] != (pytest.approx(value, **CLOSE) if isinstance(value, float) else value)
+    }
+
+
 def test_the_profile_that_comes_with_the_program_is_that_of_a_calibration():
     shipped = CalibrationProfile.model_validate_json(profile_file().read_bytes())
-    fresh = calibrated().model_copy(update={"created": shipped.created})
-    both = [dict(leaves(one.model_dump(mode="json"))) for one in (shipped, fresh)]
-    assert both[0].keys() == both[1].keys()
-    wrong = {
-        place: (value, both[1][place])
-        for place, value in both[0].items()
-        if both[1][place] != (pytest.approx(value, **CLOSE) if isinstance(value, float) else value)
-    }
-    assert wrong == {}
+    assert differences(shipped, calibrated().model_copy(update={"created": shipped.created})) == {}
+
+
+def test_the_prior_that_comes_with_the_program_is_that_of_its_simulated_people():
+    fresh = ReleasedPrior.model_validate_json(released())
+    assert differences(shipped_prior(standard_layout()), fresh) == {}
