@@ -1,8 +1,7 @@
 """Records a trial as the control process does: with the real chain, by the strokes of a simulated body."""
 
+import math
 import uuid
-
-import numpy as np
 
 from app.calibration.vocabulary import DriveParameters
 from app.faults import Fault
@@ -84,7 +83,7 @@ def record_trial(
     chain.arm()
     for i, frame in enumerate(values):
         run_t = i / rate
-        t = STARTED + run_t + 1e-4 * np.sin(i)  # ticks of a real loop jitter by microseconds
+        t = STARTED + run_t + 1e-4 * math.sin(i)  # ticks of a real loop jitter by microseconds
         if i in missing:
             continue
         if dials and run_t >= dials[0][0]:

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from recorded_trial import plan_of, record_trial
 
-from app.calibration.vocabulary import DriveParameters
+from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.faults import State
 from app.pipeline.replay.exact_rerun import Rerun, replay_run
 from app.recording.reader import read_run
-from building import make_parameters
+from building import make_parameters, make_signals, taught_by_others
 
 NAMES = tuple(Rerun.__slots__)
 
@@ -45,6 +45,19 @@ def test_so_do_the_dial_the_stop_lost_frames_and_turns_without_one(tmp_path):
     run = read_run(tmp_path / "run")
     assert {State.CHECKING, State.ARMED, State.FAULT} <= {State(int(state)) for state in set(run.columns["state"])}
     assert set(np.round(run.columns["dial"], 3)) == {np.float32(0.7), np.float32(0.35)}
+    assert_same(run, replay_run(run, parameters))
+
+
+@pytest.mark.parametrize("joints", [None, ["right_shoulder"]], ids=["all joints", "one of them"])
+def test_so_do_maps_from_other_people_with_lost_frames_and_a_channel_that_fails(tmp_path, joints):
+    standard = make_parameters()
+    parameters = standard_parameters(taught_by_others(standard.profile, joints=joints))
+    values = make_signals(parameters, 1000)
+    values[300:500, standard.profile.joints[0].channels[0]] = np.nan
+    record_trial(tmp_path / "run", parameters, missing={200, 201, 420}, values=values)
+    run = read_run(tmp_path / "run")
+    assert run.columns["activation"][:300, 0].max() > 0.0
+    assert run.columns["activation"][310:490, 0].max() == 0.0
     assert_same(run, replay_run(run, parameters))
 
 
