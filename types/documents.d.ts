@@ -38,8 +38,8 @@ export type GuidedMapResult = {
 /** An expected number with its uncertainty, one standard deviation. */
 export type Forecast = { value: number; uncertainty: number };
 
-/** How a ring of so many sensors sits otherwise than on other people. */
-export type Arrangement = { shift: number; mirrored: boolean; sensors: number };
+/** How a ring of so many sensors sits otherwise than on other people; at which places it has its front and its outer side, null: not known. */
+export type Arrangement = { shift: number; mirrored: boolean; sensors: number; front: number | null; outside: number | null };
 
 /** What a map learnt from other people comes from, its checks, and what is expected of it; null: not known. */
 export type PriorResult = {

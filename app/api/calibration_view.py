@@ -4,6 +4,7 @@ from typing import Any
 
 from app.api.answers import Answer, MomentText
 from app.calibration.fit.profile_fit import joints_without_map
+from app.calibration.prior.landmarks import landmarks
 from app.calibration.prior.prompting import hits_with_prompts
 from app.calibration.profile import CalibrationProfile, GuidedMap, PriorMap
 from app.layout import ShirtLayout
@@ -105,7 +106,10 @@ def _prior(prior: PriorMap | None, layout: ShirtLayout) -> dict[str, Any] | None
         return None
     fields = {"people", "repetitions", "dropped", "hits", "false_per_minute", "prior_check", "pca_check"}
     sits = {
-        name: {ring: {**sits.model_dump(), "sensors": len(layout.rings[ring])} for ring, sits in found.items()}
+        name: {
+            ring: {**sits.model_dump(), "sensors": len(layout.rings[ring]), **landmarks(layout, ring)._asdict()}
+            for ring, sits in found.items()
+        }
         for name, found in (("arrangement", prior.arrangement), ("as_worn", prior.as_worn))
     }
     more = None if prior.hits is None or prior.repetitions else hits_with_prompts(prior.hits).model_dump()

@@ -36,7 +36,7 @@ def sits(clinic: Any) -> tuple[Any, Any]:
     return prior["arrangement"], prior["as_worn"]
 
 
-SHOWN = {"cuff": {"shift": 3, "mirrored": False, "sensors": 5}}
+SHOWN = {"cuff": {"shift": 3, "mirrored": False, "sensors": 5, "front": None, "outside": None}}
 
 
 def test_a_ring_is_left_as_worn_and_taken_as_turned_again(turned: Any) -> None:

@@ -6,7 +6,8 @@
 import { t } from "../../texts.js";
 import { h, s } from "../../widgets/dom.js";
 
-const SIZE = 96; // px of the picture
+const SIZE = 150; // px of the picture
+const WORDS = 56; // px, from the middle to the words round the ring
 const ROUND = 34; // px, radius of the ring of sensors
 const TURN = 22; // px, radius of the arrow inside
 const HEAD = 5; // px, half the width of an arrow's head
@@ -31,14 +32,15 @@ function choice(words, label, onclick) {
 }
 
 /** @param {string} joint @param {Arrangement} sits */
-function turnedCard(joint, { shift, mirrored, sensors }) {
+function turnedCard(joint, sits) {
+  const { shift, mirrored, sensors } = sits;
   const words = mirrored
     ? t("result.sits.mirrored", { joint })
     : t("result.sits.shifted", { joint, count: back(shift, sensors), sensors });
   return h(
     "div",
     { class: "sits" },
-    mirrored ? mirroredPicture(joint, shift, sensors) : shiftedPicture(joint, shift, sensors),
+    mirrored ? mirroredPicture(joint, sits) : shiftedPicture(joint, sits),
     h("div", { class: "small" }, h("p", {}, words), h("p", { class: "quiet" }, t("result.sits.lead"))),
   );
 }
@@ -48,50 +50,66 @@ function back(shift, sensors) {
   return Math.min(shift, sensors - shift);
 }
 
-/** A point of the ring. @param {number} place counted round the limb @param {number} sensors @param {number} radius */
-function at(place, sensors, radius) {
-  const angle = (2 * Math.PI * place) / sensors - Math.PI / 2;
-  return [SIZE / 2 + radius * Math.cos(angle), SIZE / 2 + radius * Math.sin(angle)];
+/** A function that returns a point of the ring, with the front of the limb at the top. @param {Arrangement} sits */
+function points({ sensors, front }) {
+  /** @param {number} place counted round the limb @param {number} radius */
+  return (place, radius) => {
+    const angle = (2 * Math.PI * (place - (front ?? 0))) / sensors - Math.PI / 2;
+    return [SIZE / 2 + radius * Math.cos(angle), SIZE / 2 + radius * Math.sin(angle)];
+  };
 }
 
-/** The limb from above with its sensors. @param {string} label @param {number} sensors @param {number[]} large their places @param {number} first which one has the colour of the arrow @param {Element[]} arrows */
-function ring(label, sensors, large, first, arrows) {
+/** The limb with its sensors, and its sides where they are known. @param {string} label @param {Arrangement} sits @param {number[]} large their places @param {number} first which one has the colour of the arrow @param {Element[]} arrows */
+function ring(label, sits, large, first, arrows) {
+  const at = points(sits);
+  const { sensors, front, outside } = sits;
+  /** @param {string} side @param {number} place */
+  const sideWords = (side, place) => {
+    const [x, y] = at(place, WORDS);
+    return s("text", { x, y, class: "side" }, t(`result.sits.side.${side}`));
+  };
   return s(
     "svg",
     { class: "ring", viewBox: `0 0 ${SIZE} ${SIZE}`, width: SIZE, height: SIZE, role: "img", "aria-label": label },
     s("circle", { cx: SIZE / 2, cy: SIZE / 2, r: ROUND, class: "limb" }),
     Array.from({ length: sensors }, (_, place) => {
-      const [cx, cy] = at(place, sensors, ROUND);
+      const [cx, cy] = at(place, ROUND);
       return s("circle", { cx, cy, r: large.includes(place) ? 6 : 4, class: place === first ? "sensor first" : "sensor" });
     }),
+    front !== null && [sideWords("front", front), sideWords("back", front + sensors / 2)],
+    outside !== null && [sideWords("outside", outside), sideWords("inside", outside + sensors / 2)],
     arrows,
   );
 }
 
-/** The way to turn the shirt back. @param {string} joint @param {number} shift the sensor at place p belongs at p + `shift` @param {number} sensors */
-function shiftedPicture(joint, shift, sensors) {
+/** The way to turn the shirt back. @param {string} joint @param {Arrangement} sits the sensor at place p belongs at p + `shift` */
+function shiftedPicture(joint, sits) {
+  const { shift, sensors } = sits;
+  const at = points(sits);
   const isForwards = shift <= sensors - shift;
   const count = back(shift, sensors);
   const [from, to] = isForwards ? [0, count] : [count, 0];
-  const [x0, y0] = at(from, sensors, TURN);
-  const [x1, y1] = at(to, sensors, TURN);
-  const [tipX, tipY] = at(to + (isForwards ? -0.35 : 0.35), sensors, TURN - 7);
+  const [x0, y0] = at(from, TURN);
+  const [x1, y1] = at(to, TURN);
+  const [tipX, tipY] = at(to + (isForwards ? -0.35 : 0.35), TURN - 7);
   const label = t("result.sits.picture", { joint, count, sensors });
   const arrow = s("path", { d: `M ${x0} ${y0} A ${TURN} ${TURN} 0 0 ${isForwards ? 1 : 0} ${x1} ${y1} L ${tipX} ${tipY}`, class: "turn" });
-  return ring(label, sensors, [0, count], from, [arrow]);
+  return ring(label, sits, [0, count], from, [arrow]);
 }
 
 /**
  * Which sensors have changed places: a dashed line that the ring is mirrored about, and an arrow across it.
- * @param {string} joint @param {number} shift the sensor at place p lies where `shift` - p should be @param {number} sensors
+ * @param {string} joint @param {Arrangement} sits the sensor at place p lies where `shift` - p should be
  */
-function mirroredPicture(joint, shift, sensors) {
+function mirroredPicture(joint, sits) {
+  const { shift, sensors } = sits;
+  const at = points(sits);
   // Of the pairs that have changed places, the one farthest apart: a quarter of the ring from the line.
   const from = Math.round(shift / 2 + sensors / 4);
   const to = (((shift - from) % sensors) + sensors) % sensors;
-  const [[x0, y0], [x1, y1]] = [at(from, sensors, TURN), at(to, sensors, TURN)];
-  const [[ax, ay], [bx, by]] = [at(shift / 2, sensors, MIRROR), at((shift + sensors) / 2, sensors, MIRROR)];
-  return ring(t("result.sits.picture.mirrored", { joint }), sensors, [from % sensors, to], from % sensors, [
+  const [[x0, y0], [x1, y1]] = [at(from, TURN), at(to, TURN)];
+  const [[ax, ay], [bx, by]] = [at(shift / 2, MIRROR), at((shift + sensors) / 2, MIRROR)];
+  return ring(t("result.sits.picture.mirrored", { joint }), sits, [from % sensors, to], from % sensors, [
     s("path", { d: `M ${ax} ${ay} L ${bx} ${by}`, class: "mirror" }),
     s("path", { d: `M ${x0} ${y0} L ${x1} ${y1} ${head(x0, y0, x1, y1)} ${head(x1, y1, x0, y0)}`, class: "turn" }),
   ]);
