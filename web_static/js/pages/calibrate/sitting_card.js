@@ -6,12 +6,12 @@
 import { t } from "../../texts.js";
 import { h, s } from "../../widgets/dom.js";
 
-const SIZE = 150; // px of the picture
-const WORDS = 56; // px, from the middle to the words round the ring
+const SIZE = 176; // px of the picture
+const WORDS = 64; // px, from the middle to the words round the ring
 const ROUND = 34; // px, radius of the ring of sensors
 const TURN = 22; // px, radius of the arrow inside
 const HEAD = 5; // px, half the width of an arrow's head
-const MIRROR = 46; // px, half the length of the line about which the ring is mirrored
+const MIRROR = 42; // px, half the length of the line about which the ring is mirrored
 
 /** @param {JointResult} joint @param {OnSitting} onSitting */
 export function sittingCard({ name, label, prior }, onSitting) {
