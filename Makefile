@@ -127,7 +127,7 @@ bench: $(VENV)/.installed-test
 
 # Simulated people who are called better or worse than noise: the tables of docs/learning/verdicts.md; about five minutes.
 verdicts: $(VENV)/.installed-test
-	$(BIN)/python -m bench.verdicts --people $(or $(PEOPLE),1000)
+	$(BIN)/python -m bench.learning.verdicts --people $(or $(PEOPLE),1000)
 
 # Maps from other people, on real people (../shared/data/knit_people) and simulated ones kept apart; about ten minutes.
 priors: $(VENV)/.installed-test

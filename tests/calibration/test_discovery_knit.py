@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from test_knit_shirt import FOLDER, JOINTS, LAYOUT, RISING
 
 from app.calibration.cued_runs import run_of_prompts
 from app.calibration.fit.profile_fit import fit_profile
@@ -14,6 +13,7 @@ from app.calibration.gestures.evidence import gather_evidence
 from app.signals.columns import read_columns
 from app.signals.signals import read_signals
 from app.signals.smoothing import smooth
+from bench.learning.guided_map import FOLDER, JOINTS, LAYOUT, RISING
 
 SEEN = 20.0  # s
 LARGE = 0.2  # of the angle's range: smaller rises are no repetitions of the movement

@@ -5,10 +5,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from simulated_person import SimulatedPerson, calibrate, layout_of
-from test_guided_knit import Knit
-from test_knit_shirt import FOLDER
 
 from app.calibration.fit.gaps import bridge_gaps, why_missing
+from bench.learning.guided_map import FOLDER, Knit
 
 RATE = 100.0
 SHIRT = layout_of()

@@ -2,74 +2,12 @@
 
 import numpy as np
 import pytest
-from test_knit_shirt import FOLDER, JOINTS, LAYOUT, RISING
 
-from app.calibration.fit.profile_fit import fit_profile
-from app.calibration.fit.repetitions import Prompt, repetitions_of_prompts, stretches_of_prompts
-from app.calibration.guided.guided_map import with_guided_maps
-from app.calibration.vocabulary import standard_parameters
-from app.pipeline.replay.batch import decode_block
-from app.signals.columns import read_columns
-from app.signals.signals import read_signals
-from app.signals.smoothing import smooth
+from bench.learning.guided_map import FOLDER, Knit
 
-LARGE = 0.3  # of the angle's span: what is counted as a movement when hits are
 GAIN, LOSS = 0.05, 0.03
 
 pytestmark = pytest.mark.skipif(not FOLDER.exists(), reason="the recordings of the knit are not on this machine")
-
-
-class Knit:
-    """The recordings at a sample rate, the measured rising phases, and prompts made from them."""
-
-    def __init__(self, rate=100.0):
-        signals = read_signals(FOLDER / "signals.csv", LAYOUT)
-        angles = read_columns(FOLDER / "joint_angles.csv", only=JOINTS)
-        self.rate = rate
-        self.t = np.arange(0.0, signals.t[-1], 1 / rate)
-        self.values = np.stack([np.interp(self.t, signals.t, one) for one in signals.values.T], axis=1)
-        self.rising, self.phases = {}, {}
-        for joint in JOINTS:
-            angle = np.interp(self.t, signals.t, angles[joint])
-            smoothed = smooth(angle, 3.0, rate)
-            rising = np.diff(smoothed, prepend=smoothed[0]) * rate / np.ptp(angle) > RISING
-            edges = np.flatnonzero(np.diff(np.concatenate(([0], rising, [0]))))
-            phases = [(a, b) for a, b in zip(edges[::2], edges[1::2], strict=True) if b - a > 0.1 * rate]
-            self.rising[joint] = rising
-            self.phases[joint] = [(a, b, (smoothed[b - 1] - smoothed[a]) / np.ptp(angle)) for a, b in phases]
-
-    def prompts(self, seed, start=0.0, end=20.0, lead=0.3, spread=0.15, most=None):
-        rng = np.random.default_rng(seed)
-        rows = []
-        for joint in JOINTS:
-            within = [(a / self.rate, b / self.rate) for a, b, _ in self.phases[joint]]
-            for a, b in [(a, b) for a, b in within if a > start + lead and b < end][:most]:
-                by = rng.normal(lead, spread)
-                rows.append(Prompt(max(start, a - by), b - by, joint))
-        return rows
-
-    def fit(self, rows, start=0.0, end=20.0, values=None):
-        values = self.values if values is None else values
-        window = (self.t >= start) & (self.t < end)
-        repetitions = repetitions_of_prompts(self.t, values, rows, self.rate)
-        profile = fit_profile(LAYOUT, self.rate, free=values[window], repetitions=repetitions)
-        return with_guided_maps(profile, stretches_of_prompts(self.t, values, rows, self.rate, until=end))
-
-    def measures(self, profile, kind, start=0.0, end=20.0, values=None):
-        """Return per joint in-phase share, and hit rate in time, outside of the window, as `decode` gives them."""
-        joints = [joint.model_copy(update={"map": kind if joint.guided else "pca"}) for joint in profile.joints]
-        parameters = standard_parameters(profile.model_copy(update={"joints": tuple(joints)}))
-        values = self.values if values is None else values
-        decoded = decode_block(parameters, self.rate, self.t, values.astype(np.float32))
-        outside = (self.t < start) | (self.t >= end)
-        shares = []
-        for gesture, activation in zip(parameters.gestures, decoded.activation.T, strict=True):
-            measures = np.where(outside, activation, 0.0)
-            moving = np.zeros(len(self.t), dtype=bool)
-            for a, b, size in self.phases[gesture.joint]:
-                moving[a:b] = size > LARGE and outside[a] and outside[b - 1]
-            shares.append((measures[self.rising[gesture.joint]].sum() / measures.sum(), (measures[moving] > 0).mean()))
-        return np.array(shares)
 
 
 @pytest.fixture(scope="module")

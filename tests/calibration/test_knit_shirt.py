@@ -5,27 +5,18 @@ import pytest
 
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import Prompt, repetitions_of_prompts
-from app.layout import Channel, Joint, ShirtLayout
 from app.signals.columns import read_columns
 from app.signals.signals import read_signals
 from app.signals.smoothing import smooth
-from folders import SHARED
+from bench.learning.guided_map import FOLDER, JOINTS, LAYOUT, RISING
 
-FOLDER = SHARED / "data" / "knit_shirt"
-JOINTS = ("right_elbow", "left_elbow", "right_shoulder", "left_shoulder")
 RISING_SHARE = {"right_elbow": 0.85, "left_elbow": 0.97, "right_shoulder": 0.86, "left_shoulder": 0.96}
 REST_SHARE = 0.002
 CUTOFF, DEAD_ZONE = 3.0, 0.2  # Hz, FS/s
 CALIBRATION = 10.0  # s
-RISING, STILL = 0.1, 0.03  # span/s of the measured angle
+STILL = 0.03  # span/s of the measured angle
 
 pytestmark = pytest.mark.skipif(not FOLDER.exists(), reason="the recordings of the knit are not on this machine")
-
-LAYOUT = ShirtLayout(
-    name="knit",
-    channels=tuple(Channel(name=f"{joint}_{i}", joint=joint) for joint in JOINTS for i in range(5)),
-    joints=tuple(Joint(name=joint, label=joint.replace("_", " ")) for joint in JOINTS),
-)
 
 
 @pytest.fixture(scope="module")

@@ -19,7 +19,7 @@ class Landmarks(NamedTuple):
 
 
 def landmarks(layout: ShirtLayout, ring: str) -> Landmarks:
-    """Return where a ring of the layout has its front and its outer side, from `side` and `position` of its channels."""
+    """Return where a ring has its front and its outer side, from `side` and `position` of its channels."""
     channels = [layout.channels[i] for i in layout.rings[ring]]
     fronts = [one.side == "front" for one in channels if one.side is not None]
     outward = [abs(one.position[0] - MIDDLE) for one in channels if one.position is not None]

@@ -160,8 +160,8 @@ def merge(
     """Add priors up. The result holds sums over eight people or more, and nobody's entry: it may leave the clinic.
 
     An own prior keeps who was released, because nobody may be in two releases: of a prior that has grown, only the
-    people who are new are released, and releases are added up. The files of own priors that are released are written again
-    for that.
+    people who are new are released, and releases are added up. The files of the own priors that are released are
+    written again for that.
     """
     from app.calibration.prior.map_prior import PriorError, union_of_people
     from app.cli.calibration.prior_files import bytes_of, read_document, write_release

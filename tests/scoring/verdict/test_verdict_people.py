@@ -5,7 +5,7 @@ The seeds are fixed. `make verdicts` prints the tables of docs/learning/verdicts
 
 import pytest
 
-from bench.verdicts import alarms, learners, outcomes
+from bench.learning.verdicts import alarms, learners, outcomes
 
 PEOPLE = 1000
 

@@ -2,7 +2,7 @@
 
 import re
 
-from bench.donning import main
+from bench.learning.donning import main
 
 
 def test_it_counts_what_s5_silences_with_each_kind_of_range(capsys) -> None:

@@ -1,6 +1,6 @@
 """What putting the shirt on again does to simulated people's gestures, and what following it brings.
 
-`python -m bench.donning --people 12` prints the table of docs/learning/adapting.md, "Does it help?".
+`python -m bench.learning.donning --people 12` prints the table of docs/learning/adapting.md, "Does it help?".
 """
 
 from collections.abc import Callable

@@ -1,6 +1,6 @@
 """Checks the forecasts of gestures on many simulated people, who are calibrated as usual and then recorded for longer.
 
-`python -m bench.forecasts --wearers 20` prints the table of docs/learning/gestures.md.
+`python -m bench.learning.forecasts --wearers 20` prints the table of docs/learning/gestures.md.
 """
 
 from collections.abc import Sequence

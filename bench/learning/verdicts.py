@@ -1,6 +1,6 @@
 """Checks the verdicts "better than noise" and "worse than noise" on many simulated people.
 
-`python -m bench.verdicts` prints the tables of docs/learning/verdicts.md. A simulated person has a level, a
+`python -m bench.learning.verdicts` prints the tables of docs/learning/verdicts.md. A simulated person has a level, a
 spread between trials and a spread between sessions, both as shares of the level. The clinic's median comes from other
 simulated people, twenty for each clinic.
 """

@@ -1,6 +1,6 @@
 """The check of the forecasts: it counts the gestures of simulated people and prints the counts."""
 
-from bench.forecasts import KINDS, Kind, Tally, compare, row
+from bench.learning.forecasts import KINDS, Kind, Tally, compare, row
 
 
 def test_one_person_is_compared_and_counted():

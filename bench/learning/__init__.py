@@ -1,0 +1,1 @@
+"""The tables of docs/learning: simulated people and recordings of real ones."""
