@@ -39,6 +39,12 @@ def test_rest_and_free_movement_last_as_long_as_the_paper_says():
     assert lengths["free"] == pytest.approx(10.0)
 
 
+def test_somebody_new_may_drive_by_other_people_s_map_after_less_than_half_a_minute():
+    before = [step.duration for step in STEPS if step.kind in ("rest", "free")]
+    assert STEPS[len(before)].kind == "prompt"  # nothing else comes before
+    assert sum(before) < 30.0
+
+
 def test_each_gesture_is_prompted_three_times_and_comes_back_slower():
     for step in STEPS[2:]:
         moves = [cue for cue in step.cues if cue.kind == "move"]
