@@ -8,9 +8,10 @@ from pathlib import Path
 
 import numpy as np
 from large_clinic.furnished import Size, furnish_years
-from large_clinic.measured import REPORTS, measure
+from large_clinic.measured import REPORTS, measure, time_backups
 
 SLOWEST_PAGE, SLOWEST_START, MOST_GROWTH = 0.3, 5.0, 50.0  # s (95th percentile), s, MB
+SLOWEST_BACKUP = 120.0  # s
 
 
 def main() -> int:
@@ -31,12 +32,15 @@ def main() -> int:
         lines = [("made in", time.perf_counter() - begin, "s", None)]
         lines.append(("database", (state / "bodydrive.sqlite").stat().st_size / 1e6, "MB", None))
         found = measure(state, token, size, given.rounds)
+        backups = time_backups(state, Path(made) / "backups")
     lines.append(("start", found.start, "s", SLOWEST_START))
     lines += [
         (f"GET {address}, p95", float(np.percentile(times, 95)), "s", REPORTS.get(address, SLOWEST_PAGE))
         for address, times in found.requests.items()
     ]
     lines.append(("growth of the web process", found.memory[1] - found.memory[0], "MB", MOST_GROWTH))
+    named = ("first backup into a folder", "next backup, of what is new")
+    lines += [(what, seconds, "s", SLOWEST_BACKUP) for what, seconds in zip(named, backups, strict=True)]
     sys.stdout.write("| what | measured | at most |\n|---|---|---|\n")
     for what, figure, unit, most in lines:
         limit = "" if most is None else f"{most:g} {unit}"

@@ -1,4 +1,4 @@
-"""Measures a clinic of some years: its start, its pages at the server, and the memory of its web process."""
+"""Measures a clinic of some years: its start, its pages at the server, its web process's memory, and its backups."""
 
 import signal
 import time
@@ -36,6 +36,7 @@ REPORTS = {  # files that are made while somebody waits; the limits are s, 95th 
     "/patients/{patient}/report?form=pdf": 3.0,
 }
 REPORT_EVERY = 4  # rounds
+BACKUP_WAIT = 1200  # s
 TASK = "floorplan={floorplan}&path={path}&source=worn"
 
 
@@ -75,6 +76,20 @@ def _ask(client: httpx.Client, address: str, names: dict[str, str], requests: di
     begin = time.perf_counter()
     client.get(address.format(**names)).raise_for_status()
     requests.setdefault(address, []).append(time.perf_counter() - begin)
+
+
+def time_backups(state: Path, place: Path) -> tuple[float, float]:
+    """Return how long the first backup into a folder takes, and the next one, which writes only what is new; s."""
+    place.mkdir()
+    times = []
+    for _ in range(2):
+        begin = time.perf_counter()
+        with bodydrive("backup", str(place), "--state", str(state)) as process:
+            _, words = process.communicate(timeout=BACKUP_WAIT)
+        if process.returncode:
+            raise RuntimeError(words)
+        times.append(time.perf_counter() - begin)
+    return times[0], times[1]
 
 
 @contextmanager

@@ -13,3 +13,5 @@ def test_every_page_and_report_of_a_small_clinic_is_answered_and_measured(monkey
     table = capsys.readouterr().out
     for address in [*(address for page in PAGES.values() for address in page), *REPORTS]:
         assert f"| GET {address}, p95 | " in table
+    assert "| first backup into a folder | " in table
+    assert "| next backup, of what is new | " in table
