@@ -39,8 +39,8 @@ def main() -> int:
         for address, times in found.requests.items()
     ]
     lines.append(("growth of the web process", found.memory[1] - found.memory[0], "MB", MOST_GROWTH))
-    named = ("first backup into a folder", "next backup, of what is new")
-    lines += [(what, seconds, "s", SLOWEST_BACKUP) for what, seconds in zip(named, backups, strict=True)]
+    lines.append(("first backup into a folder", backups[0], "s", None))
+    lines.append(("next backup, of what is new", backups[1], "s", SLOWEST_BACKUP))
     sys.stdout.write("| what | measured | at most |\n|---|---|---|\n")
     for what, figure, unit, most in lines:
         limit = "" if most is None else f"{most:g} {unit}"
