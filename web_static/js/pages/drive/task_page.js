@@ -8,6 +8,7 @@ import { warningsPlace } from "../../results/control_warnings.js";
 import { h, put, write } from "../../widgets/dom.js";
 import { planPicture } from "../../plan/plan_svg.js";
 import { wayBeforeDriving } from "./obstacle_link.js";
+import { screenWords } from "./screen_words.js";
 import { findTask, taskLink, taskWords } from "./task_words.js";
 import { chooseView } from "../../view/view_bar.js";
 import { canDrawIn3d } from "../../view/webgl.js";
@@ -131,9 +132,9 @@ function screenState(app, read, signal) {
   const state = h("span", {});
   /** @param {ScreensView} now */
   const show = ({ screens }) => {
-    const isBad = screens.some(({ connected, picture }) => !connected || picture === "none");
+    const { words, isBad } = screenWords(screens);
     state.className = isBad ? "att" : "";
-    write(state, screens.length ? t(isBad ? "drive.screens.bad" : "drive.screens", { count: screens.length }) : t("drive.screens.none"));
+    write(state, words);
   };
   show(read);
   const again = () => app.api.get("/patient-screen").then(show, () => {});

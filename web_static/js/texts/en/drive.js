@@ -33,6 +33,7 @@ export default {
   "drive.place.plans.state": "Draw or import one",
   "drive.screens": { one: "{count} paired", other: "{count} paired" },
   "drive.screens.bad": { one: "{count} paired, without a picture", other: "{count} paired, not all with a picture" },
+  "drive.screens.away": { one: "{count} paired, not connected", other: "{count} paired, not all connected" },
   "drive.screens.none": "None is paired",
   "drive.done": "Back to the task",
   "drive.level": "How difficult “{plan}” is",
