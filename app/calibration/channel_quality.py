@@ -6,6 +6,8 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from app.percent import percent
+
 Condition = Literal["good", "near", "railed", "flat", "noisy", "nan"]
 
 RAILED = 0.9  # of full scale
@@ -86,9 +88,9 @@ def _railed(signal: NDArray[np.float64], full_scale: float | None) -> ChannelQua
         return GOOD
     reached = max(abs(float(signal.min())), abs(float(signal.max()))) / full_scale
     if reached > RAILED:
-        return ChannelQuality("railed", f"reaches {reached:.0%} of its range")
+        return ChannelQuality("railed", f"reaches {percent(reached)} of its range")
     if reached > NEAR_RAILED:
-        return ChannelQuality("near", f"comes near the end of its range ({reached:.0%})")
+        return ChannelQuality("near", f"comes near the end of its range ({percent(reached)})")
     return GOOD
 
 
@@ -106,7 +108,9 @@ def _find_clipped(values: NDArray[np.float64], channels: list[int], quality: lis
         for end, extreme in (("upper", signal.max()), ("lower", signal.min())):
             share = float((stuck & (signal[1:] == extreme)).mean())
             if CLIPPED_SHARE < share < STILL_SHARE and len(np.unique(signal)) > COARSE:
-                quality[i] = ChannelQuality("railed", f"sits at the {end} end of its range for {share:.0%} of the time")
+                quality[i] = ChannelQuality(
+                    "railed", f"sits at the {end} end of its range for {percent(share)} of the time"
+                )
 
 
 def _find_flat(values: NDArray[np.float64], block: int, channels: list[int], quality: list[ChannelQuality]) -> None:
@@ -124,7 +128,9 @@ def _find_flat(values: NDArray[np.float64], block: int, channels: list[int], qua
         others = moved - ~still[:, column] > 0
         share = float((still[:, column] & others).sum() / max(1, others.sum()))
         if quality[i].condition == "good" and share > STILL_SHARE:
-            quality[i] = ChannelQuality("flat", f"stands still for {share:.0%} of the time while its neighbours move")
+            quality[i] = ChannelQuality(
+                "flat", f"stands still for {percent(share)} of the time while its neighbours move"
+            )
 
 
 def _find_noisy(values: NDArray[np.float64], channels: list[int], quality: list[ChannelQuality]) -> None:
@@ -139,4 +145,6 @@ def _find_noisy(values: NDArray[np.float64], channels: list[int], quality: list[
         return
     for column in np.flatnonzero(noisy):
         share = noise[column] / strength[column]
-        quality[channels[column]] = ChannelQuality("noisy", f"is mostly noise ({min(share, 1.0):.0%} of its movement)")
+        quality[channels[column]] = ChannelQuality(
+            "noisy", f"is mostly noise ({percent(min(share, 1.0))} of its movement)"
+        )

@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass
 
 from app.calibration.profile import Grade
+from app.percent import percent
 
 # Limits come in pairs: beyond the first a map is `usable` only, beyond the second its movement has to be repeated.
 EVR_LIMITS = (0.80, 0.50)  # the paper reports 80-90 %
@@ -91,15 +92,15 @@ def _of_prompts(found: JointMeasurements) -> list[tuple[Grade, str]]:
     findings: list[tuple[Grade, str]] = []
     if found.agreement < AGREEMENT_LIMITS[0]:
         bad = found.agreement < AGREEMENT_LIMITS[1]
-        words = f"The prompted movements point both ways ({found.agreement:.0%} of them one way)"
+        words = f"The prompted movements point both ways ({percent(found.agreement)} of them one way)"
         findings.append(("repeat" if bad else "usable", f"{words}: repeat them in time with the cue."))
     if found.prompted_share is not None and found.prompted_share < PROMPTED_SHARE_LIMITS[0]:
         bad = found.prompted_share < PROMPTED_SHARE_LIMITS[1]
-        words = f"The prompted movements go through only {found.prompted_share:.0%} of the free one's span"
+        words = f"The prompted movements go through only {percent(found.prompted_share)} of the free one's span"
         findings.append(("repeat" if bad else "usable", f"{words}: repeat them larger, and in time with the cue."))
     if found.repeatability is not None and found.repeatability > SPREAD_LIMITS[0]:
         bad = found.repeatability > SPREAD_LIMITS[1]
-        words = f"The repetitions differ by {found.repeatability:.0%}"
+        words = f"The repetitions differ by {percent(found.repeatability)}"
         advice = "repeat them evenly" if bad else "more even ones would drive more evenly"
         findings.append(("repeat" if bad else "usable", f"{words}: {advice}."))
     if found.angle_deg is not None and found.angle_deg > LARGEST_ANGLE:
@@ -107,7 +108,7 @@ def _of_prompts(found: JointMeasurements) -> list[tuple[Grade, str]]:
         findings.append(("usable", f"{words}: the prompted direction is used, check it in Try it."))
     if found.strongest_cross_talk is not None and found.strongest_cross_talk[1] > CROSS_TALK_LIMIT:
         name, share = found.strongest_cross_talk
-        words = f"'{name}' answers too, with {min(share, 9.99):.0%} of its own activation"
+        words = f"'{name}' answers too, with {percent(min(share, 9.99))} of its own activation"
         findings.append(("usable", f"{words}: move this joint alone, or do not bind both."))
     if found.span_from_prompts:
         findings.append(("good", "It moved little this way in the free movement: the span is that of the prompts."))
@@ -123,7 +124,7 @@ def _of_channels(found: JointMeasurements) -> list[tuple[Grade, str]]:
 
 
 def _good_sentence(found: JointMeasurements) -> str:
-    words = f"Clear main movement: {found.evr:.0%}. Signal: {signal_word(found.signal_to_noise)}."
+    words = f"Clear main movement: {percent(found.evr)}. Signal: {signal_word(found.signal_to_noise)}."
     if found.repeatability is not None:
         words += f" Repeats {repeats_word(found.repeatability)}."
     return words

@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 
 from app.calibration.profile import CalibrationProfile
 from app.messages import MAX_GESTURES
+from app.percent import percent
 from app.quantities import Cutoff, Document, Gain, Name, Threshold
 from app.speeds import Speeds
 
@@ -39,8 +40,8 @@ class Gesture(Document):
     def _full_is_above_dead_zone(self) -> Self:
         if self.full < self.dead_zone + 0.01:
             raise ValueError(
-                f"gesture '{self.name}': “Full at” ({self.full:.0%}) must be at least 1 % above “Counts from” "
-                f"({self.dead_zone:.0%}): raise it"
+                f"gesture '{self.name}': “Full at” ({percent(self.full)}) must be at least 1 % above “Counts from” "
+                f"({percent(self.dead_zone)}): raise it"
             )
         return self
 

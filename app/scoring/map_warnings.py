@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.grades import EVR_LIMITS, LARGEST_ANGLE
+from app.percent import percent
 from app.scoring.control_quality import BadChannel
 from app.scoring.trial_assessment import EDGE, FEWEST, ControlWarning, JointInTrial, TrialAssessment, median_of
 
@@ -46,8 +47,8 @@ def _sensor_warning(trial: TrialAssessment, channel: BadChannel, label: str) -> 
     return ControlWarning(
         kind="sensor",
         joint=label,
-        words=f"{label}: sensor {channel.name} {fault} for {channel.share:.0%} of trial {trial.number}; meanwhile this "
-        "joint's gestures did nothing.",
+        words=f"{label}: sensor {channel.name} {fault} for {percent(channel.share)} of trial {trial.number}; meanwhile "
+        "this joint's gestures did nothing.",
         advice="Look at it on the Shirt page, set the shirt straight and push the plug in fully. If it stays so, mark "
         "the sensor as unused and calibrate again: the sensor is then left out.",
     )
@@ -72,11 +73,11 @@ def fit_warnings(rows: Sequence[JointInTrial]) -> list[ControlWarning]:
     elif angle > LARGEST_ANGLE and evr >= EVR_LIMITS[0]:
         words = (
             f"{label}: the movement lies {angle:.0f}° off the calibration, and "
-            f"{median_of(now, 'null_space_share'):.0%} of it never reaches the control."
+            f"{percent(median_of(now, 'null_space_share'))} of it never reaches the control."
         )
         advice = "Repeat this joint's free movement and prompts as the person moves it while driving."
     elif evr < EVR_LIMITS[0] and evr < median_of(rows[:EDGE], "evr") - EVR_FALL:
-        words = f"{label}: the main movement is clear to only {evr:.0%}, less than in the first trials."
+        words = f"{label}: the main movement is clear to only {percent(evr)}, less than in the first trials."
         advice = "Ask the person to move this joint one way only; if that does not help, calibrate again."
     else:
         return []

@@ -6,6 +6,7 @@ from typing import Literal
 
 import numpy as np
 
+from app.percent import percent
 from app.scoring.trend import mann_kendall
 from app.scoring.trial_assessment import EDGE, FEWEST, ControlWarning, JointInTrial, median_of
 
@@ -29,8 +30,9 @@ def noise_warnings(of_map: Sequence[JointInTrial], every: Sequence[JointInTrial]
                 ControlWarning(
                     kind="noise",
                     joint=label,
-                    words=f"{label}: at rest it trembles with {now:.0%} / s of the full movement, and it counts from "
-                    f"{dead_zone:.0%} / s, so that it may act by itself: let it count from {4 * now:.0%} / s.",
+                    words=f"{label}: at rest it trembles with {percent(now)} / s of the full movement, and it counts "
+                    f"from {percent(dead_zone)} / s, so that it may act by itself: let it count from "
+                    f"{percent(4 * now)} / s.",
                     advice="Look for tremor, a tired patient or a loose plug. Then raise its “Counts from” in "
                     "Controls, or lower “Tremor damping”: lower damps more.",
                 )
@@ -71,7 +73,7 @@ def span_warnings(every: Sequence[JointInTrial]) -> list[ControlWarning]:
     has_fallen = len(sessions) >= LEAST_SESSIONS and sessions[-1] < (1 - SPAN_FALL) * sessions[0]
     if has_fallen and _has_trend(sessions, "falls"):
         fall = 1 - sessions[-1] / sessions[0]
-        words = f"{label}: the movement has become {fall:.0%} smaller over {len(sessions)} sessions."
+        words = f"{label}: the movement has become {percent(fall)} smaller over {len(sessions)} sessions."
         advice = (
             "Ask about strength and pain. When it stays, calibrate again, so that “Full at” is what the person can "
             "reach now, and note the range of motion in the record."
@@ -80,7 +82,7 @@ def span_warnings(every: Sequence[JointInTrial]) -> list[ControlWarning]:
         first, last = float(np.median(here[:EDGE])), float(np.median(here[-EDGE:]))
         if last >= (1 - SPAN_FALL_WITHIN) * first:
             return []
-        words = f"{label}: the movement has become {1 - last / first:.0%} smaller within this session."
+        words = f"{label}: the movement has become {percent(1 - last / first)} smaller within this session."
         advice = "The person may be tired: let them rest, or end the session. Do not calibrate on a tired movement."
     else:
         return []

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from app.percent import percent, signed_percent
 from app.study.sessions import SessionTrial
 
 RESAMPLES = 9999
@@ -82,16 +83,16 @@ def table(comparison: dict[str, Any]) -> str:
         "session         fixed  adapted  reached fixed  adapted  both drove  relative there  95 %",
     ]
     lines += [
-        f"{one['session']:7d}  {one['fixed']:12.2f}  {one['adapted']:7.2f}  {one['reached_fixed']:13.0%}  "
-        f"{one['reached_adapted']:7.0%}  {one['seeds_that_always_drove']:10d}  {_percent(one['relative'], 14)}  "
+        f"{one['session']:7d}  {one['fixed']:12.2f}  {one['adapted']:7.2f}  {percent(one['reached_fixed']):>13}  "
+        f"{percent(one['reached_adapted']):>7}  {one['seeds_that_always_drove']:10d}  {_percent(one['relative'], 14)}  "
         f"{_interval_words(one['interval'])}"
         for one in comparison["sessions"]
     ]
     last = comparison["last_session"]
     lines += ["", f"session {last['session']}", "seed  fixed  adapted  relative  reached fixed  adapted"]
     lines += [
-        f"{one['seed']:4d}  {one['fixed']:5.2f}  {one['adapted']:7.2f}  {one['relative']:+8.0%}  "
-        f"{one['reached_fixed']:13.0%}  {one['reached_adapted']:7.0%}"
+        f"{one['seed']:4d}  {one['fixed']:5.2f}  {one['adapted']:7.2f}  {signed_percent(one['relative']):>8}  "
+        f"{percent(one['reached_fixed']):>13}  {percent(one['reached_adapted']):>7}"
         for one in last["per_seed"]
     ]
     later = comparison["later_sessions"]
@@ -100,7 +101,7 @@ def table(comparison: dict[str, Any]) -> str:
             "",
             f"All trials from session 2 on: mean {later['fixed']:.2f} m² fixed, {later['adapted']:.2f} m² adapted: "
             f"{_percent(later['relative'], 0)} (95 % {_interval_words(later['interval'])}); reached "
-            f"{later['reached_fixed']:.1%} and {later['reached_adapted']:.1%}.",
+            f"{percent(later['reached_fixed'], 1)} and {percent(later['reached_adapted'], 1)}.",
         ]
     applied, proposals = comparison["applied"], comparison["proposals"]
     lines += [
@@ -108,7 +109,7 @@ def table(comparison: dict[str, Any]) -> str:
         f"Median over {comparison['seeds']} seeds in the last session: {_percent(last['median_relative'], 0)} "
         f"(95 % {_interval_words(last['interval'])}). Proposals for a person: median {proposals['median']:g}, most "
         f"{proposals['most']}. Steps applied: {applied['steps']}; largest felt change "
-        f"{applied['largest_felt_change']:.1%}, largest turn {applied['largest_turn_deg']:.2f} degrees, "
+        f"{percent(applied['largest_felt_change'], 1)}, largest turn {applied['largest_turn_deg']:.2f} degrees, "
         f"sign flips {applied['sign_flips']}.",
     ]
     return "\n".join(lines) + "\n"
@@ -200,8 +201,8 @@ def _median(values: NDArray[np.float64]) -> tuple[float | None, tuple[float, flo
 
 
 def _percent(share: float | None, width: int) -> str:
-    return f"{'-' if share is None else f'{share:+.0%}':>{width}}"
+    return f"{'-' if share is None else signed_percent(share):>{width}}"
 
 
 def _interval_words(interval: tuple[float, float] | None) -> str:
-    return "-" if interval is None else f"{interval[0]:+.0%} to {interval[1]:+.0%}"
+    return "-" if interval is None else f"{signed_percent(interval[0])} to {signed_percent(interval[1])}"

@@ -56,7 +56,7 @@ def test_a_short_gap_leaves_nothing_out_and_changes_the_weights_little(data):
     [
         (slice(300, 320), ""),
         (slice(300, 321), "misses 0.21 s at once, and at most 0.2 s are bridged"),
-        (slice(0, 3000, 50), "misses 2.0% of its samples, and at most 1% are bridged"),
+        (slice(0, 3000, 50), "misses 2.0 % of its samples, and at most 1 % are bridged"),
         (slice(0, 3000, 100), ""),
         (slice(None), "gives no numbers"),
     ],

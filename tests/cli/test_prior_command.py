@@ -13,6 +13,7 @@ from app.calibration.prior.prior_file import read_prior
 from app.calibration.profile import CalibrationProfile
 from app.cli.errors import InputError
 from app.cli.main import build
+from app.percent import percent
 
 
 def run(command, *words):
@@ -104,7 +105,7 @@ def test_what_a_prior_knows_is_shown(folder):
     assert 0.2 < rates["counts_from"] < rates["mean"] < 1.0
     assert rates["deviation"] > 0.05
     table = run("prior", "show", folder / "prior.json").stdout
-    assert f"{rates['mean']:.0%} ± {rates['deviation']:.0%}" in table
+    assert f"{percent(rates['mean'])} ± {percent(rates['deviation'])}" in table
     assert "8 people in 'sleeve'" in table
     assert symbols_in(table) == []
 

@@ -11,7 +11,7 @@ from pathlib import Path
 import psutil
 from drills.results import Result
 from processes.served_demo import Demo, bodydrive, until
-from small_disk import fill, small_disk
+from store.small_disk import fill, small_disk
 
 from app.clock import monotonic
 from app.recording.reader import read_run

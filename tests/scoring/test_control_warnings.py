@@ -78,7 +78,7 @@ def test_few_trials_are_called_few():
 def test_a_sensor_that_failed_in_the_last_trial_is_named_with_what_to_do():
     (warning,) = control_warnings([trial(1), trial(2, bad=(bad("e2", 0.64),))]).warnings
     assert (warning.kind, warning.joint) == ("sensor", "Right elbow")
-    assert "e2 gave no signal for 64%" in warning.words
+    assert "e2 gave no signal for 64 %" in warning.words
     assert "plug" in warning.advice
     assert kinds([trial(1, bad=(bad("e2", 0.64),)), trial(2)]) == []
     assert kinds([trial(1, bad=(bad("e2", 0.01),))]) == []
@@ -117,7 +117,7 @@ def test_a_map_that_never_fitted():
     trials = [trial(n, joint(map_angle_deg=41.0, null_space_share=0.43)) for n in range(3)]
     (warning,) = control_warnings(trials).warnings
     assert "41° off the calibration" in warning.words
-    assert "43%" in warning.words
+    assert "43 %" in warning.words
 
 
 def test_a_movement_with_a_falling_evr():
@@ -156,7 +156,7 @@ def test_a_span_that_falls_over_sessions_or_within_one():
         ]
 
     assert kinds(over(0.02)) == ["span"]
-    assert "10% smaller over 6 sessions" in control_warnings(over(0.02)).warnings[0].words
+    assert "10 % smaller over 6 sessions" in control_warnings(over(0.02)).warnings[0].words
     assert kinds(over(0.01)) == []
     assert kinds(over(0.02)[:9]) == []  # three sessions
     assert kinds(over(0.02, per_metre=0.02)) == []  # fewer and smaller movements are skill

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from small_disk import fill, small_disk
 from sqlalchemy import text
+from store.small_disk import fill, small_disk
 
 from app.refusals import DiskFull
 from app.store.database import Database

@@ -22,6 +22,7 @@ from app.calibration.adaptation.proposal_document import JointChange, Status
 from app.calibration.adaptation.thresholds import Thresholds, full_for, step_thresholds
 from app.calibration.profile import JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
+from app.percent import percent
 
 ANEW = "calibrate this joint again"
 AT_ITS_END = f"It cannot follow any further: {ANEW}."
@@ -78,8 +79,8 @@ def assess_joint(evidence: AdaptationInput, joint: JointMap, gesture: Gesture) -
     felt = felt_change(old / now.full, turn.weights / thresholds.full, moved, sample_rate) if len(moved) else 0.0
     if felt >= limits.refuse:
         words = (
-            f"The patient would feel a change of {min(felt, 9.99):.0%}, and from {limits.refuse:.0%} on it is refused: "
-            f"{ANEW}."
+            f"The patient would feel a change of {percent(min(felt, 9.99))}, and from {percent(limits.refuse)} on it "
+            f"is refused: {ANEW}."
         )
         values |= turn.values_unturned
         refused = JointChange(**values, felt_change=min(felt, 1e6), status="refused", reason=f"{loss.words} {words}")
@@ -153,11 +154,11 @@ def _turn(evidence: AdaptationInput, joint: JointMap, moved: Numbers) -> _Turn:
     if np.array_equal(weights, old):
         pass
     elif found.share < limits.least_evr:
-        refusal = f"Its main movement is clear to only {found.share:.0%}, less than {limits.least_evr:.0%}."
+        refusal = f"Its main movement is clear to only {percent(found.share)}, less than {percent(limits.least_evr)}."
     elif away > limits.largest_angle_deg:
         refusal = f"It would be {away:.0f} degrees away from the calibration: {ANEW}."
     elif talk[0] is not None and talk[1] is not None and talk[1] > talk[0] + limits.cross_talk_slack:
-        refusal = f"It would answer more to other joints ({talk[0]:.0%} before, {talk[1]:.0%} after)."
+        refusal = f"It would answer more to other joints ({percent(talk[0])} before, {percent(talk[1])} after)."
     return _Turn(old, unturned, unturned, refusal) if refusal else _Turn(weights, values, unturned, "")
 
 
@@ -214,7 +215,7 @@ def _reason(change: JointChange, refusal: str) -> str:
         ("full at", change.full_before, change.full_after),
     ):
         if before is not None and after is not None and before != after:
-            words.append(f"{what} {after:.0%} / s instead of {before:.0%} / s")
+            words.append(f"{what} {percent(after)} / s instead of {percent(before)} / s")
     unturned = f"; the direction stays: {refusal[0].lower()}{refusal[1:-1]}" if refusal else ""
     text = f"{'; '.join(words)}{unturned}."
     return text[:1].upper() + text[1:]

@@ -8,6 +8,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from app.percent import percent
+
 LONGEST_GAP = 0.2  # s that are bridged
 LARGEST_SHARE = 0.01  # of a channel's samples that may be missing from the data to be fitted
 
@@ -44,7 +46,7 @@ def why_missing(pieces: Sequence[Frames], channel: int, sample_rate: float) -> s
     if longest > _longest_gap(sample_rate):
         return f"misses {longest / sample_rate:.2f} s at once, and at most {LONGEST_GAP:g} s are bridged"
     if share > LARGEST_SHARE:
-        return f"misses {share:.1%} of its samples, and at most {LARGEST_SHARE:.0%} are bridged"
+        return f"misses {percent(share, 1)} of its samples, and at most {percent(LARGEST_SHARE)} are bridged"
     return ""
 
 

@@ -9,6 +9,7 @@ from app.calibration.grades import CROSS_TALK_LIMIT, signal_word
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import Binding, Control, Gesture
 from app.messages import MAX_GESTURES
+from app.percent import percent
 from app.quantities import Document
 
 FORWARD_PART = "elbow"  # the paper drives forward and back with the elbows, and turns with the shoulders
@@ -151,7 +152,7 @@ def _reason_of(chosen: Sequence[FoundGesture], cross_talk: float | None) -> str:
     if cross_talk is None:
         words += "; nothing was prompted, so it is not known what moves along."
     else:
-        words += f"; on average {cross_talk:.0%} of another's activation appears while one moves."
+        words += f"; on average {percent(cross_talk)} of another's activation appears while one moves."
     return words + _forecast(chosen)
 
 

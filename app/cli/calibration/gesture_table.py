@@ -3,6 +3,7 @@
 from app.calibration.gestures.discovery import Discovery
 from app.calibration.gestures.numbers import FoundGesture
 from app.calibration.grades import repeats_word, signal_word
+from app.percent import percent
 
 HEAD = ("score", "signal", "repeats", "along", "effort", "false/min", "answered")
 
@@ -35,4 +36,4 @@ def _cells(gesture: FoundGesture) -> list[str]:
 
 
 def _share(value: float | None) -> str:
-    return "-" if value is None else f"{value:.0%}"
+    return "-" if value is None else percent(value)

@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING, Literal
 
 from app.cli.errors import InputError
+from app.percent import percent
 
 if TYPE_CHECKING:
     from app.calibration.profile import CalibrationProfile, JointMap, MapCheck, MapKind
@@ -98,4 +99,4 @@ def comparison(profile: "CalibrationProfile", reasons: dict[str, str], width: in
 
 
 def _figures(check: "MapCheck") -> tuple[str, str, str]:
-    return f"{check.in_phase:.1%}", f"{check.hit_rate:.1%}", f"{check.false_per_minute:.1f}"
+    return percent(check.in_phase, 1), percent(check.hit_rate, 1), f"{check.false_per_minute:.1f}"

@@ -9,6 +9,7 @@ import typer
 from app.cli.calibration.prior_of_clinic import export_prior, import_prior
 from app.cli.errors import InputError
 from app.cli.output import write_output
+from app.percent import percent
 
 prior_app = typer.Typer(
     help="Learn from other people in the same shirt, so that somebody new drives before being calibrated.",
@@ -138,7 +139,7 @@ def show(prior: PriorFile, *, as_json: AsJson = False) -> None:
         )
         words = f"{name}, prompted"
         rates = stroke_rates(joint)
-        speed = "-" if rates is None else f"{rates['mean']:.0%} ± {rates['deviation']:.0%}"
+        speed = "-" if rates is None else f"{percent(rates['mean'])} ± {percent(rates['deviation'])}"
         figures = f"{joint.people:>6}  {joint.seconds:>7.0f}  {joint.strokes:>7.0f}  {speed:>15}"
         typer.echo(f"{words:{width + 12}}  {figures}  {ranges}")
     typer.echo("Rate of strokes: mean and deviation in a movement, as shares of the rate that counts as full")

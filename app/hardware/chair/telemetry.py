@@ -4,6 +4,7 @@ import math
 
 from app.hardware.chair.packet import Telemetry
 from app.hardware.chair.reasons import WORDS, Reason
+from app.percent import percent
 
 SILENT = 0.3  # s without telemetry, which comes every 0.1 s
 MOST_NONCES = 1000  # number of nonces kept: a chair makes a new one at each disarming
@@ -85,6 +86,6 @@ def telemetry_words(telemetry: Telemetry) -> str:
     """Return the state, the battery and the fault of a telemetry in words."""
     words = "stop switch pressed" if telemetry.stop_input else STATE_WORDS[min(telemetry.state, FAULT)]
     if 0.0 <= telemetry.battery <= 1.0:
-        words += f", battery {telemetry.battery:.0%}"
+        words += f", battery {percent(telemetry.battery)}"
     reason = Reason(telemetry.fault) if telemetry.fault in WORDS else Reason.NONE
     return f"{words}." if reason is Reason.NONE else f"{words}. {WORDS[reason]}"

@@ -16,6 +16,7 @@ from app.calibration.adaptation.movement import gesture_of
 from app.calibration.adaptation.thresholds import dead_zone_for
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
+from app.percent import percent
 from app.scoring.map_losses.gesture_trial import GestureTrial
 from app.scoring.verdict.cusum import LIMIT, cumulative_sum, normal_score
 from app.scoring.verdict.spread import CLINIC_WEIGHT, Series, Spread, Variance, own_spread, pool_spreads, weighted_sum
@@ -83,7 +84,8 @@ def _joint_loss(
     silenced = _is_silenced(trials)
     if silenced:
         words.append(
-            f"A sensor lay outside its range for {trials[-1].silent:.0%} of the last trial, and nothing counted then."
+            f"A sensor lay outside its range for {percent(trials[-1].silent)} of the last trial, and nothing counted "
+            "then."
         )
     return JointLoss(" ".join(words), dead_zone, growth, turns, silenced) if words else None
 
@@ -100,7 +102,7 @@ def _dead_zone(origin: JointMap, gesture: Gesture, trials: Sequence[GestureTrial
         return needed
     missed = [trial.missed for trial in trials if trial.missed is not None]
     if needed < gesture.dead_zone and cumulative_sum(_surprises("missed", missed, MOST_MISSED)) > LIMIT:
-        words.append(f"{missed[-1]:.0%} of the time of its movements does not count, though it is calm at rest.")
+        words.append(f"{percent(missed[-1])} of the time of its movements does not count, though it is calm at rest.")
         return needed
     return None
 
@@ -115,7 +117,9 @@ def _growth(trials: Sequence[GestureTrial], words: list[str]) -> float | None:
         surprises = _surprises("size", [way * size for size in sizes], way * first + LEAST_GROWTH, FIRST_TRIALS)
         if cumulative_sum(surprises) > LIMIT:
             growth = float(np.mean(sizes[FIRST_TRIALS:][-LAST_TRIALS:])) - first
-            words.append(f"Its movements have become {said} by {abs(math.expm1(growth)):.0%} since the first trials.")
+            words.append(
+                f"Its movements have become {said} by {percent(abs(math.expm1(growth)))} since the first trials."
+            )
             return growth
     return None
 
@@ -128,7 +132,7 @@ def _is_blind(trials: Sequence[GestureTrial], words: list[str]) -> bool:
     target = float(np.mean(values[:FIRST_TRIALS])) + MOST_BLIND
     if cumulative_sum(_surprises("blind", values, target, FIRST_TRIALS)) <= LIMIT:
         return False
-    words.append(f"{values[-1]:.0%} of its movement goes in another direction than the one that drives.")
+    words.append(f"{percent(values[-1])} of its movement goes in another direction than the one that drives.")
     return True
 
 

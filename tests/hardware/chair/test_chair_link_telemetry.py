@@ -140,4 +140,4 @@ def test_its_words_tell_what_the_chair_says(pair):
     pair.hear(FAULT, stop_input=1, fault=Reason.STOP_INPUT, battery=math.nan)
     assert pair.link.words().endswith(f"stop switch pressed. {WORDS[Reason.STOP_INPUT]}")
     pair.hear(CHECKING, fault=200)
-    assert pair.link.words().endswith("waits for rest, battery 50%.")
+    assert pair.link.words().endswith("waits for rest, battery 50 %.")

@@ -98,7 +98,7 @@ def test_time_that_s5_took_is_a_loss_at_once() -> None:
     loss = losses([{}, {"silent": 0.3, "noise": None, "size": None, "missed": None, "blind": None}])
     assert loss is not None
     assert loss.silenced
-    assert "30%" in loss.words
+    assert "30 %" in loss.words
     assert losses([{"silent": 0.3}, {}]) is None
 
 
