@@ -26,8 +26,8 @@ MEASURE_WORDS: Final[dict[str, MeasureWords]] = {
     "cones_touched": MeasureWords("Cones touched", 0),
     "gap_clearance": MeasureWords("Narrowest clearance in a gap", 2),
     "door_contacts": MeasureWords("Contacts with door or gap", 0),
-    "dist": MeasureWords("Distance driven", 2),
     "e_diff": MeasureWords("Area off the path", 2),
+    "dist": MeasureWords("Distance driven", 2),
     "time": MeasureWords("Time", 1),
     "dist_ratio": MeasureWords("Distance over path length", 2),
     "cross_track_rms": MeasureWords("Usual distance from the path", 2),
@@ -49,8 +49,8 @@ VERDICT_WORDS: Final[dict[VerdictWord, str]] = {
     "too few": "too few trials",
 }
 
-# What leads, by what a trial has: the first whose named measures are all there. The pages use the same order.
-_LEADING: Final = (
+# What leads, by what a trial has: the first whose named measures are all there. The pages lead with the same.
+LEADING: Final[tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]] = (
     (("stages_done",), ("stages_done", "time", "collisions")),
     (("heading_error_deg",), ("heading_error_deg", "turn_drift", "time")),
     (("follow_error_rms",), ("follow_error_rms", "follow_near", "e_diff")),
@@ -64,7 +64,7 @@ MOST_MEASURES: Final = 4
 
 def leading_measures(measures: Mapping[str, Any]) -> list[str]:
     """Return the three or four measures that say most about a task, by what a trial of it has."""
-    names = next(large for has, large in _LEADING if all(measures.get(name) is not None for name in has))
+    names = next(large for has, large in LEADING if all(measures.get(name) is not None for name in has))
     return [name for name in (*dict.fromkeys((*names, *_FURTHER)),) if measures.get(name) is not None][:MOST_MEASURES]
 
 

@@ -2,7 +2,7 @@
 
 import re
 
-from app.reports.measure_words import MEASURE_WORDS, VERDICT_WORDS, leading_measures, with_unit
+from app.reports.measure_words import LEADING, MEASURE_WORDS, VERDICT_WORDS, leading_measures, with_unit
 from app.scoring.learning import MEASURES
 from folders import ROOT
 
@@ -24,6 +24,13 @@ def test_every_measure_has_the_words_and_digits_of_the_pages():
 def test_the_verdicts_have_the_words_of_the_pages():
     texts = (TEXTS / "texts" / "en" / "results" / "verdict.js").read_text()
     assert all(f'"verdict.{word}": "{words}",' in texts for word, words in VERDICT_WORDS.items())
+
+
+def test_measures_stand_in_the_order_of_the_pages():
+    shown = (TEXTS / "results" / "measures.js").read_text()
+    assert re.findall(r"^  (\w+): \{ unit:", shown, re.MULTILINE) == list(MEASURE_WORDS)
+    leading = re.findall(r"\{ has: \[(.*?)\], large: \[(.*?)\] \}", shown)
+    assert [tuple(tuple(re.findall(r'"(\w+)"', names)) for names in row) for row in leading] == list(LEADING)
 
 
 def test_the_measures_of_a_task_are_chosen_by_what_it_has():

@@ -1,5 +1,6 @@
 /**
- * The measures of all tasks: unit, digits, which way is better, and in which trials they can stand beside others.
+ * The measures of all tasks, in the order in which pages and reports show them: unit, digits, which way is better, and
+ * in which trials they can stand beside others.
  * @typedef {{readonly [name: string]: unknown}} Measures of a trial, as the server answers them: most are numbers
  */
 import { t } from "../texts.js";
@@ -20,8 +21,8 @@ export const MEASURES = {
   cones_touched: { unit: "", digits: 0, better: "low", needsGoal: true, of: "cones" },
   gap_clearance: { unit: "m", digits: 2, better: "high", needsGoal: true },
   door_contacts: { unit: "", digits: 0, better: "low", needsGoal: true },
-  dist: { unit: "m", digits: 2, better: "low", needsGoal: true },
   e_diff: { unit: "m²", digits: 2, better: "low", needsGoal: true },
+  dist: { unit: "m", digits: 2, better: "low", needsGoal: true },
   time: { unit: "s", digits: 1, better: "low", needsGoal: true },
   dist_ratio: { unit: "", digits: 2, better: "low", needsGoal: true },
   cross_track_rms: { unit: "m", digits: 2, better: "low", needsGoal: true },
@@ -36,14 +37,14 @@ export const MEASURES = {
   ldlj: { unit: "", digits: 2, better: "high", needsGoal: true },
 };
 
-/** What leads, by what a trial has: the first whose named measures are all there. */
+/** What leads, by what a trial has: the first whose named measures are all there. Equal to LEADING of app/reports/measure_words.py. */
 const LARGE = [
   { has: ["stages_done"], large: ["stages_done", "time", "collisions"] },
   { has: ["heading_error_deg"], large: ["heading_error_deg", "turn_drift", "time"] },
   { has: ["follow_error_rms"], large: ["follow_error_rms", "follow_near", "e_diff"] },
   { has: ["gaps", "gap_clearance"], large: ["gap_clearance", "e_diff", "time"] }, // only where the task has gaps, not at every door
   { has: ["cones_touched"], large: ["cones_touched", "e_diff", "time"] },
-  { has: [], large: ["dist", "e_diff", "time"] },
+  { has: [], large: ["e_diff", "dist", "time"] },
 ];
 
 /** A measure as a number; null when it was not measured. @param {Measures | null} measures @param {string} name */
