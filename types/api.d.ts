@@ -7336,6 +7336,9 @@ export interface components {
             verdicts: {
                 [key: string]: components["schemas"]["Verdict"];
             };
+            best: {
+                [key: string]: number;
+            };
         };
         TrialView: {
             id: number;

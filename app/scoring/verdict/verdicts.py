@@ -4,7 +4,7 @@ from collections.abc import Collection
 
 from app.quantities import Document
 from app.scoring.verdict.deterioration import deteriorations
-from app.scoring.verdict.measure_comparison import COMPARISONS
+from app.scoring.verdict.measure_comparison import COMPARISONS, value_of
 from app.scoring.verdict.measure_verdict import FEWEST, ClinicSpreads, Rows, Verdict, compare, series_of
 
 
@@ -14,6 +14,7 @@ class TrialVerdicts(Document):
     earlier: int | None  # id of the earlier trial; None: there is none that counts
     familiarisation: list[int]  # ids of those of the two in which the person got used to the task: not compared
     verdicts: dict[str, Verdict]  # measure -> verdict; without the measures that cannot be compared
+    best: dict[str, float]  # measure -> the best before the trial, of the trials that are compared
 
 
 class SessionVerdicts(Document):
@@ -54,7 +55,19 @@ def trial_verdicts(rows: Rows, clinic: ClinicSpreads, later: int, earlier: int |
         if verdict is not None:
             verdicts[name] = verdict
     pair = [one for one in (earlier, later) if one in warming]
-    return TrialVerdicts(earlier=earlier, familiarisation=pair, verdicts=verdicts)
+    before_it = rows[: ids.index(later)] if later in ids else []
+    return TrialVerdicts(earlier=earlier, familiarisation=pair, verdicts=verdicts, best=_best(before_it))
+
+
+def _best(rows: Rows) -> dict[str, float]:
+    """Return the best of each measure in these trials, without those in which the person got used to the task."""
+    found = {}
+    for name, measure in COMPARISONS.items():
+        values = [value_of(row, name) for row in rows if not row["familiarisation"]]
+        counted = [value for value in values if value is not None]
+        if counted and measure.better is not None:
+            found[name] = min(counted) if measure.better == "low" else max(counted)
+    return found
 
 
 def task_verdicts(rows: Rows, clinic: ClinicSpreads, names: Collection[str] = COMPARISONS) -> TaskVerdicts:

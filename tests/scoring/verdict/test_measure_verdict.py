@@ -105,6 +105,19 @@ def test_trials_for_getting_used_to_the_task_are_not_compared() -> None:
     assert (chosen.familiarisation, chosen.verdicts) == ([rows[12]["id"]], {})
 
 
+def test_the_best_so_far_is_of_the_trials_before_that_are_compared() -> None:
+    lucky = [1.0, 9.0, 9.0, 3.0, 3.2, 2.8]
+    rows = rows_of(lucky, lucky, familiarisation=3)
+    rows[3]["reached"] = False
+    assert trial_verdicts(rows, CLINIC, rows[-1]["id"], None).best == {"e_diff": 2.8}
+    assert trial_verdicts(rows, CLINIC, rows[5]["id"], None).best == {"e_diff": 3.2}
+    assert trial_verdicts(rows, CLINIC, rows[3]["id"], None).best == {}
+    smooth = rows_of([-2.0, -4.0, -3.0, -1.0], measure="sparc", familiarisation=1)
+    assert trial_verdicts(smooth, CLINIC, smooth[-1]["id"], None).best == {"sparc": -3.0}
+    fast = rows_of([0.4, 0.5, 0.3], measure="mean_speed")
+    assert trial_verdicts(fast, CLINIC, fast[-1]["id"], None).best == {}  # neither way is better
+
+
 def test_the_order_in_which_two_trials_are_named_does_not_matter() -> None:
     rows = rows_of([3.0, 3.2, 2.8, 3.1], [3.0, 1.0])
     assert trial_verdicts(rows, CLINIC, 106, 104) == trial_verdicts(rows, CLINIC, 104, 106)

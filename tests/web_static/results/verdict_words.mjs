@@ -6,7 +6,7 @@ import { pathToFileURL } from "node:url";
 
 const [folder, file] = process.argv.slice(2);
 const load = (name) => import(pathToFileURL(`${folder}/${name}`));
-const { MEASURES, best, largeMeasures } = await load("results/measures.js");
+const { MEASURES, largeMeasures } = await load("results/measures.js");
 const { isFamiliarisation, verdictLine, verdictWords } = await load("results/verdict_words.js");
 const { wayDone } = await load("results/way_done.js");
 
@@ -32,7 +32,6 @@ assert.deepEqual(verdictWords("e_diff", verdict("within")), {
 assert.equal(verdictWords("e_diff", undefined), null);
 assert.equal(isFamiliarisation({ earlier: 1, familiarisation: [2], verdicts: {} }, 2), true);
 assert.equal(isFamiliarisation(null, 2), false);
-assert.equal(best("mean_speed", [{ measures: { reached: true, mean_speed: 0.4 } }]), null);
 
 // Large figures are of trials that count: neither discarded nor, where a part says nothing of the whole, unfinished.
 const followed = { reached: true, follow_error_rms: 0.4, follow_near: 0.9, e_diff: 2 };

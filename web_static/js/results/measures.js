@@ -97,18 +97,5 @@ export function unitOf(name, measures) {
 
 /** Tell whether a trial's measure can stand beside others. @param {string} name @param {Measures | null} measures */
 export function comparable(name, measures) {
-  return comparison(name, measures) !== null;
-}
-
-/** A trial's measure where it can stand beside others; otherwise null. @param {string} name @param {Measures | null} measures */
-function comparison(name, measures) {
-  return measures?.reached || !MEASURES[name].needsGoal ? measured(measures, name) : null;
-}
-
-/** The best of several trials in one measure; null when there is none. @param {string} name @param {{measures: Measures | null}[]} trials */
-export function best(name, trials) {
-  const { better } = MEASURES[name];
-  const values = trials.flatMap(({ measures }) => comparison(name, measures) ?? []);
-  if (!values.length || !better) return null;
-  return better === "low" ? Math.min(...values) : Math.max(...values);
+  return Boolean(measures?.reached || !MEASURES[name].needsGoal) && measured(measures, name) !== null;
 }

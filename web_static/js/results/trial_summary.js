@@ -7,7 +7,7 @@
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
-import { best, comparable, figure, largeMeasures, leadingMeasures, measured, MEASURES, unitOf, withUnit } from "./measures.js";
+import { comparable, figure, largeMeasures, leadingMeasures, measured, MEASURES, unitOf, withUnit } from "./measures.js";
 import { originWords } from "./origin_words.js";
 import { planPicture } from "../plan/plan_svg.js";
 import { scrollTable } from "../widgets/scroll_table.js";
@@ -141,7 +141,7 @@ function tableCard(measures, earlier, found) {
           h("td", {}, comparable(name, measures) ? withUnit(name, measured(previous.measures, name)) : "–"),
           h("td", { class: `change ${verdict?.tone ?? ""}` }, verdict ? `${verdict.arrow} ${verdict.words}` : "–"),
           h("td", {}, verdict?.noise ?? "–"),
-          h("td", {}, comparable(name, measures) ? withUnit(name, best(name, earlier)) : "–"),
+          h("td", {}, comparable(name, measures) ? withUnit(name, found?.best[name]) : "–"),
         ],
       );
     });
