@@ -7218,6 +7218,7 @@ export interface components {
             floorplan: string;
             floorplan_title: string;
             path: string;
+            path_title: string;
             /** @enum {string} */
             source: "worn" | "simulated" | "unknown";
             trials: [
@@ -7235,6 +7236,7 @@ export interface components {
         TaskLearning: {
             floorplan_title: string;
             path_name: string;
+            path_title: string;
             /** @enum {string} */
             source: "worn" | "simulated" | "unknown";
             trials: {

@@ -42,7 +42,8 @@ from app.session.trial import TrialFlow
 from app.session.trial_qualities import TrialQualities
 from app.store.files.disk_watch import DiskWatch
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
-from app.world.scene import DrivingPlace, bundled_places, find_place
+from app.world.path_titles import find_floorplan
+from app.world.scene import DrivingPlace, bundled_places
 
 
 @dataclass(slots=True)
@@ -122,11 +123,7 @@ class WebParts:
 
 def load_plan(web: WebParts, name: str) -> FloorPlan | None:
     """Return a floor plan by its name, None when there is none."""
-    bundled = find_place(name)
-    if bundled is not None:
-        return bundled
-    file = web.own_floorplans / f"{name}.json"
-    return load_floorplan(file) if file.is_file() else None
+    return find_floorplan(web.own_floorplans, name)
 
 
 def plan_to_begin_with(web: WebParts) -> tuple[FloorPlan, str] | None:

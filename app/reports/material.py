@@ -12,6 +12,7 @@ from app.reports.drive_report import ReportedDrive, reported_drives
 from app.scoring.interface_test.interface_course import StoredTest
 from app.scoring.interface_test.workload import Workload
 from app.scoring.verdict.spread import Spread
+from app.settings import Settings
 from app.source import SourceGroup, source_words
 from app.store.database import Database, Transaction
 from app.store.interface_tests import interface_tests_of
@@ -23,6 +24,7 @@ from app.store.records.session_contents import trials_of_session
 from app.store.records.session_record import SessionRecord, session_record, sessions_of
 from app.store.sharing.comments import Comment, comments_of
 from app.store.tables import Clinic, InterfaceTest, Parameters, Patient, PatientSession, Profile, Trial
+from app.world.path_titles import path_title
 
 MOST_TASKS = 12  # in one report, those with the most trials
 
@@ -122,11 +124,12 @@ class ReportMaterial:
 
 
 def report_material(
-    database: Database, clinic_id: int, patient_id: int, session: int | None, runs: Path, spreads_of: SpreadsOf
+    database: Database, clinic_id: int, patient_id: int, session: int | None, settings: Settings, spreads_of: SpreadsOf
 ) -> ReportMaterial:
     """Return what a report of one session, or of a patient's whole course (None), is made from.
 
-    `session` is its number: 1, 2, 3 ... per patient; `runs` is the folder of all recordings; `spreads_of` returns the
+    `session` is its number: 1, 2, 3 ... per patient; `settings` name the folders of all recordings and of
+    the clinic's own floor plans; `spreads_of` returns the
     clinic's median spreads in a task.
 
     Raises
@@ -135,12 +138,12 @@ def report_material(
         When the clinic has no such patient, or the patient no such session.
     """
     with database.transaction() as db:
-        own = _own_material(db, find_patient(db, clinic_id, patient_id), session, runs)
+        own = _own_material(db, find_patient(db, clinic_id, patient_id), session, settings)
     tasks = [replace(task, clinic=spreads_of(task.floorplan, task.path_name, task.group)) for task in own.tasks]
     return replace(own, tasks=tuple(tasks))
 
 
-def _own_material(db: Transaction, patient: Patient, session: int | None, runs: Path) -> ReportMaterial:
+def _own_material(db: Transaction, patient: Patient, session: int | None, settings: Settings) -> ReportMaterial:
     every = [one for one in reversed(sessions_of(db, patient.id)) if session is None or one.number <= session]
     reported = [one for one in every if session is None or one.number == session]
     if not reported:
@@ -156,7 +159,7 @@ def _own_material(db: Transaction, patient: Patient, session: int | None, runs: 
         made=utc_now(),
         session=session,
         sessions=tuple(_session(db, one, trials, origins.get(one.id)) for one in reported),
-        tasks=tuple(_tasks(db, patient, trials, last, runs)),
+        tasks=tuple(_tasks(db, patient, trials, last, settings)),
         tests=tuple(_tests(db, patient, set(numbers.values()), last)),
         drives=tuple(drives),
         comments=tuple(comments_of(db, patient_id=patient.id)),
@@ -188,7 +191,7 @@ def _counts(trial: Trial) -> bool:
     return trial.kept and trial.measures is not None
 
 
-def _tasks(db: Transaction, patient: Patient, trials: list[Trial], last: int, runs: Path) -> list[TaskMaterial]:
+def _tasks(db: Transaction, patient: Patient, trials: list[Trial], last: int, settings: Settings) -> list[TaskMaterial]:
     """Return the tasks and sources that were driven in what is reported, those with the most trials first."""
     driven: dict[tuple[str, str, SourceGroup], int] = {}
     for trial in trials:
@@ -196,10 +199,12 @@ def _tasks(db: Transaction, patient: Patient, trials: list[Trial], last: int, ru
             key = trial.floorplan, trial.path, trial.run.source.group
             driven[key] = driven.get(key, 0) + 1
     most = sorted(driven, key=lambda key: -driven[key])[:MOST_TASKS]
-    return [_task(db, patient, key, last, runs) for key in most]
+    return [_task(db, patient, key, last, settings) for key in most]
 
 
-def _task(db: Transaction, patient: Patient, key: tuple[str, str, SourceGroup], last: int, runs: Path) -> TaskMaterial:
+def _task(
+    db: Transaction, patient: Patient, key: tuple[str, str, SourceGroup], last: int, settings: Settings
+) -> TaskMaterial:
     floorplan, path, group = key
     counted: list[CountedTrial] = [
         one
@@ -210,12 +215,12 @@ def _task(db: Transaction, patient: Patient, key: tuple[str, str, SourceGroup], 
     return TaskMaterial(
         floorplan=floorplan,
         path_name=path,
-        title=f"{newest.floorplan_title}, path “{path}”",
+        title=f"{newest.floorplan_title}: {path_title(settings.floorplans, floorplan, path)}",
         path=tuple((x, y) for x, y in newest.path_points),
         group=group,
         source=source_words(newest.run.source),
         rows=[one.row() for one in counted],
-        folders=tuple(runs / one.trial.run.folder for one in counted),
+        folders=tuple(settings.runs / one.trial.run.folder for one in counted),
         clinic={},
     )
 

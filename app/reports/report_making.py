@@ -51,7 +51,7 @@ def exported_material(
     """
     if not for_patient:
         _require_consent(database, subject)
-    material = report_material(database, *subject, settings.runs, spreads_of)
+    material = report_material(database, *subject, settings, spreads_of)
     of_session = {} if material.session_id is None else {"session": material.session_id}
     with database.transaction(closing=True) as db:
         details = {"patient": material.patient_id, "form": form, "for_patient": for_patient, **of_session}
@@ -78,5 +78,5 @@ def report_of_archive(
     with database.transaction() as db:
         if not sessions_of(db, patient_id):
             return None
-    material = report_material(database, clinic_id, patient_id, None, settings.runs, spreads_of)
+    material = report_material(database, clinic_id, patient_id, None, settings, spreads_of)
     return partial(report_file, replace(material, head=HeadFile(settings.database).read()), "html", "a4")

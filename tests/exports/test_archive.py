@@ -99,7 +99,7 @@ def test_exports_and_reports_of_imported_sessions_name_the_clinic_and_who_import
             database, 1, found.patient_id, None, "csv", "Ben", other.runs, lambda *_: {}, place=other.state
         )
         (row,) = csv.DictReader(io.StringIO(trial_csv(exported, {}).removeprefix(SPREADSHEET_BEGIN)))
-        report = report_material(database, 1, found.patient_id, None, other.runs, lambda *_: {})
+        report = report_material(database, 1, found.patient_id, None, other, lambda *_: {})
     assert (row["origin_clinic"], row["imported_by"]) == ("Riverside", "Ben")
     today = utc_now().astimezone().date()
     assert row["imported"].startswith(f"{utc_now():%Y-%m-%d}")

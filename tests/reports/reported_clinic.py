@@ -15,6 +15,7 @@ from app.reports.composition import compose
 from app.reports.document import Remark, Report
 from app.reports.material import ReportMaterial, report_material
 from app.scoring.verdict.measure_verdict import clinic_spreads, people_variances
+from app.settings import Settings
 from app.source import SourceGroup
 from app.store.database import Database
 from app.store.learning_trials import trials_of_everybody
@@ -91,7 +92,9 @@ def spreads_by(database: Database, patient_id: int) -> Callable[[str, str, Sourc
 
 def material_of(database: Database, runs: Path, patient_id: int, session: int | None) -> ReportMaterial:
     """Return the material of a report, with a head of the log."""
-    made = report_material(database, 1, patient_id, session, runs, spreads_by(database, patient_id))
+    made = report_material(
+        database, 1, patient_id, session, Settings(state=runs.parent), spreads_by(database, patient_id)
+    )
     return replace(made, head=HEAD)
 
 

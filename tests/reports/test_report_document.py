@@ -2,7 +2,7 @@
 
 import pytest
 from reports.conftest import SESSIONS
-from reports.reported_clinic import CODE, GOAL, HEAD, NOTE, TRIALS, material_of, report_of
+from reports.reported_clinic import CODE, GOAL, HEAD, NOTE, PLAN, TRIALS, material_of, report_of
 
 from app import __version__
 from app.clock import utc_now
@@ -11,6 +11,7 @@ from app.reports.composition import NO_CONDITION, NO_GOAL, NO_NOTE
 from app.reports.rendering import file_name
 from app.store.patients import add_patient
 from app.store.tables import PatientSession, Trial
+from app.world.scene import find_place
 
 
 def test_a_session_says_who_when_and_what_was_written(session_report):
@@ -57,6 +58,11 @@ def test_a_course_compares_with_the_first_session_and_a_session_with_the_one_bef
     totals = ", ".join(["46"] * SESSIONS)
     assert course_report.scales.rows == (("SCIM III", totals, "2026-11-20"),)
     assert course_report.signed == ""  # five of its sessions are not signed off
+
+
+def test_a_task_has_the_titles_of_its_floor_plan_and_its_path(reported, session_report):
+    plan = find_place(PLAN)
+    assert session_report.tasks[0].title == f"{plan.title}: {plan.paths[0].title}"
 
 
 def test_the_trajectories_of_the_recordings_are_drawn(session_report, course_report):

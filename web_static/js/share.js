@@ -2,13 +2,13 @@
  * The page that a share link opens: a PIN, then the story and the figures of one patient. One answer holds all of it.
  * @import { SharedView, StoryView, TaskLearning } from "types/api"
  */
-import { LANGUAGE, t, hasText } from "./texts.js";
+import { LANGUAGE, t } from "./texts.js";
 import { areaCurve } from "./charts/area_curve.js";
 import { day, number } from "./widgets/format.js";
 import { h, put, s } from "./widgets/dom.js";
 import { icon } from "./widgets/icons.js";
 import { followSystem } from "./shell/theme.js";
-import { comparable } from "./results/measures.js";
+import { comparable, MEASURES } from "./results/measures.js";
 import { storyParts } from "./results/story.js";
 
 const HERE = "/api/v1/shared";
@@ -102,14 +102,14 @@ function helpButton() {
 
 /** @param {TaskLearning} task */
 function taskCard(task) {
-  const words = Object.entries(task.words).filter(([name]) => hasText(`measure.${name}`));
+  const words = Object.keys(MEASURES).filter((name) => task.words[name]);
   const areas = task.trials
     .filter((trial) => comparable("e_diff", trial))
     .map((trial) => ({ number: Number(trial.number), value: Number(trial.e_diff) }));
   return h(
     "section",
     {},
-    h("h2", {}, `${task.floorplan_title}, ${task.path_name}`, task.source === "simulated" ? ` (${t("share.simulated")})` : ""),
+    h("h2", {}, t("share.task", { plan: task.floorplan_title, path: task.path_title }), task.source === "simulated" ? ` (${t("share.simulated")})` : ""),
     h("p", {}, t("share.trajectories", { count: task.trajectories.length })),
     lines([task.path, ...task.trajectories.map(({ x, y }) => x.map((one, i) => [one, y[i]]))], "path"),
     h("p", {}, t("share.curve")),
@@ -117,7 +117,7 @@ function taskCard(task) {
     areas.length > 0 && h("p", {}, t("share.values", { first: number(areas[0].value, 2), newest: number(areas[areas.length - 1].value, 2) })),
     h("p", {}, t("share.verdicts")),
     words.length
-      ? h("dl", {}, words.map(([name, word]) => [h("dt", {}, t(`measure.${name}`)), h("dd", {}, t(`verdict.${word}`))]))
+      ? h("dl", {}, words.map((name) => [h("dt", {}, t(`measure.${name}`)), h("dd", {}, t(`verdict.${task.words[name]}`))]))
       : h("p", { class: "quiet" }, t("share.no_verdict")),
   );
 }

@@ -22,6 +22,7 @@ from app.store.parameters import as_document
 from app.store.records.session_contents import UsedSet, set_of, sets_of_session, trials_of_session
 from app.store.records.session_record import find_session
 from app.store.tables import PatientSession, Trial
+from app.world.path_titles import path_title
 
 router = APIRouter(tags=["records"])
 
@@ -35,6 +36,7 @@ class TaskComparison(Document):
     floorplan: str
     floorplan_title: str
     path: str
+    path_title: str  # its name where the floor plan has no such path any more
     source: SourceGroup
     trials: tuple[int, int]  # driven in the earlier and in the later session
     counted: tuple[int, int]  # of these, kept and measured
@@ -84,6 +86,7 @@ def compare_two(
             floorplan=task.floorplan,
             floorplan_title=titles[task],
             path=task.path,
+            path_title=path_title(web.own_floorplans, task.floorplan, task.path),
             source=task.group,
             trials=(driven[0][task], driven[1][task]),
             counted=(_of_session(own, earlier), _of_session(own, later)),

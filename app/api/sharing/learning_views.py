@@ -12,6 +12,7 @@ from app.source import SourceGroup
 from app.store.database import Database
 from app.store.learning_trials import CountedTrial, counted_trials
 from app.store.sharing.attention import tasks_of
+from app.world.path_titles import path_title
 
 
 class TaskLearning(Document):
@@ -19,6 +20,7 @@ class TaskLearning(Document):
 
     floorplan_title: str
     path_name: str
+    path_title: str  # its name where the floor plan has no such path any more
     source: SourceGroup
     trials: list[dict[str, Any]]
     curves: dict[str, Any]
@@ -56,6 +58,7 @@ def _learning(
     return TaskLearning(
         floorplan_title=newest[-1].floorplan_title,
         path_name=task.path,
+        path_title=path_title(web.own_floorplans, task.floorplan, task.path),
         source=task.group,
         trials=rows,
         curves=web.computing.ask(learning_curves, rows),

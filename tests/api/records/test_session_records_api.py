@@ -160,6 +160,8 @@ def test_two_sessions_are_compared_by_task_and_by_what_changed(calibrated: Clini
     assert (found["earlier"]["id"], found["later"]["id"]) == (first, second)
     (task,) = found["tasks"]
     assert (task["trials"], task["counted"], task["source"]) == ([4, 1], [4, 1], "simulated")
+    path = calibrated.good("GET", "/floorplans")[0]["paths"][0]
+    assert (task["path"], task["path_title"]) == (path["name"], path["title"])
     e_diff = task["measures"]["e_diff"]
     assert e_diff["earlier"] == {"median": 1.5, "low": 1.5, "high": 1.5, "trials": 1}  # three to get used to it
     assert e_diff["verdict"]["word"] == "too few"

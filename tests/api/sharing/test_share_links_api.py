@@ -73,6 +73,10 @@ def test_a_course_shows_story_and_figures_by_code_and_every_opening_is_logged(co
         found = consented.good("GET", SHARED)
     assert consented.patient["pseudonym"] not in str(found)
     assert found["code"] == consented.patient["code"]
+    (task,), trial_view = found["tasks"], consented.good("GET", f"/trials/{trial}")
+    plan = consented.good("GET", f"/floorplans/{trial_view['floorplan']}")
+    titles = {path["name"]: path["title"] for path in plan["paths"]}
+    assert (task["path_name"], task["path_title"]) == (trial_view["path_name"], titles[trial_view["path_name"]])
     kinds = [event["kind"] for event in found["stories"][0]["events"]]
     assert kinds == sorted(kinds, key=lambda kind: kind == "comment")  # in time order: the comment came last
     assert {"begin", "calibration", "map", "trial", "comment"} <= set(kinds)

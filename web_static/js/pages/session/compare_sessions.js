@@ -44,7 +44,7 @@ export async function show(app, root, { signal, rest: [, first, second] }) {
 }
 
 /** @param {SessionComparison} found @param {TaskComparison} task */
-function taskCard({ earlier, later }, { floorplan_title: plan, path, source, trials, counted, measures }) {
+function taskCard({ earlier, later }, { floorplan_title: plan, path_title: path, source, trials, counted, measures }) {
   const title = t("record.compare.task", { plan, path });
   const names = Object.keys(MEASURES).filter((name) => measures[name]);
   /** @param {string} name */

@@ -86,7 +86,7 @@ export default {
   "record.compare.none": "No trial of this task can be compared: the first three of a day count as getting used to it. Drive it more than three times in a session.",
   "record.compare.median": "{median} ({low} to {high})",
   "record.compare.spread": "Each figure is the median; half of the trials lie within the range in brackets.",
-  "record.compare.task": "{plan}, {path}",
+  "record.compare.task": "{plan}: {path}",
   "record.compare.changed": "What changed in calibration and parameters",
   "record.compare.same": "The parameters are the same.",
   "record.compare.unknown": "One of the two sessions has no parameters to compare.",

@@ -13,6 +13,7 @@ export default {
   "share.signed": "Signed off",
   "share.unsigned": "Not signed off",
   "share.simulated": "simulated",
+  "share.task": "{plan}: {path}",
   "share.trajectories": "Prescribed path (dashed) and {count} trajectories",
   "share.curve": "Area off the path (m²), trial by trial",
   "share.values": "{first} in the first trial, {newest} in the newest.",
