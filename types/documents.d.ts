@@ -142,8 +142,12 @@ export type CurveModel = {
 
 /** One measure over trials, in sentences and as curves. */
 export type LearningCurve = {
+  /** What became of it, in plain words. */
   text: string;
+  /** What was kept from one session to the next, in plain words. */
   sessions: string | null;
+  /** The statistics behind these sentences. */
+  details: string[];
   fit: { n: number[]; value: number[]; low: number[]; high: number[] } | null;
   form: CurveForm | null;
   others: CurveModel[];

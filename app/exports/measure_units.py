@@ -34,12 +34,6 @@ TEST_MEASURES: dict[str, tuple[str, str]] = {
     "dial_in": ("Two-minute test: time from the first entry to the last one", "s"),
     "path_efficiency": ("Two-minute test: straight way divided by the way of the cursor", "1"),
 }
-VERDICTS = {
-    "better": "better than noise",
-    "within": "within noise",
-    "worse": "worse than noise",
-    "too few": "too few trials",
-}
 
 
 def is_number(value: Any) -> bool:

@@ -5,8 +5,9 @@ from collections.abc import Iterator
 from app import __version__
 from app.csv_cells import SPREADSHEET_BEGIN, csv_line
 from app.exports.export_material import SIMULATED_WORDS, ExportMaterial
-from app.exports.measure_units import MEASURES, VERDICTS, is_number
+from app.exports.measure_units import MEASURES, is_number
 from app.exports.recorded_with import recorded_with
+from app.scoring.verdict.measure_verdict import VERDICT_WORDS
 from app.scoring.verdict.verdicts import trial_verdicts
 from app.source import source_words
 from app.store.records.recorded_runs import RecordedRun
@@ -24,7 +25,7 @@ def verdict_words(material: ExportMaterial) -> dict[int, dict[str, str]]:
     for task in material.tasks:
         for row in task.rows:
             verdicts = trial_verdicts(task.rows, task.clinic, row["id"], None).verdicts
-            found[row["id"]] = {name: VERDICTS[verdict.word] for name, verdict in verdicts.items()}
+            found[row["id"]] = {name: VERDICT_WORDS[verdict.word] for name, verdict in verdicts.items()}
     return found
 
 

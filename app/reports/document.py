@@ -53,7 +53,8 @@ class TaskReport:
     curve: Drawing | None
     curve_title: str
     curve_words: str
-    sentences: tuple[str, ...]  # on the curve, and on a deterioration
+    sentences: tuple[str, ...]  # on a deterioration, on the curve and on its sessions
+    statistics: tuple[str, ...]  # behind these sentences, in small print
 
 
 @dataclass(frozen=True, slots=True)

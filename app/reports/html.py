@@ -88,6 +88,7 @@ def _task(task: TaskReport) -> list[str]:
             _figure(task.curve_title, task.curve, task.curve_words),
             "</div>",
             *(_paragraph(sentence) for sentence in task.sentences),
+            *(f'<p class="quiet">{escape(sentence)}</p>' for sentence in task.statistics),
         ],
         title_is_markup=True,
     )

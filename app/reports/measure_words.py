@@ -1,52 +1,37 @@
-"""The words, units and digits of the measures on a report; equal to those on the pages (texts/en/measures.js)."""
+"""The words of the measures on a report, and which lead; equal to those on the pages (texts/en/measures.js)."""
 
 import math
 from collections.abc import Mapping
-from typing import Any, Final, NamedTuple
+from typing import Any, Final
 
-from app.scoring.learning import MEASURES as LEARNING
+from app.scoring.learning_words import MEASURES
 from app.scoring.verdict.measure_verdict import Verdict
-from app.scoring.verdict.measure_verdict import Word as VerdictWord
 
-
-class MeasureWords(NamedTuple):
-    """The name of a measure for people, and its digits behind the point."""
-
-    name: str
-    digits: int
-
-
-MEASURE_WORDS: Final[dict[str, MeasureWords]] = {
-    "stages_done": MeasureWords("Stages done", 0),
-    "follow_error_rms": MeasureWords("Usual error of the distance to the leader", 2),
-    "follow_error_max": MeasureWords("Largest error of the distance to the leader", 2),
-    "follow_near": MeasureWords("Share of time near the asked distance", 0),
-    "heading_error_deg": MeasureWords("Angle off the mark", 0),
-    "turn_drift": MeasureWords("Moved off the spot", 2),
-    "cones_touched": MeasureWords("Cones touched", 0),
-    "gap_clearance": MeasureWords("Narrowest clearance in a gap", 2),
-    "door_contacts": MeasureWords("Contacts with door or gap", 0),
-    "e_diff": MeasureWords("Area off the path", 2),
-    "dist": MeasureWords("Distance driven", 2),
-    "time": MeasureWords("Time", 1),
-    "dist_ratio": MeasureWords("Distance over path length", 2),
-    "cross_track_rms": MeasureWords("Usual distance from the path", 2),
-    "cross_track_max": MeasureWords("Largest distance from the path", 2),
-    "mean_speed": MeasureWords("Mean speed", 2),
-    "stops": MeasureWords("Stops", 0),
-    "collisions": MeasureWords("Contacts", 0),
-    "contact_time": MeasureWords("Time in contact", 1),
-    "turn_reversals": MeasureWords("Changes of turning", 0),
-    "pulses_per_metre": MeasureWords("Commands per metre", 1),
-    "sparc": MeasureWords("Smoothness", 2),
-    "ldlj": MeasureWords("Smoothness, another measure", 2),
-}
-
-VERDICT_WORDS: Final[dict[VerdictWord, str]] = {
-    "better": "better than noise",
-    "within": "within noise",
-    "worse": "worse than noise",
-    "too few": "too few trials",
+# In the order of the pages.
+MEASURE_WORDS: Final[dict[str, str]] = {
+    "stages_done": "Stages done",
+    "follow_error_rms": "Usual error of the distance to the leader",
+    "follow_error_max": "Largest error of the distance to the leader",
+    "follow_near": "Share of time near the asked distance",
+    "heading_error_deg": "Angle off the mark",
+    "turn_drift": "Moved off the spot",
+    "cones_touched": "Cones touched",
+    "gap_clearance": "Narrowest clearance in a gap",
+    "door_contacts": "Contacts with door or gap",
+    "e_diff": "Area off the path",
+    "dist": "Distance driven",
+    "time": "Time",
+    "dist_ratio": "Distance over path length",
+    "cross_track_rms": "Usual distance from the path",
+    "cross_track_max": "Largest distance from the path",
+    "mean_speed": "Mean speed",
+    "stops": "Stops",
+    "collisions": "Contacts",
+    "contact_time": "Time in contact",
+    "turn_reversals": "Changes of turning",
+    "pulses_per_metre": "Commands per metre",
+    "sparc": "Smoothness",
+    "ldlj": "Smoothness, another measure",
 }
 
 # What leads, by what a trial has: the first whose named measures are all there. The pages lead with the same.
@@ -70,29 +55,15 @@ def leading_measures(measures: Mapping[str, Any]) -> list[str]:
 
 def with_unit(name: str, value: float | None) -> str:
     """Return a level of a measure in words; "" for None."""
-    if value is None or not math.isfinite(value):
-        return ""
-    return _joined(_figure(name, value), name)
+    return "" if value is None or not math.isfinite(value) else MEASURES[name].level(value)
 
 
 def noise_words(name: str, verdict: Verdict) -> str:
     """Return from where to where a level is within noise; "" for too few trials."""
     if verdict.low is None or verdict.high is None:
         return ""
-    return _joined(f"{_figure(name, verdict.low)} to {_figure(name, verdict.high)}", name)
-
-
-def _figure(name: str, value: float) -> str:
-    _, unit, factor = LEARNING[name]
-    digits = MEASURE_WORDS[name].digits
-    if not digits and not unit and value != round(value):
-        digits = 1  # a mean of counts
-    return f"{value * factor:.{digits}f}".replace("-", "\u2212")
-
-
-def _joined(figure: str, name: str) -> str:
-    unit = LEARNING[name].unit
-    return f"{figure}{unit}" if unit == "°" else f"{figure} {unit}".rstrip()
+    measure = MEASURES[name]
+    return measure.with_unit(f"{measure.figure(verdict.low)} to {measure.figure(verdict.high)}")
 
 
 def amount(count: int, one: str, many: str = "") -> str:

@@ -9,11 +9,12 @@ from app.reports.band_drawing import band_drawing
 from app.reports.curve_drawing import CurvePoint, curve_drawing
 from app.reports.document import Drawing, MeasureRow, TaskReport, Tone
 from app.reports.material import Rows, TaskMaterial
-from app.reports.measure_words import MEASURE_WORDS, VERDICT_WORDS, amount, leading_measures, noise_words, with_unit
+from app.reports.measure_words import MEASURE_WORDS, amount, leading_measures, noise_words, with_unit
 from app.reports.trajectory_drawing import Points, trajectory_drawing
-from app.scoring.learning import MEASURES, learning_curves
+from app.scoring.learning import learning_curves
+from app.scoring.learning_words import MEASURES
 from app.scoring.verdict.measure_comparison import from_scale, value_of
-from app.scoring.verdict.measure_verdict import Verdict, Word, series_of
+from app.scoring.verdict.measure_verdict import VERDICT_WORDS, Verdict, Word, series_of
 from app.scoring.verdict.verdicts import SessionVerdicts, task_verdicts
 
 MOST_OWN, MOST_PAST = 10, 30  # trajectories of the newest session and of earlier ones: more could not be told apart
@@ -35,6 +36,7 @@ def task_report(task: TaskMaterial, session: int | None, *, name_source: bool) -
     compared = _comparison(found.sessions, newest, course=session is None)
     trajectories, words = _trajectories(task, session, compared)
     curve = learning_curves(rows, [main]).get(main)
+    said = () if curve is None else (curve["text"], curve["sessions"])
     return TaskReport(
         title=task.title,
         lead=" ".join([f"{task.source}."] * name_source + [_trials_words(rows, session), _compared_words(compared)]),
@@ -45,8 +47,9 @@ def task_report(task: TaskMaterial, session: int | None, *, name_source: bool) -
         curve=None if curve is None else _curve(main, rows, newest, curve["fit"]),
         curve_words=f"{amount(len(rows), 'trial')}; session {newest} is orange. Rings: to get used to the task. "
         "S: a session begins.",
-        curve_title=f"Learning curve: {MEASURE_WORDS[main].name.lower()} in every trial",
-        sentences=tuple(sentence for sentence in (found.deterioration.get(main), curve and curve["text"]) if sentence),
+        curve_title=f"Learning curve: {MEASURE_WORDS[main].lower()} in every trial",
+        sentences=tuple(sentence for sentence in (found.deterioration.get(main), *said) if sentence),
+        statistics=() if curve is None else tuple(curve["details"]),
     )
 
 
@@ -58,7 +61,7 @@ def _comparison(sessions: Sequence[SessionVerdicts], newest: int, *, course: boo
 
 def _measure(name: str, rows: Rows, newest: int, compared: SessionVerdicts | None) -> MeasureRow:
     verdict: Verdict | None = None if compared is None else compared.verdicts.get(name)
-    words = MEASURE_WORDS[name].name
+    words = MEASURE_WORDS[name]
     if verdict is None:
         level = with_unit(name, _level(name, rows, newest))
         return MeasureRow(words, level, "", "", "nothing to compare with", "", None)

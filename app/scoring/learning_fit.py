@@ -1,14 +1,19 @@
-"""Curves over trials: an exponential, a power law and a level line, each with its AICc for comparison."""
+"""Curves over trials: an exponential, a power law and a level line, and the one that describes a measure best."""
 
 import math
+from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from app.scoring.trend import Trend, mann_kendall
+
 Numbers = NDArray[np.float64]
 Form = Literal["exponential", "power", "level"]
 
+MIN_TRIALS = 8  # a curve has three parameters
+MIN_TRIALS_FOR_CONSTANT = 20  # with fewer, the learning constant is too uncertain to be given
 CONFIDENCE = 0.95
 STARTS = 25  # start values over the logarithm of c: the residual may have more than one local minimum
 ROUNDING = 1e-12  # relative to the series' scale; smaller differences are rounding errors
@@ -27,6 +32,32 @@ class Curve(NamedTuple):
     value: Numbers  # (n,) the curve at each trial
     low: Numbers  # (n,) confidence band of the curve's mean
     high: Numbers
+
+
+class LearningCurve(NamedTuple):
+    """One measure over trials, its trend and its fitted curves."""
+
+    n: Numbers  # (n,) trial numbers, from 1
+    values: Numbers  # (n,)
+    trend: Trend
+    curves: tuple[Curve, ...]  # level line, exponential and power law, the one with the smallest AICc first
+
+    @property
+    def curve(self) -> Curve:
+        """The best curve; its form is "level" where nothing was learnt."""
+        return self.curves[0]
+
+    @property
+    def levels_off(self) -> bool:
+        """Whether the constant's whole confidence interval is below the number of trials (false where it is NaN)."""
+        return self.curve.form == "exponential" and self.curve.c_high <= self.n[-1]
+
+    @property
+    def constant(self) -> tuple[float, float, float] | None:
+        """The learning constant tau in trials with its confidence interval, where there are trials enough for it."""
+        if not self.levels_off or len(self.n) < MIN_TRIALS_FOR_CONSTANT or math.isnan(self.curve.c_low):
+            return None
+        return self.curve.c, self.curve.c_low, self.curve.c_high
 
 
 def exponential(n: Numbers, log_tau: float) -> tuple[Numbers, Numbers]:
@@ -64,6 +95,21 @@ def fit_exponential(n: Numbers, values: Numbers) -> Curve:
 def fit_power(n: Numbers, values: Numbers) -> Curve:
     """Fit a + b n ** -c; c is searched from 0.05 to 5."""
     return _fit("power", n, values, (0.05, 5.0))
+
+
+def fit_learning_curve(n: Sequence[float], values: Sequence[float]) -> LearningCurve | None:
+    """Fit one measure over trials; None with fewer than 8 trials.
+
+    `n` are trial numbers from 1, rising; `values` (n,) are finite and below 1e100. The curves are compared by AICc,
+    which prefers the level line unless a bent curve fits well enough for its additional parameters.
+    """
+    if len(values) < MIN_TRIALS:
+        return None
+    number = np.asarray(n, dtype=np.float64)
+    series = np.asarray(values, dtype=np.float64)
+    curves = [fit_level(series), fit_exponential(number, series), fit_power(number, series)]
+    curves.sort(key=lambda curve: curve.aicc)
+    return LearningCurve(number, series, mann_kendall(values), tuple(curves))
 
 
 def _fit(form: Form, n: Numbers, values: Numbers, bounds: tuple[float, float]) -> Curve:

@@ -19,6 +19,11 @@ class Change(NamedTuple):
     high: float
     sessions: int
 
+    @property
+    def is_noise(self) -> bool:
+        """Return whether the interval contains 0."""
+        return self.low <= 0 <= self.high
+
 
 class Retention(NamedTuple):
     """How a measure changed within sessions, and from the end of one to the start of the next."""
@@ -46,24 +51,8 @@ def retention(sessions: Sequence[int], values: Sequence[float]) -> Retention | N
     return Retention(_mean(within), _mean(between)) if len(between) >= MIN_SESSIONS - 1 else None
 
 
-def describe_retention(kept: Retention, unit: str) -> str:
-    """Describe the changes within and between sessions in one sentence."""
-    return (
-        f"In the mean of {kept.within.sessions} sessions it {_change_words(kept.within, unit)} within a session, "
-        f"and {_change_words(kept.between, unit)} from its last trials to the first of the next."
-    )
-
-
 def _mean(changes: Sequence[float]) -> Change:
     from statsmodels.stats.weightstats import DescrStatsW
 
     low, high = DescrStatsW(np.asarray(changes)).tconfint_mean()
     return Change(float(np.mean(changes)), float(low), float(high), len(changes))
-
-
-def _change_words(change: Change, unit: str) -> str:
-    amount = f"{abs(change.mean):.2g} {unit}".rstrip()
-    if change.low <= 0 <= change.high:
-        return f"changed by {'-' if change.mean < 0 else ''}{amount} (may be chance)"
-    low, high = sorted(map(abs, (change.low, change.high)))
-    return f"{'fell' if change.mean < 0 else 'rose'} by {amount} (95 %: {low:.2g} to {high:.2g})"

@@ -2,8 +2,9 @@
 
 import re
 
-from app.reports.measure_words import LEADING, MEASURE_WORDS, VERDICT_WORDS, leading_measures, with_unit
-from app.scoring.learning import MEASURES
+from app.reports.measure_words import LEADING, MEASURE_WORDS, leading_measures, with_unit
+from app.scoring.learning_words import MEASURES
+from app.scoring.verdict.measure_verdict import VERDICT_WORDS
 from folders import ROOT
 
 TEXTS = ROOT / "web_static" / "js"
@@ -14,11 +15,11 @@ def test_every_measure_has_the_words_and_digits_of_the_pages():
     shown = (TEXTS / "results" / "measures.js").read_text()
     assert set(MEASURE_WORDS) == set(MEASURES)
     for name, words in MEASURE_WORDS.items():
-        assert f'"measure.{name}": "{words.name}",' in texts
+        assert f'"measure.{name}": "{words}",' in texts
         found = re.search(rf'  {name}: {{ unit: "(.*?)", digits: (\d)(?:, factor: (\d+))?', shown)
         assert found
         unit, digits, factor = found.groups("1")
-        assert (unit, int(digits), float(factor)) == (MEASURES[name].unit, words.digits, MEASURES[name].factor)
+        assert (unit, int(digits), float(factor)) == (MEASURES[name].unit, MEASURES[name].digits, MEASURES[name].factor)
 
 
 def test_the_verdicts_have_the_words_of_the_pages():

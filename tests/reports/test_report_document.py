@@ -65,6 +65,20 @@ def test_a_task_has_the_titles_of_its_floor_plan_and_its_path(reported, session_
     assert session_report.tasks[0].title == f"{plan.title}: {plan.paths[0].title}"
 
 
+def test_the_curve_is_said_in_plain_words_with_the_statistics_behind_them(course_report):
+    curve, sessions = course_report.tasks[0].sentences
+    trials = SESSIONS * TRIALS
+    assert curve.startswith(
+        f"Better than noise over {trials} trials in {SESSIONS} sessions: the area off the path fell"
+    )
+    assert f"(on average of {SESSIONS} sessions)" in sessions
+    assert "Mann-Kendall" not in curve + sessions
+    statistics = course_report.tasks[0].statistics
+    assert [words in sentence for words, sentence in zip(("Mann-Kendall", "95 %"), statistics, strict=True)] == [
+        True
+    ] * 2
+
+
 def test_the_trajectories_of_the_recordings_are_drawn(session_report, course_report):
     assert session_report.tasks[0].trajectories.svg.count("<polyline") == 2 * TRIALS + 3  # path twice, and the scale
     assert f"{TRIALS} trajectories of session {SESSIONS}" in session_report.tasks[0].trajectories_words

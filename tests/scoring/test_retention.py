@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from app.scoring.learning import learning_curves
-from app.scoring.retention import describe_retention, retention
+from app.scoring.learning_words import plain_sessions, session_details
+from app.scoring.retention import retention
 
 
 def sawtooth(
@@ -31,16 +32,45 @@ def test_changes_within_and_between_sessions_are_separated() -> None:
     assert kept.within.low <= kept.within.mean <= kept.within.high
 
 
-def test_what_is_lost_between_sessions_rises_and_noise_is_called_chance() -> None:
-    kept = retention(*sawtooth(6, 8, -3.0, 3.0, noise=0.2))
+def test_what_is_lost_between_sessions_is_told_and_how_much_was_kept() -> None:
+    # Without noise, means of two trials at either end: within -2.57, over the pause 1.57, 39 % kept.
+    kept = retention(*sawtooth(6, 8, -3.0, 2.0, noise=0.1))
     assert kept is not None
-    sentence = describe_retention(kept, "m²")
-    assert "In the mean of 6 sessions it fell by" in sentence
-    assert "and rose by" in sentence
-    assert sentence.count(" m²") == 2
+    said = plain_sessions("e_diff", kept)
+    assert said.startswith("Within a session it fell by about 2.")
+    assert " over the pause to the next one it rose by about 1.49 m²" in said
+    assert said.endswith("(on average of 6 sessions): about 41 % of what was gained was kept.")
+    assert session_details("e_diff", kept).count(" m² (95 %: ") == 2
+
+
+@pytest.mark.parametrize(
+    ("measure", "within", "back", "end"),
+    [
+        ("e_diff", -3.0, 4.0, ": nothing of what was gained was kept."),
+        ("e_diff", -3.0, -1.0, ": what was gained was kept."),
+        ("e_diff", -3.0, 0.45, "noise (on average of 6 sessions): what was gained was kept, as far as can be told."),
+        ("e_diff", 3.0, -2.0, "(on average of 6 sessions)."),
+        ("gap_clearance", 3.0, -4.0, ": nothing of what was gained was kept."),
+        ("mean_speed", 3.0, -2.0, "(on average of 6 sessions)."),
+    ],
+)
+def test_what_was_kept_depends_on_what_is_better(measure: str, within: float, back: float, end: str) -> None:
+    kept = retention(*sawtooth(6, 8, within, back, noise=0.2))
+    assert kept is not None
+    assert plain_sessions(measure, kept).endswith(end)
+
+
+def test_noise_is_called_noise_with_a_real_minus() -> None:
     kept = retention(*sawtooth(6, 8, 0.0, 0.0, noise=1.0))
     assert kept is not None
-    assert describe_retention(kept, "m²").count("may be chance") == 2
+    assert plain_sessions("e_diff", kept) == (
+        "Neither the change within a session nor the one over the pause to the next is more than noise "
+        "(on average of 6 sessions)."
+    )
+    statistics = session_details("e_diff", kept)
+    assert statistics.count("within noise") == 2
+    assert "by \u2212" in statistics
+    assert "-" not in statistics
 
 
 @pytest.mark.parametrize(("sessions", "trials"), [(3, 8), (8, 3), (1, 30)])
@@ -62,5 +92,7 @@ def test_a_short_session_is_left_out_with_the_changes_around_it() -> None:
 def test_equal_values_are_no_change_and_the_sentence_stands_with_the_curve() -> None:
     numbers, _ = sawtooth(5, 4, 0.0, 0.0)
     rows = [{"session": session, "stops": 2.0} for session in numbers]
-    assert "changed by 0 (may be chance)" in learning_curves(rows)["stops"]["sessions"]
+    curve = learning_curves(rows)["stops"]
+    assert curve["sessions"].startswith("Neither the change within a session nor ")
+    assert "changed by 0 (within noise; 95 %: 0 to 0)" in curve["details"][1]
     assert learning_curves([{"stops": 2.0} for _ in numbers])["stops"]["sessions"] is None

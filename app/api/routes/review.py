@@ -12,7 +12,8 @@ from app.api.routes.source_view import RequestedGroup
 from app.api.sign_in.identity import SignedInPerson
 from app.quantities import Document
 from app.refusals import Conflict
-from app.scoring.learning import MEASURES, learning_curves
+from app.scoring.learning import learning_curves
+from app.scoring.learning_words import MEASURES
 from app.scoring.verdict.verdicts import TaskVerdicts, TrialVerdicts, task_verdicts, trial_verdicts
 from app.session.clinic_spread import Task
 from app.source import SourceGroup

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 from app.quantities import Document
 from app.scoring.interface_test.interface_verdicts import InterfaceVerdicts, interface_verdicts
-from app.scoring.learning import fit_learning_curve
+from app.scoring.learning_fit import fit_learning_curve
 from app.scoring.verdict.measure_comparison import INTERFACE_COMPARISONS
 from app.world.cursor_task import CursorPlan
 

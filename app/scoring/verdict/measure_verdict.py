@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any, Literal, NamedTuple
+from typing import Any, Final, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +25,12 @@ LEAST_DF = 2.0  # degrees of freedom that a spread needs; without a clinic's med
 CONFIDENCE = 0.95
 
 Word = Literal["better", "within", "worse", "too few"]
+VERDICT_WORDS: Final[dict[Word, str]] = {
+    "better": "better than noise",
+    "within": "within noise",
+    "worse": "worse than noise",
+    "too few": "too few trials",
+}
 Rows = Sequence[Mapping[str, Any]]
 ClinicSpreads = Mapping[str, Spread]
 PeopleVariances = dict[str, dict[int, PersonVariances]]

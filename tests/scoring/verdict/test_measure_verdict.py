@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.stats import t
 
-from app.scoring.learning import MEASURES
+from app.scoring.learning_words import MEASURES
 from app.scoring.verdict.measure_comparison import COMPARISONS, from_scale, to_scale, value_of
 from app.scoring.verdict.measure_verdict import clinic_spreads, noise_of, people_variances
 from app.scoring.verdict.spread import Spread, Variance

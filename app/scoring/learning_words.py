@@ -1,0 +1,225 @@
+"""Sentences on a learning curve: plain ones for people, and the statistics behind them."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from app.scoring.learning_fit import MIN_TRIALS, MIN_TRIALS_FOR_CONSTANT, LearningCurve
+from app.scoring.retention import Change, Retention
+from app.scoring.trend import SIGNIFICANCE, theil_sen
+from app.scoring.verdict.measure_comparison import COMPARISONS
+from app.scoring.verdict.measure_verdict import VERDICT_WORDS
+
+EDGE = 3  # trials at either end whose medians are compared
+MINUS = "\u2212"
+
+
+class Measure(NamedTuple):
+    """The words, the unit and the digits of a measure, and what a stored value is multiplied by to be in that unit."""
+
+    words: str
+    unit: str
+    digits: int  # behind the point
+    factor: float = 1.0
+
+    def figure(self, value: float) -> str:
+        """Return a stored value as people read it, without its unit."""
+        digits = self.digits
+        if not digits and not self.unit and value != round(value):
+            digits = 1  # a mean of counts
+        return f"{round(value * self.factor, digits) + 0.0:.{digits}f}".replace("-", MINUS)  # + 0.0: never -0
+
+    def with_unit(self, figure: str) -> str:
+        """Return a figure with the unit behind it; a degree sign stands close to it."""
+        return f"{figure}{self.unit}" if self.unit == "°" else f"{figure} {self.unit}".rstrip()
+
+    def level(self, value: float) -> str:
+        """Return a stored value as people read it, with its unit."""
+        return self.with_unit(self.figure(value))
+
+
+MEASURES: dict[str, Measure] = {
+    "dist": Measure("The distance driven", "m", 2),
+    "dist_ratio": Measure("The distance driven over the length of the path", "", 2),
+    "e_diff": Measure("The area off the path", "m²", 2),
+    "time": Measure("The time for a trial", "s", 1),
+    "cross_track_rms": Measure("The usual distance from the path", "m", 2),
+    "cross_track_max": Measure("The largest distance from the path", "m", 2),
+    "mean_speed": Measure("The mean speed", "m/s", 2),
+    "stops": Measure("The number of stops", "", 0),
+    "collisions": Measure("The number of contacts with walls and obstacles", "", 0),
+    "contact_time": Measure("The time in contact with walls and obstacles", "s", 1),
+    "stages_done": Measure("The number of stages done", "", 0),
+    "follow_error_rms": Measure("The usual error of the distance to the leader", "m", 2),
+    "follow_error_max": Measure("The largest error of the distance to the leader", "m", 2),
+    "follow_near": Measure("The share of time near the asked distance", "%", 0, 100.0),
+    "heading_error_deg": Measure("The angle off the mark", "°", 0),
+    "turn_drift": Measure("The way off the spot", "m", 2),
+    "cones_touched": Measure("The number of cones touched", "", 0),
+    "gap_clearance": Measure("The narrowest clearance in a gap", "m", 2),
+    "door_contacts": Measure("The number of contacts with a door or gap", "", 0),
+    "turn_reversals": Measure("The number of changes between left and right turns", "", 0),
+    "pulses_per_metre": Measure("The number of commands per metre", "/m", 1),
+    "sparc": Measure("The smoothness of the speed (higher is smoother)", "", 2),
+    "ldlj": Measure("Another measure of the smoothness of the speed (higher is smoother)", "", 2),
+}
+
+
+def too_few(count: int) -> str:
+    """Say that there are not trials enough for a curve."""
+    return f"Not enough trials for a learning curve: {count} of at least {MIN_TRIALS} that reached the goal."
+
+
+def plain_words(name: str, learning: LearningCurve, sessions: int) -> str:
+    """Say what became of a measure, by how much, and where it levels off.
+
+    `sessions` is the number of sessions that the trials were driven in; 0 where that is not known.
+    """
+    measure, count = MEASURES[name], len(learning.n)
+    over = f"over {count} trials" + (f" in {_amount(sessions, 'session')}" if sessions else "")
+    what = f"{measure.words[0].lower()}{measure.words[1:]}"
+    if learning.trend.direction == "none":
+        said = f"Within noise {over}: {what} was about {measure.level(float(np.median(learning.values)))}."
+    else:
+        said = f"{_verdict(name, learning)} {over}: {what} {_change(measure, learning)}.{_shape(measure, learning)}"
+    few = f" {count} trials are few: this may yet change." if count < MIN_TRIALS_FOR_CONSTANT else ""
+    return f"{said}{few}"
+
+
+def plain_sessions(name: str, kept: Retention) -> str:
+    """Say what changed within a session, and how much of it was kept until the next one."""
+    measure, (within, between) = MEASURES[name], kept
+    if within.is_noise and between.is_noise:
+        return (
+            "Neither the change within a session nor the one over the pause to the next is more than noise "
+            f"(on average of {within.sessions} sessions)."
+        )
+    said = (
+        f"Within a session it {_step(measure, within)}, over the pause to the next one it {_step(measure, between)} "
+        f"(on average of {within.sessions} sessions)"
+    )
+    if within.is_noise or not _is_better(name, within.mean):
+        return f"{said}."
+    if between.is_noise:
+        return f"{said}: what was gained was kept, as far as can be told."
+    if _is_better(name, between.mean):
+        return f"{said}: what was gained was kept."
+    share = 1 - abs(between.mean / within.mean)
+    what = f"about {100 * share:.0f} % of what was gained" if share >= 0.01 else "nothing of what was gained"
+    return f"{said}: {what} was kept."
+
+
+def details(name: str, learning: LearningCurve) -> str:
+    """Return the statistics of the trend and of the curve of a measure."""
+    measure, count, trend = MEASURES[name], len(learning.n), learning.trend
+    first, last = _ends(learning)
+    p = "p < 0.001" if trend.p < 0.001 else f"p = {trend.p:.2g}"
+    # A few unusual trials at an end may contradict the trend; the sentence must not.
+    went = {("falls", True): "fell", ("rises", False): "rose"}.get((trend.direction, last < first), "went")
+    change = (
+        f"{measure.words} {went} from {measure.level(first)} to {measure.level(last)} "
+        f"(medians of the first and the last {EDGE} of {count} trials; Mann-Kendall trend test: {p})."
+    )
+    if trend.direction == "none":
+        change += f" That is within noise: a trend has p < {SIGNIFICANCE:g}."
+    else:
+        change += _slope(measure, learning)
+    return f"{change} {_form(measure, learning)}"
+
+
+def session_details(name: str, kept: Retention) -> str:
+    """Return the changes within and between sessions with their intervals."""
+    measure = MEASURES[name]
+    return (
+        f"In the mean of {kept.within.sessions} sessions it {_interval(measure, kept.within)} within a session, "
+        f"and {_interval(measure, kept.between)} from its last trials to the first of the next."
+    )
+
+
+def _ends(learning: LearningCurve) -> tuple[float, float]:
+    """Return the medians of the first and of the last trials."""
+    return float(np.median(learning.values[:EDGE])), float(np.median(learning.values[-EDGE:]))
+
+
+def _is_better(name: str, change: float) -> bool:
+    better = COMPARISONS[name].better
+    return better is not None and (change < 0) == (better == "low")
+
+
+def _verdict(name: str, learning: LearningCurve) -> str:
+    if COMPARISONS[name].better is None:
+        return "More than noise"
+    is_better = _is_better(name, -1.0 if learning.trend.direction == "falls" else 1.0)
+    return VERDICT_WORDS["better" if is_better else "worse"].capitalize()
+
+
+def _change(measure: Measure, learning: LearningCurve) -> str:
+    """Say by how much a measure fell or rose; not where a few unusual trials at an end contradict the trend."""
+    first, last = _ends(learning)
+    falls = learning.trend.direction == "falls"
+    went = "fell" if falls else "rose"
+    if first == last or (last < first) != falls:
+        return went
+    amount = measure.level(abs(last - first))
+    return f"{went} by about {amount}, from {measure.figure(first)} to {measure.level(last)}"
+
+
+def _shape(measure: Measure, learning: LearningCurve) -> str:
+    """Say where a measure levels off; nothing where a level line is best, or the curve contradicts the trend."""
+    curve = learning.curve
+    if curve.form == "level" or (curve.b > 0) != (learning.trend.direction == "falls"):
+        return ""
+    if curve.form == "power":
+        return " It goes on changing, in ever smaller steps."
+    if not learning.levels_off:
+        return " It has not levelled off yet."
+    level = max(curve.a, 0.0) if np.all(learning.values >= 0) else curve.a
+    return f" It levels off at about {measure.level(level)}."
+
+
+def _step(measure: Measure, change: Change) -> str:
+    if change.is_noise:
+        return "stayed within noise"
+    return f"{'fell' if change.mean < 0 else 'rose'} by about {measure.level(abs(change.mean))}"
+
+
+def _interval(measure: Measure, change: Change) -> str:
+    low, high = (measure.figure(end) for end in (change.low, change.high))
+    if change.is_noise:
+        return f"changed by {measure.level(change.mean)} (within noise; 95 %: {low} to {high})"
+    low, high = (measure.figure(end) for end in sorted((abs(change.low), abs(change.high))))
+    return f"{'fell' if change.mean < 0 else 'rose'} by {measure.level(abs(change.mean))} (95 %: {low} to {high})"
+
+
+def _slope(measure: Measure, learning: LearningCurve) -> str:
+    """Say how steep the trend is; nothing where the slope's interval contains 0, as for mostly equal counts."""
+    slope = theil_sen(learning.n.tolist(), learning.values.tolist())
+    if slope.low * slope.high <= 0:
+        return ""
+    steps = (abs(slope.median), *sorted((abs(slope.low), abs(slope.high))))
+    step, least, most = (f"{step * measure.factor:.2g}".replace("-", MINUS) for step in steps)
+    return (
+        f" From trial to trial it {learning.trend.direction} by {measure.with_unit(step)} in the median "
+        f"(95 %: {least} to {most})."
+    )
+
+
+def _form(measure: Measure, learning: LearningCurve) -> str:
+    curve = learning.curve
+    if curve.form == "level":
+        return "No curve describes it better than a level line."
+    if curve.form == "power":
+        return "A power law describes it better than an exponential: large steps at first, then ever smaller ones."
+    if not learning.levels_off:
+        return "An exponential describes it best, and it has not levelled off within these trials."
+    levels = f"An exponential describes it best, levelling off at {measure.level(curve.a)}"
+    if learning.constant is not None:
+        tau, low, high = learning.constant
+        return f"{levels}, with a learning constant of {tau:.1f} trials (95 %: {low:.1f} to {high:.1f})."
+    if len(learning.n) < MIN_TRIALS_FOR_CONSTANT:
+        return f"{levels}; how fast is told from {MIN_TRIALS_FOR_CONSTANT} trials on."
+    return f"{levels} within the first trials."
+
+
+def _amount(count: int, noun: str) -> str:
+    return f"{count} {noun if count == 1 else f'{noun}s'}"
