@@ -85,7 +85,10 @@ def seeds_summary(results: Sequence[StudyResult]) -> dict[str, Any]:
                     {"trial": trial.number, "stops_for_faults": trial.faults, **trial.measures}
                     for trial in result.trials
                 ],
-                "learning": {measure: result.learning[measure]["text"] for measure in MEASURES},
+                "learning": {
+                    measure: {said: result.learning[measure][said] for said in ("text", "details")}
+                    for measure in MEASURES
+                },
             }
             for result in results
         ],
@@ -111,9 +114,8 @@ def _sentence(measure: str, over: MeasureOverSeeds, seeds: int) -> str:
     steepest = "" if over.median_step is None else f", the median's from trial {over.median_step} on"
     return (
         f"{name}: median {number(over.median[0])} in trial 1, {number(over.median[-1])} in trial {len(over.median)}; "
-        f"with Mann-Kendall p < 0.05 it falls in {over.falls} of {seeds}, rises in {over.rises}, "
-        f"no trend in {over.no_trend}; the largest step is among the first {EARLY} trials "
-        f"in {over.early_steps}{steepest}."
+        f"of {seeds} people it fell in {over.falls}, rose in {over.rises} and stayed within noise in {over.no_trend}; "
+        f"the largest step is among the first {EARLY} trials in {over.early_steps}{steepest}."
     )
 
 

@@ -122,6 +122,10 @@ def test_a_folder_of_several_seeds(pair, tmp_path) -> None:
     assert document["seeds"] == [5, 6]
     assert document["person"]["learns"] is True
     assert set(document["over_seeds"]) == {"dist", "e_diff"}
+    assert document["studies"][0]["learning"]["dist"] == {
+        "text": "Not enough trials for a learning curve: 2 of at least 8 that reached the goal.",
+        "details": [],
+    }
     assert document == json.loads(json.dumps(seeds_summary(pair)))
 
 
@@ -148,7 +152,9 @@ def test_the_command_with_seeds_and_without_learning(tmp_path, capsys) -> None:
     assert answer["seeds"] == [3, 4]
     assert answer["person"]["learns"] is False
     study(tmp_path / "out", 1, 3, 2, path="corridor", overwrite=True)
-    assert "falls in 0 of 2" in capsys.readouterr().out
+    printed = capsys.readouterr().out
+    assert "of 2 people it fell in 0, rose in 0 and stayed within noise in 2;" in printed
+    assert "Mann-Kendall" not in printed
 
 
 def test_seeds_beyond_the_largest_are_refused(tmp_path) -> None:
