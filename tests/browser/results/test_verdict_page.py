@@ -11,6 +11,7 @@ from folders import SCREENSHOTS
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(240)]
 
 SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
+PLAIN = re.compile(r"^Better than noise over 28 trials in 4 sessions: the area off the path fell by about \d\.\d\d m²")
 TOO_WIDE = "document.querySelector('main').scrollWidth > document.querySelector('main').clientWidth"
 
 
@@ -86,5 +87,34 @@ def test_a_change_has_one_word_on_every_page(served, browser, page_log):
     expect(page.get_by_role("link", name="Session 4").first).to_be_in_viewport()
     page.go_back()
     log.errors = [error for error in log.errors if "404" not in error]  # these trials have no recordings
+    log.assert_clean()
+    page.context.close()
+
+
+def test_the_curve_is_said_in_plain_words_and_its_statistics_stand_in_closed_details(served, browser, page_log):
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    log = page_log(served.address)
+    page = log.watch(browser.new_context().new_page())
+    page.goto(served.link)
+    expect(page.get_by_role("heading", level=1)).to_be_visible()
+    page.goto(f"{served.address}/#/review/1")
+    card = page.locator("section.card").filter(has=page.get_by_role("heading", name="Learning curve"))
+    summary = card.get_by_text("Details: statistics, and which curve is drawn")
+    choice, statistics = card.get_by_role("radiogroup", name="Which curve is drawn"), card.get_by_text("Mann-Kendall")
+    for state in ("closed", "open"):
+        if state == "open":
+            summary.click()
+        for size, (width, height) in SIZES.items():
+            page.set_viewport_size({"width": width, "height": height})
+            page.wait_for_function(f"() => !({TOO_WIDE})")
+            expect(card.get_by_text(PLAIN)).to_be_visible()
+            expect(choice).to_be_visible(visible=state == "open")
+            expect(statistics).to_be_visible(visible=state == "open")
+            summary.scroll_into_view_if_needed()
+            page.screenshot(path=SCREENSHOTS / f"{size}-curve-{state}.png")
+    drawn = card.locator(".js-plotly-plot")
+    choice.get_by_text("Level line").click()
+    expect(card.get_by_text("Level line: describes these trials less well than the best")).to_be_visible()
+    expect(drawn.locator(".legend")).to_contain_text("Learning curve")
     log.assert_clean()
     page.context.close()

@@ -63,7 +63,7 @@ function fitTraces(fit, measure, colours) {
       x: fit.n,
       y: value,
       line: { color: colours.action, width: 3 },
-      name: t(`review.form.${fit.form}`),
+      name: t("review.curve"),
       hoverinfo: "skip",
     },
   ];

@@ -1,5 +1,5 @@
 /**
- * The learning curve as a card: the chart, which curve is drawn, and what it says in sentences.
+ * The learning curve as a card: the chart and what it says in plain words; statistics and the form of the curve in details.
  * @import { CurveForm, CurveModel, Learning, LearningCurve } from "types/documents"
  */
 import { t } from "../../texts.js";
@@ -10,7 +10,7 @@ import { number } from "../../widgets/format.js";
 import { groupMark } from "../../results/source_group.js";
 
 /** Of a measure that no trial has. @type {LearningCurve} */
-const NO_CURVE = { text: "", fit: null, form: null, others: [], sessions: null };
+const NO_CURVE = { text: "", sessions: null, details: [], fit: null, form: null, others: [] };
 const CLEARLY_WORSE = 2; // of AICc; below it two curves describe the trials about as well
 
 /**
@@ -42,17 +42,23 @@ export async function curveCard(learning, measure, opens, signal) {
     { class: "card" },
     h("h2", {}, t("review.curve"), " ", groupMark(learning.source)),
     place,
-    models.length > 1 &&
-      segments(
-        t("review.model"),
-        models.flatMap(({ form }) => (form ? [{ value: form, label: t(`review.form.${form}`) }] : [])),
-        models[0].form,
-        choose,
-      ),
-    words,
-    h("p", { class: "small" }, curve.text),
-    curve.sessions && h("p", { class: "small" }, curve.sessions),
+    h("p", {}, curve.text),
+    curve.sessions && h("p", {}, curve.sessions),
     learning.trials.length > 0 && h("p", { class: "small quiet" }, t("review.tap")),
+    curve.details.length > 0 &&
+      h(
+        "details",
+        { class: "small" },
+        h("summary", {}, t("review.details")),
+        segments(
+          t("review.model"),
+          models.flatMap(({ form }) => (form ? [{ value: form, label: t(`review.form.${form}`) }] : [])),
+          models[0].form,
+          choose,
+        ),
+        words,
+        curve.details.map((sentence) => h("p", {}, sentence)),
+      ),
   );
 }
 

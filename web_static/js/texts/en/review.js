@@ -20,6 +20,7 @@ export default {
   "review.running.lead": "Its replay and its measures come here when it is over.",
   "review.nobody.lead": "There are no patients yet: add one, then come back.",
   "review.curve": "Learning curve",
+  "review.details": "Details: statistics, and which curve is drawn",
   "review.trajectories": "All trajectories over the path",
   "review.trials": "Trials",
   "review.trial": "trial",
