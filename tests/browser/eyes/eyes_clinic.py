@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
+from urllib.parse import urlsplit
 
 import numpy as np
 from api.fake_clinic import FakeProcess, profile_for
@@ -55,7 +56,17 @@ class EyesClinic(ServedClinic):
 
     def __init__(self, folder: Path) -> None:
         self._settings = settings = Settings(state=folder, setup_code=OWNER["code"])
-        self.trials = furnish(settings)
+        self.trials = self._furnish(settings)
+        super().__init__(settings, stand_in=StandIn)
+        self.client = SessionClient(self.address)
+        self.shown: dict[str, Any] = {}  # fields of the live picture that are other than in truth
+        self.shown_to_patient: dict[str, Any] = {}  # the same of the patient's picture
+        self.when_left: list[Callable[[], Any]] = []  # what puts back what a place has changed in the browser or here
+        self._others: dict[type[EyesClinic], EyesClinic] = {}  # clinics of another kind that a place has asked for
+
+    def _furnish(self, settings: Settings) -> list[int]:
+        """Make what is there before it serves; return the ids of the recorded trials."""
+        trials = furnish(settings)
         database = Database(settings.database)
         with database.transaction() as db:
             profile = profile_for(LAYOUT)
@@ -63,11 +74,7 @@ class EyesClinic(ServedClinic):
             save_parameters(db, save_profile(db, 1, session.id, profile), standard_parameters(profile))
             end_session(db, 1)
         database.close()
-        super().__init__(settings, stand_in=StandIn)
-        self.client = SessionClient(self.address)
-        self.shown: dict[str, Any] = {}  # fields of the live picture that are other than in truth
-        self.shown_to_patient: dict[str, Any] = {}  # the same of the patient's picture
-        self.when_left: list[Callable[[], Any]] = []  # what puts back what a place has changed in the browser or here
+        return trials
 
     def start(self) -> None:
         """Return when it serves, its owner is signed in, and its patient wears a simulated shirt."""
@@ -75,13 +82,19 @@ class EyesClinic(ServedClinic):
         self._change_pictures()
         self.good("POST", "/auth/setup", OWNER)
         self.good("POST", "/auth/introduction")  # the sentences of a first time do not stand above every page
-        self.good("POST", "/patients", {"code": "P-2", "pseudonym": "Otter"})
-        self.good("POST", "/people", {"name": "Ben", "role": "clinician", "patients": None})
+        self._admit()
         self.good("PUT", "/equipment/shirt", {"kind": "simulator", "seed": 1})
         self.be_here()
 
+    def _admit(self) -> None:
+        """Add a patient and a clinician by the routes of the application."""
+        self.good("POST", "/patients", {"code": "P-2", "pseudonym": "Otter"})
+        self.good("POST", "/people", {"name": "Ben", "role": "clinician", "patients": None})
+
     def stop(self) -> None:
-        """End it and wait for that."""
+        """End it, and the other clinics, and wait for that."""
+        for other in self._others.values():
+            other.stop()
         self.client.close()
         super().stop()
 
@@ -118,6 +131,21 @@ class EyesClinic(ServedClinic):
         self._sign_in(page, client)
         client.close()
         self.when_left.append(lambda: self._sign_in(page, self.client))
+
+    def other(self, page: Any, kind: type["EyesClinic"]) -> "EyesClinic":
+        """Sign a page's browser in at a clinic of another kind, until the place is left; its first visit starts it."""
+        if kind not in self._others:
+            self._others[kind] = kind(self._settings.state / kind.__name__)
+            self._others[kind].start()
+        other = self._others[kind]
+        self._sign_in(page, other.client)
+        self.when_left += [lambda: self._sign_in(page, self.client), other.leave]
+        return other
+
+    def serves(self, url: str) -> bool:
+        """Return whether an address (http or ws) is one of this clinic, or of another one that it has started."""
+        hosts = {urlsplit(one.address).netloc for one in (self, *self._others.values())}
+        return urlsplit(url.removeprefix("blob:")).netloc in hosts
 
     def leave(self) -> None:
         """Put back what a place has changed."""

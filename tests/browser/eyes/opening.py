@@ -42,10 +42,15 @@ def opened(where: str) -> Open:
     def open_place(page: Any, clinic: EyesClinic) -> None:
         go(page, clinic, where)
         for _ in range(2):  # what opens may hold what opens
-            page.evaluate("() => document.querySelectorAll('main details').forEach((one) => (one.open = true))")
+            open_all(page)
             page.wait_for_timeout(200)
 
     return open_place
+
+
+def open_all(page: Any) -> None:
+    """Open everything on the page that opens."""
+    page.evaluate("() => document.querySelectorAll('main details').forEach((one) => (one.open = true))")
 
 
 def answered(path: str, where: str, change: Callable[[Any], Any]) -> Open:

@@ -10,6 +10,7 @@ from browser.eyes.opening import Open, answered, at, go, opened, patient_screen,
 from browser.eyes.states.asked_places import ASKED_PLACES
 from browser.eyes.states.calibrate_places import CALIBRATE_PLACES
 from browser.eyes.states.chair_places import chair_page, no_chair, paired_chair
+from browser.eyes.states.course_places import COURSE_PLACES
 from browser.eyes.states.empty_places import EMPTY_PLACES
 from browser.eyes.states.live_places import LIVE_PLACES
 from browser.eyes.states.role_places import ROLE_PLACES
@@ -30,6 +31,8 @@ from browser.eyes.states.session_places import (
     unread,
     written_session,
 )
+from browser.eyes.states.tablet_places import TABLET_PLACES
+from browser.eyes.states.trials_places import TRIALS_PLACES
 from playwright.sync_api import expect
 
 from app.faults import Fault
@@ -250,6 +253,9 @@ PLACES: dict[str, Open] = {
     **CALIBRATE_PLACES,
     **LIVE_PLACES,
     **ROLE_PLACES,
+    **COURSE_PLACES,
+    **TRIALS_PLACES,
+    **TABLET_PLACES,
 }
 
 

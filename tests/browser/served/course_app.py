@@ -4,9 +4,12 @@ python tests/browser/served/course_app.py --port 8132
 """
 
 import argparse
+import atexit
+import shutil
 import sys
 import tempfile
 import threading
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -51,7 +54,23 @@ def measures(rng: np.random.Generator, level: float, *, reached: bool = True) ->
 
 
 def furnish(settings: Settings) -> list[int]:
-    """Make the clinic with five people; return the ids of the first one's trials, the last of them unfinished."""
+    """Make the clinic with five people; return the ids of the first one's trials, the last of them unfinished.
+
+    It is made once for all tests of a process, and then copied.
+    """
+    folder, trials = _furnished()
+    shutil.copytree(folder, settings.state, dirs_exist_ok=True)
+    return list(trials)
+
+
+@cache
+def _furnished() -> tuple[Path, list[int]]:
+    folder = Path(tempfile.mkdtemp())
+    atexit.register(shutil.rmtree, folder)
+    return folder, _store(Settings(state=folder))
+
+
+def _store(settings: Settings) -> list[int]:
     plan = find_place(PLAN)
     assert isinstance(plan, FloorPlan)
     rng = np.random.default_rng(3)
