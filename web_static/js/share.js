@@ -2,7 +2,8 @@
  * The page that a share link opens: a PIN, then the story and the figures of one patient. One answer holds all of it.
  * @import { SharedView, StoryView, TaskLearning } from "types/api"
  */
-import { LANGUAGE, t } from "./texts.js";
+import { LANGUAGE } from "./language.js";
+import { t } from "./texts.js";
 import { areaCurve } from "./charts/area_curve.js";
 import { day, number } from "./widgets/format.js";
 import { h, put, s } from "./widgets/dom.js";

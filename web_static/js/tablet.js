@@ -1,5 +1,7 @@
 /** The page that explains how a device learns to trust the clinic's machine, and that checks whether it does. */
 import { h, put } from "./widgets/dom.js";
+import { dayAndTime } from "./widgets/format.js";
+import { followSystem } from "./shell/theme.js";
 import { check } from "./tablet/check.js";
 import { DEVICES, deviceOf, stepList, text } from "./tablet/steps.js";
 import { signPicture } from "./tablet/pictures.js";
@@ -62,16 +64,11 @@ function leadOf(state, facts) {
   if (!facts) return text("lost.lead");
   if (state === "not-yet" && !facts.installs) return text("not-yet.own", { link: facts.link });
   return text(`${state}.lead`, {
-    here: moment(Date.now()),
-    there: moment(facts.now),
-    start: moment(facts.start),
-    end: moment(facts.end),
+    here: dayAndTime(Date.now()),
+    there: dayAndTime(facts.now),
+    start: dayAndTime(facts.start),
+    end: dayAndTime(facts.end),
   });
-}
-
-/** @param {string | number} time */
-function moment(time) {
-  return new Date(time).toLocaleString([], { dateStyle: "long", timeStyle: "short", hourCycle: "h23" });
 }
 
 /** Check now and again, until this device trusts the machine. */
@@ -81,6 +78,7 @@ async function keepChecking() {
   if (finding.state !== "trusted") setTimeout(keepChecking, EVERY);
 }
 
+followSystem();
 showSteps();
 put(
   /** @type {HTMLElement} */ (document.getElementById("main")),

@@ -2,6 +2,7 @@
  * Every text of the pages, by key. A language is a folder beside this file; English is the first and the fall-back.
  * A text may hold {values}; a text of the form {one, other} is chosen by the value `count`.
  */
+import { LANGUAGE } from "./language.js";
 import adapt from "./texts/en/adapt.js";
 import attention from "./texts/en/sharing/attention.js";
 import backup from "./texts/en/records/backup.js";
@@ -32,8 +33,6 @@ import shirt from "./texts/en/shirt.js";
 import stereo from "./texts/en/stereo.js";
 import uploads from "./texts/en/uploads.js";
 import verdict from "./texts/en/results/verdict.js";
-
-export const LANGUAGE = "en";
 
 /** @typedef {string | {one?: string, other: string}} Text */
 

@@ -83,8 +83,11 @@ def test_over_http_there_is_the_page_that_explains_and_nothing_else(lan: ServedL
         assert plain.get("/").text == (static / "tablet.html").read_text()
     page = {path for path in answered if not path.startswith(("/js/tablet", "/css/t", "/css/base"))}
     assert page == {"/tablet.html", "/icon.svg", "/css/shell/forced_colors.css"} | {
-        "/js/widgets/dom.js",
+        "/js/language.js",
+        "/js/shell/theme.js",
         "/js/texts/en/tablet.js",
+        "/js/widgets/dom.js",
+        "/js/widgets/format.js",
     }
     for path in ("/api/v1/live", "/view/clinician/"):
         with pytest.raises(InvalidStatus):

@@ -9,8 +9,12 @@ const CONTRAST = matchMedia("(prefers-contrast: more)");
 
 /** @returns {Theme} */
 export function chosenTheme() {
-  const stored = localStorage.getItem(PLACE);
-  return CHOICES.find((choice) => choice === stored) ?? "system";
+  try {
+    const stored = localStorage.getItem(PLACE);
+    return CHOICES.find((choice) => choice === stored) ?? "system";
+  } catch {
+    return "system"; // a browser that keeps nothing
+  }
 }
 
 /** Take the next choice, and return it. */

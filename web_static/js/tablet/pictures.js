@@ -49,7 +49,7 @@ function drawnRow(row, turn, y) {
 function toggle(y) {
   return [
     s("rect", { x: WIDTH - 58, y: y - 10, width: 36, height: 20, rx: 10, fill: "var(--good)" }),
-    s("circle", { cx: WIDTH - 32, cy: y, r: 8, fill: "#fff" }),
+    s("circle", { cx: WIDTH - 32, cy: y, r: 8, fill: "var(--panel)" }),
   ];
 }
 
@@ -76,7 +76,7 @@ export function signPicture(state) {
     s("path", {
       d: inside,
       fill: "none",
-      stroke: state === "trusted" ? "#fff" : colour,
+      stroke: state === "trusted" ? "var(--good-wash)" : colour,
       "stroke-width": 5,
       "stroke-linecap": "round",
       "stroke-linejoin": "round",

@@ -1,13 +1,16 @@
 /** Numbers, times and dates as people read them. */
-import { LANGUAGE } from "../texts.js";
+import { LANGUAGE } from "../language.js";
 
 const NONE = "–";
 const CALENDAR_DAY = /^\d{4}-\d{2}-\d{2}$/;
 const DAY = new Intl.DateTimeFormat(LANGUAGE, { day: "numeric", month: "short", year: "numeric" });
 /** @type {Intl.DateTimeFormatOptions} */
 const TO_THE_MINUTE = { day: "numeric", month: "short", hour: "2-digit", minute: "2-digit", hourCycle: "h23" };
+/** @type {Intl.DateTimeFormatOptions} */
+const WITH_YEAR = { ...TO_THE_MINUTE, year: "numeric" };
 const MOMENT = new Intl.DateTimeFormat(LANGUAGE, TO_THE_MINUTE);
-const MOMENT_OF_A_YEAR = new Intl.DateTimeFormat(LANGUAGE, { ...TO_THE_MINUTE, year: "numeric" });
+const MOMENT_OF_A_YEAR = new Intl.DateTimeFormat(LANGUAGE, WITH_YEAR);
+const TO_THE_SECOND = new Intl.DateTimeFormat(LANGUAGE, { ...WITH_YEAR, second: "2-digit" });
 const TIME = new Intl.DateTimeFormat(LANGUAGE, { timeStyle: "medium", hourCycle: "h23" });
 const MINUTE = new Intl.DateTimeFormat(LANGUAGE, { hour: "2-digit", minute: "2-digit", hourCycle: "h23" });
 
@@ -51,6 +54,16 @@ export function moment(iso) {
   const date = new Date(iso);
   const isThisYear = date.getFullYear() === new Date().getFullYear();
   return (isThisYear ? MOMENT : MOMENT_OF_A_YEAR).format(date);
+}
+
+/** Always with the year, where the clock itself may be wrong. @param {string | number} at a moment, or ms of the wall clock */
+export function dayAndTime(at) {
+  return MOMENT_OF_A_YEAR.format(new Date(at));
+}
+
+/** Always with the year, to the second: of what is kept as evidence. @param {string} iso */
+export function exactMoment(iso) {
+  return TO_THE_SECOND.format(new Date(iso));
 }
 
 /** Hours, minutes and seconds of the day. @param {number} at ms of the wall clock */
