@@ -14,6 +14,7 @@ import discovery from "./texts/en/discovery.js";
 import drive from "./texts/en/drive.js";
 import editor from "./texts/en/editor.js";
 import record_export from "./texts/en/records/export.js";
+import log from "./texts/en/records/log.js";
 import interface_test from "./texts/en/results/interface_test.js";
 import measures from "./texts/en/measures.js";
 import patient_screen from "./texts/en/patient_screen.js";
@@ -54,6 +55,7 @@ const CATALOGUE = Object.freeze({
   ...drive,
   ...editor,
   ...record_export,
+  ...log,
   ...chair,
   ...interface_test,
   ...measures,

@@ -5,11 +5,11 @@
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { field, selection } from "../../widgets/fields.js";
+import { exactMoment } from "../../widgets/format.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 import { logCard } from "./log_card.js";
 import { detailWords } from "./log_details.js";
 
-const MOMENT = new Intl.DateTimeFormat("en", { dateStyle: "medium", timeStyle: "medium", hourCycle: "h23" });
 const ALL = "";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
@@ -87,6 +87,6 @@ export async function show(app, root, { signal }) {
 
 /** @param {LogView["entries"][number]} entry @param {Map<number, string>} codes */
 function row({ at, person, what, details }, codes) {
-  const moment = h("time", { datetime: at }, MOMENT.format(new Date(at)));
-  return h("tr", {}, h("td", {}, moment), h("td", {}, person ?? t("log.program")), h("td", {}, what), h("td", { class: "quiet" }, detailWords(details, codes)));
+  const moment = h("time", { datetime: at }, exactMoment(at));
+  return h("tr", {}, h("td", {}, moment), h("td", {}, person ?? t("log.program")), h("td", {}, what), h("td", { class: "quiet" }, detailWords(details, codes, what)));
 }

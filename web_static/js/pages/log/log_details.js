@@ -1,42 +1,72 @@
-/** The details of a row of the log as words: patients by their code, changes as "before to now", nothing that is empty. */
+/**
+ * The details of a row of the log in words: patients by their code, limits in the units of the other pages, changes as
+ * "before → now", nothing that is empty.
+ */
+import { hasText, t } from "../../texts.js";
+import { day, moment, percent, size } from "../../widgets/format.js";
+import { SPEEDS } from "../../widgets/speed_rows.js";
+import { differenceWords } from "../chair/difference_words.js";
+
+/** @typedef {Record<string, unknown>} Details */
+
+/** Values that are no plain text or number, by the name of the detail. @type {Record<string, (value: string & number) => string>} */
+const WRITTEN = { given: day, made: moment, since: moment, bytes: size, size };
+const PATIENTS = "patients"; // whom a person may see: all where there is no list
+const DIAL = "dial turned"; // its `share` is that of the speeds; elsewhere it is the id of a share link
 
 /**
- * @param {Record<string, unknown>} details @param {Map<number, string>} codes of patients, by id
+ * @param {Details} details @param {Map<number, string>} codes of patients, by id @param {string} [what] happened
  * @returns {string}
  */
-export function detailWords(details, codes) {
-  const { before, now, ...rest } = details;
-  const changes = isObject(before) && isObject(now) ? changed(before, now) : facts({ before, now }, codes);
-  return [...facts(rest, codes), ...changes].join(" · ");
+export function detailWords(details, codes, what = "") {
+  const { before, now, share, ...rest } = details;
+  const changes = isObject(before) && isObject(now) ? changed(before, now, codes) : facts({ before, now }, codes);
+  const shares = what === DIAL ? [t("log.dial", { share: percent(Number(share)) })] : facts({ share }, codes);
+  return [...facts(rest, codes), ...shares, ...changes].join(" · ");
 }
 
-/** @param {Record<string, unknown>} details @param {Map<number, string>} codes @returns {string[]} */
+/** @param {Details} details @param {Map<number, string>} codes @returns {string[]} */
 function facts(details, codes) {
   return Object.entries(details)
     .filter(([, value]) => value !== null && value !== undefined && value !== "")
     .map(([name, value]) => {
       if (name === "patient") return codes.get(Number(value)) ?? `patient ${value}`;
-      return `${name.replaceAll("_", " ")} ${valueWords(value)}`;
+      return `${nameWords(name)} ${valueWords(name, value, codes)}`;
     });
 }
 
-/** What differs, each as "name before to now". @param {Record<string, unknown>} before @param {Record<string, unknown>} now */
-function changed(before, now) {
+/** What differs: a limit as on other pages, anything else as "name: before → now". @param {Details} before @param {Details} now @param {Map<number, string>} codes */
+function changed(before, now, codes) {
   return Object.keys({ ...before, ...now })
     .filter((name) => JSON.stringify(before[name]) !== JSON.stringify(now[name]))
-    .map((name) => `${name.replaceAll("_", " ")} ${valueWords(before[name])} to ${valueWords(now[name])}`);
+    .map((name) => {
+      const [old, fresh] = [before[name], now[name]];
+      if (SPEEDS.some((speed) => speed.name === name) && typeof old === "number" && typeof fresh === "number")
+        return differenceWords({ kind: "field", name, before: old, now: fresh }).replace(/\.$/, "");
+      return `${nameWords(name)}: ${valueWords(name, old, codes)} → ${valueWords(name, fresh, codes)}`;
+    });
 }
 
-/** @param {unknown} value @returns {string} */
-function valueWords(value) {
+/** @param {string} name of a detail */
+function nameWords(name) {
+  const key = `log.name.${name}`;
+  return hasText(key) ? t(key) : name.replaceAll("_", " ");
+}
+
+/** @param {string} name of the detail @param {unknown} value @param {Map<number, string>} codes @returns {string} */
+function valueWords(name, value, codes) {
+  if (name === PATIENTS && value === null) return t("log.every-patient").toLowerCase();
   if (value === null || value === undefined) return "none";
   if (typeof value === "boolean") return value ? "yes" : "no";
-  if (Array.isArray(value)) return value.map(valueWords).join(", ") || "none";
-  if (isObject(value)) return Object.entries(value).map(([name, one]) => `${name.replaceAll("_", " ")} ${valueWords(one)}`).join(", ");
-  return String(value);
+  if (Array.isArray(value)) return value.map((one) => (name === PATIENTS && codes.get(Number(one))) || valueWords(name, one, codes)).join(", ") || "none";
+  if (isObject(value)) return Object.entries(value).map(([inner, one]) => `${nameWords(inner)} ${valueWords(inner, one, codes)}`).join(", ");
+  const key = `log.value.${name}.${value}`;
+  if (hasText(key)) return t(key);
+  if (name in WRITTEN) return WRITTEN[name](/** @type {string & number} */ (value));
+  return name === "joint" ? String(value).replaceAll("_", " ") : String(value);
 }
 
-/** @param {unknown} value @returns {value is Record<string, unknown>} */
+/** @param {unknown} value @returns {value is Details} */
 function isObject(value) {
   return typeof value === "object" && value !== null && !Array.isArray(value);
 }
