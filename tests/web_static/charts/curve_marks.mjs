@@ -36,6 +36,9 @@ assert.deepEqual(
 );
 // With room for it, the word stands at each.
 assert.deepEqual(sessionWords(rows.slice(0, 5)).map(({ text }) => text), ["session 1", "session 2"]);
+// On a telephone the word has no room at each of four.
+const four = Array.from({ length: 8 }, (_, i) => row(i + 1, 1 + Math.floor(i / 2), 1, "calibration"));
+assert.deepEqual(sessionWords(four).map(({ text }) => text), ["session", "1", "2", "3", "4"]);
 const many = Array.from({ length: 8 }, (_, i) => row(i + 1, i + 1, 1, "calibration"));
 assert.deepEqual(sessionWords(many).map(({ text }) => text).slice(0, 3), ["session", "1", "2"]);
 

@@ -10,7 +10,7 @@ import { faint } from "./plotly.js";
 export const ABOVE = 0.82; // share of the chart's height that the curve has; sessions and maps stand above it
 const MAPS = [0.84, 0.93]; // of the height
 const SESSIONS = 0.94;
-const WORD_ROOM = 1 / 4; // of the width: where the narrowest session has less, the word stands once, beside the numbers
+const WORD_ROOM = 1 / 3; // of the width: where the narrowest session has less, the word stands once, beside the numbers
 const ROOM = 40; // numbers of maps that fit side by side over the whole width
 /** The mark of a map by where it comes from. @type {Record<string, string>} */
 const SYMBOLS = { calibration: "diamond", adaptation: "triangle-up", donning: "square", back: "triangle-left" };
