@@ -17,7 +17,7 @@ export function mapVersions(maps, labels) {
     h("p", { class: "quiet small" }, t("adapt.versions.lead")),
     scrollTable(
       t("adapt.versions"),
-      "measures map-versions",
+      "measures in-view map-versions",
       h("thead", {}, h("tr", {}, head.map((name) => h("th", { scope: "col" }, t(`adapt.${name}`))))),
       h(
         "tbody",

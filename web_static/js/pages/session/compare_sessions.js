@@ -6,7 +6,7 @@ import { differenceWords } from "../chair/difference_words.js";
 import { comparedTests } from "../../interface_test/test_table.js";
 import { figure, joined, MEASURES } from "../../results/measures.js";
 import { groupMark } from "../../results/source_group.js";
-import { noiseNote, verdictLine, verdictWords } from "../../results/verdict_words.js";
+import { noiseNote, verdictWords } from "../../results/verdict_words.js";
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { moment } from "../../widgets/format.js";
@@ -55,13 +55,13 @@ function taskCard({ earlier, later }, { floorplan_title: plan, path_title: path,
       "tr",
       {},
       h("th", { scope: "row" }, t(`measure.${name}`)),
+      h("td", { class: `change ${inWords?.tone ?? ""}` }, inWords ? `${inWords.arrow} ${inWords.words}` : "–"),
       h("td", {}, summaryWords(name, before)),
       h("td", { class: "own" }, summaryWords(name, now)),
-      h("td", { class: `change ${inWords?.tone ?? ""}` }, inWords ? verdictLine(inWords) : "–"),
     );
   };
   const sessions = [earlier, later].map((one) => t("verdict.session", { number: one.number }));
-  const head = [t("over.measure"), ...sessions, t("verdict.column")];
+  const head = [t("over.measure"), t("verdict.column"), ...sessions];
   return h(
     "section",
     { class: "card stack" },
@@ -75,7 +75,7 @@ function taskCard({ earlier, later }, { floorplan_title: plan, path_title: path,
       ? h("p", { class: "quiet" }, t("record.compare.none"))
       : scrollTable(
           title,
-          "measures",
+          "measures in-view",
           h("thead", {}, h("tr", {}, head.map((words) => h("th", { scope: "col" }, words)))),
           h("tbody", {}, names.map(row)),
         ),
@@ -100,11 +100,15 @@ function testsCard({ earlier, later }, compared) {
   );
 }
 
-/** @param {string} name of the measure @param {MeasureOfSessions["earlier"]} summary */
+/** The median and the range, each on a line of its own where there is room. @param {string} name of the measure @param {MeasureOfSessions["earlier"]} summary */
 function summaryWords(name, summary) {
   if (!summary) return "–";
   const [median, low, high] = [summary.median, summary.low, summary.high].map((value) => figure(name, value));
-  return joined(t("record.compare.median", { median, low, high }), MEASURES[name].unit);
+  return [
+    h("span", { class: "whole" }, joined(median, MEASURES[name].unit)),
+    " ",
+    h("span", { class: "whole small" }, t("record.compare.range", { low, high })),
+  ];
 }
 
 /** @param {SessionComparison} found */

@@ -84,7 +84,7 @@ export default {
   "record.compare.tests": "Session {number}: complete tests: {complete}.",
   "record.compare.tests.newest": "The newest complete one of each stands here.",
   "record.compare.none": "No trial of this task can be compared: the first three of a day count as getting used to it. Drive it more than three times in a session.",
-  "record.compare.median": "{median} ({low} to {high})",
+  "record.compare.range": "({low} to {high})",
   "record.compare.spread": "Each figure is the median; half of the trials lie within the range in brackets.",
   "record.compare.task": "{plan}: {path}",
   "record.compare.changed": "What changed in calibration and parameters",
