@@ -13,6 +13,7 @@ ZOOMS = {"200 %": (640, 400, 2), "400 %": (320, 256, 4)}
 SHORT = (  # one place of each kind of page
     "sign_in", "patients, new", "shirt, lamp", "calibrate", "controls", "drive", "drive, stopped", "drive, over",
     "review", "review trial", "settings, paired", "plans", "people, invite", "log", "chair", "patient's screen",
+    "review, warnings", "session compare, verdicts",
 )  # fmt: skip
 WITHOUT_STOP = ("stereo", "tablet", "patient's screen", "share link", "docs")  # pages that no clinician drives by
 LOST = """() => {

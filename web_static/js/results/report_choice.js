@@ -34,7 +34,7 @@ export function reportChoice(app, patient, session) {
   let reader = "others";
   /** @type {ConsentsView["consents"] | null} */
   let consents = null;
-  const files = h("span", { class: "row" }, links.map(({ link }) => link));
+  const files = h("span", { class: "spread" }, links.map(({ link }) => link));
   const words = h("span", { class: "grow", role: "status" });
   const enter = h("a", { class: "btn", href: `#/session/patient/${patient.id}` }, t("report.consent.go"));
   const draw = () => {

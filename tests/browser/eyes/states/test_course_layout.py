@@ -36,6 +36,15 @@ def test_verdicts_on_sessions_are_in_view(visited):
     assert "From the sofa to the guest room" in page.locator("main h2").first.inner_text()
 
 
+def test_the_links_of_a_report_are_in_view(visited):
+    page = visited("review, warnings")
+    link = page.get_by_role("link", name="Make the web page")
+    link.scroll_into_view_if_needed()
+    assert page.evaluate("() => document.querySelector('main').scrollWidth <= innerWidth")
+    box = link.bounding_box()
+    assert box["x"] + box["width"] <= page.viewport_size["width"]
+
+
 def test_the_warning_and_the_way_on_stand_apart(visited):
     page = visited("review, worse")
     card = ".session-verdicts "

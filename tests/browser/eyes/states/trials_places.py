@@ -77,6 +77,7 @@ def warned_before_the_next_trial(page: Any, clinic: EyesClinic) -> None:
 
 
 def warned_in_review(page: Any, clinic: EyesClinic) -> None:
+    written_session(clinic)  # with the consent, so that the links of a report are there
     warned(page, clinic, review(""))
 
 
