@@ -7,17 +7,21 @@ from browser.eyes.places import PLACES, put_back
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
 
-MIDDLE = 48  # px of the picture
+MIDDLE = 88  # px of the picture
+FRONT = 1.5  # the place at the top: that of the front of the limb
 SENSORS = 8
 ARROW = """() => {
   const turn = document.querySelector(".sits .turn").getAttribute("d").match(/^M (\\S+) (\\S+) A .* (\\S+) (\\S+) L/);
   return turn.slice(1).map(Number);
 }"""
 
+SIDES = """() => Array.from(document.querySelectorAll(".sits .side"),
+  (words) => [words.textContent, words.getBoundingClientRect().top])"""
+
 
 def place(x: float, y: float) -> int:
-    """Return the place of the ring, counted round the limb from the top."""
-    return round((math.atan2(y - MIDDLE, x - MIDDLE) + math.pi / 2) * SENSORS / (2 * math.pi)) % SENSORS
+    """Return the place of the ring, counted round the limb."""
+    return round((math.atan2(y - MIDDLE, x - MIDDLE) + math.pi / 2) * SENSORS / (2 * math.pi) + FRONT) % SENSORS
 
 
 def test_the_arrow_goes_from_where_a_sensor_lies_to_where_it_belongs(page, clinic):
@@ -25,4 +29,8 @@ def test_the_arrow_goes_from_where_a_sensor_lies_to_where_it_belongs(page, clini
     PLACES["calibrate, turned"](page, clinic)
     x0, y0, x1, y1 = page.evaluate(ARROW)
     assert (place(x0, y0), place(x1, y1)) == (0, 3)
+    heights = dict(page.evaluate(SIDES))
+    assert heights["front"] == min(heights.values())
+    assert heights["back"] == max(heights.values())
+    assert heights.keys() == {"front", "back", "outside", "inside"}
     put_back(clinic)
