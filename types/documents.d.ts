@@ -61,8 +61,8 @@ export type JointResult = {
   name: string;
   label: string;
   step: string | null;
-  grade: "good" | "usable" | "repeat";
-  reason: string;
+  has_to_be_repeated: boolean; // its movement is too weak or too uneven to drive with
+  advice: string | null; // null: there is nothing to heed
   evr: number | null;
   signal_to_noise: number | null;
   repeatability: number | null;

@@ -124,10 +124,12 @@ def _prior(prior: PriorMap | None, layout: ShirtLayout) -> dict[str, Any] | None
 def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
     labels = {joint.name: joint.label for joint in profile.layout.joints}
     steps = {step.joint: step.id for step in progress.steps if step.joint is not None}
-    fields = {"name", "evr", "span", "sign", "signal_to_noise", "repeatability", "angle_deg", "grade", "reason"}
+    fields = {"name", "evr", "span", "sign", "signal_to_noise", "repeatability", "angle_deg"}
     joints = [
         {
             **joint.model_dump(mode="json", include=fields),
+            "has_to_be_repeated": joint.has_to_be_repeated,
+            "advice": None if joint.grade == "good" else joint.reason,
             "dead_zone": joint.thresholds[0],
             "full": joint.thresholds[1],
             "map": joint.map,
@@ -144,8 +146,8 @@ def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
             "name": name,
             "label": labels[name],
             "step": steps.get(name),
-            "grade": "repeat",
-            "reason": reason,
+            "has_to_be_repeated": True,
+            "advice": reason,
         }
         for name, reason in joints_without_map(profile).items()
     ]

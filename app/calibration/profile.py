@@ -187,6 +187,11 @@ class JointMap(Document):
         return document
 
     @property
+    def has_to_be_repeated(self) -> bool:
+        """Whether the measurements say that the movement is too weak or too uneven to drive with."""
+        return self.grade == "repeat"
+
+    @property
     def linear(self) -> LinearMap | None:
         """The linear map that decodes; None when the PCA map does."""
         return {"pca": None, "guided": self.guided, "prior": self.prior}[self.map]

@@ -133,7 +133,7 @@ def summary(result: StudyResult) -> dict[str, Any]:
         "sample_rate": result.sample_rate,
         "person": person_document(result.person),
         "calibration": {
-            joint.name: {"evr": joint.evr, "grade": joint.grade, "reason": joint.reason}
+            joint.name: {"evr": joint.evr, "has_to_be_repeated": joint.has_to_be_repeated, "reason": joint.reason}
             for joint in result.parameters.profile.joints
         },
         "parameters": result.parameters.model_dump(mode="json", exclude={"profile"}),

@@ -129,7 +129,7 @@ def test_a_joint_is_kept_when_each_of_its_channels_misses_a_few_samples(bodydriv
     assert holed["span"] == pytest.approx(whole["span"], rel=0.02)
     shirt[::2, 1:4] = np.nan  # but not when half of them do
     write_table(tmp_path / "signals.csv", shirt)
-    assert parsed(bodydrive(*CALIBRATE, "--json"))["joints"]["right_elbow"]["grade"] == "repeat"
+    assert parsed(bodydrive(*CALIBRATE, "--json"))["joints"]["right_elbow"]["has_to_be_repeated"] is True
 
 
 def test_a_layout_with_a_mark_of_its_byte_order_is_read(bodydrive, shirt, tmp_path):

@@ -54,8 +54,8 @@ def test_json_is_one_object_with_the_names_that_others_rely_on(files):
     assert answer["profile"] == str(files / "profile.json")
     for joint in profile.joints:
         shown = answer["joints"][joint.name]
-        assert set(shown) == {"evr", "span", "sign", "grade", "reason", "dead_zone", "full"}
-        assert shown["grade"] == "good", shown["reason"]
+        assert set(shown) == {"evr", "span", "sign", "has_to_be_repeated", "reason", "dead_zone", "full"}
+        assert shown["has_to_be_repeated"] is False, shown["reason"]
         assert shown["evr"] > 0.95
         # The first channel of the right elbow falls when it bends, that of the left one rises.
         assert joint.sign * joint.weights[0] * (-1 if joint.name == "right_elbow" else 1) > 0
@@ -92,7 +92,7 @@ def test_gestures_are_ranked_there_and_back(files):
 def test_a_joint_without_channels_is_there_with_its_reason(files):
     unused = [word for i in range(3) for word in ("--unused", f"left_elbow_{i}")]
     answer = json.loads(run(files, *unused, "--json").stdout)
-    assert answer["joints"]["left_elbow"]["grade"] == "repeat"
+    assert answer["joints"]["left_elbow"]["has_to_be_repeated"] is True
     assert answer["joints"]["left_elbow"]["evr"] is None
     assert "left_elbow" in run(files, *unused).output
 

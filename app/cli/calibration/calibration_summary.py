@@ -8,7 +8,7 @@ from app.calibration.profile import CalibrationProfile
 from app.cli.calibration.map_choice import checks, comparison
 
 KINDS = {"pca": "standard", "guided": "cues", "prior": "people"}
-PRINTED = ("evr", "span", "sign", "grade", "reason", "dead_zone", "full")
+PRINTED = ("evr", "span", "sign", "has_to_be_repeated", "reason", "dead_zone", "full")
 
 
 def _rate(share: float) -> str:
@@ -17,9 +17,9 @@ def _rate(share: float) -> str:
 
 
 def summary(profile: CalibrationProfile, reasons: dict[str, str], out: Path) -> dict[str, object]:
-    """Return the object of `--json`; a joint without a map has a grade and a reason, but no numbers."""
+    """Return the object of `--json`; a joint without a map has a reason, but no numbers."""
     without = {
-        name: {**dict.fromkeys(PRINTED), "grade": "repeat", "reason": reason}
+        name: {**dict.fromkeys(PRINTED), "has_to_be_repeated": True, "reason": reason}
         for name, reason in joints_without_map(profile).items()
     }
     mapped = {

@@ -29,3 +29,23 @@ def test_what_is_not_known_without_own_repetitions_is_null(in_session: Any) -> N
     prior = in_session.good("GET", "/calibration")["result"]["joints"][0]["prior"]
     assert (prior["hits"]["value"], prior["false_per_minute"], prior["prior_check"]) == (71.0, None, None)
     assert prior["hits_with_prompts"] == {"value": 71.0, "uncertainty": 10.0}  # what three repetitions would bring
+
+
+def test_a_joint_has_an_advice_only_where_there_is_something_to_heed(in_session: Any) -> None:
+    findings = {"right_elbow": ("repeat", "Repeat it larger."), "left_elbow": ("usable", "Keep to one movement of it.")}
+
+    def profile(layout: Any) -> Any:
+        found = profile_for(layout)
+        changes = {name: {"grade": grade, "reason": reason} for name, (grade, reason) in findings.items()}
+        joints = tuple(joint.model_copy(update=changes.get(joint.name, {})) for joint in found.joints)
+        return found.model_copy(update={"joints": joints})
+
+    in_session.readings["profile"] = profile
+    in_session.calibrate()
+    said = {
+        joint["name"]: (joint["has_to_be_repeated"], joint["advice"])
+        for joint in in_session.good("GET", "/calibration")["result"]["joints"]
+    }
+    assert said["right_elbow"] == (True, "Repeat it larger.")
+    assert said["left_elbow"] == (False, "Keep to one movement of it.")
+    assert said["right_shoulder"] == (False, None)

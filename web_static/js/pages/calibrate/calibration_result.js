@@ -28,20 +28,20 @@ export function resultView(result, onRepeat, onMap, onSitting) {
     h(
       "div",
       { class: "joint-cards" },
-      result.joints.map((joint) => jointCard(joint, withLabels(joint.reason, labels), onRepeat, onMap, onSitting)),
+      result.joints.map((joint) => jointCard(joint, joint.advice && withLabels(joint.advice, labels), onRepeat, onMap, onSitting)),
     ),
     result.cross_talk && crossTalk(result.joints, result.cross_talk),
   );
 }
 
-/** @param {JointResult} joint @param {string} reason @param {OnRepeat} onRepeat @param {OnMap} onMap @param {OnSitting} onSitting */
-function jointCard(joint, reason, onRepeat, onMap, onSitting) {
+/** @param {JointResult} joint @param {string | null} advice with the joints' own names @param {OnRepeat} onRepeat @param {OnMap} onMap @param {OnSitting} onSitting */
+function jointCard(joint, advice, onRepeat, onMap, onSitting) {
   const { step } = joint;
   const evr = percent(joint.evr);
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, joint.label, joint.grade === "repeat" && h("span", { class: "tag bad" }, t("result.repeat"))),
+    h("h2", {}, joint.label, joint.has_to_be_repeated && h("span", { class: "tag bad" }, t("result.repeat"))),
     h(
       "div",
       { class: "evr", role: "img", "aria-label": t("result.bar", { joint: joint.label, percent: evr }) },
@@ -57,11 +57,11 @@ function jointCard(joint, reason, onRepeat, onMap, onSitting) {
         joint.repeatability !== null && h("span", {}, t("result.repeats", { word: repeatsWord(joint.repeatability) })),
       ),
     joint.map !== null && whereFrom(joint),
-    joint.grade !== "good" && h("p", { class: "small reason" }, reason),
+    advice !== null && h("p", { class: "small reason" }, advice),
     step &&
       h(
         "button",
-        { type: "button", class: `btn small${joint.grade === "good" ? " bare" : ""}`, "aria-label": t("result.again.label", { joint: joint.label }), onclick: () => onRepeat(step) },
+        { type: "button", class: `btn small${advice === null ? " bare" : ""}`, "aria-label": t("result.again.label", { joint: joint.label }), onclick: () => onRepeat(step) },
         t("result.again"),
       ),
     sittingCard(joint, onSitting),
