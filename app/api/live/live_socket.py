@@ -10,6 +10,7 @@ from starlette.websockets import WebSocketDisconnect
 
 from app.api.computer.graphics import PicturesPerSecond
 from app.api.live.hub import Viewer
+from app.api.live.live_viewing import LiveViewing
 from app.api.parts import WebParts
 from app.layout import MAX_JOINTS
 from app.quantities import Document, Fraction, Name, Radians
@@ -45,13 +46,15 @@ class PageMessage(Document):
 @router.websocket("/live")
 async def live(websocket: WebSocket) -> None:
     """Send the live picture 20 times a second, and carry out the messages of the page."""
-    sockets = websocket.app.state.people.sockets
+    people = websocket.app.state.people
+    sockets = people.sockets
     who = await sockets.admit(websocket)
     if who is None:
         return
     await websocket.accept()
     web: WebParts = websocket.app.state.web
-    viewer = Viewer(websocket, lambda: sockets.may_see(websocket, web.session.patient_id))
+    viewing = LiveViewing(people.database, sockets, web.session, websocket, who.name)
+    viewer = Viewer(websocket, viewing.may_see)
     async with sockets.guarded(websocket, who):
         web.graphics.opened(websocket, f"The page of {who.name}")
         sending = asyncio.create_task(web.live.serve(viewer))
@@ -67,6 +70,7 @@ async def live(websocket: WebSocket) -> None:
             web.graphics.forget(websocket)
             sending.cancel()
             await asyncio.gather(sending, return_exceptions=True)
+            await viewing.close()
 
 
 async def _take(text: str, websocket: WebSocket, web: WebParts) -> None:

@@ -9,10 +9,11 @@ from pydantic import Field
 from app.api.answers import Answer, MomentText
 from app.api.deps import Anyone, Clinician, PeopleParts, RowId
 from app.api.parts import Web, open_view
+from app.api.sign_in.identity import SignedInPerson
 from app.quantities import Count, Document, Line, Name, Note, Title
 from app.store.database import Transaction
 from app.store.files.disk_watch import require_room_to_record
-from app.store.log import log_listing, write_log
+from app.store.log import log_listing, log_viewing, write_log
 from app.store.patients import (
     PatientFigures,
     add_patient,
@@ -149,17 +150,18 @@ def undo_removal(patient_id: RowId, who: Clinician, parts: PeopleParts) -> Patie
         return _view(db, patient)
 
 
-def current_session(parts: PeopleParts, clinic_id: int) -> CurrentSession:
-    """Return the open session of a clinic and its patient."""
-    with parts.database.transaction() as db:
-        session = open_session(db, clinic_id)
+def current_session(parts: PeopleParts, who: SignedInPerson) -> CurrentSession:
+    """Return the open session and its patient, whom this person then has seen."""
+    with parts.database.transaction(closing=True) as db:
+        session = open_session(db, who.clinic_id)
         if session is None:
             return CurrentSession(
                 patient=None, session=None, has_profile=False, consents_to_recording=False, steps_done=[]
             )
+        log_viewing(db, who.name, session.patient_id)
         has_profile, done = session_progress(db, session)
         return CurrentSession(
-            patient=_view(db, find_patient(db, clinic_id, session.patient_id)),
+            patient=_view(db, find_patient(db, who.clinic_id, session.patient_id)),
             session=SessionView.of(session),
             has_profile=has_profile,
             consents_to_recording=consents_of(db, session.patient_id).recording is not None,
@@ -170,7 +172,7 @@ def current_session(parts: PeopleParts, clinic_id: int) -> CurrentSession:
 @router.get("/session")
 def who_is_here(who: Anyone, parts: PeopleParts) -> CurrentSession:
     """Return the patient who is here now, and the open session."""
-    return current_session(parts, who.clinic_id)
+    return current_session(parts, who)
 
 
 @router.post("/session")
@@ -181,7 +183,7 @@ async def begin_session(body: NewSession, who: Clinician, parts: PeopleParts, we
         with parts.database.transaction() as db:
             session = start_session(db, who.clinic_id, body.patient_id, who.name)
             write_log(db, who.name, "session opened", patient=body.patient_id, session=session.id)
-        return current_session(parts, who.clinic_id)
+        return current_session(parts, who)
 
     await run_in_threadpool(require_room_to_record, parts.settings.state)
     async with web.session.undisturbed("open a session"):
@@ -200,7 +202,7 @@ async def close_session(who: Clinician, parts: PeopleParts, web: Web) -> Current
         with parts.database.transaction(closing=True) as db:
             end_session(db, who.clinic_id)
             write_log(db, who.name, "session ended")
-        return current_session(parts, who.clinic_id)
+        return current_session(parts, who)
 
     async with web.session.undisturbed("end the session"):
         answer = await run_in_threadpool(_end)

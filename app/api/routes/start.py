@@ -26,5 +26,5 @@ def start(who: WhoAsks, parts: PeopleParts, web: Web) -> StartView:
     return StartView(
         me=me_view(parts, who),
         practice=web.equipment.practice,
-        session=None if who is None or who.locked else current_session(parts, who.clinic_id),
+        session=None if who is None or who.locked else current_session(parts, who),
     )

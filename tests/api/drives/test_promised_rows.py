@@ -3,14 +3,19 @@
 from datetime import timedelta
 from typing import Any
 
+import pytest
 from chair_drives import arm, choose_chair, practise, velocity
 
 from app.clock import utc_now
+from app.store import log
 
 PROMISED = ("sign-in", "patient viewed", "report exported", "controls set", "armed", "stop requested")
 
 
-def test_sign_in_view_export_change_arming_and_stop_are_in_the_log(calibrated: Any) -> None:
+def test_sign_in_view_export_change_arming_and_stop_are_in_the_log(
+    calibrated: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(log, "VIEWED_EVERY", timedelta(0))  # the clinician saw the patient just before
     began = utc_now()
     before = len(calibrated.log())
     me = calibrated.good("POST", "/auth/demo", json={"code": "the-code-of-the-link"})

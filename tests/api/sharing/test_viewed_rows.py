@@ -1,20 +1,42 @@
 """Whoever reads something of a patient stands in the log, whatever route answers."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from datetime import timedelta
 from typing import Any
 
 import pytest
-from fake_clinic import Clinic
+from fake_clinic import BASE, Clinic
 from fastapi.routing import APIRoute
-from test_roles import contexts
+from people_of_clinic import as_person
+from test_roles import contexts, requested
 
 from app.store import log
+from app.store.log import LISTED, VIEWED
+from app.store.tables import Patient
 
-# Rows that name the patient or the trial; routes that say nothing of the patient.
-ROWS = {"patient viewed", "trial viewed", "export", "report exported"}
+# Rows that name the patient, the session or the trial; routes that say nothing of the patient.
+ROWS = {VIEWED, "session viewed", "trial viewed", "export", "report exported"}
+LISTS = {LISTED, "patients viewed by attention"}  # rows of all patients
+LIVE = f"{BASE.replace('http', 'ws')}/api/v1/live"
 SILENT = {
     "/patients/{patient_id}/archive/room",  # how large the recordings are
 }
+
+
+@contextmanager
+def watching(clinic: Clinic, cookies: dict[str, str]) -> Iterator[Any]:
+    """Open the live socket of another person."""
+    with as_person(clinic, cookies):
+        opening = clinic.client.websocket_connect(LIVE, headers={"Origin": BASE})
+        socket = opening.__enter__()
+    yield socket
+    opening.__exit__(None, None, None)
+
+
+def viewings(clinic: Clinic, person: str) -> list[int]:
+    """Return the ids of the patients whose viewing by a person is in the log."""
+    return [row.details["patient"] for row in clinic.log() if row.what == VIEWED and row.person == person]
 
 
 def test_every_route_that_answers_with_something_of_a_patient_is_logged(
@@ -45,3 +67,60 @@ def test_every_route_that_answers_with_something_of_a_patient_is_logged(
                 silent.append(name)
     assert answered > 10
     assert silent == []
+
+
+def test_every_answer_that_names_the_patient_who_is_here_is_logged(
+    calibrated: Clinic, trial: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Routes without a patient in their address, too: those of the open session."""
+    monkeypatch.setattr(log, "VIEWED_EVERY", timedelta(0))
+    code, pseudonym = "P-4711", "Dragonfly"
+    with calibrated.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+        patient = db.get_one(Patient, calibrated.patient["id"])
+        patient.code, patient.pseudonym = code, pseudonym
+    named, silent = set(), set()
+    for context in contexts(calibrated.client.app, APIRoute):  # type: ignore[arg-type]
+        name = context.path.removeprefix("/api/v1")
+        if "GET" not in context.methods or name in SILENT:
+            continue
+        before = len(calibrated.log())
+        answer = requested(calibrated, f"GET {name}")
+        if answer.status_code == 200 and (code in answer.text or pseudonym in answer.text):
+            named.add(name)
+            if not (ROWS | LISTS) & {row.what for row in calibrated.log()[before:]}:
+                silent.add(name)
+    assert {"/start", "/session", "/patients", "/sessions/{session_id}/story"} <= named
+    assert silent == set()
+
+
+@pytest.mark.parametrize("path", ["/start", "/session"])
+def test_who_is_told_who_is_here_stands_in_the_log_once(calibrated: Clinic, cookies_of: Any, path: str) -> None:
+    here = calibrated.patient["id"]
+    with as_person(calibrated, cookies_of("Rita", "reviewer", [here])):
+        for _ in range(3):
+            calibrated.good("GET", path)
+    with as_person(calibrated, cookies_of("Otto", "reviewer", [])):
+        calibrated.good("GET", path)  # it says that nobody is here
+    assert viewings(calibrated, "Rita") == [here]
+    assert viewings(calibrated, "Otto") == []
+
+
+def test_who_watches_a_session_live_stands_in_the_log_from_the_first_picture_of_each_patient(
+    calibrated: Clinic, cookies_of: Any
+) -> None:
+    first = calibrated.patient["id"]
+    second = calibrated.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Crane"})["id"]
+    rita, otto = cookies_of("Rita", "reviewer", None), cookies_of("Otto", "reviewer", [second])
+    with watching(calibrated, rita) as ritas, watching(calibrated, otto) as ottos:
+        for _ in range(3):  # pictures of one patient make one row
+            assert not ritas.receive_json()["hidden"]
+        assert ottos.receive_json()["hidden"]
+        calibrated.good("POST", "/session", json={"patient_id": second})
+        session = int(calibrated.session)
+        for socket in (ritas, ottos):
+            while socket.receive_json()["session"] != session:
+                pass
+        while not (len(viewings(calibrated, "Rita")) > 1 and viewings(calibrated, "Otto")):
+            ritas.receive_json()  # rows are written beside the pictures
+    assert viewings(calibrated, "Rita") == [first, second]
+    assert viewings(calibrated, "Otto") == [second]
