@@ -22,6 +22,7 @@ HEADER, STREAM_HEADER, SAMPLES, STREAM_FOOTER = 1, 2, 3, 6  # tags of chunks
 COMMANDS = ("u1", "u2", "v", "omega", "driven_v", "driven_omega", "dial")
 POSE = ("x", "y", "theta", "head_yaw", "head_pitch", "head_roll", "scene_t")
 STATE = ("state", "fault", "cue", "in_contact", "contacts", "frame_seq")
+CHUNK = 1.0  # s of samples in a chunk: what the cut of a file takes from each stream beyond the cut itself
 IRREGULAR = 0.0  # in place of a nominal rate, by the specification: the loop also makes ticks without a frame
 FORMATS = {"float32": "<f4", "double64": "<f8", "int64": "<i8"}
 
@@ -64,7 +65,7 @@ def write_xdf(run: RunGroups, facts: dict[str, Any], folder: Path, stem: str) ->
         for stream in streams:
             header = _header(stream, rate if stream.frames_only else IRREGULAR, facts)
             file.write(_chunk(STREAM_HEADER, _number(stream) + header))
-        for columns in run.groups:
+        for columns in _in_chunks(run.groups, max(1, round(CHUNK * rate))):
             for stream, times, values in _samples(streams, columns):
                 if len(times):
                     file.write(_chunk(SAMPLES, _number(stream) + _sample_bytes(times, values)))
@@ -75,6 +76,13 @@ def write_xdf(run: RunGroups, facts: dict[str, Any], folder: Path, stem: str) ->
             footer = {"first_timestamp": repr(first), "last_timestamp": repr(last), "sample_count": counts[stream]}
             file.write(_chunk(STREAM_FOOTER, _number(stream) + _xml("info", footer)))
     return [path]
+
+
+def _in_chunks(groups: Iterator[Columns], rows: int) -> Iterator[Columns]:
+    """Yield the columns of a recording in parts of at most `rows` rows."""
+    for columns in groups:
+        for start in range(0, len(columns["run_t"]), rows):
+            yield {name: column[start : start + rows] for name, column in columns.items()}
 
 
 def _samples(streams: list[Stream], columns: Columns) -> Iterator[tuple[Stream, NDArray[Any], NDArray[Any]]]:
