@@ -5,7 +5,8 @@ import io
 from collections.abc import Sequence
 
 SPREADSHEET_BEGIN = "\ufeff"  # of a file for spreadsheets: without a byte order mark they do not read it as UTF-8
-FORMULA_BEGINS = ("=", "+", "-", "@", "\t", "\r")
+FULL_WIDTH = ("\uff1d", "\uff0b", "\uff0d", "\uff20")  # = + - @ as typed on Japanese keyboards
+FORMULA_BEGINS = ("=", "+", "-", "@", "\t", "\r", "\n", *FULL_WIDTH)
 
 
 def safe_cell(text: str) -> str:

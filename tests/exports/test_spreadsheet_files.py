@@ -1,17 +1,19 @@
 """CSV files of an export, opened as a spreadsheet program opens them by a double click.
 
 No spreadsheet program is installed here. `opened` follows the rules of Excel for a CSV file: UTF-8 only behind a byte
-order mark, otherwise the code page of Windows; cells as in the dialect "excel" of Python's csv;
-a cell that begins like a formula is one.
+order mark, otherwise the code page of Windows; cells as in the dialect "excel" of Python's csv (commas, doubled
+quotes); a cell that begins like a formula, also with a full-width sign, is one unless it is a number.
 """
 
 import csv
+import re
 from codecs import BOM_UTF8
 from contextlib import closing
 
 import pytest
 from exported_clinic import RUN, make_clinic
 
+from app.csv_cells import SPREADSHEET_BEGIN, csv_line
 from app.exports.csv_form import write_csv
 from app.exports.export_material import exported_material
 from app.exports.trial_table import trial_csv
@@ -23,6 +25,8 @@ from app.store.runs import keep_trial
 
 REASON = 'müde – Ελένη 東京; 50 % «links», "Pause"\nbis 10:30'
 CODE = "=Zoë-1"
+FORMULA = re.compile(r"[=+\-@\t\r\n＝＋－＠]")
+NUMBER = re.compile(r"-?\d+(\.\d+)?(e[+-]?\d+)?", re.IGNORECASE)
 
 
 def opened(content: bytes) -> list[list[str]]:
@@ -30,7 +34,7 @@ def opened(content: bytes) -> list[list[str]]:
     text = content.decode("utf-8-sig" if content.startswith(BOM_UTF8) else "cp1252", "replace")
     rows = list(csv.reader(text.splitlines(keepends=True), dialect="excel", strict=True))
     assert {len(row) for row in rows} == {len(rows[0])}
-    assert not any(cell.startswith(("=", "@", "+")) for row in rows for cell in row)
+    assert [cell for row in rows for cell in row if FORMULA.match(cell) and not NUMBER.fullmatch(cell)] == []
     return rows
 
 
@@ -66,3 +70,18 @@ def test_a_recording_has_its_names_and_its_numbers(clinic, tmp_path):
     head, *rows = opened(file.read_bytes())
     assert head[0] == "t"
     assert all(float(row[0]) > 0 for row in rows)
+    shown = [dict(zip(head, row, strict=True)) for row in rows]
+    assert all(NUMBER.fullmatch(cell) for row in shown for cell in row.values() if cell)  # empty: not measured
+    assert any(row["u1"].startswith("-") or row["u2"].startswith("-") for row in shown)  # a number, not a formula
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        *((f"{sign}1+1", f"'{sign}1+1") for sign in "=+-@\t\r\n＝＋－＠"),
+        *((text, text) for text in ("müde, aber gut", 'say "Ah"', "a;b", "1,5", "two\nlines", "", "1-2")),
+    ],
+)
+def test_a_text_is_shown_as_it_is_and_never_computed(text, shown):
+    (row,) = opened((SPREADSHEET_BEGIN + csv_line([text, -1.5, 1e-7, None, 3])).encode())
+    assert row == [shown, "-1.5", "1e-07", "", "3"]
