@@ -65,7 +65,7 @@ class LiveHub:
     async def serve(self, viewer: Viewer) -> None:
         """Send pictures to one page until it disconnects or does not take them within SEND_LIMIT."""
         self._viewers.add(viewer)
-        sent = 0
+        sent = self._number  # a picture of before may be old, and of another patient
         try:
             while viewer.websocket.application_state is WebSocketState.CONNECTED:
                 async with self._fresh:

@@ -1,10 +1,12 @@
-"""The live picture is sent on after an error."""
+"""The live picture is sent on after an error, and never from before a page came."""
 
 import asyncio
 from typing import Any
 
+import pytest
 from starlette.websockets import WebSocketState
 
+from app.api.live import hub as hub_module
 from app.api.live.hub import LiveHub, Viewer
 
 
@@ -37,3 +39,22 @@ def test_one_bad_picture_is_not_the_last() -> None:
 
     asyncio.run(story())
     assert page.sent == ['{"v":0.0}', '{"v":1.0}']
+
+
+def test_a_page_that_comes_after_a_pause_gets_no_picture_of_before(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(hub_module, "EVERY", 0.001)
+    shown = {"v": 0.0}
+    first, second = Page(), Page()
+
+    async def story() -> None:
+        hub = LiveHub(shown.copy, dict)
+        hub.start()
+        async with asyncio.timeout(5):
+            await hub.serve(Viewer(first))  # type: ignore[arg-type]
+            shown["v"] = 1.0  # while nobody looks
+            await hub.serve(Viewer(second))  # type: ignore[arg-type]
+        await hub.close()
+
+    asyncio.run(story())
+    assert set(first.sent) == {'{"v":0.0}'}
+    assert set(second.sent) == {'{"v":1.0}'}
