@@ -7,21 +7,52 @@ from typing import Any
 import pytest
 from fake_clinic import Clinic
 from fastapi.routing import APIRoute
-from test_other_clinics import BODIES, FILLED, MISSING, places, table_of
+from people_of_clinic import as_person
+from stored_interface_test import store_interface_test
+from test_other_clinics import BODIES, FILLED, MISSING, places
 from test_roles import contexts, requested
 from test_shown_patients import HIDDEN, reviewed
+
+from app.clock import utc_now
+from app.store.records.consents import give_consent
+from app.store.records.session_record import add_note, add_scale
+from app.store.sharing.sharing_tables import MomentComment, ShareLink
 
 __all__ = ["reviewed"]  # the fixture: a patient called HIDDEN with a trial, and another one
 
 # What an owner does with deleted patients: undo, erase, and read the log of what was done.
 FOR_DELETED = {"POST /patients/{patient_id}/restore", "POST /deleted-patients/{patient_id}/erasure", "GET /log"}
+TRIALS = ("trial_id", "trial", "against")
+NAMES = re.compile(f"{HIDDEN}|Zebra")
 SHOWS_DELETED = {"GET /backups"}
+
+
+def records_of(clinic: Clinic, trial: int) -> dict[str, int]:
+    """Make a record of each kind for the patient who is here; return their ids by the names that routes give them."""
+    patient, session = clinic.patient["id"], int(clinic.session)
+    with clinic.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+        give_consent(db, patient, "sharing", utc_now().date(), "Ada")
+        found = {
+            "note_id": add_note(db, session, f"{HIDDEN} is tired.", "Ada"),
+            "scale_id": add_scale(db, session, "SCIM III", 41.0, utc_now().date()),
+            "test_id": store_interface_test(db, session).id,
+        }
+    clinic.good("POST", f"/trials/{trial}/comments", json={"t": 1.0, "text": f"{HIDDEN} turned well."})
+    clinic.link = clinic.good("POST", f"/patients/{patient}/shares", json={"days": 14})  # type: ignore[attr-defined]
+    with clinic.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+        found |= {"comment_id": db.query(MomentComment).one().id, "share_id": db.query(ShareLink).one().id}
+    return {
+        **found,
+        **dict.fromkeys(("patient_id", "patient"), patient),
+        **dict.fromkeys(TRIALS, trial),
+    } | dict.fromkeys(("session_id", "other"), session)
 
 
 @pytest.fixture
 def deleted(reviewed: Clinic) -> Clinic:
     clinic = reviewed
     clinic.trial = clinic.good("GET", "/trials", params={"patient": clinic.patient["id"]})[0]["id"]  # type: ignore[attr-defined]
+    clinic.ids = records_of(clinic, clinic.trial)  # type: ignore[attr-defined]
     clinic.good("DELETE", "/session")
     assert HIDDEN in json.dumps(clinic.good("GET", "/patients"))
     clinic.good("DELETE", f"/patients/{clinic.patient['id']}")
@@ -29,29 +60,46 @@ def deleted(reviewed: Clinic) -> Clinic:
 
 
 def test_every_route_answers_as_for_an_id_that_does_not_exist(deleted: Clinic) -> None:
-    hidden = {"patient": deleted.patient["id"], "trial": deleted.trial}  # type: ignore[attr-defined]
-    tried = []
+    ids = deleted.ids  # type: ignore[attr-defined]
+    tried = set()
     for method, path, name, needed in places(deleted.good("GET", "/openapi.json")):
-        route, table = f"{method} {path.removeprefix('/api/v1')}", table_of(method, path, name)
-        if table not in hidden or route in FOR_DELETED:
+        route = f"{method} {path.removeprefix('/api/v1')}"
+        if name not in ids or route in FOR_DELETED:
             continue
 
-        def ask(number: int, method: str = method, path: str = path, name: str = name, needed: Any = needed) -> Any:
-            url = path.removeprefix("/api/v1").replace(f"{{{name}}}", str(number)).replace("{trial_id}", str(number))
+        def ask(
+            numbers: dict[str, int],
+            more_body: dict[str, Any] | None = None,
+            method: str = method,
+            path: str = path,
+            name: str = name,
+            needed: Any = needed,
+            route: str = route,
+        ) -> Any:
+            url = path.removeprefix("/api/v1")
+            for placeholder, number in numbers.items():
+                url = url.replace(f"{{{placeholder}}}", str(number))
             more = {other: FILLED[other] for other in needed if other != name}
-            body = BODIES.get(f"{method} {path.removeprefix('/api/v1')}")
+            body = BODIES.get(route)
             if f"{{{name}}}" not in path and method == "GET":
-                more[name] = str(number)
+                more[name] = str(numbers[name])
             elif f"{{{name}}}" not in path:
-                body = (body or {}) | {name: number}
-            return deleted(method, url, params=more, json=body)
+                body = (body or {}) | {name: numbers[name]}
+            if more_body is not None:
+                body = (body or {}) | more_body
+            return deleted(method, url.replace("{consent}", "sharing"), params=more, json=body)
 
-        missing, refused = ask(MISSING), ask(hidden[table])
-        assert missing.status_code == refused.status_code, (route, refused.text)
-        assert refused.status_code in {404, 409, 422}, (route, refused.text)
-        assert re.sub(r"\d+", "N", refused.text) == re.sub(r"\d+", "N", missing.text), route
-        tried.append(route)
-    assert len(tried) >= 12
+        nothing = dict.fromkeys(ids, MISSING)
+        for more_body in (None, {"nonsense": 1}):  # the second one is refused for its form where there is a body
+            missing, refused = ask(nothing, more_body), ask(ids, more_body)
+            assert missing.status_code == refused.status_code, (route, refused.text)
+            assert refused.status_code in ({404} if more_body is None else {404, 409, 422}), (route, refused.text)
+            assert re.sub(r"\d+", "N", refused.text) == re.sub(r"\d+", "N", missing.text), route
+            assert not NAMES.search(refused.text), route
+            assert refused.json()["detail"].endswith("."), route
+        tried.add((route, name))
+    assert {name for _, name in tried} == set(ids)
+    assert len(tried) >= 30
 
 
 def test_no_answer_names_a_deleted_patient(deleted: Clinic) -> None:
@@ -65,3 +113,40 @@ def test_no_answer_names_a_deleted_patient(deleted: Clinic) -> None:
     deleted.good("POST", f"/patients/{deleted.patient['id']}/restore")
     assert HIDDEN in requested(deleted, "GET /patients").text
     assert deleted.good("GET", f"/trials/{deleted.trial}")["id"] == deleted.trial  # type: ignore[attr-defined]
+
+
+def test_a_share_link_of_a_deleted_patient_opens_nothing_also_where_it_is_open(reviewed: Clinic) -> None:
+    trial = reviewed.good("GET", "/trials", params={"patient": reviewed.patient["id"]})[0]["id"]
+    records_of(reviewed, trial)
+    link = reviewed.link  # type: ignore[attr-defined]
+    token = {"token": link["url"].partition("#")[2], "pin": link["pin"]}
+    with as_person(reviewed, {}):
+        assert reviewed("POST", "/shared/open", json=token).status_code == 204
+        visit = dict(reviewed.client.cookies)
+        assert reviewed.good("GET", "/shared")["code"] == HIDDEN
+    reviewed.good("DELETE", "/session")
+    reviewed.good("DELETE", f"/patients/{reviewed.patient['id']}")
+    for cookies in ({}, visit):
+        with as_person(reviewed, cookies):
+            for refused in (reviewed("GET", "/shared"), reviewed("POST", "/shared/open", json=token)):
+                assert refused.status_code == 401
+                assert refused.json()["detail"].endswith(".")
+                assert not NAMES.search(refused.text)
+
+
+def test_a_record_that_was_removed_alone_is_gone_or_says_that_it_was_withdrawn(reviewed: Clinic) -> None:
+    trial = reviewed.good("GET", "/trials", params={"patient": reviewed.patient["id"]})[0]["id"]
+    ids = records_of(reviewed, trial)
+    session = reviewed.session
+    reviewed.good("DELETE", f"/sessions/{session}/scales/{ids['scale_id']}")
+    reviewed.good("DELETE", f"/shares/{ids['share_id']}")
+    reviewed.good("DELETE", f"/comments/{ids['comment_id']}")
+    # A scale is gone; a comment keeps its history, and a link its openings.
+    for method, path, body, status, words in (
+        ("DELETE", f"/sessions/{session}/scales/{ids['scale_id']}", None, 404, "There is no scale"),
+        ("PUT", f"/comments/{ids['comment_id']}", {"text": "Once more."}, 409, "This comment was withdrawn"),
+        ("DELETE", f"/comments/{ids['comment_id']}", None, 409, "This comment was withdrawn"),
+        ("DELETE", f"/shares/{ids['share_id']}", None, 409, "This link was revoked already."),
+    ):
+        refused = reviewed(method, path, json=body)
+        assert (refused.status_code, refused.json()["detail"].startswith(words)) == (status, True), refused.text

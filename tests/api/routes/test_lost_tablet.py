@@ -1,0 +1,85 @@
+"""The tablet is lost, or its page is loaded again, in the middle of a calibration step: the step goes on."""
+
+from contextlib import ExitStack
+from typing import Any
+
+from fake_clinic import BASE, Clinic
+from people_of_clinic import as_person
+
+from app.store.tables import Run
+
+LIVE = f"{BASE.replace('http', 'ws')}/api/v1/live"
+
+
+def run_of_picture(clinic: Clinic) -> Any:
+    with clinic.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
+        return socket.receive_json()["run"]
+
+
+def begin_in_the_middle(clinic: Clinic) -> Any:
+    """Do the first step, begin the second one, and stand 3 s into it."""
+    clinic.begin_session()
+    clinic.good("POST", "/calibration/steps/rest/start")
+    clinic.process.run_t = 1000.0
+    clinic.until("/calibration", lambda c: c["running"] is None)
+    clinic.good("POST", "/calibration/steps/free/start")
+    clinic.process.run_t = 3.0
+    return clinic.good("GET", "/calibration")
+
+
+def end(clinic: Clinic) -> Any:
+    clinic.process.run_t = 1000.0
+    return clinic.until("/calibration", lambda c: c["running"] is None)
+
+
+def states(wizard: Any) -> list[str]:
+    return [step["status"] for step in wizard["steps"]]
+
+
+def runs(clinic: Clinic) -> list[tuple[str, str]]:
+    with clinic.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+        return [(run.id, run.kind) for run in db.query(Run).order_by(Run.started)]
+
+
+def test_a_page_that_is_loaded_again_in_the_middle_of_a_step_is_in_the_middle_of_it(signed_in: Clinic) -> None:
+    before = begin_in_the_middle(signed_in)
+    assert (before["running"]["step"], before["current"]) == ("free", "free")
+    kept = runs(signed_in)
+    with signed_in.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
+        assert socket.receive_json()["run"] == {"kind": "free", "t": 3.0, "cue": None}
+    signed_in.good("GET", "/start")
+    assert signed_in.good("GET", "/calibration") == before
+    assert run_of_picture(signed_in) == {"kind": "free", "t": 3.0, "cue": None}
+    wizard = end(signed_in)
+    assert states(wizard)[:3] == ["done", "done", "waiting"]
+    assert runs(signed_in) == kept  # both recordings, and none was begun again
+
+
+def test_a_tablet_that_is_lost_in_the_middle_of_a_step_loses_nothing_and_another_one_goes_on(
+    signed_in: Clinic,
+) -> None:
+    with ExitStack() as tablet:
+        tablet.enter_context(signed_in.screen())
+        live = tablet.enter_context(signed_in.client.websocket_connect(LIVE, headers={"Origin": BASE}))
+        before = begin_in_the_middle(signed_in)
+        live.receive_json()
+    kept = runs(signed_in)
+    with as_person(signed_in, {}):  # the lost tablet's cookie is gone with it
+        assert signed_in("GET", "/calibration").status_code == 401
+        signed_in.good("POST", "/auth/demo", json={"code": "the-code-of-the-link"})
+        assert signed_in.good("GET", "/calibration") == before
+        assert run_of_picture(signed_in)["t"] == 3.0
+        wizard = end(signed_in)
+        assert states(wizard)[:3] == ["done", "done", "waiting"]
+        assert wizard["current"] == wizard["steps"][2]["id"]
+        assert runs(signed_in) == kept
+        signed_in.good("POST", f"/calibration/steps/{wizard['current']}/start")
+        assert states(end(signed_in))[:3] == ["done"] * 3
+
+
+def test_a_sign_out_in_the_middle_of_a_step_does_not_end_it(signed_in: Clinic) -> None:
+    begin_in_the_middle(signed_in)
+    signed_in.good("POST", "/auth/sign-out")
+    signed_in.good("POST", "/auth/demo", json={"code": "the-code-of-the-link"})
+    assert signed_in.good("GET", "/calibration")["running"]["step"] == "free"
+    assert states(end(signed_in))[:2] == ["done", "done"]
