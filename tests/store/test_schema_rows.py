@@ -72,6 +72,35 @@ def test_the_clinic_is_filled(filled: Path) -> None:
     assert revision_of(filled) == NEWEST
 
 
+def test_a_migration_changes_the_database_and_leaves_every_other_file_as_it_is(filled: Path, tmp_path: Path) -> None:
+    """So the copy before a migration needs the database only."""
+    state = Path(shutil.copytree(filled.parent, tmp_path / "state"))
+    file = state / filled.name
+    (state / "files").mkdir()
+    (state / "files" / "layout.json").write_text("{}")
+    engine = make_engine(file)
+    for _ in REVISIONS[1:]:
+        migrate(engine, "-1")
+    engine.dispose()
+    assert revision_of(file) == REVISIONS[0]
+    before = other_files(state, file.name)
+    assert any(name.endswith("run.parquet") for name in before)
+    Database(file).close()
+    assert revision_of(file) == NEWEST
+    assert other_files(state, file.name) == before
+    (copy,) = state.glob(f"{file.name}.schema-{REVISIONS[0]}.*.backup")
+    assert len(rows_of(copy)["patient"]) == 3
+
+
+def other_files(state: Path, database: str) -> dict[str, tuple[bytes, int]]:
+    """Return content and time of change of each file that is no part of the database."""
+    return {
+        file.relative_to(state).as_posix(): (file.read_bytes(), file.stat().st_mtime_ns)
+        for file in state.rglob("*")
+        if file.is_file() and not file.name.startswith(database)
+    }
+
+
 @pytest.mark.parametrize("revision", REVISIONS[:-1])
 def test_no_row_is_changed_by_the_way_down_to_a_version_and_up_again(
     filled: Path, tmp_path: Path, revision: str
