@@ -57,7 +57,9 @@ def test_a_test_is_recorded_without_arming_shown_and_ended_by_hand(calibrated: A
     assert picture(calibrated)["test"] is None
     assert calibrated("POST", "/interface-tests/current/end").status_code == 409
     assert of_patient(calibrated)["course"] == {"counted": [], "curves": {}, "comparisons": []}
-    assert [row.what for row in calibrated.log()][-3:] == ["test started", "test ended", "patient viewed"]
+    rows = [row.what for row in calibrated.log()]
+    assert [row for row in rows if row.startswith("test ")] == ["test started", "test ended"]
+    assert "patient viewed" in rows
 
 
 def test_stop_ends_a_test_and_a_stop_in_force_refuses_one(calibrated: Any) -> None:
