@@ -133,10 +133,10 @@ def test_a_refusal_of_the_server_is_said_and_the_form_stays(app, page, card):
 def test_a_reviewer_has_no_share_links_and_asks_for_none(app, page, card):
     with app.app.state.people.database.transaction() as db:
         token = sign_in(db, add_person(db, the_clinic(db), "Rhea", "reviewer", None), "test")
+    address = page.url
+    page.goto("about:blank")  # what the owner's page still asks for is not the reviewer's, and needs the owner's cookie
     page.context.clear_cookies()
     page.context.add_cookies([{"name": "bodydrive_sign_in", "value": token, "url": app.address}])
-    address = page.url
-    page.goto("about:blank")  # what the owner's page still asks for is not the reviewer's
     asked = []
     page.on("request", lambda request: asked.append(request.url))
     page.goto(address)
