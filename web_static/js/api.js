@@ -11,6 +11,8 @@ import { t } from "./texts.js";
 
 const BASE = "/api/v1";
 const NOT_SIGNED_IN = 401;
+/** Status of an answer for somebody who may not ask, also of a page that knows so before it asks. */
+export const FORBIDDEN = 403;
 const LOCKED = 423;
 const CONFLICT = 409;
 const STOP = "/control/stop";

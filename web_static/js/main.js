@@ -2,7 +2,7 @@
  * The application: who is signed in, who is here, the live link, and which page is shown.
  * @import { CurrentSession, EquipmentView, Me } from "types/api"
  */
-import { Api, ApiError, failureWords } from "./api.js";
+import { Api, ApiError, FORBIDDEN, failureWords } from "./api.js";
 import { Live } from "./live/live.js";
 import { h, put } from "./widgets/dom.js";
 import { Lock } from "./shell/lock.js";
@@ -22,7 +22,6 @@ import { PageSession } from "./live/page_session.js";
 import { t } from "./texts.js";
 import { currentWarning } from "./shell/warning.js";
 
-const FORBIDDEN = 403;
 const WARN_EVERY = 60_000; // ms
 
 /**

@@ -2,6 +2,7 @@
  * Backup, for owners: the newest backups and one now, folder and passphrase, deleted patients, incidents.
  * @import { BackupsView } from "types/api"
  */
+import { ApiError, FORBIDDEN } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { deletedCard } from "./deleted_card.js";
@@ -12,7 +13,7 @@ import { recordTimeCard } from "./record_time_card.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
-  if (app.me?.role !== "owner") throw new Error(t("backup.owner"));
+  if (app.me?.role !== "owner") throw new ApiError(t("backup.owner"), FORBIDDEN);
   const first = await app.api.get("/backups");
   if (signal.aborted) return;
   const made = madeCard(app, first, signal);

@@ -2,7 +2,7 @@
  * This computer, for owners: measured for ten seconds on a tap, with the pictures a second of each open screen.
  * @import { ComputerView, FindingView } from "types/api"
  */
-import { failureWords } from "../../api.js";
+import { ApiError, FORBIDDEN, failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, put, write } from "../../widgets/dom.js";
 import { icon } from "../../widgets/icons.js";
@@ -13,7 +13,7 @@ const ICONS = /** @type {const} */ ({ good: "tick", attention: "warning", bad: "
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
-  if (app.me?.role !== "owner") throw new Error(t("computer.owner"));
+  if (app.me?.role !== "owner") throw new ApiError(t("computer.owner"), FORBIDDEN);
   const go = h("button", { type: "button", class: "btn go" }, t("computer.go", { seconds: SECONDS }));
   const course = measuringCourse(signal);
   const problem = h("p", { class: "problem", role: "alert" });

@@ -1,0 +1,13 @@
+"""A page that a role may not see says so, and leads to one that it may."""
+
+import pytest
+from browser.eyes.places import PLACES, put_back
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
+
+
+def test_every_page_of_an_owner_leads_a_clinician_to_another(page, clinic):
+    for name in ("people", "log", "computer", "backup"):
+        PLACES[f"{name}, clinician"](page, clinic)  # waits for the link
+        assert page.get_by_role("button", name="Try again").count() == 0
+        put_back(clinic)
