@@ -129,7 +129,7 @@ def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
         {
             **joint.model_dump(mode="json", include=fields),
             "has_to_be_repeated": joint.has_to_be_repeated,
-            "advice": None if joint.grade == "good" else joint.reason,
+            "advice": joint.advice,
             "dead_zone": joint.thresholds[0],
             "full": joint.thresholds[1],
             "map": joint.map,

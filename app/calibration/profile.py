@@ -192,6 +192,11 @@ class JointMap(Document):
         return self.grade == "repeat"
 
     @property
+    def advice(self) -> str | None:
+        """What is to be heeded; None when the measurements are good."""
+        return None if self.grade == "good" else self.reason
+
+    @property
     def linear(self) -> LinearMap | None:
         """The linear map that decodes; None when the PCA map does."""
         return {"pca": None, "guided": self.guided, "prior": self.prior}[self.map]

@@ -3,9 +3,9 @@
 from collections.abc import Iterable
 from typing import Final
 
+from app.number_words import amount, with_minus
 from app.reports.characters import without_invisible
 from app.reports.document import Remark
-from app.reports.measure_words import amount
 from app.store.sharing.comments import Comment
 
 MOST_COMMENTS: Final = 100  # in one report: those of the newest trials
@@ -29,6 +29,6 @@ def _remark(comment: Comment, session: int | None) -> Remark:
     where = "" if session is None else f"Session {session}, "
     revised = "" if comment.revised is None else f", revised {comment.revised.astimezone():%Y-%m-%d %H:%M}"
     said = f"{comment.person}, {comment.written.astimezone():%Y-%m-%d %H:%M}{revised}"
-    moment = f"{comment.t:.1f} s".replace("-", "\u2212")
+    moment = with_minus(f"{comment.t:.1f} s")
     head = f"{where}{comment.floorplan_title}, trial {comment.number}, at {moment}: {said}"
     return Remark(without_invisible(head), without_invisible(comment.text))

@@ -4,6 +4,7 @@ from datetime import datetime
 from typing import Final
 
 from app import __version__
+from app.number_words import amount
 from app.reports.characters import without_invisible
 from app.reports.comment_remarks import comment_remarks
 from app.reports.condition import condition_facts, controls_table
@@ -17,7 +18,6 @@ from app.reports.material import (
     SessionMaterial,
     TaskMaterial,
 )
-from app.reports.measure_words import amount
 from app.reports.task_report import task_report
 from app.store.log_chain import Head
 from app.store.records.imports import Origin

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
+from app.number_words import with_minus
 from app.reports.document import Drawing
 from app.reports.svg import area, dot, label, line, nice_step, picture
 from app.scoring.learning_words import Measure
@@ -70,7 +71,7 @@ def _axes(low: float, high: float, step: float, measure: Measure) -> list[str]:
     for number in range(round((high - low) / step) + 1):
         value = low + number * step
         y = TOP + (HEIGHT - TOP - BOTTOM) * (1 - (value - low) / (high - low))
-        words = f"{value * measure.factor:.6g}".replace("-", "\u2212")
+        words = with_minus(f"{value * measure.factor:.6g}")
         parts += [line([(LEFT, y), (WIDTH - RIGHT, y)], "line", 0.5), label(LEFT - 3, y + 2.4, words, anchor="end")]
     return [*parts, label(2, 6, measure.unit)]
 

@@ -2,9 +2,9 @@
 
 from typing import Any, Final, NamedTuple
 
+from app.number_words import amount
 from app.reports.document import InterfaceTestReport, Table
 from app.reports.material import InterfaceTestMaterial, ReportedTest
-from app.reports.measure_words import amount
 from app.scoring.interface_test.interface_course import counted_tests
 from app.scoring.interface_test.interface_verdicts import InterfaceVerdicts, interface_verdicts
 

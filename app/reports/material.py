@@ -129,8 +129,7 @@ def report_material(
     """Return what a report of one session, or of a patient's whole course (None), is made from.
 
     `session` is its number: 1, 2, 3 ... per patient; `settings` name the folders of all recordings and of
-    the clinic's own floor plans; `spreads_of` returns the
-    clinic's median spreads in a task.
+    the clinic's own floor plans; `spreads_of` returns the clinic's median spreads in a task.
 
     Raises
     ------

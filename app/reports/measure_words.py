@@ -64,8 +64,3 @@ def noise_words(name: str, verdict: Verdict) -> str:
         return ""
     measure = MEASURES[name]
     return measure.with_unit(f"{measure.figure(verdict.low)} to {measure.figure(verdict.high)}")
-
-
-def amount(count: int, one: str, many: str = "") -> str:
-    """Return a count with its noun: 1 trial, 2 trials."""
-    return f"{count} {one if count == 1 else many or f'{one}s'}"

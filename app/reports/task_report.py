@@ -4,12 +4,13 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from app.number_words import amount
 from app.recording.recorded_trajectory import read_trajectory, thinned
 from app.reports.band_drawing import band_drawing
 from app.reports.curve_drawing import CurvePoint, curve_drawing
 from app.reports.document import Drawing, MeasureRow, TaskReport, Tone
 from app.reports.material import Rows, TaskMaterial
-from app.reports.measure_words import MEASURE_WORDS, amount, leading_measures, noise_words, with_unit
+from app.reports.measure_words import MEASURE_WORDS, leading_measures, noise_words, with_unit
 from app.reports.trajectory_drawing import Points, trajectory_drawing
 from app.scoring.learning import learning_curves
 from app.scoring.learning_words import MEASURES

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from app.number_words import amount, with_minus
 from app.scoring.learning_fit import MIN_TRIALS, MIN_TRIALS_FOR_CONSTANT, LearningCurve
 from app.scoring.retention import Change, Retention
 from app.scoring.trend import SIGNIFICANCE, theil_sen
@@ -11,7 +12,6 @@ from app.scoring.verdict.measure_comparison import COMPARISONS
 from app.scoring.verdict.measure_verdict import VERDICT_WORDS
 
 EDGE = 3  # trials at either end whose medians are compared
-MINUS = "\u2212"
 
 
 class Measure(NamedTuple):
@@ -27,7 +27,7 @@ class Measure(NamedTuple):
         digits = self.digits
         if not digits and not self.unit and value != round(value):
             digits = 1  # a mean of counts
-        return f"{round(value * self.factor, digits) + 0.0:.{digits}f}".replace("-", MINUS)  # + 0.0: never -0
+        return with_minus(f"{round(value * self.factor, digits) + 0.0:.{digits}f}")  # + 0.0: never -0
 
     def with_unit(self, figure: str) -> str:
         """Return a figure with the unit behind it; a degree sign stands close to it."""
@@ -76,7 +76,7 @@ def plain_words(name: str, learning: LearningCurve, sessions: int) -> str:
     `sessions` is the number of sessions that the trials were driven in; 0 where that is not known.
     """
     measure, count = MEASURES[name], len(learning.n)
-    over = f"over {count} trials" + (f" in {_amount(sessions, 'session')}" if sessions else "")
+    over = f"over {count} trials" + (f" in {amount(sessions, 'session')}" if sessions else "")
     what = f"{measure.words[0].lower()}{measure.words[1:]}"
     if learning.trend.direction == "none":
         said = f"Within noise {over}: {what} was about {measure.level(float(np.median(learning.values)))}."
@@ -197,7 +197,7 @@ def _slope(measure: Measure, learning: LearningCurve) -> str:
     if slope.low * slope.high <= 0:
         return ""
     steps = (abs(slope.median), *sorted((abs(slope.low), abs(slope.high))))
-    step, least, most = (f"{step * measure.factor:.2g}".replace("-", MINUS) for step in steps)
+    step, least, most = (with_minus(f"{step * measure.factor:.2g}") for step in steps)
     return (
         f" From trial to trial it {learning.trend.direction} by {measure.with_unit(step)} in the median "
         f"(95 %: {least} to {most})."
@@ -219,7 +219,3 @@ def _form(measure: Measure, learning: LearningCurve) -> str:
     if len(learning.n) < MIN_TRIALS_FOR_CONSTANT:
         return f"{levels}; how fast is told from {MIN_TRIALS_FOR_CONSTANT} trials on."
     return f"{levels} within the first trials."
-
-
-def _amount(count: int, noun: str) -> str:
-    return f"{count} {noun if count == 1 else f'{noun}s'}"

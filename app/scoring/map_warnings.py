@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.grades import EVR_LIMITS, LARGEST_ANGLE
-from app.percent import percent
+from app.number_words import percent
 from app.scoring.control_quality import BadChannel
 from app.scoring.trial_assessment import EDGE, FEWEST, ControlWarning, JointInTrial, TrialAssessment, median_of
 

@@ -6,7 +6,7 @@ from typing import Literal
 
 import numpy as np
 
-from app.percent import percent
+from app.number_words import percent
 from app.scoring.trend import mann_kendall
 from app.scoring.trial_assessment import EDGE, FEWEST, ControlWarning, JointInTrial, median_of
 

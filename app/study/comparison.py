@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from app.percent import percent, signed_percent
+from app.number_words import percent, signed_percent
 from app.study.sessions import SessionTrial
 
 RESAMPLES = 9999

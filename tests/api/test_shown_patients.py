@@ -9,8 +9,8 @@ import pytest
 from fake_clinic import BASE, Clinic
 from fastapi.routing import APIRoute
 from people_of_clinic import as_person
+from routes_with_ids import MISSING, places
 from starlette.websockets import WebSocketDisconnect
-from test_other_clinics import BODIES, FILLED, MISSING, places, table_of
 from test_roles import FOR_REVIEWERS, contexts, requested
 from view.served_view import VIEW, serve_view
 
@@ -61,33 +61,13 @@ def test_the_id_of_another_patient_is_answered_like_one_that_does_not_exist(revi
     hidden = {"patient": reviewed.patient["id"], "trial": trial, "session": int(reviewed.session)}
     tried = []
     with as_person(reviewed, reviewer(reviewed, reviewed.shown)):  # type: ignore[attr-defined]
-        for method, path, name, needed in places(document):
-            route, table = f"{method} {path.removeprefix('/api/v1')}", table_of(method, path, name)
-            if table not in hidden or route not in FOR_REVIEWERS:
+        for place in places(document):
+            if place.table not in hidden or place.route not in FOR_REVIEWERS:
                 continue
-
-            def ask(
-                number: int,
-                method: str = method,
-                path: str = path,
-                name: str = name,
-                needed: Any = needed,
-                route: str = route,
-            ) -> Any:
-                url = path.removeprefix("/api/v1").replace(f"{{{name}}}", str(number))
-                url = url.replace("{trial_id}", str(number)).replace("{session_id}", str(number))
-                more = {other: FILLED[other] for other in needed if other != name}
-                body = BODIES.get(route)
-                if f"{{{name}}}" not in path and method == "GET":
-                    more[name] = str(number)
-                elif f"{{{name}}}" not in path:
-                    body = BODIES.get(route, {}) | {name: number}
-                return reviewed(method, url, params=more, json=body)
-
-            missing, refused = ask(MISSING), ask(hidden[table])
-            assert (missing.status_code, refused.status_code) == (404, 404), (route, refused.text)
-            assert re.sub(r"\d+", "N", refused.text) == re.sub(r"\d+", "N", missing.text), route
-            tried.append(route)
+            missing, refused = place.asked(reviewed, MISSING), place.asked(reviewed, hidden[place.table])
+            assert (missing.status_code, refused.status_code) == (404, 404), (place.route, refused.text)
+            assert re.sub(r"\d+", "N", refused.text) == re.sub(r"\d+", "N", missing.text), place.route
+            tried.append(place.route)
     assert len(tried) >= 7
 
 

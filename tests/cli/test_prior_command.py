@@ -13,7 +13,7 @@ from app.calibration.prior.prior_file import read_prior
 from app.calibration.profile import CalibrationProfile
 from app.cli.errors import InputError
 from app.cli.main import build
-from app.percent import percent
+from app.number_words import percent
 
 
 def run(command, *words):

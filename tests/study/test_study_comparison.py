@@ -81,4 +81,4 @@ def test_seeds_that_did_not_reach_the_goal_are_not_compared() -> None:
 def test_the_table_has_a_row_for_each_session_and_seed() -> None:
     text = table(compare(*study(0.6)))
     assert len(text.splitlines()) == 2 + 2 + 3 + 8 + 2 + 2
-    assert "-40 %" in text
+    assert "−40 %" in text

@@ -22,7 +22,7 @@ from app.calibration.adaptation.proposal_document import JointChange, Status
 from app.calibration.adaptation.thresholds import Thresholds, full_for, step_thresholds
 from app.calibration.profile import JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
-from app.percent import percent
+from app.number_words import percent
 
 ANEW = "calibrate this joint again"
 AT_ITS_END = f"It cannot follow any further: {ANEW}."

@@ -9,12 +9,12 @@ from app.calibration.grades import CROSS_TALK_LIMIT, signal_word
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import Binding, Control, Gesture
 from app.messages import MAX_GESTURES
-from app.percent import percent
+from app.number_words import percent
 from app.quantities import Document
 
 FORWARD_PART = "elbow"  # the paper drives forward and back with the elbows, and turns with the shoulders
 EQUAL_COST = 0.1  # smaller differences are chance
-REPEAT_PENALTY = 1.0  # added to the cost of a joint graded `repeat`, so that it is taken last
+REPEAT_PENALTY = 1.0  # added to the cost of a joint whose movement has to be repeated, so that it is taken last
 LEAST_SAID = 0.1  # false activations a minute: smaller predictions are written as "fewer than 0.1"
 MIRROR_WORTH = 0.25  # by which left and right of one body part may cost more: they are easier to remember
 
@@ -37,13 +37,13 @@ class _Costs:
     def __init__(
         self, profile: CalibrationProfile, found: Sequence[FoundGesture], shares: Mapping[str, Shares]
     ) -> None:
-        grades = {joint.name: joint.grade for joint in profile.joints}
+        repeated = {joint.name for joint in profile.joints if joint.has_to_be_repeated}
         self._shares = shares
         self._alone: dict[str, float] = {}
         for gesture in found:
             of_limits = ratios(gesture)
             alone = math.fsum(of_limits.values()) - of_limits["cross_talk"]
-            self._alone[gesture.name] = alone / len(of_limits) + REPEAT_PENALTY * (grades[gesture.joint] == "repeat")
+            self._alone[gesture.name] = alone / len(of_limits) + REPEAT_PENALTY * (gesture.joint in repeated)
 
     def cross_talk(self, chosen: Sequence[FoundGesture]) -> float | None:
         """Return the mean cross-talk among the chosen gestures, None when it is unknown."""

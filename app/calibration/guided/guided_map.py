@@ -16,6 +16,7 @@ from app.calibration.fit.repetitions import Stretch
 from app.calibration.guided.check import SHORTEST_REST, check, dead_zone_of
 from app.calibration.guided.labels import CuedMovement, labels, lags_of
 from app.calibration.profile import AVERAGING_TIMES, CalibrationProfile, GuidedMap, JointMap, MapCheck
+from app.number_words import amount
 from app.signals.smoothing import slow_average, smooth
 
 LARGEST_WEIGHT = 1e12  # FS per signal unit, as `app.quantities.Finite`
@@ -100,7 +101,7 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
         )
     if count < FEWEST:
         raise GuidedMapError(
-            f"Nothing is learnt from {count} prompted repetition{'s' if count > 1 else ''}: prompt at least {FEWEST}, "
+            f"Nothing is learnt from {amount(count, 'prompted repetition')}: prompt at least {FEWEST}, "
             f"so that it can be judged on one that it has not seen."
         )
     pieces = [piece for piece in pieces if piece.cued]

@@ -3,7 +3,7 @@
 from app.calibration.gestures.discovery import Discovery
 from app.calibration.gestures.numbers import FoundGesture
 from app.calibration.grades import repeats_word, signal_word
-from app.percent import percent
+from app.number_words import percent
 
 HEAD = ("score", "signal", "repeats", "along", "effort", "false/min", "answered")
 

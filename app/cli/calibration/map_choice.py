@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING, Literal
 
 from app.cli.errors import InputError
-from app.percent import percent
+from app.number_words import percent
 
 if TYPE_CHECKING:
     from app.calibration.profile import CalibrationProfile, JointMap, MapCheck, MapKind

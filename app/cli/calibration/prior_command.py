@@ -9,7 +9,7 @@ import typer
 from app.cli.calibration.prior_of_clinic import export_prior, import_prior
 from app.cli.errors import InputError
 from app.cli.output import write_output
-from app.percent import percent
+from app.number_words import percent
 
 prior_app = typer.Typer(
     help="Learn from other people in the same shirt, so that somebody new drives before being calibrated.",

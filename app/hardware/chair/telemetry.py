@@ -4,7 +4,7 @@ import math
 
 from app.hardware.chair.packet import Telemetry
 from app.hardware.chair.reasons import WORDS, Reason
-from app.percent import percent
+from app.number_words import percent
 
 SILENT = 0.3  # s without telemetry, which comes every 0.1 s
 MOST_NONCES = 1000  # number of nonces kept: a chair makes a new one at each disarming

@@ -16,7 +16,7 @@ from app.calibration.adaptation.movement import gesture_of
 from app.calibration.adaptation.thresholds import dead_zone_for
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
-from app.percent import percent
+from app.number_words import percent
 from app.scoring.map_losses.gesture_trial import GestureTrial
 from app.scoring.verdict.cusum import LIMIT, cumulative_sum, normal_score
 from app.scoring.verdict.spread import CLINIC_WEIGHT, Series, Spread, Variance, own_spread, pool_spreads, weighted_sum

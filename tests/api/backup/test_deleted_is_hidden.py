@@ -2,14 +2,13 @@
 
 import json
 import re
-from typing import Any
 
 import pytest
 from fake_clinic import Clinic
 from fastapi.routing import APIRoute
 from people_of_clinic import as_person
+from routes_with_ids import MISSING, places
 from stored_interface_test import store_interface_test
-from test_other_clinics import BODIES, FILLED, MISSING, places
 from test_roles import contexts, requested
 from test_shown_patients import HIDDEN, reviewed
 
@@ -62,42 +61,18 @@ def deleted(reviewed: Clinic) -> Clinic:
 def test_every_route_answers_as_for_an_id_that_does_not_exist(deleted: Clinic) -> None:
     ids = deleted.ids  # type: ignore[attr-defined]
     tried = set()
-    for method, path, name, needed in places(deleted.good("GET", "/openapi.json")):
-        route = f"{method} {path.removeprefix('/api/v1')}"
-        if name not in ids or route in FOR_DELETED:
+    for place in places(deleted.good("GET", "/openapi.json")):
+        if place.name not in ids or place.route in FOR_DELETED:
             continue
-
-        def ask(
-            numbers: dict[str, int],
-            more_body: dict[str, Any] | None = None,
-            method: str = method,
-            path: str = path,
-            name: str = name,
-            needed: Any = needed,
-            route: str = route,
-        ) -> Any:
-            url = path.removeprefix("/api/v1")
-            for placeholder, number in numbers.items():
-                url = url.replace(f"{{{placeholder}}}", str(number))
-            more = {other: FILLED[other] for other in needed if other != name}
-            body = BODIES.get(route)
-            if f"{{{name}}}" not in path and method == "GET":
-                more[name] = str(numbers[name])
-            elif f"{{{name}}}" not in path:
-                body = (body or {}) | {name: numbers[name]}
-            if more_body is not None:
-                body = (body or {}) | more_body
-            return deleted(method, url.replace("{consent}", "sharing"), params=more, json=body)
-
         nothing = dict.fromkeys(ids, MISSING)
-        for more_body in (None, {"nonsense": 1}):  # the second one is refused for its form where there is a body
-            missing, refused = ask(nothing, more_body), ask(ids, more_body)
-            assert missing.status_code == refused.status_code, (route, refused.text)
-            assert refused.status_code in ({404} if more_body is None else {404, 409, 422}), (route, refused.text)
-            assert re.sub(r"\d+", "N", refused.text) == re.sub(r"\d+", "N", missing.text), route
-            assert not NAMES.search(refused.text), route
-            assert refused.json()["detail"].endswith("."), route
-        tried.add((route, name))
+        for more_body in ({}, {"nonsense": 1}):  # the second one is refused for its form where there is a body
+            missing, refused = (place.asked(deleted, numbers, **more_body) for numbers in (nothing, ids))
+            assert missing.status_code == refused.status_code, (place.route, refused.text)
+            assert refused.status_code in ({404, 409, 422} if more_body else {404}), (place.route, refused.text)
+            assert re.sub(r"\d+", "N", refused.text) == re.sub(r"\d+", "N", missing.text), place.route
+            assert not NAMES.search(refused.text), place.route
+            assert refused.json()["detail"].endswith("."), place.route
+        tried.add((place.route, place.name))
     assert {name for _, name in tried} == set(ids)
     assert len(tried) >= 30
 

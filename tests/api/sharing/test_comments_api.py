@@ -5,7 +5,7 @@ from typing import Any
 from fake_clinic import BASE, Clinic
 from fastapi.routing import APIRoute
 from people_of_clinic import as_person
-from test_other_clinics import BODIES
+from routes_with_ids import BODIES
 from test_roles import contexts
 
 from app.store.sharing.comments import comment_history

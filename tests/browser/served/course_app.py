@@ -4,12 +4,9 @@ python tests/browser/served/course_app.py --port 8132
 """
 
 import argparse
-import atexit
-import shutil
 import sys
 import tempfile
 import threading
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +14,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # for its own start, outside of the tests
 
+from browser.served.copied_clinic import copied_clinic
 from browser.served.served_clinic import ServedClinic
 from store.course_of_sessions import store_course
 
@@ -54,20 +52,8 @@ def measures(rng: np.random.Generator, level: float, *, reached: bool = True) ->
 
 
 def furnish(settings: Settings) -> list[int]:
-    """Make the clinic with five people; return the ids of the first one's trials, the last of them unfinished.
-
-    It is made once for all tests of a process, and then copied.
-    """
-    folder, trials = _furnished()
-    shutil.copytree(folder, settings.state, dirs_exist_ok=True)
-    return list(trials)
-
-
-@cache
-def _furnished() -> tuple[Path, list[int]]:
-    folder = Path(tempfile.mkdtemp())
-    atexit.register(shutil.rmtree, folder)
-    return folder, _store(Settings(state=folder))
+    """Make the clinic with five people; return the ids of the first one's trials, the last of them unfinished."""
+    return copied_clinic(_store, settings)
 
 
 def _store(settings: Settings) -> list[int]:

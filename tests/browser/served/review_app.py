@@ -4,16 +4,14 @@ python tests/browser/served/review_app.py --port 8131
 """
 
 import argparse
-import atexit
-import shutil
 import sys
 import tempfile
 import threading
-from functools import cache
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # for its own start, outside of the tests
 
+from browser.served.copied_clinic import copied_clinic
 from browser.served.served_clinic import ServedClinic
 from recorded_trial import record_trial, store_trial
 
@@ -36,20 +34,8 @@ SIMULATED = Source(shirt="simulator", body="person", chair="virtual", simulated=
 
 
 def furnish(settings: Settings) -> list[int]:
-    """Make the clinic with its trials; return their ids.
-
-    It is made once for all tests of a process, because its trials take seconds to record, and is then copied.
-    """
-    folder, trials = _furnished()
-    shutil.copytree(folder, settings.state, dirs_exist_ok=True)
-    return list(trials)
-
-
-@cache
-def _furnished() -> tuple[Path, list[int]]:
-    folder = Path(tempfile.mkdtemp())
-    atexit.register(shutil.rmtree, folder)
-    return folder, _record(Settings(state=folder))
+    """Make the clinic with its trials; return their ids. To record them takes seconds."""
+    return copied_clinic(_record, settings)
 
 
 def _record(settings: Settings) -> list[int]:

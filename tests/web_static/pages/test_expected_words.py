@@ -29,4 +29,4 @@ def test_before_any_prompt_it_says_what_prompts_would_bring(run_script: Any, tmp
     file.write_text(json.dumps([{"hits": without, "hits_with_prompts": HITS, "false_per_minute": None}]))
     ((hits, _, prompted),) = json.loads(run_script("pages/expected_words.mjs", file))
     assert hits == "Of 100 movements about 71 are answered (± 18)."
-    assert prompted.startswith("After three repetitions of this movement that is surer (± 11)")
+    assert prompted.startswith("After three repetitions of this movement the first figure is surer (± 11)")

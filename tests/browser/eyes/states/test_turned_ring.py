@@ -7,7 +7,7 @@ from browser.eyes.places import PLACES, put_back
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
 
-MIDDLE = 88  # px of the picture
+MIDDLE = 100  # px of the picture
 FRONT = 1.5  # the place at the top: that of the front of the limb
 SENSORS = 8
 ARROW = """() => {
@@ -32,5 +32,5 @@ def test_the_arrow_goes_from_where_a_sensor_lies_to_where_it_belongs(page, clini
     heights = dict(page.evaluate(SIDES))
     assert heights["front"] == min(heights.values())
     assert heights["back"] == max(heights.values())
-    assert heights.keys() == {"front", "back", "outside", "inside"}
+    assert heights.keys() == {"front", "back", "outer side", "inner side"}
     put_back(clinic)

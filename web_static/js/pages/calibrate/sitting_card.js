@@ -6,8 +6,8 @@
 import { t } from "../../texts.js";
 import { h, s } from "../../widgets/dom.js";
 
-const SIZE = 176; // px of the picture
-const WORDS = 64; // px, from the middle to the words round the ring
+const SIZE = 200; // px of the picture
+const WORDS = 67; // px, from the middle to the words round the ring
 const ROUND = 34; // px, radius of the ring of sensors
 const TURN = 22; // px, radius of the arrow inside
 const HEAD = 5; // px, half the width of an arrow's head
