@@ -7,7 +7,7 @@ from browser.eyes.places import PLACES, put_back
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
 
-MIDDLE = 100  # px of the picture
+MIDDLE = 110  # px of the picture
 FRONT = 1.5  # the place at the top: that of the front of the limb
 SENSORS = 8
 ARROW = """() => {

@@ -6,8 +6,10 @@
 import { t } from "../../texts.js";
 import { h, s } from "../../widgets/dom.js";
 
-const SIZE = 200; // px of the picture
-const WORDS = 67; // px, from the middle to the words round the ring
+const SIZE = 220; // px, width of the picture, in whose middle the ring is
+const HEIGHT = 128; // px
+const WORDS = 50; // px, from the middle to where the words round the ring begin
+const BESIDE = 10; // px beside the middle from which words stand left or right of the ring
 const ROUND = 34; // px, radius of the ring of sensors
 const TURN = 22; // px, radius of the arrow inside
 const HEAD = 5; // px, half the width of an arrow's head
@@ -66,11 +68,13 @@ function ring(label, sits, large, first, arrows) {
   /** @param {string} side @param {number} place */
   const sideWords = (side, place) => {
     const [x, y] = at(place, WORDS);
-    return s("text", { x, y, class: "side" }, t(`result.sits.side.${side}`));
+    const beside = x - SIZE / 2;
+    const anchor = Math.abs(beside) < BESIDE ? "middle" : beside < 0 ? "end" : "start";
+    return s("text", { x, y, class: "side", "text-anchor": anchor }, t(`result.sits.side.${side}`));
   };
   return s(
     "svg",
-    { class: "ring", viewBox: `0 0 ${SIZE} ${SIZE}`, width: SIZE, height: SIZE, role: "img", "aria-label": label },
+    { class: "ring", viewBox: `0 ${(SIZE - HEIGHT) / 2} ${SIZE} ${HEIGHT}`, width: SIZE, height: HEIGHT, role: "img", "aria-label": label },
     s("circle", { cx: SIZE / 2, cy: SIZE / 2, r: ROUND, class: "limb" }),
     Array.from({ length: sensors }, (_, place) => {
       const [cx, cy] = at(place, ROUND);
