@@ -72,7 +72,7 @@ EXPLANATIONS: dict[Fault, Explanation] = {
         "Bring the shirt's transmitter closer, then tap Continue.",
     ),
     Fault.CHANNELS_BAD: Explanation(
-        "Sensors of two gestures gave impossible values.",
+        "Sensors of two movements gave impossible values.",
         "See the lamps on the Shirt page; repeat the calibration without the bad sensors.",
     ),
     Fault.WEB_SILENT: Explanation(

@@ -35,7 +35,7 @@ def sensor_warnings(trial: TrialAssessment) -> list[ControlWarning]:
                 kind="map",
                 joint=where,
                 words=f"The shirt does not sit as it was calibrated: {len(outside)} sensors ({where}) lay "
-                f"outside their calibrated range in trial {trial.number}, and these joints' gestures did nothing.",
+                f"outside their calibrated range in trial {trial.number}, and what these joints did had no effect.",
                 advice="Set the shirt straight. When it was put on again, fit the calibration to it in Calibrate.",
             )
         )
@@ -48,7 +48,7 @@ def _sensor_warning(trial: TrialAssessment, channel: BadChannel, label: str) -> 
         kind="sensor",
         joint=label,
         words=f"{label}: sensor {channel.name} {fault} for {percent(channel.share)} of trial {trial.number}; meanwhile "
-        "this joint's gestures did nothing.",
+        "what this joint did had no effect.",
         advice="Look at it on the Shirt page, set the shirt straight and push the plug in fully. If it stays so, mark "
         "the sensor as unused and calibrate again: the sensor is then left out.",
     )

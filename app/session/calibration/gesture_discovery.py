@@ -19,7 +19,7 @@ from app.store.tables import PatientSession
 KEPT = 8  # results: the Controls page asks again with every change
 NOTHING = "Nothing is calibrated yet: calibrate first, and tap “Use this calibration”."
 GONE = (
-    "The recordings of this calibration are not here, so only movements towards a gesture are ranked, not those back, "
+    "The recordings of this calibration are not here, so only the movements there are ranked, not those back, "
     "by the calibration's own numbers: calibrate again to see all."
 )
 

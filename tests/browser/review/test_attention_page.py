@@ -25,7 +25,7 @@ def test_a_reviewer_begins_with_who_needs_attention(app, open_for):
         add_comment(db, find_trial(db, 1, app.trials[0]), author.id, 2.0, "Here the turn is late.")
     page = open_for("Rhea", "reviewer", "", (390, 844))
     expect(page.get_by_role("heading", name="Who to look at")).to_be_visible()
-    assert steps(page) == ["Patient", "Review", "Settings"]
+    assert steps(page) == ["Patients", "Review", "Settings"]
     expect(page.get_by_text("worked out")).to_have_count(0)
     reason = page.get_by_role("link", name="1 unread comment")
     assert reason.bounding_box()["height"] >= 44

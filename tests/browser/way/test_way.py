@@ -194,11 +194,11 @@ def test_somebody_never_calibrated_drives_after_three_taps(opened):
 
 @pytest.mark.long
 def test_a_new_patient_drives_after_few_taps(opened):
-    """The demonstration is signed in by its link: the tap on Patient stands for the one on Sign in."""
+    """The demonstration is signed in by its link: the tap on Patients stands for the one on Sign in."""
     page = opened()
     expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
     page.evaluate(COUNT)
-    page.get_by_role("link", name="Patient").first.click()
+    page.get_by_role("link", name="Patients").first.click()
     page.get_by_role("button", name="New patient").click()
     page.keyboard.type("P-900")
     page.keyboard.press("Tab")

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 
 globalThis.matchMedia = () => ({ matches: false, addEventListener() {} });
-const { detailWords } = await import(pathToFileURL(`${process.argv[2]}/pages/log/log_details.js`));
+const { detailWords, whatWords } = await import(pathToFileURL(`${process.argv[2]}/pages/log/log_details.js`));
 const codes = new Map([[1, "P-001"]]);
 
 assert.equal(detailWords({ patient: 1, session: 3 }, codes), "P-001 · session 3");
@@ -29,4 +29,6 @@ assert.equal(detailWords({ kind: "recording", size: 48_000_000, same_name: "keep
   "kind recording · size 48.0 MB · name that was taken both kept");
 assert.equal(detailWords({ joint: "right_elbow", right: false }, codes), "joint right elbow · sits right no");
 assert.equal(detailWords({}, codes), "");
+assert.equal(whatWords("dial turned"), "speed dial turned");
+assert.equal(whatWords("session viewed"), "session viewed"); // plain already
 console.log("the words of details hold");

@@ -138,8 +138,8 @@ function tableCard(measures, earlier, found) {
         h("th", { scope: "row" }, t(`measure.${name}`)),
         h("td", { class: "own" }, withUnit(name, measured(measures, name))),
         previous && [
-          h("td", {}, comparable(name, measures) ? withUnit(name, measured(previous.measures, name)) : "–"),
           h("td", { class: `change ${verdict?.tone ?? ""}` }, verdict ? `${verdict.arrow} ${verdict.words}` : "–"),
+          h("td", {}, comparable(name, measures) ? withUnit(name, measured(previous.measures, name)) : "–"),
           h("td", {}, verdict?.noise ?? "–"),
           h("td", {}, comparable(name, measures) ? withUnit(name, found?.best[name]) : "–"),
         ],
@@ -148,7 +148,7 @@ function tableCard(measures, earlier, found) {
   const head = [
     t("over.measure"),
     t("over.this"),
-    ...(previous ? [t("over.previous", { number: previous.number }), t("verdict.column"), t("verdict.noise"), t("over.best")] : []),
+    ...(previous ? [t("verdict.column"), t("over.previous", { number: previous.number }), t("verdict.noise"), t("over.best")] : []),
   ];
   return h(
     "section",

@@ -36,6 +36,16 @@ def test_verdicts_on_sessions_are_in_view(visited):
     assert "From the sofa to the guest room" in page.locator("main h2").first.inner_text()
 
 
+@pytest.mark.parametrize("name", ["drive, over, verdicts", "review compare, verdicts", "review, worse"])
+def test_verdicts_of_trials_are_in_view(visited, name):
+    page = visited(name)
+    for opener in page.locator(".session-verdicts summary").all():
+        opener.click()
+    beyond = page.evaluate(BEYOND, ".measures .change")
+    assert len(beyond) >= 6
+    assert max(beyond) <= 0
+
+
 def test_the_links_of_a_report_are_in_view(visited):
     page = visited("review, warnings")
     link = page.get_by_role("link", name="Make the web page")

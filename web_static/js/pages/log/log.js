@@ -8,7 +8,7 @@ import { field, selection } from "../../widgets/fields.js";
 import { exactMoment } from "../../widgets/format.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 import { logCard } from "./log_card.js";
-import { detailWords } from "./log_details.js";
+import { detailWords, whatWords } from "./log_details.js";
 
 const ALL = "";
 
@@ -88,5 +88,5 @@ export async function show(app, root, { signal }) {
 /** @param {LogView["entries"][number]} entry @param {Map<number, string>} codes */
 function row({ at, person, what, details }, codes) {
   const moment = h("time", { datetime: at }, exactMoment(at));
-  return h("tr", {}, h("td", {}, moment), h("td", {}, person ?? t("log.program")), h("td", {}, what), h("td", { class: "quiet" }, detailWords(details, codes, what)));
+  return h("tr", {}, h("td", {}, moment), h("td", {}, person ?? t("log.program")), h("td", {}, whatWords(what)), h("td", { class: "quiet" }, detailWords(details, codes, what)));
 }

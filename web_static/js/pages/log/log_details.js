@@ -14,6 +14,12 @@ const WRITTEN = { given: day, made: moment, since: moment, bytes: size, size };
 const PATIENTS = "patients"; // whom a person may see: all where there is no list
 const DIAL = "dial turned"; // its `share` is that of the speeds; elsewhere it is the id of a share link
 
+/** What happened, in the words of the other pages. @param {string} what as the log has it */
+export function whatWords(what) {
+  const key = `log.what.${what}`;
+  return hasText(key) ? t(key) : what;
+}
+
 /**
  * @param {Details} details @param {Map<number, string>} codes of patients, by id @param {string} [what] happened
  * @returns {string}

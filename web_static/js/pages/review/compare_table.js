@@ -26,16 +26,18 @@ export function compareTable(trials, found) {
       {},
       h("th", { scope: "row" }, t(`measure.${name}`)),
       [first, second].map((measures) => h("td", { class: "own" }, withUnit(name, measured(measures, name)))),
+      found && h("td", { class: `change ${verdict?.tone ?? ""}` }, verdict ? `${verdict.arrow} ${verdict.words}` : "–"),
       h("td", {}, isMixed || ![first, second].every((one) => comparable(name, one)) ? "–" : difference(name, first, second)),
-      found && [h("td", { class: `change ${verdict?.tone ?? ""}` }, verdict ? `${verdict.arrow} ${verdict.words}` : "–"), h("td", {}, verdict?.noise ?? "–")],
+      found && h("td", {}, verdict?.noise ?? "–"),
     );
   };
   const names = Object.keys(MEASURES).filter((name) => [first, second].some((one) => measured(one, name) !== null));
   const head = [
     t("over.measure"),
     ...trials.map((one) => t("compare.trial", { number: one.number })),
+    ...(found ? [t("compare.verdict", { number: trials[1].number })] : []),
     t("compare.difference"),
-    ...(found ? [t("compare.verdict", { number: trials[1].number }), t("verdict.noise")] : []),
+    ...(found ? [t("verdict.noise")] : []),
   ];
   return h(
     "section",

@@ -1,4 +1,4 @@
-/** Texts of the gestures that were found in a calibration. */
+/** Texts of the movements that were found in a calibration. */
 export default {
   "found.title": "Every movement this body can make",
   "found.lead":
@@ -18,7 +18,7 @@ export default {
   "found.means.repeatability": "How far the peaks of the repetitions differ",
   "found.means.cross_talk": "How much it appears with another movement, or another with it",
   "found.means.effort": "Share of the joint's span to move for full effect; counted twice for a way back",
-  "found.means.false": "Expected false activations a minute at rest",
+  "found.means.false": "How often a minute it is expected to act at rest",
   "found.means.hits": "Share of movements that should reach half of full",
   "found.details": "Details",
   "found.details.one": "{gesture}: signal to noise {signal}, repetitions within {repeats}.",
@@ -28,7 +28,7 @@ export default {
   "found.check.lead":
     "Each forecast was made from one part of the recordings and checked on the rest. So few repetitions prove little: the last numbers say how little.",
   "found.check.rest":
-    "Forecast from the first rest: {predicted} false activations a minute. Counted in another {seconds} s: {counted}. All {all} s together prove fewer than {bound} a minute (95 %).",
+    "Forecast from the first rest: it acts {predicted} times a minute. Counted in another {seconds} s: {counted}. All {all} s together prove fewer than {bound} a minute (95 %).",
   "found.check.hits":
     "Forecast: {predicted} of the movements answered. Counted, each left out in turn: {counted} of {all}, so at least {bound} (95 %).",
 };

@@ -41,7 +41,7 @@ export default {
   "sign-out": "Sign out",
   "rail.label": "The steps of a session, and settings",
   "rail.done": "done",
-  "rail.patients": "Patient",
+  "rail.patients": "Patients",
   "rail.shirt": "Shirt",
   "rail.calibrate": "Calibrate",
   "rail.controls": "Controls",

@@ -99,7 +99,7 @@ export default {
   "source.host": "Listen on",
   "source.port": "Port",
   "source.layout": "Layout",
-  "source.layout.hint": "A JSON file that names the channels. Without one, the layout in use now is kept.",
+  "source.layout.hint": "A JSON file that names the sensors. Without one, the layout in use now is kept.",
   "source.layout.wrong": "{file}: this is not a JSON document; choose a shirt layout.",
   "source.key": "Key",
   "source.key.none": "None",

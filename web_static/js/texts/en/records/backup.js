@@ -58,7 +58,7 @@ export default {
   "incidents.title": "Incidents",
   "incidents.lead": "The command “bodydrive incident” archives the last 24 hours, signed. Its patients are not erased until you lift the mark.",
   "incidents.none": "No incident was archived.",
-  "incidents.of": "{when}, hash {hash}",
+  "incidents.of": "{when}, fingerprint {hash}",
   "incidents.patients": { one: "{count} patient", other: "{count} patients" },
   "incidents.lift": "Lift the mark",
   "incidents.lift.label": "Lift the mark of the incident of {when}",

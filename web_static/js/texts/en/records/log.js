@@ -1,5 +1,28 @@
-/** Words of the details in the log: what they are called, and what their values are. Other names are shown as they are. */
+/**
+ * Words of the log: what happened, what the details are called, and what their values are. Other words of a row are shown
+ * as they are.
+ */
 export default {
+  "log.what.adaptation chosen": "adaptation of the calibration chosen",
+  "log.what.another clinic's id": "number of another clinic's record asked for",
+  "log.what.armed": "chair armed",
+  "log.what.calibration accepted": "calibration taken into use",
+  "log.what.dial turned": "speed dial turned",
+  "log.what.drive ended": "drive of a real chair ended",
+  "log.what.limits set": "clinic's limits set",
+  "log.what.map adapted": "calibration adapted",
+  "log.what.map taken back": "adapted calibration taken back",
+  "log.what.object added": "3D object added",
+  "log.what.patients viewed by attention": "list of who to look at viewed",
+  "log.what.prior exported": "help for new patients exported",
+  "log.what.prior imported": "help for new patients imported",
+  "log.what.prior switched": "help for new patients switched",
+  "log.what.record time changed": "time that records are kept changed",
+  "log.what.share viewed": "share link opened",
+  "log.what.test ended": "two-minute test ended",
+  "log.what.test started": "two-minute test started",
+  "log.what.trial kept": "trial counts again",
+  "log.what.unlocked": "page unlocked",
   "log.name.answers": "answers",
   "log.name.bytes": "size",
   "log.name.chair": "chair",
@@ -14,7 +37,7 @@ export default {
   "log.name.form": "form",
   "log.name.given": "given on",
   "log.name.has_folder": "folder chosen",
-  "log.name.hash": "check sum",
+  "log.name.hash": "fingerprint",
   "log.name.host": "address",
   "log.name.hour": "hour",
   "log.name.how": "by",
@@ -25,7 +48,7 @@ export default {
   "log.name.model": "object",
   "log.name.new": "for a new person",
   "log.name.on": "switched on",
-  "log.name.parameters": "parameter set",
+  "log.name.parameters": "set of controls",
   "log.name.parent": "made from version",
   "log.name.person": "person",
   "log.name.reason_given": "with a reason",

@@ -9,7 +9,7 @@ export default {
   "verdict.column": "Verdict",
   "verdict.noise": "Within noise",
   "verdict.familiarisation":
-    "This is one of the first three trials of this task on its day. They count as getting used to the task and are not compared.",
+    "This is one of the first three trials of this task on its day. They are for getting used to the task and are not compared.",
   "verdict.means":
     "Noise is how much this person's own trials of this task differ without a change. A verdict needs five trials of the task, and from one session to the next also earlier sessions, or three other people of the clinic who did the task.",
   "verdict.chance": "Where nothing changed, about one verdict in thirty says better or worse by chance.",
@@ -20,14 +20,14 @@ export default {
   "verdict.session": "Session {number}",
   "verdict.all": "All measures",
   "verdict.counts": {
-    one: "{count} of the {all} trials of this task counts here: the first three of a day count as getting used to it, and the goal has to be reached.",
-    other: "{count} of the {all} trials of this task count here: the first three of a day count as getting used to it, and the goal has to be reached.",
+    one: "{count} of the {all} trials of this task can be compared: the first three of a day are for getting used to it, and the goal has to be reached.",
+    other: "{count} of the {all} trials of this task can be compared: the first three of a day are for getting used to it, and the goal has to be reached.",
   },
   "verdict.counts.none":
-    "No trial of this task counts here yet ({all} driven): the first three of a day count as getting used to it, and the goal has to be reached.",
-  "verdict.needed": "A verdict needs {count} that count, from two sessions together: drive this task more than three times in each.",
-  "verdict.few": { one: "{count} trial counts so far, {needed} are needed.", other: "{count} trials count so far, {needed} are needed." },
+    "No trial of this task can be compared yet ({all} driven): the first three of a day are for getting used to it, and the goal has to be reached.",
+  "verdict.needed": "A verdict needs {count} that can be compared, from two sessions together: drive this task more than three times in each.",
+  "verdict.few": { one: "{count} trial can be compared so far, {needed} are needed.", other: "{count} trials can be compared so far, {needed} are needed." },
   "verdict.few.sessions":
-    "{count} trials count, which is enough; to compare sessions, one more session is needed, or three other people of the clinic who did this task.",
+    "{count} trials can be compared, which is enough; to compare sessions, one more session is needed, or three other people of the clinic who did this task.",
   "verdict.compare": "Compare sessions",
 };

@@ -6,8 +6,8 @@ export default {
   "attention.nobody": "There is no patient that you may see.",
   "attention.others": "Nothing to look at",
   "attention.pending": {
-    one: "It is still being worked out if {count} patient has become worse.",
-    other: "It is still being worked out if any of {count} patients has become worse.",
+    one: "It is still being worked out whether {count} patient has become worse.",
+    other: "It is still being worked out whether any of {count} patients has become worse.",
   },
   "attention.deterioration": { one: "{count} measure worse than noise", other: "{count} measures worse than noise" },
   "attention.drive": {
