@@ -32,7 +32,7 @@ EXPLANATION: Final = (
 NO_GOAL: Final = "No goal was written down."
 NO_NOTE: Final = "No notes."
 NO_CONDITION: Final = "Nothing was driven, so there is no condition to report."
-SESSIONS_HEAD: Final = ("Session", "Date", "Opened by", "Trials", "Left out", "Signed off by")
+SESSIONS_HEAD: Final = ("Session", "Date", "Opened by", "Trials", "Discarded", "Signed off by")
 
 
 def compose(material: ReportMaterial) -> Report:
@@ -199,7 +199,7 @@ def _identity(material: ReportMaterial) -> tuple[Fact, ...]:
     recorded = f"recorded with {', '.join(began)}" if began else "at the time of the session: not recorded"
     return (
         Fact("Software", f"bodydrive {__version__}; {recorded}"),
-        Fact("Parameter set (SHA-256)", "none: nothing was driven" if parameters is None else parameters.hash),
+        Fact("Fingerprint of the controls (SHA-256)", "none: nothing was driven" if parameters is None else parameters.hash),
         Fact("Head of the log", _head_words(material.head)),
     )
 

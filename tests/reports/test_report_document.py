@@ -28,7 +28,7 @@ def test_a_session_says_who_when_and_what_was_written(session_report):
 def test_a_session_says_with_what_it_was_made_and_that_it_was_practice(reported, session_report):
     identity = {fact.name: fact.value for fact in session_report.identity}
     parameters = material_of(*reported, SESSIONS).parameters
-    assert identity["Parameter set (SHA-256)"] == parameters.hash
+    assert identity["Fingerprint of the controls (SHA-256)"] == parameters.hash
     assert identity["Head of the log"] == f"{HEAD.rows} rows, {HEAD.hash}"
     assert identity["Software"].startswith(f"bodydrive {__version__}")
     assert session_report.practice

@@ -149,3 +149,51 @@ def test_the_computer_is_measured(page, clinic):
     PLACES["computer, measured"](page, clinic)
     assert focused(page) == page.locator("main h2").nth(0).inner_text()
     tab_to(page, "Settings")
+
+
+def test_a_reason_to_look_at_somebody_is_followed(page, clinic):
+    PLACES["attention"](page, clinic)
+    reason = page.locator(".reasons a").first.inner_text()
+    press(page, reason)
+    expect(page).to_have_url(re.compile("#/(review|session)/"))
+    expect(page.locator("main h1")).to_be_focused()
+
+
+def test_a_moment_of_a_trial_is_played_to_and_commented_on(page, clinic):
+    go(page, clinic, f"review/1/trial/{clinic.trials[0]}")
+    tab_to(page, "Moment of the trial")
+    for _ in range(3):
+        page.keyboard.press("ArrowRight")
+    moment = page.get_by_label("Moment of the trial").input_value()
+    press(page, "Comment on this moment")
+    assert "Comment at" in focused(page)
+    page.keyboard.type("The turn begins late.")
+    press(page, "Add the comment")
+    expect(page.locator(".comments")).to_contain_text("The turn begins late.")
+    assert focused(page) == "Comment on this moment"
+    assert page.get_by_label("Moment of the trial").input_value() == moment  # the replay stands where it was
+    press(page, "Revise or withdraw your comment", key="Enter")
+    assert "Comment at" in focused(page)
+    press(page, "Withdraw")
+    expect(page.locator(".comments")).not_to_contain_text("The turn begins late.")
+    assert focused(page) == "Comments"
+
+
+def test_the_two_minute_test_is_begun_ended_and_asked_about(page, clinic):
+    PLACES["interface_test, runs"](page, clinic)
+    press(page, "End the test")
+    expect(page.get_by_role("button", name="Start the test")).to_be_visible()
+    PLACES["interface_test, over"](page, clinic)
+    tab_to(page, "Thinking")
+    page.keyboard.press("ArrowRight")
+    press(page, "Leave out: Thinking")
+    assert "Thinking" in focused(page)
+    page.keyboard.press("ArrowLeft")
+    press(page, "Save the answers")
+    expect(page.get_by_text("Saved.").first).to_be_visible()
+
+
+def test_the_story_of_a_session_leads_to_its_trials_and_record(page, clinic):
+    PLACES["session story"](page, clinic)
+    press(page, "Record")
+    heading(page, "Session").to_be_focused()
