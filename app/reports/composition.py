@@ -199,7 +199,10 @@ def _identity(material: ReportMaterial) -> tuple[Fact, ...]:
     recorded = f"recorded with {', '.join(began)}" if began else "at the time of the session: not recorded"
     return (
         Fact("Software", f"bodydrive {__version__}; {recorded}"),
-        Fact("Fingerprint of the controls (SHA-256)", "none: nothing was driven" if parameters is None else parameters.hash),
+        Fact(
+            "Fingerprint of the controls (SHA-256)",
+            "none: nothing was driven" if parameters is None else parameters.hash,
+        ),
         Fact("Head of the log", _head_words(material.head)),
     )
 

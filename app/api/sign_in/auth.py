@@ -11,7 +11,14 @@ from app import __version__
 from app.api.deps import NOBODY, ForEveryone, People, PeopleParts
 from app.api.sign_in.cookies import delete_cookie, read_cookie, set_cookie
 from app.api.sign_in.identity import COOKIE, SignedInPerson
-from app.api.sign_in.passwords import BROWSER_COOKIE, BROWSER_PATH, hash_of, require_password, weakness
+from app.api.sign_in.passwords import (
+    BROWSER_COOKIE,
+    BROWSER_PATH,
+    hash_of,
+    require_own_password,
+    require_password,
+    weakness,
+)
 from app.api.sign_in.sign_in_limits import address_of
 from app.api.who_asks import WhoAsks
 from app.quantities import Document, Line
@@ -202,7 +209,7 @@ async def unlock_here(body: OwnPassword, request: Request, who: WhoAsks, parts: 
     if who is None:
         raise HTTPException(401, NOBODY)
     if who.locked:
-        await require_password(parts, request, who.name, body.password)
+        await require_own_password(parts, request, who.name, body.password)
         await run_in_threadpool(_unlock, parts, who.sign_in_id)
         await parts.sockets.look_again(who.sign_in_id)
     return await run_in_threadpool(_me, parts, who.name, who.role)

@@ -5,7 +5,7 @@ from fastapi.concurrency import run_in_threadpool
 
 from app.api.deps import Anyone, PeopleParts
 from app.api.sign_in.auth import Password
-from app.api.sign_in.passwords import hash_of, require_password, weakness
+from app.api.sign_in.passwords import hash_of, require_own_password, weakness
 from app.quantities import Document
 from app.store.access.rights import end_sign_ins, find_person_by_id
 from app.store.log import write_log
@@ -26,7 +26,7 @@ async def change_password(body: PasswordChange, request: Request, who: Anyone, p
     weak = weakness(who.name, body.new)
     if weak is not None:
         raise HTTPException(422, weak)
-    await require_password(parts, request, who.name, body.old)
+    await require_own_password(parts, request, who.name, body.old)
     password_hash = await hash_of(parts, body.new)
 
     def _change() -> None:

@@ -23,6 +23,7 @@ BROWSER_COOKIE = "bodydrive_browser_"  # followed by the person's id: several pe
 BROWSER_PATH = "/api/v1/auth"  # no other request needs the cookie
 
 WRONG = "Name or password is wrong: try again, or ask an owner for a new password."
+NOT_OWN = "That is not the password of {name}: try again, or ask an owner for a new one."
 BUSY = "Too many people are signing in at this moment: wait a few seconds, then try again."
 BUSY_FOR = 2.0  # s
 
@@ -47,7 +48,12 @@ async def hash_of(parts: People, password: str) -> str:
         await parts.limits.refuse(503, BUSY, BUSY_FOR)
 
 
-async def require_password(parts: People, request: Request, name: str, password: str) -> None:
+async def require_own_password(parts: People, request: Request, name: str, password: str) -> None:
+    """Do as `require_password` for somebody who is signed in, whose name is right: only the password can be wrong."""
+    await require_password(parts, request, name, password, NOT_OWN.format(name=name))
+
+
+async def require_password(parts: People, request: Request, name: str, password: str, wrong: str = WRONG) -> None:
     """Refuse a wrong password (401), too many tries (429), and more tries at once than can be checked (503).
 
     The try is counted before anything is looked up or hashed, so that concurrent tries all count.
@@ -68,7 +74,7 @@ async def require_password(parts: People, request: Request, name: str, password:
     await parts.limits.require(attempt)
     if not is_right:
         await run_in_threadpool(_note_refusal, parts)
-        raise HTTPException(401, WRONG)
+        raise HTTPException(401, wrong)
     attempt.take_back()
 
 

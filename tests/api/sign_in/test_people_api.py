@@ -103,6 +103,7 @@ def test_the_own_password_needs_the_old_one_and_ends_the_other_sign_ins(owned: C
     wrong = owned("PUT", "/auth/password", json={"old": "nothing like it", "new": PASSWORD})
     weak = owned("PUT", "/auth/password", json={"old": OWNER["password"], "new": "12345678"})
     assert (wrong.status_code, weak.status_code) == (401, 422)
+    assert wrong.json()["detail"].startswith("That is not the password of Ada: ")
     answer = owned("PUT", "/auth/password", json={"old": OWNER["password"], "new": PASSWORD})
     assert answer.status_code == 204
     with as_person(owned, elsewhere):

@@ -1,6 +1,7 @@
 """What is touched is large enough: 44 px for everything, 24 px and a place of its own for each lamp and each handle."""
 
 import math
+import re
 
 import pytest
 from browser.eyes.axe import look_as
@@ -86,3 +87,21 @@ def test_enlarged_the_rail_covers_nothing_of_the_page(page, clinic, size):
     foot, rail = (page.locator(one).bounding_box() for one in (".page > .body", ".rail"))
     beside = rail["x"] + rail["width"] <= foot["x"]
     assert beside or foot["y"] + foot["height"] <= rail["y"] + 1
+
+
+def test_on_a_telephone_no_column_of_the_log_is_hidden(page, clinic):
+    look_as(page, ("390x844", "light"))
+    PLACES["log"](page, clinic)
+    assert page.locator(".log-table tbody tr").count() > 0
+    table = page.locator(".log-rows .scroll-x")
+    assert table.evaluate("(one) => one.scrollWidth <= one.clientWidth")
+
+
+def test_on_a_telephone_the_lamps_of_the_header_keep_their_words(page, clinic):
+    look_as(page, ("390x844", "light"))
+    PLACES["chair"](page, clinic)
+    lamps = page.locator(".lamps .lamp:visible")
+    expect(lamps).to_have_text([re.compile("^Shirt"), "Real chair: disarmed"])
+    assert lamps.evaluate_all("(all) => all.every((one) => one.scrollWidth <= one.clientWidth)")
+    foot, head = page.locator(".head .lamps").bounding_box(), page.locator(".head").bounding_box()
+    assert foot["y"] + foot["height"] <= head["y"] + head["height"]

@@ -28,7 +28,7 @@ export function storyParts({ goal, scales, is_signed: isSigned, origin, events }
 function eventLine({ at, kind, person, words, facts }, replay, isNewDay) {
   const end = hasText(`review.end.${facts.end}`) ? t(`review.end.${facts.end}`) : "";
   const seconds = typeof facts.t === "number" ? number(facts.t, 1) : "";
-  const title = t(`share.event.${kind}`, { ...facts, t: seconds, words, end });
+  const title = t(`share.event.${kind}`, { ...facts, count: Number(facts.recordings), t: seconds, words, end });
   const trial = kind === "trial" ? facts.id : facts.trial;
   const marks = [
     facts.simulated && t("share.simulated"),

@@ -106,7 +106,7 @@ EMPTY_PLACES: dict[str, Open] = {
     "review, no trials": review_without_trials,
     "review trial, no recording": trial_without_recording,
     "attention, nobody": answered("/attention", "attention", lambda _: []),
-    "session patient, none": opened("session/patient/2"),
+    "session patient, none": answered("/patients/2/sessions", "session/patient/2", lambda _: []),
     "plans, failed": failed("/own-floorplans", "plans"),
     "backup, no folder": no_backup_folder,
     "settings, failed": failed("/limits", "settings"),

@@ -1,5 +1,7 @@
 """What many trials make of a page is seen without scrolling sideways, whole and apart from what stands beside it."""
 
+import re
+
 import pytest
 from browser.eyes.axe import look_as
 from browser.eyes.places import PLACES, put_back
@@ -34,6 +36,8 @@ def test_verdicts_on_sessions_are_in_view(visited):
     assert len(beyond) >= 40
     assert max(beyond) <= 0
     assert "From the sofa to the guest room" in page.locator("main h2").first.inner_text()
+    counts = page.get_by_text("compared.").first.inner_text()
+    assert re.fullmatch(r"(Session \d: (\d+) driven, \d+ count, [1-9]\d* compared\. ?){2}", counts), counts
 
 
 @pytest.mark.parametrize("name", ["drive, over, verdicts", "review compare, verdicts", "review, worse"])

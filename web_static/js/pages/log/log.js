@@ -2,6 +2,7 @@
  * The log, for owners: who, when, what; filtered by person and patient, exported with its chain, checked by a button.
  * @import { LogView } from "types/api"
  */
+import { ApiError, FORBIDDEN } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { field, selection } from "../../widgets/fields.js";
@@ -14,6 +15,7 @@ const ALL = "";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
+  if (app.me?.role !== "owner") throw new ApiError(t("log.owner"), FORBIDDEN);
   const [first, patients] = await Promise.all([app.api.get("/log"), app.api.get("/patients")]);
   if (signal.aborted) return;
   const codes = new Map(patients.map(({ id, code }) => [id, code]));

@@ -2,6 +2,7 @@
  * People, for owners: who may use this clinic; invite, choose rights, make a link for a new password, disable, enable.
  * @import { LinkView, PatientView, PersonView } from "types/api"
  */
+import { ApiError, FORBIDDEN } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { moment } from "../../widgets/format.js";
@@ -14,6 +15,7 @@ const LOOK_EVERY = 10_000; // ms
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
 export async function show(app, root, { signal, rest }) {
+  if (app.me?.role !== "owner") throw new ApiError(t("people.owner"), FORBIDDEN);
   let [people, patients] = await Promise.all([app.api.get("/people"), app.api.get("/patients")]);
   if (signal.aborted) return;
   const list = rowList("people");

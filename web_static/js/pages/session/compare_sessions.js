@@ -47,6 +47,7 @@ export async function show(app, root, { signal, rest: [, first, second] }) {
 function taskCard({ earlier, later }, { floorplan_title: plan, path_title: path, source, trials, counted, measures }) {
   const title = t("record.compare.task", { plan, path });
   const names = Object.keys(MEASURES).filter((name) => measures[name]);
+  const compared = /** @type {const} */ (["earlier", "later"]).map((when) => Math.max(0, ...names.map((name) => measures[name][when]?.trials ?? 0)));
   /** @param {string} name */
   const row = (name) => {
     const { earlier: before, later: now, verdict } = measures[name];
@@ -69,7 +70,7 @@ function taskCard({ earlier, later }, { floorplan_title: plan, path_title: path,
     h(
       "p",
       { class: "small" },
-      [earlier, later].map((one, i) => `${t("record.compare.trials", { number: one.number, driven: trials[i], counted: counted[i] })} `),
+      [earlier, later].map((one, i) => `${t("record.compare.trials", { number: one.number, driven: trials[i], counted: counted[i], compared: compared[i] })} `),
     ),
     names.length === 0
       ? h("p", { class: "quiet" }, t("record.compare.none"))

@@ -80,7 +80,7 @@ export default {
   "record.compare.title": "Two sessions side by side",
   "record.compare.lead": "{code}: session {earlier} and session {later}",
   "record.compare.nothing": "Nothing was driven in either session.",
-  "record.compare.trials": "Session {number}: {driven} driven, {counted} compared.",
+  "record.compare.trials": "Session {number}: {driven} driven, {counted} count, {compared} compared.",
   "record.compare.tests": "Session {number}: complete tests: {complete}.",
   "record.compare.tests.newest": "The newest complete one of each stands here.",
   "record.compare.none": "No trial of this task can be compared: the first three of a day are for getting used to it. Drive it more than three times in a session.",

@@ -21,7 +21,7 @@ export default {
   "share.no_area": "No trial reached the goal: an area of a part of the path says nothing.",
   "share.no_verdict": "Too few trials for a verdict.",
   "share.event.begin": "Session began",
-  "share.event.calibration": "Calibration: {recordings} recordings",
+  "share.event.calibration": { one: "Calibration: {count} recording", other: "Calibration: {count} recordings" },
   "share.event.map": "Calibration, version {version}",
   "share.event.parameters": "Controls saved: {words}",
   "share.event.trial": "Trial {number}, {words}: {end}",
