@@ -128,7 +128,7 @@ def refusal(buffer: bytes | bytearray | memoryview, size: int, channels: int, ke
     if flags & ~(INT16 | SIGNED):
         return f"the shirt uses flags {flags:#04x} that are not understood"
     if count != channels:
-        return f"the shirt sends {count} channels, its layout has {channels}: use the layout of this shirt"
+        return f"the shirt sends {count} sensors, its layout has {channels}: use the layout of this shirt"
     if key is None and flags & SIGNED:
         return "the shirt signs its frames: choose its key"
     if key is not None:

@@ -104,7 +104,7 @@ class SimulatedShirt:
         if self._pace is None:
             return "The simulated shirt is closed."
         inside = "with nobody in it" if self._body is None else "with a simulated body in it"
-        return f"Simulated shirt, {len(self.layout.channels)} channels at {self.sample_rate:g} Hz, {inside}."
+        return f"Simulated shirt, {len(self.layout.channels)} sensors at {self.sample_rate:g} Hz, {inside}."
 
     def close(self) -> None:
         """End the frames."""

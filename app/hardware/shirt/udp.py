@@ -146,7 +146,7 @@ class UdpShirt:
         host, port = self.address
         if self._clock.now() - self._frame_t > ALIVE:
             return f"No frames from {self.sender_choice.name or 'a shirt'} on {host}:{port}{why}{self._others()}."
-        words = f"Shirt on {host}:{port} from {self.sender_choice.name}, {self._channels} channels"
+        words = f"Shirt on {host}:{port} from {self.sender_choice.name}, {self._channels} sensors"
         if self._sequence.lost:
             words += f", {self._sequence.lost} frames lost"
         if self.junk:

@@ -29,6 +29,7 @@ CUT_NAMES = """() => {
   });
   return [names.length, cut.length];
 }"""
+WHOLE = "(all) => all.length > 0 && all.every((one) => one.scrollWidth <= one.clientWidth)"
 FITS = "() => { const page = document.querySelector('main'); return page.scrollHeight <= page.clientHeight; }"
 
 
@@ -121,6 +122,7 @@ def test_the_drive_page_fits_on_the_first_screen_and_leads_to_all_else(opened):
     if away.count():
         away.click()
     assert page.evaluate(FITS)
+    assert page.locator(".lamps .lamp:visible").evaluate_all(WHOLE)
     expect(page.get_by_role("button", name="Start trial")).to_be_in_viewport(ratio=1)
     for link, heading in (("Chair", "Chair"), ("The patient's screen", "The patient's screen")):
         page.get_by_role("navigation", name="What else").get_by_role("link", name=link).click()

@@ -88,4 +88,4 @@ def test_words_are_a_sentence_and_tell_open_from_closed(source):
     assert closed != running
     assert closed.endswith(".")
     assert running.endswith(".")
-    assert "3 channels" in running
+    assert "3 sensors" in running

@@ -35,14 +35,14 @@ def test_junk_is_passed_over_and_counted(source):
     source.send(0)
     assert source.shirt.read(WAIT).seq == 0
     assert source.shirt.junk == 4
-    assert "4 datagrams refused (the shirt sends 52 channels, its layout has 3" in source.shirt.words()
+    assert "4 datagrams refused (the shirt sends 52 sensors, its layout has 3" in source.shirt.words()
 
 
 def test_before_any_frame_the_words_say_what_is_wrong_with_what_comes(source):
     source.send_bytes(encode(0, 0.0, np.zeros(52, dtype=np.float32)))
     assert source.shirt.read(0.05) is None
     assert source.shirt.words().startswith("No frames from a shirt on 127.0.0.1:")
-    assert "sends 52 channels" in source.shirt.words()
+    assert "sends 52 sensors" in source.shirt.words()
 
 
 def test_gaps_are_counted_late_frames_dropped(source):
