@@ -137,6 +137,7 @@ def document(name: str) -> Open:
 # Where the address says so, no socket is ever opened.
 CUT = """if (location.search === "?cut") {
   window.WebSocket = class extends EventTarget {
+    static OPEN = 1;
     readyState = 3;
     constructor() {
       super();
