@@ -52,7 +52,7 @@ BEGIN = """() => {
     });
   };
   const listen = ({ target }) => {
-    if (target === start || target.tabIndex < 0) return; // a heading that a page focuses when it has come is no stop
+    if (target === start || target.tabIndex < 0) return; // focused by the page itself: no stop of Tab
     reached.push(target);
     if (!isSeen(target)) faults.push(`its focus is not seen: ${name(target)}`);
     if (isCovered(target)) faults.push(`covered: ${name(target)}`);

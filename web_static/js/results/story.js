@@ -32,7 +32,7 @@ function eventLine({ at, kind, person, words, facts }, replay, isNewDay) {
   const trial = kind === "trial" ? facts.id : facts.trial;
   const marks = [
     facts.simulated && t("share.simulated"),
-    facts.kept === false && t("record.driven.left-out", { reason: String(facts.discard_reason ?? "") }),
+    facts.kept === false && t("record.driven.discarded", { reason: String(facts.discard_reason ?? "") }),
   ].filter(Boolean);
   return h(
     "li",

@@ -36,8 +36,8 @@ def test_verdicts_on_sessions_are_in_view(visited):
     assert len(beyond) >= 40
     assert max(beyond) <= 0
     assert "From the sofa to the guest room" in page.locator("main h2").first.inner_text()
-    counts = page.get_by_text("compared.").first.inner_text()
-    assert re.fullmatch(r"(Session \d: (\d+) driven, \d+ count, [1-9]\d* compared\. ?){2}", counts), counts
+    counts = page.get_by_text("Trials of session").first.inner_text()
+    assert re.fullmatch(r"(Trials of session \d: driven \d+, counting \d+, compared [1-9]\d*\. ?){2}", counts), counts
 
 
 @pytest.mark.parametrize("name", ["drive, over, verdicts", "review compare, verdicts", "review, worse"])

@@ -39,7 +39,7 @@ function trialTable(patient, trials, unread) {
       ),
       h("td", {}, t(`review.end.${trial.end}`)),
       h("td", { title: trial.source.words }, groupMark(groupOf(trial)) ?? t("source.group.worn")),
-      h("td", {}, trial.kept ? t("record.driven.counts") : t("record.driven.left-out", { reason: trial.discard_reason })),
+      h("td", {}, trial.kept ? t("record.driven.counts") : t("record.driven.discarded", { reason: trial.discard_reason })),
     );
   const head = [t("record.driven.task"), t("review.column.end"), t("review.column.source"), t("record.driven.kept")];
   return scrollTable(

@@ -4,7 +4,7 @@
  */
 export default {
   "log.what.adaptation chosen": "adaptation of the calibration chosen",
-  "log.what.another clinic's id": "number of another clinic's record asked for",
+  "log.what.another clinic's id": "record of another clinic asked for",
   "log.what.armed": "chair armed",
   "log.what.calibration accepted": "calibration taken into use",
   "log.what.dial turned": "speed dial turned",
