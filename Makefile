@@ -30,17 +30,19 @@ demo: $(VENV)/.installed
 # Tests run side by side: first what computes, then what waits for real processes and judges them by the clock, then
 # what waits for browsers. A file is run by one process, except where each test starts processes of its own.
 SIDE_BY_SIDE := -n 3 --dist loadfile --no-loadscope-reorder
-ONE_BY_ONE := -n 4 --dist load --maxschedchunk 1
+ONE_BY_ONE := --dist load --maxschedchunk 1
+# Whole programs work by the clock: on a slow processor fewer of them run side by side.
+AT_MOST = -n $$($(BIN)/python tests/side_by_side.py $(1))
 PROCESSES := tests/processes tests/bench
 BROWSERS := tests/browser
 
 test: $(VENV)/.installed-test check
 	$(BIN)/python -m pytest $(SIDE_BY_SIDE) $(addprefix --ignore=,$(PROCESSES) $(BROWSERS))
-	$(BIN)/python -m pytest $(ONE_BY_ONE) $(PROCESSES)
-	$(BIN)/python -m pytest $(SIDE_BY_SIDE) -n 2 $(BROWSERS)
+	$(BIN)/python -m pytest $(ONE_BY_ONE) $(call AT_MOST,4) $(PROCESSES)
+	$(BIN)/python -m pytest $(SIDE_BY_SIDE) $(call AT_MOST,2) $(BROWSERS)
 
 browser: $(VENV)/.installed-test
-	$(BIN)/python -m pytest $(SIDE_BY_SIDE) -n 2 -m long $(BROWSERS)
+	$(BIN)/python -m pytest $(SIDE_BY_SIDE) $(call AT_MOST,2) -m long $(BROWSERS)
 
 check: $(VENV)/.installed-test node_modules/.installed
 	@$(MAKE) --no-print-directory --jobs 2 --output-sync=target python-types lint javascript-types
@@ -93,7 +95,7 @@ compiled: $(VENV)/.installed-test
 
 # The long tests that need no browser, then injuries at random moments.
 drills: $(VENV)/.installed-test
-	$(BIN)/python -m pytest $(ONE_BY_ONE) -n 2 -m long $(addprefix --ignore=,$(BROWSERS))
+	$(BIN)/python -m pytest $(ONE_BY_ONE) $(call AT_MOST,2) -m long $(addprefix --ignore=,$(BROWSERS))
 	PYTHONPATH=tests $(BIN)/python -m drills --jobs 2 --out docs/drills.md
 
 soak: $(VENV)/.installed-test

@@ -23,7 +23,6 @@ def test_movement_is_what_the_place_does():
     assert not movement.still[start:stop].any()
 
 
-@pytest.mark.timeout(170)
 def test_simulated_people_are_decoded_by_each_other_s_map():
     people = simulated_people(5, ("right_elbow",))
     entries = entries_of(people)

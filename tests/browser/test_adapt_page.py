@@ -9,7 +9,7 @@ from processes.served_demo import running_demo
 
 from folders import SCREENSHOTS
 
-pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
+pytestmark = [pytest.mark.browser, pytest.mark.long]
 
 TABLETS = {"768x1024": (768, 1024), "1280x800": (1280, 800)}
 LONG_ENOUGH = re.compile(r"^(0:[45]\d|[1-9]:\d\d)$")  # a joint has moved for some seconds by then

@@ -9,7 +9,7 @@ from browser.tablets import TABLETS, go_to, signed_in
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
+pytestmark = [pytest.mark.browser]
 
 # What a screen reader says of one step: each once, and nothing that could cut off a Stop.
 SAID = [["polite", "Get ready"], ["polite", "Move freely"], ["polite", "Done. Go on, or repeat it."]]

@@ -19,7 +19,7 @@ from processes.served_demo import running_demo
 
 from folders import ROOT
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
+pytestmark = [pytest.mark.browser]
 
 SCREENSHOTS = ROOT / "var" / "screenshots"
 TABLETS = {"1024x768": (1024, 768), "768x1024": (768, 1024)}

@@ -10,7 +10,7 @@ from processes.served_demo import running_demo
 
 from folders import SCREENSHOTS
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
+pytestmark = [pytest.mark.browser]
 
 DRIVE_LIMIT = 150  # s
 LOOKS = {"light": (1280, 800), "dark": (768, 1024)}

@@ -13,7 +13,7 @@ from processes.served_demo import running_demo
 
 from folders import SCREENSHOTS
 
-pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
+pytestmark = [pytest.mark.browser, pytest.mark.long]
 
 TABLETS = {"768x1024": (768, 1024), "1280x800": (1280, 800)}
 DRIVE_LIMIT = 150  # s

@@ -8,7 +8,7 @@ from playwright.sync_api import expect
 
 from folders import SCREENSHOTS
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
+pytestmark = [pytest.mark.browser]
 
 SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
 COVER = ".other-session"

@@ -14,7 +14,7 @@ from processes.served_demo import SessionClient, bodydrive, free_port, printed_l
 
 from folders import SCREENSHOTS
 
-pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
+pytestmark = [pytest.mark.browser, pytest.mark.long]
 
 SIZES = {"1280x800": (1280, 800), "768x1024": (768, 1024)}
 LOST = "No connection to the program"

@@ -12,7 +12,7 @@ from app.settings import Settings
 from app.store import people
 from folders import SCREENSHOTS
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
+pytestmark = [pytest.mark.browser]
 
 CODE = "the-set-up-code"
 PASSWORD = "correct horse battery"

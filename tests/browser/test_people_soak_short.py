@@ -7,7 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 import pytest
 from soak.people import MOST_GROWTH, work
 
-pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
+pytestmark = [pytest.mark.browser, pytest.mark.long]
 
 
 def test_nothing_of_one_shows_up_at_another_and_one_controls():

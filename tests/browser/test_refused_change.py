@@ -7,7 +7,7 @@ import pytest
 from browser.served.clinic_app import assert_quiet, go
 from playwright.sync_api import expect
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.browser]
 
 REFUSED = "Another screen is changing the controls: try again."
 TRIAL = {"id": 1, "number": 1, "waits": None, "done": 0.0, "length": 1.0, "movers": []}

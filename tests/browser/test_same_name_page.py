@@ -6,7 +6,7 @@ from processes.served_demo import running_demo
 
 from folders import SCREENSHOTS
 
-pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(300)]
+pytestmark = [pytest.mark.browser, pytest.mark.long]
 
 SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
 TAKEN = "409 (Conflict)"  # what a browser writes by itself when a name is taken

@@ -14,7 +14,7 @@ from app.hardware.shirt.packet import encode
 from app.hardware.shirt.sender import waves
 from folders import SCREENSHOTS
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
+pytestmark = [pytest.mark.browser]
 
 SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
 

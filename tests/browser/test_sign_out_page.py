@@ -6,7 +6,7 @@ from playwright.sync_api import expect
 
 from app.settings import Settings
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(120)]
+pytestmark = [pytest.mark.browser]
 
 CODE = "the-set-up-code"
 PASSWORD = "correct horse battery"

@@ -18,7 +18,7 @@ from app.settings import static_folder
 from app.world.floorplan import FloorPlan
 from folders import SCREENSHOTS
 
-pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(300)]
+pytestmark = [pytest.mark.browser, pytest.mark.long]
 
 WIDTH, HEIGHT = 1000, 600
 APART = 0.08  # m

@@ -11,7 +11,7 @@ from browser.tablets import go_to, signed_in
 from playwright.sync_api import expect
 from processes.test_demo_process import bodydrive, printed_link
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
+pytestmark = [pytest.mark.browser]
 
 AFTER_SOME_SECONDS = re.compile(r"^0:(0[2-9]|[1-5]\d)$")
 DRIVE_LIMIT = 150  # s

@@ -13,7 +13,7 @@ from processes.served_demo import bodydrive, printed_link
 
 from folders import SCREENSHOTS
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
+pytestmark = [pytest.mark.browser]
 
 SINCE = re.compile(r"No connection to the program since \d\d:\d\d:\d\d\.")
 WAITS = re.compile(r"The trial waits for Continue\. Without it, the trial ends in [34]:\d\d")

@@ -4,7 +4,7 @@ import pytest
 from browser.worlds import drive, open_drive_page, tasks
 from processes.test_demo_process import bodydrive, printed_link
 
-pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(300)]
+pytestmark = [pytest.mark.browser, pytest.mark.long]
 
 SHORT = {("turning.easy", "left"): "Angle off the mark", ("backing.easy", "back"): "Distance driven"}
 

@@ -101,4 +101,4 @@ def _served(state: Path) -> Iterator[tuple[str, psutil.Process, float]]:
             yield link, psutil.Process(process.pid), time.perf_counter() - begin
         finally:
             process.send_signal(signal.SIGINT)
-            process.wait(20)
+            process.wait(60)

@@ -2,10 +2,12 @@
 
 import sys
 
+import pytest
 from large_clinic.__main__ import main
 from large_clinic.measured import PAGES, REPORTS
 
 
+@pytest.mark.long
 def test_every_page_and_report_of_a_small_clinic_is_answered_and_measured(monkeypatch, capsys):
     small = ["--patients", "2", "--sessions", "2", "--trials", "1", "--rounds", "1"]
     monkeypatch.setattr(sys, "argv", ["large_clinic", *small])

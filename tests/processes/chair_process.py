@@ -10,7 +10,7 @@ from app.clock import monotonic
 from app.hardware.chair.key import new_key, write_key
 from app.speeds import HIGHEST_SPEEDS
 
-PATIENCE = 30.0  # s
+PATIENCE = 60.0  # s
 
 
 class ReceiverProcess:

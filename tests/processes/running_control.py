@@ -9,7 +9,7 @@ from app.faults import Fault, State
 from app.process.command_channel import LinkLost, LinkRefused
 from app.process.supervisor import ControlProcess
 
-PATIENCE = 20.0  # s
+PATIENCE = 60.0  # s
 
 SIMULATED = {"kind": "simulator", "sample_rate": 200.0, "seed": 1, "layout": None, "dead_channels": []}
 ROOM = {

@@ -43,7 +43,7 @@ def running_demo(**environment: str) -> Iterator[str]:
             yield printed_link(process)
         finally:
             process.send_signal(signal.SIGINT)
-            assert process.wait(20) == 0
+            assert process.wait(60) == 0
 
 
 def free_port() -> int:
@@ -75,10 +75,10 @@ class Served:
         self.client = SessionClient(base)
 
     def socket(self, name: str) -> ClientConnection:
-        """Open the live socket or the screen socket."""
+        """Open the live socket or the screen socket; a busy machine may be late with an answer to a ping."""
         cookie = "; ".join(f"{name}={value}" for name, value in self.client.cookies.items())
         address = f"{self.base.replace('http', 'ws')}/api/v1/{name}"
-        return connect(address, additional_headers={"Cookie": cookie}, origin=self.base)
+        return connect(address, additional_headers={"Cookie": cookie}, origin=self.base, ping_interval=None)
 
     def control_process(self) -> psutil.Process:
         children = psutil.Process(self.process.pid).children(recursive=True)

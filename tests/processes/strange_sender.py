@@ -17,7 +17,7 @@ from pathlib import Path
 
 from folders import ROOT
 
-PATIENCE = 30.0  # s
+PATIENCE = 60.0  # s
 COMMAND, TELEMETRY = struct.Struct("<4sBBHIQQffff8s"), struct.Struct("<4sBBHIQQ8sfffBBH")
 KEY_ID, SECRET = 513, bytes(range(100, 132))
 

@@ -7,7 +7,6 @@ import sys
 import time
 from pathlib import Path
 
-import pytest
 from store.keeping.filled_clinic import two_patients
 
 from app.backup.backup_folder import BackupFolder
@@ -29,7 +28,6 @@ def begin(settings: Settings, stick: Path) -> subprocess.Popen[str]:
     return process
 
 
-@pytest.mark.timeout(120)
 def test_a_killed_backup_harms_nothing(tmp_path: Path) -> None:
     settings, stick = Settings(state=tmp_path / "clinic"), tmp_path / "stick"
     two_patients(settings, "Zebra", "Heron")

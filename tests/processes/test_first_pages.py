@@ -81,7 +81,7 @@ def served(state: Path, token: str) -> Iterator[Served]:
             running.client.close()
         finally:
             process.terminate()
-            assert process.wait(20) == 0
+            assert process.wait(60) == 0
 
 
 def shared_objects(pid: int) -> set[str]:

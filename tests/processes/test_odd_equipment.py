@@ -126,7 +126,6 @@ def is_visible(sentence):
         return False
 
 
-@pytest.mark.timeout(500)
 @pytest.mark.parametrize("step", [5, pytest.param(1, marks=pytest.mark.long)], ids=["40 of 200", "all 200"])
 def test_odd_values_in_every_field_of_the_equipment_are_taken_or_refused_in_a_sentence(tmp_path, step):
     put_files(tmp_path / "files")

@@ -153,7 +153,7 @@ def running(words: list[str], port: int, folder: Path) -> Iterator[None]:
             yield
         finally:
             process.terminate()
-            process.wait(20)
+            process.wait(60)
 
 
 def listens(port: int) -> bool:

@@ -21,7 +21,7 @@ TESTS = Path(__file__).resolve().parents[1]
 HEARTBEAT_LIMIT = 0.3  # s
 STOP_TIME = 0.25  # s
 A_TICK_OR_TWO = 0.05  # s
-PATIENCE = 30.0  # s
+PATIENCE = 60.0  # s
 
 
 class Report(NamedTuple):

@@ -9,7 +9,7 @@ import app.recording.writer as recording_module
 from app.process.ring import TickRing
 from app.recording.reader import read_run
 
-pytestmark = [pytest.mark.long, pytest.mark.timeout(1800)]
+pytestmark = [pytest.mark.long]
 
 ROWS = 8
 CLOSED, CUT = ("run.json", "run.parquet", "end.json"), ("run.json", "segment-0000.arrows", "segment-0000.check")

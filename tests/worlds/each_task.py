@@ -13,7 +13,7 @@ from processes.test_demo_process import bodydrive, printed_link
 
 from folders import ROOT
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(900)]
+pytestmark = [pytest.mark.browser]
 
 PICTURES = ROOT / "var" / "worlds"
 VIEWS = ("Eye", "Chase", "Top", "Free")

@@ -1,4 +1,8 @@
+import pytest
+
 from bench.web.busy import measure_first_pages, measure_flood, measure_records
+
+pytestmark = pytest.mark.long  # it times answers of a loaded web process
 
 
 def test_stops_are_timed_without_and_with_sign_ins_under_way():

@@ -14,7 +14,7 @@ from browser.eyes.sweep import keyboard_faults, lost_when_enlarged, small_target
 
 from folders import ROOT
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(600)]
+pytestmark = [pytest.mark.browser]
 
 PAGES = "web_static"
 FIRST_STATES = {name: open_place for name, open_place in PLACES.items() if ", " not in name}

@@ -3,7 +3,7 @@
 import pytest
 from browser.eyes.axe import findings
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(120)]
+pytestmark = [pytest.mark.browser]
 
 BROKEN = """<!doctype html><html lang="en"><title>A page</title><main><h1>A page</h1>
 <p style="color:#999;background:#fff">Grey on white</p>

@@ -10,7 +10,7 @@ from playwright.sync_api import expect
 
 from app.faults import Fault
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.browser]
 
 PLACE = """() => {
   const dot = document.querySelector(".target-cross .dot");

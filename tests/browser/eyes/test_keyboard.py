@@ -10,7 +10,7 @@ from browser.eyes.opening import go
 from browser.eyes.places import PLACES, put_back
 from playwright.sync_api import expect
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
+pytestmark = [pytest.mark.browser]
 
 
 @pytest.fixture(autouse=True)

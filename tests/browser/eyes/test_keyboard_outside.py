@@ -9,7 +9,7 @@ from browser.eyes.places import PLACES, document, put_back
 from browser.eyes.states.session_places import revoke_links, written_session
 from playwright.sync_api import expect
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
+pytestmark = [pytest.mark.browser]
 
 
 @pytest.fixture(autouse=True)

@@ -9,7 +9,7 @@ from playwright.sync_api import expect
 
 from app.faults import Fault, State
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
+pytestmark = [pytest.mark.browser]
 
 
 @pytest.fixture(autouse=True)

@@ -10,7 +10,7 @@ from playwright.sync_api import expect
 
 from app.faults import Fault, State
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
+pytestmark = [pytest.mark.browser]
 
 # The role of the notice of a page that has lost the program, without a cover over the page and with one.
 LOST_ROLES = """() => import("/js/shell/notices.js").then(({ notices }) => {

@@ -4,7 +4,7 @@ import pytest
 from browser.eyes.axe import look_as
 from browser.eyes.places import PLACES, put_back
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
+pytestmark = [pytest.mark.browser]
 
 NAMES = ("shirt", "calibrate, runs", "controls", "drive, over", "review trial", "stereo", "tablet", "patient's screen")
 # What moves after everything that opens was turned over, and every switch was pressed.

@@ -9,7 +9,7 @@ from browser.eyes.places import PLACES, put_back
 from browser.eyes.sweep import small_targets
 from playwright.sync_api import expect
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(600)]
+pytestmark = [pytest.mark.browser]
 
 SIZES = ["768x1024", pytest.param("1280x800", marks=pytest.mark.long), pytest.param("390x844", marks=pytest.mark.long)]
 SHORT = (

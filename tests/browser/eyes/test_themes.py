@@ -9,7 +9,7 @@ from browser.eyes.contrast import contrast, luminance
 from browser.eyes.places import PLACES, put_back
 from PIL import Image
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
+pytestmark = [pytest.mark.browser]
 
 SEEN = 3.0  # contrast ratio of what is not text
 

@@ -7,7 +7,7 @@ import pytest
 from browser.eyes.axe import look_as
 from browser.eyes.places import PLACES, put_back
 
-pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(600)]
+pytestmark = [pytest.mark.browser, pytest.mark.long]
 
 ZOOMS = {"200 %": (640, 400, 2), "400 %": (320, 256, 4)}
 SHORT = (  # one place of each kind of page

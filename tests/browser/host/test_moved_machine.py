@@ -16,7 +16,7 @@ from app.cli.host.lan import MOVED, SCAN
 from app.cli.qr import terminal_code
 from folders import ROOT
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
+pytestmark = [pytest.mark.browser]
 
 OWN_NETWORK = ("unshare", "--map-root-user", "--net")
 SCRIPT = Path(__file__).with_name("moving_machine.py")

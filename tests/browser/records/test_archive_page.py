@@ -5,7 +5,7 @@ from browser.served.clinic_app import ClinicApp, assert_quiet
 from browser.served.review_app import ReviewApp
 from playwright.sync_api import expect
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.browser]
 
 COURSE = "is being sent and checked"
 

@@ -7,7 +7,7 @@ import pytest
 from browser.served.review_app import ReviewApp
 from playwright.sync_api import expect
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(120)]
+pytestmark = [pytest.mark.browser]
 
 
 @pytest.fixture

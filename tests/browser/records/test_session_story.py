@@ -10,7 +10,7 @@ from playwright.sync_api import expect
 from app.store.people import add_person, sign_in, the_clinic
 from folders import SCREENSHOTS
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
+pytestmark = [pytest.mark.browser]
 
 SIZES = {"390x844": (390, 844), "768x1024": (768, 1024), "1280x800": (1280, 800)}
 TOO_WIDE = "document.querySelector('main').scrollWidth > document.querySelector('main').clientWidth"

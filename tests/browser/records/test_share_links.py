@@ -6,7 +6,7 @@ from playwright.sync_api import expect
 
 from app.store.people import add_person, sign_in, the_clinic
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(120)]
+pytestmark = [pytest.mark.browser]
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ from playwright.sync_api import expect
 
 from folders import SCREENSHOTS
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.browser]
 
 SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
 PLAIN = re.compile(r"^Better than noise over 28 trials in 4 sessions: the area off the path fell by about \d\.\d\d m²")

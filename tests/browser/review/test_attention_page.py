@@ -10,7 +10,7 @@ from app.store.runs import find_trial
 from app.store.sharing.comments import add_comment
 from folders import SCREENSHOTS
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.browser]
 
 TOO_WIDE = "document.documentElement.scrollWidth > innerWidth"
 

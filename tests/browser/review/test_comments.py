@@ -4,7 +4,7 @@ import pytest
 from browser.eyes.by_keyboard import focused, press, tab_to
 from playwright.sync_api import expect
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.browser]
 
 SMALL = """() => [...document.querySelectorAll(".comments-card button, .comments-card summary")]
   .filter((one) => one.getBoundingClientRect().height < 44).map((one) => one.outerHTML)"""

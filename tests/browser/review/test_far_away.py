@@ -6,7 +6,7 @@ import time
 import pytest
 from playwright.sync_api import expect
 
-pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.browser, pytest.mark.long]
 
 FAR = {"offline": False, "latency": 300, "downloadThroughput": 500_000, "uploadThroughput": 250_000}  # ms, byte/s
 TOO_WIDE = "document.documentElement.scrollWidth > innerWidth"

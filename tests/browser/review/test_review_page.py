@@ -8,7 +8,7 @@ from playwright.sync_api import expect
 
 from folders import SCREENSHOTS
 
-pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
+pytestmark = [pytest.mark.browser, pytest.mark.long]
 
 SIZES = {"1280x800": (1280, 800), "768x1024": (768, 1024)}
 PICTURE = "document.querySelector('.replay-frame iframe').contentWindow.__viserMutable?.nodePoseData"

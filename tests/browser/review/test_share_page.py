@@ -15,7 +15,7 @@ from app.store.sharing.share_links import add_share
 from app.store.tables import Patient, Trial
 from folders import SCREENSHOTS
 
-pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.browser, pytest.mark.long]
 
 FAR = {"offline": False, "latency": 300, "downloadThroughput": 500_000, "uploadThroughput": 250_000}  # ms, byte/s
 PIN = "314159"

@@ -5,7 +5,7 @@ from browser.served.course_app import CourseApp
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.browser]
 
 TABLET = {"width": 768, "height": 1024}
 

@@ -8,7 +8,7 @@ from browser.tablets import go_to
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
+pytestmark = [pytest.mark.browser]
 
 MOST_UNCALIBRATED = 3  # taps from the card of a patient who was never calibrated until the chair may drive
 MOST_NEW, MOST_KNOWN = 8, 3  # taps, from sign-in and from the patient's card until the chair may drive

@@ -53,4 +53,4 @@ def served_lan(state: Path, *words: str) -> Iterator[ServedLan]:
             yield ServedLan(process, state)
         finally:
             process.terminate()
-            assert process.wait(20) == 0
+            assert process.wait(60) == 0

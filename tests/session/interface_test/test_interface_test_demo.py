@@ -9,7 +9,7 @@ from app.recording.reader import read_run
 from app.session.recordings import measure_interface_test
 from app.world.cursor_task import CursorPlan
 
-pytestmark = [pytest.mark.long, pytest.mark.timeout(300)]
+pytestmark = [pytest.mark.long]
 
 LIMIT = 200.0  # s for the test, its recording and its measures
 

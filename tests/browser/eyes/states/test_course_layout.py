@@ -6,7 +6,7 @@ import pytest
 from browser.eyes.axe import look_as
 from browser.eyes.places import PLACES, put_back
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.browser]
 
 # How far each element of a selector reaches beyond the right edge of what scrolls it sideways, px.
 BEYOND = """(selector) => [...document.querySelectorAll(selector)].map((one) =>

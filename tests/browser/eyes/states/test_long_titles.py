@@ -4,7 +4,7 @@ import pytest
 from browser.eyes.axe import look_as
 from browser.eyes.places import PLACES, put_back
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
+pytestmark = [pytest.mark.browser]
 
 BEYOND = """() => [...document.querySelectorAll("main .btn")]
   .filter((one) => one.getBoundingClientRect().right > innerWidth).map((one) => one.textContent)"""

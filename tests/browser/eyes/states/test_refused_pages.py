@@ -3,7 +3,7 @@
 import pytest
 from browser.eyes.places import PLACES, put_back
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
+pytestmark = [pytest.mark.browser]
 
 
 def test_every_page_of_an_owner_leads_a_clinician_to_another(page, clinic):

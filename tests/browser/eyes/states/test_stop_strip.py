@@ -8,7 +8,7 @@ from playwright.sync_api import expect
 
 from app.faults import Fault
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
+pytestmark = [pytest.mark.browser]
 
 
 def test_no_page_without_the_chair_in_view_lets_it_go_on(page, clinic):

@@ -5,7 +5,7 @@ import math
 import pytest
 from browser.eyes.places import PLACES, put_back
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
+pytestmark = [pytest.mark.browser]
 
 MIDDLE = 110  # px of the picture
 FRONT = 1.5  # the place at the top: that of the front of the limb
