@@ -22,7 +22,7 @@ share_statements()
 LONGEST = (
     *("test_axe", "test_way", "test_chair_page", "test_story", "test_drawn_plan", "test_calibrate_page"),
     *("test_without_program", "test_view", "test_keyboard", "test_live_words", "test_people_page"),
-    *("test_drills_short", "test_odd_equipment", "test_study_learning", "test_stoppable", "test_study_sessions"),
+    *("test_drills_short", "test_odd_equipment", "test_stoppable", "test_study_sessions"),
 )
 
 

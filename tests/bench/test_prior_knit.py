@@ -10,7 +10,10 @@ from bench.prior.__main__ import Comparison, entries_of, with_ring
 from bench.prior.knit import FOLDER, knit_people
 from bench.prior.wearers import Figures, Wearer
 
-pytestmark = pytest.mark.skipif(not FOLDER.exists(), reason="the recordings of the real knit are not on this machine")
+pytestmark = [
+    pytest.mark.long,
+    pytest.mark.skipif(not FOLDER.exists(), reason="the recordings of the real knit are not on this machine"),
+]
 
 
 @pytest.fixture(scope="module")

@@ -42,6 +42,7 @@ def test_the_profile_that_comes_with_the_program_is_that_of_a_calibration():
     assert differences(shipped, calibrated().model_copy(update={"created": shipped.created})) == {}
 
 
+@pytest.mark.long
 def test_the_prior_that_comes_with_the_program_is_that_of_its_simulated_people():
     fresh = ReleasedPrior.model_validate_json(released())
     assert differences(shipped_prior(standard_layout()), fresh) == {}

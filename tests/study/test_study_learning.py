@@ -14,6 +14,8 @@ from app.hardware.body.person_parameters import NOVICE
 from app.study.seeds import comparable_table, measure_over_seeds, run_seeds
 from app.world.floorplan import FloorPlan
 
+pytestmark = pytest.mark.long
+
 SEEDS = (1, 2)
 TRIALS = 8
 PRACTISED_QUANTITIES = ("hesitation", "stroke_noise", "wrong_limb", "estimate_error", "heading_tolerance")
