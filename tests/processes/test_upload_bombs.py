@@ -3,11 +3,10 @@
 import os
 from collections.abc import Iterator
 from pathlib import Path
-from statistics import median
 
 import psutil
 import pytest
-from drills.bomb_effects import LONGEST_ANSWER, MOST_GROWTH, memory, send_bomb
+from drills.bomb_effects import MOST_GROWTH, memory, send_bomb
 from drills.bombs import BOMBS, glb_with_pictures, png
 from drills.results import Watcher
 from processes.served_demo import Demo, bodydrive
@@ -65,8 +64,7 @@ def test_a_bomb_is_refused_and_nobody_waits(demo: Demo, before: int, watcher: Wa
     assert effect.detail.endswith(".")
     assert str(demo.state) not in effect.detail
     assert effect.growth < MOST_GROWTH
-    assert median(effect.answers) <= LONGEST_ANSWER  # `make drills` checks each one, on a quiet machine
-    assert max(effect.answers) <= HELD_UP
+    assert max(effect.answers) <= HELD_UP  # `make drills` has a limit of 0.2 s, on a quiet machine
     assert [file for file in kept(demo.state) if file.is_file()] == []
 
 
