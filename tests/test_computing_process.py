@@ -24,6 +24,7 @@ from folders import ROOT
 
 MEASURING = ("calibration", "scoring", "signals")
 LONG = 60.0  # s
+LOWEST = 19  # priority of a process, as nice counts it
 
 
 @pytest.fixture
@@ -50,7 +51,7 @@ def test_one_process_of_low_priority_answers_all_questions(computing: ComputingP
     assert computing.ask(math.hypot, 3.0, 4.0) == 5.0
     assert computing.ask(sorted, [2, 3, 1], reverse=True) == [3, 2, 1]
     assert computing.ask(os.getpid) == pid
-    assert computing.ask(os.nice, 0) > os.nice(0)
+    assert computing.ask(os.nice, 0) >= min(os.nice(0) + 1, LOWEST)
 
 
 @pytest.mark.parametrize("kind", [Conflict, DiskFull])
