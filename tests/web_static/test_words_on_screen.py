@@ -22,6 +22,15 @@ def test_no_text_of_the_pages_has_a_symbol(run_script):
     assert {key: text for key, text in shown.items() if symbols_in(text)} == {}
 
 
+def test_a_label_holds_the_words_that_it_replaces(run_script):
+    """Who presses a button by voice says what is written on it."""
+    texts = json.loads(run_script("texts.mjs"))
+    labels = {key.removesuffix(".label"): text for key, text in texts.items() if key.endswith(".label")}
+    replaced = {key: (texts[key], label) for key, label in labels.items() if key in texts}
+    assert len(replaced) > 20
+    assert {key: both for key, both in replaced.items() if both[0].lower() not in both[1].lower()} == {}
+
+
 def sentences(tree):
     """Yield the texts of a module with more than one word, without docstrings and descriptions of fields."""
     docstrings = {

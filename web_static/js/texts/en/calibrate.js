@@ -76,10 +76,10 @@ export default {
   "result.sits.lead":
     "This calibration takes that into account. You can leave it so, or put the shirt right as the picture shows and begin the calibration anew. If you are sure that it sits right, say so.",
   "result.sits.right": "It sits right",
-  "result.sits.right.label": "The shirt sits right at the {joint}: calibrate it as it is worn",
+  "result.sits.right.label": "It sits right at the {joint}: calibrate the shirt as it is worn",
   "result.sits.left": "The shirt looks turned at the {joint}, and is taken as it is worn: you said that it sits right.",
   "result.sits.follow": "Take it as turned",
-  "result.sits.follow.label": "The shirt is turned at the {joint}: allow for that",
+  "result.sits.follow.label": "Take it as turned at the {joint}, and allow for that",
   "result.sits.picture.mirrored": "The sensors of one side of the {joint} lie on the other side: turn the shirt the right side out, or put it on the other arm",
   "result.sits.side.front": "front",
   "result.sits.side.back": "back",
