@@ -166,7 +166,7 @@ def test_two_are_invited_accept_elsewhere_and_one_is_disabled(opened, served, ow
     expect(owner.get_by_text("has not chosen a password yet")).to_have_count(0, timeout=15_000)  # without a reload
     first = rita.get_by_role("region", name="Three things, the first time")
     expect(first.get_by_role("listitem")).to_have_text(
-        [re.compile(f"^{word}") for word in ("STOP", "Patient:", "Review:")]
+        [re.compile(f"^{word}") for word in ("STOP", "Patients:", "Review:")]
     )
     assert numbers(rita) == ["2", "3"]
     # A reviewer is offered nothing that is refused, and Stop stays in the first row of a telephone.
@@ -223,7 +223,7 @@ def test_an_idle_page_locks_with_stop_alive_and_keeps_what_was_typed(opened, ser
     assert stopped.value.ok
     page.get_by_label("Password of Ada").fill("not this one")
     page.get_by_role("button", name="Unlock").click()
-    expect(page.locator(".lock-page .problem").first).to_contain_text("wrong")
+    expect(page.locator(".lock-page .problem").first).to_contain_text("That is not the password of Ada")
     page.get_by_label("Password of Ada").clear()
     paste(page, page.get_by_label("Password of Ada"), PASSWORD)
     page.get_by_role("button", name="Unlock").click()

@@ -90,9 +90,14 @@ export async function show(app, root, { signal }) {
   };
   const end = () =>
     inTurn(async () => {
-      if (!(await app.toasts.attempt(() => app.api.remove("/session")))) return;
-      await app.readSession({ isOwn: true });
+      endedAt = Infinity; // news of the end may show the bin before the answer is here
+      const isEnded = await app.toasts.attempt(async () => {
+        const answer = await app.api.remove("/session");
+        await app.readSession({ isOwn: true });
+        return answer;
+      });
       endedAt = performance.now();
+      if (!isEnded) return;
       showList();
       app.toasts.show(t("patients.ended"));
     });
