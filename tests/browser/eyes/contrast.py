@@ -13,7 +13,7 @@ PLACES = """(targets) => {
   return found.map((one, number) => {
     if (!one?.checkVisibility()) return null;
     const box = one.getBoundingClientRect();
-    if (!box.width) return null; // it has no letters any more
+    if (!box.width) return null; // a text without letters
     const style = getComputedStyle(one);
     const scale = one.getScreenCTM?.()?.a ?? 1;
     let opacity = Number(style.fillOpacity);

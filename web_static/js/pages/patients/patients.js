@@ -55,10 +55,11 @@ export async function show(app, root, { signal }) {
       goOn();
     });
   };
-  let endedAt = -Infinity; // ms
+  let shownHere = app.session?.patient?.id; // the patient who is here, in the list as it is shown
+  let changedAt = -Infinity; // ms, when the list showed somebody else as here
   /** @param {PatientView} patient */
   const remove = async (patient) => {
-    if (performance.now() - endedAt < SECOND_TAP) return; // the bin took the place of "End session" under the finger
+    if (performance.now() - changedAt < SECOND_TAP) return; // the bin took the place of "End session" under the finger
     try {
       await app.api.remove(`/patients/${patient.id}`);
     } catch (error) {
@@ -90,18 +91,14 @@ export async function show(app, root, { signal }) {
   };
   const end = () =>
     inTurn(async () => {
-      endedAt = Infinity; // news of the end may show the bin before the answer is here
-      const isEnded = await app.toasts.attempt(async () => {
-        const answer = await app.api.remove("/session");
-        await app.readSession({ isOwn: true });
-        return answer;
-      });
-      endedAt = performance.now();
-      if (!isEnded) return;
+      if (!(await app.toasts.attempt(() => app.api.remove("/session")))) return;
+      await app.readSession({ isOwn: true });
       showList();
       app.toasts.show(t("patients.ended"));
     });
   const showList = () => {
+    const here = app.session?.patient?.id;
+    if (here !== shownHere) [shownHere, changedAt] = [here, performance.now()];
     const words = search.value.trim().toLowerCase();
     const found = patients.filter((patient) => `${patient.code} ${patient.pseudonym}`.toLowerCase().includes(words));
     const none = words ? t("patients.none-found", { words: search.value.trim() }) : t("patients.empty");
