@@ -97,7 +97,7 @@ class SessionFlow:
         if self._tests.running:
             raise Conflict(f"The two-minute test is running: end it first, then {what}.")
         if self._calibration.running:
-            raise Conflict(f"A calibration step is running: cancel it first, then {what}.")
+            raise Conflict(f"A calibration step is running: wait for its end, or cancel it, then {what}.")
 
     async def needed_session(self, clinic_id: int) -> PatientSession:
         """Return the open session; Conflict when there is none."""

@@ -17,16 +17,13 @@ from app.session.control_link import ControlLink
 from app.session.equipment.shirt import Equipment
 from app.session.recordings import check_recording
 from app.session.runs import SessionRuns
-from app.store.calibrations import (
-    begin_calibration,
-    calibration_steps,
-    set_step,
-)
+from app.store.calibrations import begin_calibration, calibration_steps, set_step
 from app.store.database import Database
 from app.store.tables import PatientSession
 
 LOOK_EVERY = 0.05  # s
 STANDSTILL_LIMIT = 3.0  # s without progress of the run's time, after which the step fails
+CHECK_LIMIT = 30.0  # s for checking a closed recording and fitting the map, before a caller is told to look later
 RESULT = "result"
 
 
@@ -73,8 +70,7 @@ class CalibrationFlow:
         needed = self._equipment.needed_layout()
         if progress.layout is None or progress.layout.without_rings != needed.without_rings:
             raise Conflict("The shirt is another one than when this calibration began: begin the calibration anew.")
-        if self._running is not None:
-            raise Conflict("A step is being recorded already: wait for its end, or cancel it first.")
+        self._refuse_while_running()
         self._running, self._task = step.id, None
         try:
             run = await self._runs.begin(session_id, step.kind, step.cues, {"step": step.id})
@@ -95,8 +91,13 @@ class CalibrationFlow:
         self._tell("calibration")
 
     async def cancel(self, session_id: int, step_id: str) -> None:
-        """Stop recording a step; its status is then "waiting" again."""
+        """Stop recording a step; its status is then "waiting" again.
+
+        A recording that is closed already is checked to its end first, so that nothing runs after the refusal.
+        """
         (await self.progress(session_id)).step(step_id)
+        if self._running == step_id and self._task is not None and self._runs.open is None:
+            await asyncio.wait([self._task], timeout=CHECK_LIMIT)
         if self._running != step_id or self._task is None or self._runs.open is None:
             raise Conflict("This step is not being recorded, or no longer: start it, or choose another.")
         await self.stop("waiting", "")
@@ -106,8 +107,7 @@ class CalibrationFlow:
         step = (await self.progress(session_id)).step(step_id)
         if step.kind != "prompt":
             raise Conflict("Rest and free movement cannot be skipped: the calibration is made of them.")
-        if self._running is not None:
-            raise Conflict("A step is being recorded: wait for its end, or cancel it first.")
+        self._refuse_while_running()
         await asyncio.to_thread(self._set, session_id, step.id, "skipped", "", None, None)
         try:
             await self._go_on(session_id)
@@ -128,8 +128,7 @@ class CalibrationFlow:
 
     async def fit_again(self, session_id: int) -> None:
         """Fit the map from the steps that are done; Conflict, in a sentence, when that cannot be done."""
-        if self._running is not None:
-            raise Conflict("A step is being recorded: wait for its end, or cancel it first.")
+        self._refuse_while_running()
         try:
             await self.go(session_id, RESULT)
             words = await self._fit_now(session_id)
@@ -148,8 +147,7 @@ class CalibrationFlow:
             raise Conflict(
                 "Do Rest and Move freely first. Fitting needs an earlier calibration of this patient in this shirt."
             )
-        if self._running is not None:
-            raise Conflict("A step is being recorded: wait for its end, or cancel it first.")
+        self._refuse_while_running()
         await asyncio.to_thread(self._fit.fit_earlier, session_id, progress, person)
 
     async def learn(self, session_id: int) -> bool:
@@ -179,8 +177,7 @@ class CalibrationFlow:
 
     async def restart(self, session_id: int) -> None:
         """Begin the calibration anew; the recordings made so far stay on disk but no longer count."""
-        if self._running is not None:
-            raise Conflict("A step is being recorded: cancel it first, then begin anew.")
+        self._refuse_while_running()
         await asyncio.to_thread(self._begin, session_id, self._equipment.needed_layout())
         self._tell("calibration")
 
@@ -212,6 +209,10 @@ class CalibrationFlow:
                 await self._go_on(session_id, step.id if stays else None)
             finally:
                 self._ended()
+
+    def _refuse_while_running(self) -> None:
+        if self._running is not None:
+            raise Conflict("A step is being recorded: wait for its end, or cancel it first.")
 
     def _ended(self) -> None:
         self._running = None

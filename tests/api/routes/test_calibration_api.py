@@ -1,6 +1,8 @@
-"""Patients, sessions, the wizard and the controls, as a page goes through them."""
+"""The calibration of the open session, as its page goes through it."""
 
+import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
@@ -9,59 +11,6 @@ from running_app import running
 
 from app.session.calibration import calibration_flow
 from app.settings import Settings
-
-
-def test_nobody_signed_in_sees_no_patient(clinic: Any) -> None:
-    for path in (
-        "/patients",
-        "/session",
-        "/equipment",
-        "/calibration",
-        "/controls",
-        "/floorplans",
-        "/trials?patient=1",
-    ):
-        answer = clinic("GET", path)
-        assert answer.status_code == 401, path
-        assert answer.json()["detail"].startswith("You are not signed in")
-
-
-def test_a_patient_is_added_deleted_and_brought_back(signed_in: Any) -> None:
-    patient = signed_in.good("POST", "/patients", json={"code": "P-1", "pseudonym": "Heron", "note": "left-handed"})
-    assert (patient["sessions"], patient["trials"], patient["last_seen"]) == (0, 0, None)
-    same = signed_in("POST", "/patients", json={"code": "P-1", "pseudonym": "Otter"})
-    assert same.status_code == 409
-    assert "choose another code" in same.json()["detail"]
-    signed_in.good("DELETE", f"/patients/{patient['id']}")
-    assert signed_in.good("GET", "/patients") == []
-    signed_in.good("POST", f"/patients/{patient['id']}/restore")
-    assert signed_in.good("GET", "/patients")[0]["pseudonym"] == "Heron"
-    assert signed_in("DELETE", "/patients/999").status_code == 404
-
-
-@pytest.mark.parametrize(
-    ("body", "words"),
-    [
-        ({"code": "P 1", "pseudonym": "Heron"}, "code"),
-        ({"code": "P-1"}, "pseudonym: this is missing"),
-        ({"code": "P-1", "pseudonym": "Heron", "name": "Real Name"}, "name: this is not known here"),
-        ({"code": float("nan"), "pseudonym": "Heron"}, "code"),
-        ([1, 2], "What was sent"),
-    ],
-)
-def test_bad_input_is_one_sentence_and_adds_nobody(signed_in: Any, body: Any, words: str) -> None:
-    import json
-
-    answer = signed_in("POST", "/patients", content=json.dumps(body), headers={"Content-Type": "application/json"})
-    assert answer.status_code == 422
-    assert words in answer.json()["detail"]
-    assert isinstance(answer.json()["detail"], str)
-    assert signed_in.good("GET", "/patients") == []
-
-
-def test_what_is_not_json_is_said_so(signed_in: Any) -> None:
-    answer = signed_in("POST", "/patients", content=b"{", headers={"Content-Type": "application/json"})
-    assert (answer.status_code, answer.json()["detail"]) == (422, "What was sent is not JSON: correct it.")
 
 
 def test_without_a_patient_there_is_nothing_to_calibrate(signed_in: Any) -> None:
@@ -129,6 +78,34 @@ def test_a_step_can_be_cancelled_repeated_and_fail_in_words(signed_in: Any) -> N
         "/calibration", lambda c: c["running"] is None and c["result"] and not c["result"]["accepted"]
     )
     assert [step["status"] for step in wizard["steps"]].count("done") == 7
+
+
+def test_a_step_whose_recording_is_being_checked_is_over_once_its_cancel_is_answered(
+    signed_in: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whoever is told that nothing is left to cancel can end the session."""
+    checking, checked = threading.Event(), threading.Event()
+
+    def check(_folder: Any, _duration: float) -> None:
+        checking.set()
+        checked.wait()
+
+    monkeypatch.setattr(calibration_flow, "check_recording", check)
+    signed_in.begin_session()
+    signed_in.good("POST", "/calibration/steps/rest/start")
+    signed_in.process.run_t = 1000.0
+    checking.wait()
+    with ThreadPoolExecutor(1) as other:
+        cancelled = other.submit(signed_in, "POST", "/calibration/steps/rest/cancel")
+        try:
+            refused = signed_in("DELETE", "/session")
+            assert (refused.status_code, "wait for its end" in refused.json()["detail"]) == (409, True)
+            assert not cancelled.done()
+        finally:
+            checked.set()
+        assert cancelled.result().status_code == 409
+    assert signed_in.good("GET", "/calibration")["steps"][0]["status"] == "done"
+    assert signed_in.good("DELETE", "/session")["patient"] is None
 
 
 @pytest.mark.parametrize("looked_at", [None, "prompt-right_shoulder"])
@@ -222,57 +199,6 @@ def test_a_restart_of_the_web_process_comes_back_to_the_same_step(settings: Sett
     for again in running(settings):
         again.client.cookies["bodydrive_sign_in"] = token
         assert again.good("GET", "/calibration") == before
-
-
-def test_controls_are_set_undone_named_and_never_half(signed_in: Any) -> None:
-    signed_in.begin_session()
-    signed_in.calibrate()
-    controls = signed_in.good("GET", "/controls")
-    parameters = controls["parameters"]
-    assert (controls["can_undo"], controls["can_redo"], controls["saved"]) == (False, False, ["Standard"])
-    body = {
-        name: parameters[name] for name in ("gestures", "bindings", "mode_u1", "mode_u2", "cutoff", "speeds", "title")
-    }
-    bad = signed_in("PUT", "/controls", json={**body, "bindings": [{"control": "u1+", "gestures": ["nobody"]}]})
-    assert bad.status_code == 422
-    assert "nobody" in bad.json()["detail"]
-    assert signed_in("PUT", "/controls", json={**body, "cutoff": 900.0}).status_code == 422
-    assert signed_in.good("GET", "/controls")["hash"] == controls["hash"]
-    for cruise_time in (0.5, 10.5, None, "3"):
-        assert signed_in("PUT", "/controls", json={**body, "turn_cruise_time": cruise_time}).status_code == 422
-    no_brake = [{"control": "u1+", "gestures": ["right_elbow"]}]
-    obstacle = signed_in.good("PUT", "/controls", json={**body, "bindings": no_brake})["obstacle"]
-    assert ("bind a movement" in obstacle["words"], obstacle["page"]) == (True, "controls")
-    assert signed_in.good("POST", "/controls/undo")["obstacle"] is None
-    changed = signed_in.good("PUT", "/controls", json={**body, "cutoff": 5.0, "title": "Brisk"})
-    assert changed["can_undo"] is True
-    assert signed_in.process.parameters["cutoff"] == 5.0
-    undone = signed_in.good("POST", "/controls/undo")
-    assert (undone["hash"], undone["can_redo"]) == (controls["hash"], True)
-    assert signed_in.process.parameters["cutoff"] == 3.0
-    assert signed_in.good("POST", "/controls/redo")["parameters"]["title"] == "Brisk"
-    assert signed_in("POST", "/controls/redo").status_code == 409
-    assert signed_in.good("POST", "/controls/load", json={"title": "Standard"})["parameters"]["cutoff"] == 3.0
-    assert signed_in("POST", "/controls/load", json={"title": "Nowhere"}).status_code == 404
-    suggested = signed_in.good("POST", "/controls/suggest")
-    assert suggested["parameters"]["bindings"] == suggested["suggested"]["bindings"]
-
-
-def test_the_gestures_are_those_of_the_calibration_and_one_suggestion_is_everywhere(signed_in: Clinic) -> None:
-    signed_in.begin_session()
-    refused = signed_in("GET", "/calibration/gestures")
-    assert refused.status_code == 409
-    assert "Nothing is calibrated yet" in refused.json()["detail"]
-    signed_in.calibrate()
-    found = signed_in.good("GET", "/calibration/gestures")
-    assert found["source"] == "profile"  # the runs of these tests are not on disk, and it says so
-    assert "recordings" in found["words"]
-    assert [one["score"] for one in found["gestures"]] == sorted(
-        (one["score"] for one in found["gestures"]), reverse=True
-    )
-    suggested = signed_in.good("POST", "/controls/suggest")
-    assert suggested["parameters"]["bindings"] == found["suggestion"]["bindings"] == suggested["suggested"]["bindings"]
-    assert suggested["parameters"]["gestures"] == found["suggestion"]["gestures"]
 
 
 def test_another_shirt_does_not_drive_with_this_calibration(signed_in: Clinic) -> None:

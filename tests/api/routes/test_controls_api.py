@@ -1,0 +1,56 @@
+"""The controls, as their page asks for them."""
+
+from typing import Any
+
+from fake_clinic import Clinic
+
+
+def test_controls_are_set_undone_named_and_never_half(signed_in: Any) -> None:
+    signed_in.begin_session()
+    signed_in.calibrate()
+    controls = signed_in.good("GET", "/controls")
+    parameters = controls["parameters"]
+    assert (controls["can_undo"], controls["can_redo"], controls["saved"]) == (False, False, ["Standard"])
+    body = {
+        name: parameters[name] for name in ("gestures", "bindings", "mode_u1", "mode_u2", "cutoff", "speeds", "title")
+    }
+    bad = signed_in("PUT", "/controls", json={**body, "bindings": [{"control": "u1+", "gestures": ["nobody"]}]})
+    assert bad.status_code == 422
+    assert "nobody" in bad.json()["detail"]
+    assert signed_in("PUT", "/controls", json={**body, "cutoff": 900.0}).status_code == 422
+    assert signed_in.good("GET", "/controls")["hash"] == controls["hash"]
+    for cruise_time in (0.5, 10.5, None, "3"):
+        assert signed_in("PUT", "/controls", json={**body, "turn_cruise_time": cruise_time}).status_code == 422
+    no_brake = [{"control": "u1+", "gestures": ["right_elbow"]}]
+    obstacle = signed_in.good("PUT", "/controls", json={**body, "bindings": no_brake})["obstacle"]
+    assert ("bind a movement" in obstacle["words"], obstacle["page"]) == (True, "controls")
+    assert signed_in.good("POST", "/controls/undo")["obstacle"] is None
+    changed = signed_in.good("PUT", "/controls", json={**body, "cutoff": 5.0, "title": "Brisk"})
+    assert changed["can_undo"] is True
+    assert signed_in.process.parameters["cutoff"] == 5.0
+    undone = signed_in.good("POST", "/controls/undo")
+    assert (undone["hash"], undone["can_redo"]) == (controls["hash"], True)
+    assert signed_in.process.parameters["cutoff"] == 3.0
+    assert signed_in.good("POST", "/controls/redo")["parameters"]["title"] == "Brisk"
+    assert signed_in("POST", "/controls/redo").status_code == 409
+    assert signed_in.good("POST", "/controls/load", json={"title": "Standard"})["parameters"]["cutoff"] == 3.0
+    assert signed_in("POST", "/controls/load", json={"title": "Nowhere"}).status_code == 404
+    suggested = signed_in.good("POST", "/controls/suggest")
+    assert suggested["parameters"]["bindings"] == suggested["suggested"]["bindings"]
+
+
+def test_the_gestures_are_those_of_the_calibration_and_one_suggestion_is_everywhere(signed_in: Clinic) -> None:
+    signed_in.begin_session()
+    refused = signed_in("GET", "/calibration/gestures")
+    assert refused.status_code == 409
+    assert "Nothing is calibrated yet" in refused.json()["detail"]
+    signed_in.calibrate()
+    found = signed_in.good("GET", "/calibration/gestures")
+    assert found["source"] == "profile"  # the runs of these tests are not on disk, and it says so
+    assert "recordings" in found["words"]
+    assert [one["score"] for one in found["gestures"]] == sorted(
+        (one["score"] for one in found["gestures"]), reverse=True
+    )
+    suggested = signed_in.good("POST", "/controls/suggest")
+    assert suggested["parameters"]["bindings"] == found["suggestion"]["bindings"] == suggested["suggested"]["bindings"]
+    assert suggested["parameters"]["gestures"] == found["suggestion"]["gestures"]

@@ -1,0 +1,58 @@
+"""Patients, as their page asks for them."""
+
+from typing import Any
+
+import pytest
+
+
+def test_nobody_signed_in_sees_no_patient(clinic: Any) -> None:
+    for path in (
+        "/patients",
+        "/session",
+        "/equipment",
+        "/calibration",
+        "/controls",
+        "/floorplans",
+        "/trials?patient=1",
+    ):
+        answer = clinic("GET", path)
+        assert answer.status_code == 401, path
+        assert answer.json()["detail"].startswith("You are not signed in")
+
+
+def test_a_patient_is_added_deleted_and_brought_back(signed_in: Any) -> None:
+    patient = signed_in.good("POST", "/patients", json={"code": "P-1", "pseudonym": "Heron", "note": "left-handed"})
+    assert (patient["sessions"], patient["trials"], patient["last_seen"]) == (0, 0, None)
+    same = signed_in("POST", "/patients", json={"code": "P-1", "pseudonym": "Otter"})
+    assert same.status_code == 409
+    assert "choose another code" in same.json()["detail"]
+    signed_in.good("DELETE", f"/patients/{patient['id']}")
+    assert signed_in.good("GET", "/patients") == []
+    signed_in.good("POST", f"/patients/{patient['id']}/restore")
+    assert signed_in.good("GET", "/patients")[0]["pseudonym"] == "Heron"
+    assert signed_in("DELETE", "/patients/999").status_code == 404
+
+
+@pytest.mark.parametrize(
+    ("body", "words"),
+    [
+        ({"code": "P 1", "pseudonym": "Heron"}, "code"),
+        ({"code": "P-1"}, "pseudonym: this is missing"),
+        ({"code": "P-1", "pseudonym": "Heron", "name": "Real Name"}, "name: this is not known here"),
+        ({"code": float("nan"), "pseudonym": "Heron"}, "code"),
+        ([1, 2], "What was sent"),
+    ],
+)
+def test_bad_input_is_one_sentence_and_adds_nobody(signed_in: Any, body: Any, words: str) -> None:
+    import json
+
+    answer = signed_in("POST", "/patients", content=json.dumps(body), headers={"Content-Type": "application/json"})
+    assert answer.status_code == 422
+    assert words in answer.json()["detail"]
+    assert isinstance(answer.json()["detail"], str)
+    assert signed_in.good("GET", "/patients") == []
+
+
+def test_what_is_not_json_is_said_so(signed_in: Any) -> None:
+    answer = signed_in("POST", "/patients", content=b"{", headers={"Content-Type": "application/json"})
+    assert (answer.status_code, answer.json()["detail"]) == (422, "What was sent is not JSON: correct it.")
