@@ -10,7 +10,16 @@ from app.messages import SensorFrame, Tick
 from app.pipeline.channel_health import LossWindow
 from app.pipeline.controls import Controls
 from app.pipeline.decoder import Decoder, periods_between
-from app.pipeline.safety_gate import ARMED, LARGEST_STEP, LOSSY_LIMIT, BadGestures, Conditions, SafetyGate, shirt_limits
+from app.pipeline.safety_gate import (
+    ARMED,
+    CHECKING,
+    LARGEST_STEP,
+    LOSSY_LIMIT,
+    BadGestures,
+    Conditions,
+    SafetyGate,
+    shirt_limits,
+)
 from app.pipeline.shaping import Shaper
 from app.speeds import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
 
@@ -76,6 +85,7 @@ class Chain:
             self._decoder.reset()
             self._shaper.reset()
         self._at_rest = True  # whether every bound gesture was at rest in the newest tick
+        self._makes_stop = False  # whether the stop gesture was made in it: while latched, its beginning counts once
         self._loss.reset()
         self._lossy_since: float | None = None
         self._t: float | None = None
@@ -139,8 +149,10 @@ class Chain:
         tick.score, tick.rate, tick.drive, tick.activation = decoder.score, decoder.rate, decoder.drive, activation
         if decoder.is_active:
             tick.u1, tick.u2 = controls.step(activation)
-            if controls.is_stop(activation) and gate.state is not State.DISARMED:
+            makes_stop = controls.is_stop(activation)
+            if makes_stop and gate.state is not State.DISARMED and not (self._makes_stop and gate.state is State.FAULT):
                 gate.stop(Fault.STOP_GESTURE)
+            self._makes_stop = makes_stop
             self._at_rest = not unseen and controls.is_neutral(activation)
         else:
             tick.u1 = tick.u2 = 0.0
@@ -166,7 +178,7 @@ class Chain:
             self._lossy_since = None
         elif self._lossy_since is None:
             self._lossy_since = t
-        elif self.gate.state is not State.DISARMED:
+        elif self.gate.state is CHECKING or self.gate.state is ARMED:
             limit = self._silent if controls.brakes.are_needed(self.gate.last) else LOSSY_LIMIT
             if t - self._lossy_since > limit:
                 self.gate.stop(Fault.SHIRT_LOSSY)

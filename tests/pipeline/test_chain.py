@@ -178,6 +178,7 @@ def test_losses_that_go_on_stop_and_a_chair_that_cruises_sooner(mode, limit):
     silenced = [lossy for _, lossy in seen].index(True)
     stopped = [fault for fault, _ in seen].index(Fault.SHIRT_LOSSY)
     assert (stopped - silenced) / RATE == pytest.approx(limit, abs=0.02)
+    assert ride.chain.gate.stops == 1
     assert ride.chain.gate.last == (0.0, 0.0)
 
 

@@ -139,6 +139,17 @@ def test_the_stop_gesture_stops(ride):
     assert Fault.STOP_GESTURE in faults
 
 
+def test_a_stop_gesture_counts_once_each_time_it_is_made(ride):
+    """Otherwise nobody could have seen the last one while the gesture lasts, and its notice would be said again."""
+    ride.moving()
+    ride.gate.stop(Fault.STOP_TABLET)
+    for times in (1, 2):
+        active = [min(ride.feed(frame).activation[:2]) > 0 for frame in ride.bend("right_elbow", "left_elbow")]
+        assert sum(active) > 2
+        assert ride.gate.stops == 1 + times
+        ride.rest(1.0)
+
+
 def test_a_cleared_stop_moves_nothing_before_a_new_check(ride):
     ride.moving()
     ride.gate.stop(Fault.STOP_TABLET)
