@@ -1,7 +1,7 @@
 /** What the patient sees: the picture, and over it the task, the speed, the arrow, and a conspicuous stop. */
 import { h, put, s, set, write } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
-import { faultKeys, urgency } from "../shell/notices.js";
+import { haltFollower, urgency } from "../shell/halt.js";
 import { t } from "../texts.js";
 import { arrow } from "./arrow.js";
 import { cueLayer } from "./cue.js";
@@ -89,17 +89,19 @@ function speedCard() {
 /** A stop, with its reason: read out once, at once when somebody pressed Stop. */
 function stopBand() {
   const element = h("div", { "aria-live": "polite" });
-  const faultKey = faultKeys();
+  const follow = haltFollower();
   let wait = h("p", {});
   let shown = "";
   /** @param {PatientMessage} now */
   const show = ({ state, fault, stops, waits }) => {
-    const key = state === "fault" && fault ? faultKey(fault, stops) : "";
+    const halt = follow(state === "fault" ? fault : null, stops);
+    const key = halt?.key ?? "";
     if (key === shown) return key && write(wait, waits.words);
     shown = key;
-    set(element, { "aria-live": urgency(fault) });
+    set(element, { "aria-live": urgency(halt) });
     wait = h("p", { class: "wait" }, waits.words);
-    put(element, key && h("div", { class: "band stopped" }, octagon(), h("div", {}, h("b", {}, t("patient.stopped")), h("p", {}, fault?.words), wait)));
+    const words = halt && [h("b", {}, t("patient.stopped")), h("p", {}, halt.words), halt.again && h("p", {}, halt.again), wait];
+    put(element, words && h("div", { class: "band stopped" }, octagon(), h("div", {}, words)));
   };
   return { element, show };
 }

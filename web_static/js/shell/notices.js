@@ -3,30 +3,31 @@
  * disk, backups that are not made; and for a person's first time the sentences on how to find one's way.
  * @import { Child } from "types/dom"
  * @import { App } from "../main.js"
+ * @import { Halt } from "./halt.js"
  */
 import { t } from "../texts.js";
 import { h, put, set } from "../widgets/dom.js";
 import { timeOfDay } from "../widgets/format.js";
 import { icon } from "../widgets/icons.js";
 import { continueButton, mayGoOn } from "./continue_button.js";
+import { haltFollower, urgency } from "./halt.js";
 import { isPageOff } from "./offline.js";
-
-const ONE_PRESS = 400; // ms within which two stops are those of one press
 
 /** @param {import("../main.js").App} app */
 export function notices(app) {
   const element = h("div", { class: "notes", "aria-live": "polite" });
-  const faultKey = faultKeys();
+  const follow = haltFollower();
   let shown = "";
   const show = () => {
-    const kind = app.me?.signed_in ? noticeKind(app, faultKey) : "";
+    const halt = follow(app.live.latest?.fault, app.live.latest?.stops ?? 0);
+    const kind = app.me?.signed_in ? noticeKind(app, halt) : "";
     // A screen reader does not find a page that is off: then the notice is all there is to read, unless a cover is.
     const isAll = kind === "lost, page off" && ![...document.querySelectorAll("main")].some((one) => one !== app.root);
     set(element, { role: isAll ? "main" : null });
     if (kind === shown) return;
     shown = kind;
-    set(element, { "aria-live": urgency(app.live.latest?.fault) });
-    put(element, kind && note(app, kind));
+    set(element, { "aria-live": urgency(halt) });
+    put(element, kind && note(app, kind, halt));
   };
   app.live.addEventListener("tick", show);
   app.live.addEventListener("connection", show);
@@ -49,14 +50,14 @@ export function firstTimePlace(app) {
   return element;
 }
 
-/** The kind of the one notice that is needed most; empty when all is well. @param {App} app @param {ReturnType<typeof faultKeys>} faultKey */
-function noticeKind(app, faultKey) {
+/** The kind of the one notice that is needed most; empty when all is well. @param {App} app @param {Halt | null} halt */
+function noticeKind(app, halt) {
   if (!app.live.connected) return isPageOff(app) ? "lost, page off" : "lost";
   const now = app.live.latest;
   if (!now) return "";
   if (now.control !== "alive") return "control";
   // While driving, the drive page shows faults over the picture itself.
-  if (now.fault && !app.showsTrial) return `${faultKey(now.fault, now.stops)} ${placeOfDrive(now)}`;
+  if (halt && !app.showsTrial) return `${halt.key} ${placeOfDrive(now)}`;
   if (now.drive && !app.showsTrial) return "driving";
   if (app.warning && !app.showsTrial && app.warning.href !== `#/${app.route.page}`) return `warning ${app.warning.words}`;
   return needsConsent(app) ? `consent ${app.session?.patient?.id}` : "";
@@ -69,28 +70,8 @@ function needsConsent({ session, practice, showsTrial, route, me }) {
   return mayEnter && !!session?.patient && !session.consents_to_recording && !practice && !showsTrial && !isOnItsPage;
 }
 
-/** How a screen reader says a fault: a stop at once, anything else after what it is saying. @param {{name: string} | null | undefined} fault */
-export function urgency(fault) {
-  return fault?.name.toLowerCase().startsWith("stop") ? "assertive" : "polite";
-}
-
-/**
- * Return what gives the key of a fault's notice: it changes with each further press of Stop, so that the notice is read
- * out again, and not with the second stop of one press, which is sent in two ways.
- * @returns {(fault: {name: string}, stops: number) => string}
- */
-export function faultKeys() {
-  let [counted, presses, since] = [-1, 0, -Infinity];
-  return ({ name }, stops) => {
-    const now = performance.now();
-    if (stops !== counted && now - since > ONE_PRESS) [presses, since] = [presses + 1, now];
-    counted = stops;
-    return `fault ${name} ${presses}`;
-  };
-}
-
-/** @param {App} app @param {string} kind @returns {Child} */
-function note(app, kind) {
+/** @param {App} app @param {string} kind @param {Halt | null} halt @returns {Child} */
+function note(app, kind, halt) {
   if (kind.startsWith("lost")) {
     const words = t("note.lost", { time: timeOfDay(app.live.receivedAt) });
     return strip("bad", isPageOff(app) ? h("h1", {}, words) : h("b", {}, words), t("note.lost.why"));
@@ -107,15 +88,14 @@ function note(app, kind) {
     const enter = h("a", { class: "btn", href: `#/session/patient/${patient.id}` }, t("consent.needed.go"));
     return strip("", h("b", {}, t("consent.needed", { code: patient.code })), t("consent.needed.why"), enter);
   }
-  const fault = app.live.latest?.fault;
-  if (!fault) return null;
-  const happened = h("b", {}, fault.happened);
+  if (!halt) return null;
+  const happened = h("b", {}, halt.happened, halt.again && ` ${halt.again}`);
   const place = placeOfDrive(app.live.latest);
   if (!mayGoOn(app)) return strip("", happened, t(place ? "note.fault.others" : "note.fault.idle.others"));
   // Nobody lets a chair go on from a page that does not show it.
   if (place) return strip("", happened, t("note.fault.drive"), h("a", { class: "btn go", href: place }, t("note.fault.drive.go")));
   const back = continueButton(app, t("note.fault.idle.go"));
-  return strip("", happened, `${fault.remedy} ${t("note.fault.idle")}`, back.element);
+  return strip("", happened, `${halt.remedy} ${t("note.fault.idle")}`, back.element);
 }
 
 /** The address of the page that shows what is halted; empty when no trial and no drive runs. @param {App["live"]["latest"]} now */

@@ -1,14 +1,16 @@
 /**
  * The card over the picture: the starting cue, what to do after a stop or fault, and what to do without a picture.
+ * @import { Child } from "types/dom"
  * @import { App } from "../main.js"
- * @import { FaultWords, LiveMessage } from "../live/live.js"
+ * @import { LiveMessage } from "../live/live.js"
+ * @import { Halt } from "../shell/halt.js"
  */
 import { t } from "../texts.js";
 import { h, put, set, write } from "./dom.js";
 import { clock } from "./format.js";
 import { icon } from "./icons.js";
 import { continueButton } from "../shell/continue_button.js";
-import { faultKeys, urgency } from "../shell/notices.js";
+import { haltFollower, urgency } from "../shell/halt.js";
 
 const LONG = 6; // letters; longer words are written smaller
 const GO_SHOWN = 1600; // ms
@@ -21,7 +23,7 @@ export function trialCue(app, picture, onEnd, onPlan) {
   const element = h("div", { class: "over-view", "aria-live": "polite" });
   const waits = waitWords("trial.paused");
   const measuring = measuringCard();
-  const faultKey = faultKeys();
+  const follow = haltFollower();
   let shown = "";
   /** @type {ReturnType<typeof overView> | null} */
   let haltCard = null;
@@ -48,12 +50,12 @@ export function trialCue(app, picture, onEnd, onPlan) {
     waits.show(now.trial?.waits);
     const isOver = isEnding || !!now.trial?.measuring; // then nothing can be continued or ended any more
     measuring.count(isOver);
-    const fault = now.control === "alive" && !isOver ? now.fault : null;
-    const key = now.control !== "alive" ? "control" : isOver ? "measuring" : fault ? faultKey(fault, now.stops) : now.state;
+    const halt = follow(now.control === "alive" && !isOver ? now.fault : null, now.stops);
+    const key = now.control !== "alive" ? "control" : isOver ? "measuring" : (halt?.key ?? now.state);
     if (key === shown) return haltCard?.setMissing(missing());
     shown = key;
-    set(element, { "aria-live": urgency(fault) });
-    haltCard = fault && overView(app, fault, waits.element, onEnd, onPlan);
+    set(element, { "aria-live": urgency(halt) });
+    haltCard = halt && overView(app, halt, waits.element, onEnd, onPlan);
     if (haltCard) {
       clearTimeout(timer);
       put(element, haltCard.element);
@@ -99,12 +101,12 @@ function measuringCard() {
 /**
  * The card of a fault. Continue and End keep their places: why there is no picture, and the drawn plan, come below them.
  * Only that is read out when the picture goes.
- * @param {App} app @param {FaultWords} fault @param {Node} waits @param {() => Promise<void>} onEnd @param {() => void} onPlan
+ * @param {App} app @param {Halt} halt @param {Node} waits @param {() => Promise<void>} onEnd @param {() => void} onPlan
  */
-function overView(app, fault, waits, onEnd, onPlan) {
+function overView(app, halt, waits, onEnd, onPlan) {
   const end = h("button", { type: "button", class: "btn", onclick: onEnd }, t("trial.end"));
   const go = continueButton(app);
-  const element = card(fault.happened, h("p", {}, fault.next_step), waits, go.element, end);
+  const element = card(halt.happened, haltWords(halt), waits, go.element, end);
   const why = h("p", { id: "why-no-continue" });
   const plan = h("button", { type: "button", class: "btn", onclick: onPlan }, t("picture.plan.show"));
   const below = h("div", { class: "no-picture" }, why, plan);
@@ -150,12 +152,17 @@ export function waitWords(key) {
   return { element, show };
 }
 
-/** What happened, what to do, Continue, and how to end. @param {import("../main.js").App} app @param {FaultWords} fault @param {Node} waits @param {Node} end */
-export function faultCard(app, { happened, next_step: next }, waits, end) {
-  return card(happened, h("p", {}, next), waits, continueButton(app).element, end);
+/** What happened, what to do, Continue, and how to end. @param {App} app @param {Halt} halt @param {Node} waits @param {Node} end */
+export function faultCard(app, halt, waits, end) {
+  return card(halt.happened, haltWords(halt), waits, continueButton(app).element, end);
 }
 
-/** @param {string} happened @param {Node} next @param {Node | null} waits @param {Node} go @param {Node} other */
+/** That somebody stopped again, and what to do next. @param {Halt} halt */
+function haltWords({ again, next_step: next }) {
+  return [again && h("p", { class: "again" }, again), h("p", {}, next)];
+}
+
+/** @param {string} happened @param {Child} next @param {Node | null} waits @param {Node} go @param {Node} other */
 function card(happened, next, waits, go, other) {
   return h(
     "div",

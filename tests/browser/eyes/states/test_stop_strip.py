@@ -1,4 +1,8 @@
-"""The strip of a stop: the way to the drive while something is halted; what takes the stop back when nothing runs."""
+"""The notices of a stop: the way to the drive while something is halted, what takes the stop back when nothing runs, and
+that somebody stopped again.
+"""
+
+import re
 
 import pytest
 from browser.eyes.opening import go
@@ -9,6 +13,8 @@ from playwright.sync_api import expect
 from app.faults import Fault
 
 pytestmark = [pytest.mark.browser]
+
+ONE_PRESS = 500  # ms after which a stop is another one than the first
 
 
 def test_no_page_without_the_chair_in_view_lets_it_go_on(page, clinic):
@@ -49,4 +55,31 @@ def test_a_trial_that_is_measured_offers_nothing_else(page, clinic):
     expect(card.get_by_role("button")).to_have_count(0)
     expect(page.get_by_role("button", name="Measuring")).to_be_disabled()
     expect(page.get_by_role("button", name="End trial")).to_have_count(0)
+    put_back(clinic)
+
+
+@pytest.mark.parametrize(
+    ("place", "notice"),
+    [
+        ("drive, stopped", ".over-view"),
+        ("chair, stopped", ".drive-state"),
+        ("patient's screen, stopped", ".band.stopped"),
+        ("patients, fault", ".note"),
+    ],
+)
+def test_a_further_stop_is_said_with_its_time_beside_the_first_reason(page, clinic, place, notice):
+    PLACES[place](page, clinic)
+    notice = page.locator(notice)
+    reason = re.compile("Stop was pressed on|The shirt stopped sending")
+    expect(notice).to_contain_text(reason)
+    expect(notice).not_to_contain_text("again")
+    page.wait_for_timeout(ONE_PRESS)
+    clinic.fault(Fault.STOP_TABLET)
+    expect(notice).to_contain_text(re.compile(r"Somebody stopped again at \d\d:\d\d:\d\d\."))
+    expect(notice).to_contain_text(reason)
+    clinic.clear()
+    expect(notice.filter(has_text=reason)).to_have_count(0)
+    clinic.fault(Fault.STOP_TABLET)
+    expect(notice).to_contain_text("Stop was pressed on")
+    expect(notice).not_to_contain_text("again")
     put_back(clinic)

@@ -13,7 +13,7 @@ import { h, put, set, write } from "../../widgets/dom.js";
 import { clock, number } from "../../widgets/format.js";
 import { gestureLevels } from "./gesture_levels.js";
 import { stopWords } from "./neutral_card.js";
-import { faultKeys, urgency } from "../../shell/notices.js";
+import { haltFollower, urgency } from "../../shell/halt.js";
 import { pads } from "../../widgets/pads.js";
 import { faultCard, waitWords } from "../../widgets/trial_cue.js";
 
@@ -91,20 +91,21 @@ function stateCard(app, about, onEnd) {
   const place = h("div", { class: "grow", "aria-live": "polite" });
   const element = h("section", { class: "card drive-state" }, place, about);
   const waits = waitWords("driving.paused");
-  const faultKey = faultKeys();
+  const follow = haltFollower();
   let shown = "";
   /** @param {LiveMessage} now */
   const show = (now) => {
     waits.show(now.drive?.waits);
-    const key = now.fault ? faultKey(now.fault, now.stops) : now.state;
+    const halt = follow(now.fault, now.stops);
+    const key = halt?.key ?? now.state;
     if (key === shown) return;
     shown = key;
     element.dataset.state = now.state;
-    set(place, { "aria-live": urgency(now.fault) });
+    set(place, { "aria-live": urgency(halt) });
     app.root.scrollTop = 0; // the fault and Continue must be in view
-    if (now.fault) {
+    if (halt) {
       const end = h("button", { type: "button", class: "btn", onclick: onEnd }, t("driving.end"));
-      put(place, faultCard(app, now.fault, waits.element, end));
+      put(place, faultCard(app, halt, waits.element, end));
     } else put(place, h("div", { class: "huge long" }, t(`driving.${key}`)), h("p", {}, t(`driving.${key}.why`)));
   };
   return { element, show };
