@@ -32,7 +32,7 @@ def test_a_task_is_chosen(page, clinic):
 
 def test_another_chair_is_chosen(page, clinic):
     go(page, clinic, "drive/chairs")
-    tab_to(page, "Exact")
+    tab_to(page, "Answers at once")
     page.keyboard.press("ArrowRight")
     tab_to(page, "Back to the task")
 

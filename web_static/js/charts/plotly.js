@@ -103,6 +103,7 @@ function axis(colours) {
     linecolor: colours.border,
     fixedrange: true,
     automargin: true,
+    exponentformat: "none", // "0.0002", not "200µ"
   };
 }
 

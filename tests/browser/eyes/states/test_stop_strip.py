@@ -1,6 +1,4 @@
-"""The notices of a stop: the way to the drive while something is halted, what takes the stop back when nothing runs, and
-that somebody stopped again.
-"""
+"""The notices of a stop: the way to the drive while something is halted, what takes it back, and each further stop."""
 
 import re
 

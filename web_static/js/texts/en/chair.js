@@ -2,8 +2,8 @@
 export default {
   "which.virtual": "Virtual chair",
   "which.feel": "How it feels",
-  "which.feel.unicycle": "Exact",
-  "which.feel.unicycle.hint": "It follows each command at once, as in the published study.",
+  "which.feel.unicycle": "Answers at once",
+  "which.feel.unicycle.hint": "As in the published study.",
   "which.feel.wheelchair": "Like a real chair",
   "which.feel.wheelchair.hint": "It answers late, its castors swing, its wheels slip a little.",
   "which.real": "Real chair",

@@ -38,7 +38,7 @@ export default {
   "drive.tasks.3": "Nothing moves on this page: the task that you tap is proposed on the Drive page.",
   "drive.chairs.title": "Which chair",
   "drive.chairs.1": "Choose whether the patient practises with the virtual chair or drives a real one.",
-  "drive.chairs.2": "The virtual chair can feel exact or like a real one: it answers late, and its wheels slip. A real chair is paired by an owner.",
+  "drive.chairs.2": "The virtual chair answers at once, or like a real one: late, and its wheels slip. A real chair is paired by an owner.",
   "drive.chairs.3": "Nothing moves on this page; STOP stops any chair that somebody drives from another screen.",
   "drive.chair.title": "A real chair",
   "drive.chair.1": "Three cards say how the chair is, what would apply, and whether the body is at rest; a list says what is missing.",
