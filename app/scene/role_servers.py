@@ -8,6 +8,7 @@ import viser
 from viser import _messages as wire
 
 from app.scene.bridge_secret import guard_viser, require_guarded
+from app.scene.message_buffers import use_loop_buffers
 
 Role = Literal["clinician", "patient"]
 ROLES: Final[tuple[Role, ...]] = get_args(Role)
@@ -63,6 +64,7 @@ def quiet_server() -> viser.ViserServer:
     # viser prints a banner and a farewell even with verbose=False; standard output belongs to the caller.
     rich.get_console().quiet = True
     guard_viser()
+    use_loop_buffers()
     server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
     require_guarded(server)
     # These two messages would open a public tunnel without a sign-in.
