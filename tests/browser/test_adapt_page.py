@@ -52,6 +52,15 @@ def drive_for_a_while(page):
     expect(page.get_by_role("heading", name="Ended by hand")).to_be_visible()
 
 
+def take_back_until(page, wanted):
+    """Take back the stop of a machine that was too busy at the end of the trial, until the wanted button is offered."""
+    expect(wanted).to_be_visible()
+    take_back = page.get_by_role("button", name="Take the stop back")
+    if wanted.is_disabled() and take_back.is_visible():
+        take_back.click()
+    expect(wanted).to_be_enabled()
+
+
 COUNT_FROM_LATER = """async () => {
     const api = `${location.origin}/api/v1`;
     const { session } = await (await fetch(`${api}/session`)).json();
@@ -104,7 +113,9 @@ def test_a_suggestion_is_looked_at_applied_and_taken_back(tablet):
     large_enough_to_touch(page)
     keep("adapt-suggested")
 
-    page.get_by_role("button", name="Apply").click()
+    apply = page.get_by_role("button", name="Apply")
+    take_back_until(page, apply)
+    apply.click()
     expect(page.locator(".adapt-head")).to_contain_text("Version 2 of the calibration is in use.")
     expect(page.locator(".adapt-head")).to_contain_text("A real chair does not arm this set yet")
     versions = page.locator(".map-versions tbody tr")

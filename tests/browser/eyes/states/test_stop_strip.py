@@ -81,3 +81,15 @@ def test_a_further_stop_is_said_with_its_time_beside_the_first_reason(page, clin
     expect(notice).to_contain_text("Stop was pressed on")
     expect(notice).not_to_contain_text("again")
     put_back(clinic)
+
+
+def test_what_a_stop_forbids_is_offered_again_once_it_is_taken_back(page, clinic):
+    clinic.fault(Fault.SHIRT_SILENT)
+    go(page, clinic, "adapt")
+    look = page.get_by_role("button", name="Look now")
+    expect(page.get_by_text("A stop is still in force")).to_be_visible()
+    expect(look).to_be_disabled()
+    clinic.clear()
+    expect(look).to_be_enabled()
+    expect(page.get_by_text("A stop is still in force")).to_have_count(0)
+    put_back(clinic)

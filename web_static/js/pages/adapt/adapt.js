@@ -89,6 +89,17 @@ export async function show(app, root, { signal }) {
     ];
   };
 
+  let moment = "";
+  // What may be applied depends on the chair too, which tells no other news when it stands again or a stop is taken back.
+  app.live.addEventListener(
+    "tick",
+    ({ detail: { state, v } }) => {
+      const before = moment;
+      moment = `${state} ${v ? "moves" : "stands"}`;
+      if (before && moment !== before) read().catch(() => null);
+    },
+    { signal },
+  );
   app.live.addEventListener("changed", ({ detail }) => CONCERNS.includes(detail) && read().catch(() => null), { signal });
   put(
     root,
