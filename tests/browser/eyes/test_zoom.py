@@ -35,7 +35,7 @@ LOST = """() => {
     if (box.left < -1 || box.right > innerWidth + 1) lost.push(`beside the window: ${name(one)}`);
     if (!one.matches("button, a, input, select")) continue;
     const at = document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2);
-    const card = at?.closest(".fault-card, .page-help, .question");
+    const card = at?.closest(".fault-card, .page-help, .question, .toast");
     if (card && !card.contains(one)) continue; // the card is answered or closed first, and then this is in view again
     const isHit = at && (one.contains(at) || at.contains(one) || at.closest("label")?.contains(one));
     if (!isHit && !one.disabled) lost.push(`covered: ${name(one)}${at ? ` by ${name(at)}` : ""}`);
@@ -43,6 +43,8 @@ LOST = """() => {
   const stop = document.getElementById("stop");
   if (stop && !inside(stop.firstElementChild.getBoundingClientRect())) lost.push("Stop is out of view");
   const head = document.querySelector(".head");
+  for (const toast of document.querySelectorAll(".toast"))
+    if (head && toast.getBoundingClientRect().top < head.getBoundingClientRect().bottom) lost.push("a message under the header");
   const corner = stop?.getBoundingClientRect();
   if (corner && (corner.top > 1 || corner.right < innerWidth - 1)) lost.push("Stop is not in its corner");
   if (head && head.scrollHeight > head.clientHeight + 1) lost.push("the header stands over the page");
