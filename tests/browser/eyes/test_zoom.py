@@ -43,8 +43,9 @@ LOST = """() => {
   const stop = document.getElementById("stop");
   if (stop && !inside(stop.firstElementChild.getBoundingClientRect())) lost.push("Stop is out of view");
   const head = document.querySelector(".head");
+  const top = head?.getBoundingClientRect().bottom ?? 0;
   for (const toast of document.querySelectorAll(".toast"))
-    if (head && toast.getBoundingClientRect().top < head.getBoundingClientRect().bottom) lost.push("a message under the header");
+    if (toast.getBoundingClientRect().top < top) lost.push("a message under the header");
   const corner = stop?.getBoundingClientRect();
   if (corner && (corner.top > 1 || corner.right < innerWidth - 1)) lost.push("Stop is not in its corner");
   if (head && head.scrollHeight > head.clientHeight + 1) lost.push("the header stands over the page");
