@@ -158,6 +158,8 @@ export type LearningTrial = {
   number: number;
   id: number;
   session: number;
+  /** ISO 8601. */
+  started: string;
   /** One of the first three trials of the task on its day: not compared. */
   familiarisation: boolean;
   profile_version: number;

@@ -241,9 +241,9 @@ class Setup:
         self.chain = Chain(self.sample_rate, fitting, self.chair)
         self.chain.set_clinic(self._clinic)
         self.chain.set_dial(self._dial)
-        self.chain.gate.stops = gate.stops
         if gate.state is State.FAULT:
             self.chain.gate.stop(gate.fault)
+        self.chain.gate.stops = gate.stops  # nobody stops again
         self.chair.use_parameters(bytes.fromhex(self.hash)[:DIGEST_BYTES] if self.hash else bytes(DIGEST_BYTES))
 
     def _show_path(self) -> None:

@@ -1,5 +1,6 @@
 """Verdicts in the answers of the API: the same word for everybody, and none where trials cannot be compared."""
 
+from datetime import date
 from typing import Any
 
 import numpy as np
@@ -56,6 +57,8 @@ def task(clinic: Any, **more: str) -> Any:
 
 def test_the_newest_session_is_better_than_noise_and_the_first_trials_of_a_day_do_not_count(course: Any) -> None:
     answer = task(course)
+    days = [date.fromisoformat(row["started"][:10]) for row in answer["trials"]]
+    assert [(day - days[0]).days for day in days] == [7 * session for session in range(4) for _ in range(7)]
     assert [row["familiarisation"] for row in answer["trials"]] == ([True] * 3 + [False] * 4) * 4
     before, first = answer["verdicts"]["sessions"]
     assert (before["earlier"], first["earlier"], before["later"], before["trials"]) == (3, 1, 4, [4, 4])

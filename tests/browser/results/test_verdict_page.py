@@ -74,7 +74,11 @@ def test_a_change_has_one_word_on_every_page(served, browser, page_log):
 
     opens_with_a_word(page, review)
     card = page.locator(".session-verdicts")
-    expect(card.get_by_role("heading", name=re.compile("^Session 4 .* against session 3"))).to_be_visible()
+    expect(
+        card.get_by_role(
+            "heading", name=re.compile(r"^Session 4 \(.* 20\d\d, 4 trials\) against session 3 \(.* 20\d\d, 4 trials\)$")
+        )
+    ).to_be_visible()
     expect(card.locator("b.change.good").first).to_contain_text("better than noise")
     expect(page.locator(".trials tbody tr").filter(has_text="getting used to it")).to_have_count(12)
     expect(page.locator(".trials")).not_to_contain_text(re.compile(r"\d\d\.\d\d m²"))

@@ -73,7 +73,7 @@ def test_a_further_stop_is_said_with_its_time_beside_the_first_reason(page, clin
     expect(notice).not_to_contain_text("again")
     page.wait_for_timeout(ONE_PRESS)
     clinic.fault(Fault.STOP_TABLET)
-    expect(notice).to_contain_text(re.compile(r"Somebody stopped again at \d\d:\d\d:\d\d\."))
+    expect(notice).to_contain_text(re.compile(r"Stopped again at \d\d:\d\d:\d\d\."))
     expect(notice).to_contain_text(reason)
     clinic.clear()
     expect(notice.filter(has_text=reason)).to_have_count(0)

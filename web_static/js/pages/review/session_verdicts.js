@@ -7,6 +7,7 @@ import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { MEASURES, withUnit } from "../../results/measures.js";
 import { noiseNote, verdictLine, verdictWords } from "../../results/verdict_words.js";
+import { day } from "../../widgets/format.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 
 /**
@@ -15,13 +16,14 @@ import { scrollTable } from "../../widgets/scroll_table.js";
  */
 export function sessionVerdicts({ trials, verdicts: { sessions, deterioration, needed } }, measure, patient) {
   const worse = deterioration[measure];
+  const days = new Map(trials.map(({ session, started }) => [session, day(started)]));
   return h(
     "section",
     { class: "card session-verdicts" },
     h("h2", {}, t("verdict.title")),
     worse && h("p", { class: "problem" }, worse),
     sessions.length === 0 && h("p", {}, countWords(trials), " ", t("verdict.needed", { count: needed })),
-    sessions.map((one) => comparison(one, measure, needed)),
+    sessions.map((one) => comparison(one, measure, needed, days)),
     sessions.length > 0 && noiseNote(),
     patient.sessions > 1 && h("p", {}, h("a", { class: "btn", href: `#/session/patient/${patient.id}/compare` }, t("verdict.compare"))),
   );
@@ -39,11 +41,12 @@ function lackWords({ word, trials }, needed) {
   return t(trials < needed ? "verdict.few" : "verdict.few.sessions", { count: trials, needed });
 }
 
-/** @param {SessionVerdicts} compared @param {string} measure @param {number} needed trials */
-function comparison(compared, measure, needed) {
+/** @param {SessionVerdicts} compared @param {string} measure @param {number} needed trials @param {Map<number, string>} days by session */
+function comparison(compared, measure, needed, days) {
   const { earlier, later, trials, verdicts } = compared;
   const verdict = verdictWords(measure, verdicts[measure]);
-  const title = t("verdict.sessions", { earlier, later, first: trialsWords(trials[0]), second: trialsWords(trials[1]) });
+  const [first, second] = [earlier, later].map((one, place) => `${days.get(one)}, ${t("verdict.trials", { count: trials[place] })}`);
+  const title = t("verdict.sessions", { earlier, later, first, second });
   return h(
     "div",
     { class: "session-verdict" },
@@ -58,11 +61,6 @@ function comparison(compared, measure, needed) {
       ),
     Object.keys(verdicts).length > 0 && h("details", {}, h("summary", {}, t("verdict.all")), table(compared, title)),
   );
-}
-
-/** @param {number} count */
-function trialsWords(count) {
-  return t("verdict.trials", { count });
 }
 
 /** @param {SessionVerdicts} compared @param {string} title */

@@ -68,7 +68,7 @@ export default {
   "note.control": "The control process ended; the chair stands.",
   "note.control.why": "Starting a new one…",
   "note.fault.continue": "Continue",
-  "note.fault.again": "Somebody stopped again at {time}.",
+  "note.fault.again": "Stopped again at {time}.",
   "note.fault.others": "The clinician beside the chair looks around, then taps Continue.",
   "note.fault.drive": "The chair stands. “Continue” is on the page that shows it.",
   "note.fault.drive.go": "Go to the drive",

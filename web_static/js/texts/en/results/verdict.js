@@ -11,7 +11,7 @@ export default {
   "verdict.familiarisation":
     "This is one of the first three trials of this task on its day. They are for getting used to the task and are not compared.",
   "verdict.means":
-    "Noise is how much this person's own trials of this task differ without a change. A verdict needs five trials of the task, and from one session to the next also earlier sessions, or three other people of the clinic who did the task.",
+    "Noise is how much this person's own trials of this task differ without a change. A verdict needs five trials of the task in all, and from one session to the next also earlier sessions, or three other people of the clinic who did the task.",
   "verdict.chance": "Where nothing changed, about one verdict in thirty says better or worse by chance.",
   "verdict.unpublished":
     "No minimal detectable change has been published for these measures of wheelchair driving.",
