@@ -94,7 +94,12 @@ function idleWords(step, equipment, { isGoingOn }) {
   if (isGoingOn) return t("calibrate.going-on");
   if (step.status === "done") return t("calibrate.done");
   const who = READY[String(equipment.body?.kind)] ?? "patient";
-  return t(`calibrate.ready.${who}`);
+  return t(`calibrate.ready.${who}`, { button: t(startWords(step)) });
+}
+
+/** The key of the words on the button that records it. @param {CalibrationStep} step */
+function startWords({ status }) {
+  return status === "failed" ? "calibrate.again" : "calibrate.start";
 }
 
 /**
@@ -119,12 +124,7 @@ function foot(steps, at, isRunning, isBusy, isReady, actions) {
     !isDone && step.kind === "prompt" && button(t("calibrate.skip"), () => actions.skip(step.id), "", isBusy),
     isDone
       ? button(t("calibrate.next"), () => actions.go(steps[at + 1].id), tone, isBusy)
-      : button(
-          step.status === "failed" ? t("calibrate.again") : t("calibrate.start"),
-          () => actions.start(step.id),
-          tone,
-          isBusy,
-        ),
+      : button(t(startWords(step)), () => actions.start(step.id), tone, isBusy),
   ];
 }
 
