@@ -85,7 +85,7 @@ class Chain:
             self._decoder.reset()
             self._shaper.reset()
         self._at_rest = True  # whether every bound gesture was at rest in the newest tick
-        self._makes_stop = False  # whether the stop gesture was made in it: while latched, its beginning counts once
+        self._makes_stop = False  # whether it has the stop gesture; while a stop is latched, only its beginning counts
         self._loss.reset()
         self._lossy_since: float | None = None
         self._t: float | None = None

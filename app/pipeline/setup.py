@@ -243,7 +243,7 @@ class Setup:
         self.chain.set_dial(self._dial)
         if gate.state is State.FAULT:
             self.chain.gate.stop(gate.fault)
-        self.chain.gate.stops = gate.stops  # nobody stops again
+        self.chain.gate.stops = gate.stops  # a new chain is no further stop
         self.chair.use_parameters(bytes.fromhex(self.hash)[:DIGEST_BYTES] if self.hash else bytes(DIGEST_BYTES))
 
     def _show_path(self) -> None:

@@ -52,7 +52,7 @@ def drive_for_a_while(page):
     expect(page.get_by_role("heading", name="Ended by hand")).to_be_visible()
 
 
-def take_back_until(page, wanted):
+def take_back_a_stop(page, wanted):
     """Take back the stop of a machine that was too busy at the end of the trial, until the wanted button is offered."""
     expect(wanted).to_be_visible()
     take_back = page.get_by_role("button", name="Take the stop back")
@@ -114,7 +114,7 @@ def test_a_suggestion_is_looked_at_applied_and_taken_back(tablet):
     keep("adapt-suggested")
 
     apply = page.get_by_role("button", name="Apply")
-    take_back_until(page, apply)
+    take_back_a_stop(page, apply)
     apply.click()
     expect(page.locator(".adapt-head")).to_contain_text("Version 2 of the calibration is in use.")
     expect(page.locator(".adapt-head")).to_contain_text("A real chair does not arm this set yet")

@@ -219,8 +219,11 @@ def test_without_a_distance_both_pictures_are_equal_and_it_is_remembered(page, u
     expect(page.get_by_text("0 mm", exact=True)).to_be_visible()
     until(page, EQUALLY_COARSE)
     shot = picture(page)
+    while not page.evaluate(f"() => {EQUALLY_COARSE}"):
+        until(page, EQUALLY_COARSE)
+        shot = picture(page)
     assert shot.std() > 10
-    assert abs(parallax(shot)) < TOLERANCE
+    assert abs(parallax(shot)) < 0.5
     assert np.abs(shot[:, : WIDTH // 2] - shot[:, WIDTH // 2 :]).mean() < 1.0
     assert page.evaluate(CAMERAS) == [pytest.approx([0, 0]), pytest.approx([0, 0])]
 

@@ -106,7 +106,7 @@ def test_limits_dial_and_the_count_of_stops_outlive_other_parameters(control):
     chain = control.setup.chain
     assert (chain.limits.forward, chain.limits.turn, chain.dial) == (0.25, 0.5, 0.5)
     assert (chain.gate.state, chain.gate.fault) == (State.FAULT, Fault.STOP_TABLET)
-    assert chain.gate.stops == 2  # nobody stopped again
+    assert chain.gate.stops == 2  # other parameters are no further stop
 
 
 def test_only_the_stop_that_was_seen_is_cleared(control):

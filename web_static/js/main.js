@@ -7,6 +7,7 @@ import { Live } from "./live/live.js";
 import { h, put } from "./widgets/dom.js";
 import { Lock } from "./shell/lock.js";
 import { keepFocus } from "./shell/focus_keeper.js";
+import { haltFollower } from "./shell/halt.js";
 import { header } from "./shell/header.js";
 import { DEMO_LINK, INVITATION_LINK, takeCode } from "./shell/link_codes.js";
 import { firstTimePlace, notices } from "./shell/notices.js";
@@ -42,6 +43,8 @@ export class App extends TypedEvents {
   live = new Live();
   screen = new Screen();
   toasts = new Toasts();
+  /** The stop or fault of a live message, with the further stops that this page has seen, wherever it is shown. */
+  halt = haltFollower();
   question = questionPlace();
   /** The code of the link that was opened, until its person has chosen a password; otherwise empty. */
   invitation = "";

@@ -96,11 +96,13 @@ class CalibrationFlow:
         A recording that is closed already is checked to its end first, so that nothing runs after the refusal.
         """
         (await self.progress(session_id)).step(step_id)
-        if self._running == step_id and self._task is not None and self._runs.open is None:
-            await asyncio.wait([self._task], timeout=CHECK_LIMIT)
-        if self._running != step_id or self._task is None or self._runs.open is None:
-            raise Conflict("This step is not being recorded, or no longer: start it, or choose another.")
-        await self.stop("waiting", "")
+        task = self._task if self._running == step_id else None
+        if task is not None and self._runs.open is not None:
+            await self.stop("waiting", "")
+            return
+        if task is not None:
+            await asyncio.wait([task], timeout=CHECK_LIMIT)
+        raise Conflict("This step is not being recorded, or no longer: start it, or choose another.")
 
     async def skip(self, session_id: int, step_id: str) -> None:
         """Skip a prompted movement that this patient cannot make; the map is fitted from the others."""

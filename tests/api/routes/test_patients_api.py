@@ -1,5 +1,6 @@
 """Patients, as their page asks for them."""
 
+import json
 from typing import Any
 
 import pytest
@@ -44,8 +45,6 @@ def test_a_patient_is_added_deleted_and_brought_back(signed_in: Any) -> None:
     ],
 )
 def test_bad_input_is_one_sentence_and_adds_nobody(signed_in: Any, body: Any, words: str) -> None:
-    import json
-
     answer = signed_in("POST", "/patients", content=json.dumps(body), headers={"Content-Type": "application/json"})
     assert answer.status_code == 422
     assert words in answer.json()["detail"]

@@ -16,7 +16,7 @@ pytestmark = [pytest.mark.browser]
 LOST_ROLES = """() => import("/js/shell/notices.js").then(({ notices }) => {
   const live = Object.assign(new EventTarget(), { connected: false, receivedAt: 0, latest: null });
   const [route, root] = [{ page: "controls", rest: [] }, document.querySelector("main")];
-  const app = Object.assign(new EventTarget(), { live, route, root, me: { signed_in: true } });
+  const app = Object.assign(new EventTarget(), { live, route, root, me: { signed_in: true }, halt: () => null });
   const notice = notices(app);
   const roles = [];
   for (const cover of [null, document.createElement("main")]) {
@@ -30,7 +30,8 @@ LOST_ROLES = """() => import("/js/shell/notices.js").then(({ notices }) => {
 # A card over the picture, outside every page: `show(why)` gives it one and the same fault, and a picture or none.
 CARD = """() => import("/js/widgets/trial_cue.js").then(({ trialCue }) => {
   const picture = { shows: "view", why: "" };
-  const { element, show } = trialCue({ live: { latest: null } }, picture, () => {}, () => {});
+  const app = { live: { latest: null }, halt: (fault) => ({ ...fault, key: fault.name, again: "" }) };
+  const { element, show } = trialCue(app, picture, () => {}, () => {});
   document.body.append(element);
   const fault = { name: "shirt_silent", happened: "The shirt is silent.", next_step: "Look at its cable.", remedy: "" };
   window.showFault = (why) => {

@@ -10,16 +10,15 @@ import { h, put, set } from "../widgets/dom.js";
 import { timeOfDay } from "../widgets/format.js";
 import { icon } from "../widgets/icons.js";
 import { continueButton, mayGoOn } from "./continue_button.js";
-import { haltFollower, urgency } from "./halt.js";
+import { urgency } from "./halt.js";
 import { isPageOff } from "./offline.js";
 
 /** @param {import("../main.js").App} app */
 export function notices(app) {
   const element = h("div", { class: "notes", "aria-live": "polite" });
-  const follow = haltFollower();
   let shown = "";
   const show = () => {
-    const halt = follow(app.live.latest?.fault, app.live.latest?.stops ?? 0);
+    const halt = app.halt(app.live.latest?.fault, app.live.latest?.stops ?? 0);
     const kind = app.me?.signed_in ? noticeKind(app, halt) : "";
     // A screen reader does not find a page that is off: then the notice is all there is to read, unless a cover is.
     const isAll = kind === "lost, page off" && ![...document.querySelectorAll("main")].some((one) => one !== app.root);

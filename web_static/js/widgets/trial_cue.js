@@ -10,7 +10,7 @@ import { h, put, set, write } from "./dom.js";
 import { clock } from "./format.js";
 import { icon } from "./icons.js";
 import { continueButton } from "../shell/continue_button.js";
-import { haltFollower, urgency } from "../shell/halt.js";
+import { urgency } from "../shell/halt.js";
 
 const LONG = 6; // letters; longer words are written smaller
 const GO_SHOWN = 1600; // ms
@@ -23,7 +23,6 @@ export function trialCue(app, picture, onEnd, onPlan) {
   const element = h("div", { class: "over-view", "aria-live": "polite" });
   const waits = waitWords("trial.paused");
   const measuring = measuringCard();
-  const follow = haltFollower();
   let shown = "";
   /** @type {ReturnType<typeof overView> | null} */
   let haltCard = null;
@@ -50,7 +49,7 @@ export function trialCue(app, picture, onEnd, onPlan) {
     waits.show(now.trial?.waits);
     const isOver = isEnding || !!now.trial?.measuring; // then nothing can be continued or ended any more
     measuring.count(isOver);
-    const halt = follow(now.control === "alive" && !isOver ? now.fault : null, now.stops);
+    const halt = now.control === "alive" && !isOver ? app.halt(now.fault, now.stops) : null;
     const key = now.control !== "alive" ? "control" : isOver ? "measuring" : (halt?.key ?? now.state);
     if (key === shown) return haltCard?.setMissing(missing());
     shown = key;

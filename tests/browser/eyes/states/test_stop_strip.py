@@ -83,6 +83,20 @@ def test_a_further_stop_is_said_with_its_time_beside_the_first_reason(page, clin
     put_back(clinic)
 
 
+def test_a_further_stop_is_still_said_to_somebody_who_comes_back_to_the_trial(page, clinic):
+    PLACES["drive, stopped"](page, clinic)
+    page.wait_for_timeout(ONE_PRESS)
+    clinic.fault(Fault.STOP_TABLET)
+    again = page.locator(".over-view").get_by_text("Stopped again at")
+    words = again.inner_text()
+    page.evaluate("() => (location.hash = '#/controls')")
+    strip = page.locator(".note")
+    expect(strip).to_contain_text(words)
+    strip.get_by_role("link", name="Go to the drive").click()
+    expect(again).to_have_text(words)
+    put_back(clinic)
+
+
 def test_what_a_stop_forbids_is_offered_again_once_it_is_taken_back(page, clinic):
     clinic.fault(Fault.SHIRT_SILENT)
     go(page, clinic, "adapt")

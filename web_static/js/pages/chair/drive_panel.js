@@ -13,7 +13,7 @@ import { h, put, set, write } from "../../widgets/dom.js";
 import { clock, number } from "../../widgets/format.js";
 import { gestureLevels } from "./gesture_levels.js";
 import { stopWords } from "./neutral_card.js";
-import { haltFollower, urgency } from "../../shell/halt.js";
+import { urgency } from "../../shell/halt.js";
 import { pads } from "../../widgets/pads.js";
 import { faultCard, waitWords } from "../../widgets/trial_cue.js";
 
@@ -91,12 +91,11 @@ function stateCard(app, about, onEnd) {
   const place = h("div", { class: "grow", "aria-live": "polite" });
   const element = h("section", { class: "card drive-state" }, place, about);
   const waits = waitWords("driving.paused");
-  const follow = haltFollower();
   let shown = "";
   /** @param {LiveMessage} now */
   const show = (now) => {
     waits.show(now.drive?.waits);
-    const halt = follow(now.fault, now.stops);
+    const halt = app.halt(now.fault, now.stops);
     const key = halt?.key ?? now.state;
     if (key === shown) return;
     shown = key;

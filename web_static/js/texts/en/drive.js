@@ -71,7 +71,7 @@ export default {
   "trial.off": "{distance} m off the path",
   "trial.contacts": { one: "{count} contact", other: "{count} contacts" },
   "trial.above": "From above",
-  "trial.above.line": "Blue here, white on the floor",
+  "trial.above.line": "Blue line: white on the floor",
   "trial.speed": "Speed",
   "trial.views": "View",
   "trial.view.eye": "Eye",
