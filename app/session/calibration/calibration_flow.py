@@ -97,10 +97,9 @@ class CalibrationFlow:
         """
         (await self.progress(session_id)).step(step_id)
         task = self._task if self._running == step_id else None
-        if task is not None and self._runs.open is not None:
-            await self.stop("waiting", "")
-            return
         if task is not None:
+            if self._runs.open is not None:
+                return await self.stop("waiting", "")
             await asyncio.wait([task], timeout=CHECK_LIMIT)
         raise Conflict("This step is not being recorded, or no longer: start it, or choose another.")
 
