@@ -19,7 +19,6 @@ SHOWN_EVERY = 0.05  # s between two messages of the live socket, which show when
 A_TICK = 0.02  # s
 LOOK_ON = 3.0  # s: the server drops a silent socket after 2 s, and the chair must not resume then
 MOVES = 0.15  # m/s
-ARMINGS = 6  # attempts, because a busy machine may be late
 
 
 class Speaker:
@@ -102,10 +101,4 @@ def _run(demo, where, result, dice, watcher):
 
 
 def _until_driving(demo, live):
-    for _ in range(ARMINGS):
-        message = until(live, lambda message: message["state"] == "fault" or abs(message["v"]) > MOVES)
-        if message["state"] != "fault":
-            return
-        assert demo.client.post("/control/clear", json={"stops": message["stops"]}).is_success
-        until(live, lambda message: message["state"] != "fault")
-    raise AssertionError(f"the chair could not be brought to drive: {message['fault']}")
+    demo.continued(live, lambda message: abs(message["v"]) > MOVES)

@@ -15,9 +15,11 @@ import httpx
 import psutil
 from websockets.sync.client import ClientConnection, connect
 
+from app.clock import monotonic
 from folders import ROOT
 
 COMMAND = [sys.executable, "-c", "from app.cli.main import main; main()"]
+CONTINUES = 20  # taps of Continue; on a busy machine a report of the page may be late again and again
 
 
 def bodydrive(*words: str, **more: Any) -> "subprocess.Popen[str]":
@@ -93,6 +95,19 @@ class Demo(Served):
         super().__init__(process, base)
         assert self.client.post("/auth/demo", json={"code": self.code}).json()["signed_in"]
 
+    def continued(self, live: ClientConnection, good: Callable[[Any], bool]) -> Any:
+        """Wait for a message with `good`; at a stop, tap Continue, as a person does who sees only the newest message.
+
+        A message that is older than the last tap, because it was not read before, does not count.
+        """
+        for _ in range(CONTINUES):
+            message = until(live, newer_than(monotonic(), lambda m: m["state"] == "fault" or good(m)))
+            if message["state"] != "fault":
+                return message
+            answer = self.client.post("/control/clear", json={"stops": message["stops"]})
+            assert answer.status_code in {200, 409}, answer.text  # 409: there was another stop meanwhile
+        raise AssertionError(f"it could not be continued: {message['fault']}")
+
 
 class InView:
     """A page's worker, which reports twenty times a second whether the page is in view."""
@@ -126,3 +141,7 @@ def until(socket_: ClientConnection, good: Callable[[Any], bool]) -> Any:
         message = json.loads(socket_.recv(timeout=60))
         if good(message):
             return message
+
+
+def newer_than(t: float, good: Callable[[Any], bool]) -> Callable[[Any], bool]:
+    return lambda message: message["t"] is not None and message["t"] > t and good(message)

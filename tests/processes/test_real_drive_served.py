@@ -7,14 +7,13 @@ from typing import Any
 import pytest
 from paired_shirt import PairedShirt, calibrated_as_worn
 from processes.chair_process import ReceiverProcess
-from processes.served_demo import Demo, InView, bodydrive, until
+from processes.served_demo import CONTINUES, Demo, InView, bodydrive, until
 from processes.udp_shirt import free_port
 
 from app.hardware.chair.key import Key, write_key
 from app.speeds import Speeds
 
 WORD = "the-screen-of-this-test"
-ARMINGS = 5  # on a machine so busy that a heartbeat may be late
 
 
 @pytest.fixture
@@ -35,25 +34,13 @@ def good(demo: Demo, method: str, path: str, body: Any = None) -> Any:
     return answer.json()
 
 
-def armed(demo: Demo, live: Any) -> Any:
-    """Wait until the gate is armed; continue after a fault, as a person would."""
-    for _ in range(ARMINGS):
-        message = until(live, lambda m: m["state"] in {"armed", "fault"})
-        if message["state"] == "armed":
-            return message
-        good(demo, "POST", "/control/clear", {"stops": message["stops"]})
-    raise AssertionError(f"it could not be armed: {message['fault']}")
-
-
 def drive_begun(demo: Demo, live: Any, digest: str) -> Any:
     """Begin a drive; continue after a fault, as a person would."""
-    for _ in range(ARMINGS):
+    for _ in range(CONTINUES):
         answer = demo.client.post("/drives", json={"hash": digest, "screen": WORD})
         if answer.is_success:
             return answer.json()
-        message = until(live, lambda m: m["state"] == "fault")
-        good(demo, "POST", "/control/clear", {"stops": message["stops"]})
-        until(live, lambda m: m["state"] != "fault")
+        demo.continued(live, lambda _: True)
     raise AssertionError(answer.text)
 
 
@@ -84,8 +71,7 @@ def test_the_story_of_a_real_chair(demo: Demo, tmp_path: Path) -> None:
             plan = good(demo, "GET", "/floorplans/apartment")
             where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
             good(demo, "POST", "/trials", where)
-            armed(demo, live)
-            until(live, lambda m: m["trial"] is not None and m["trial"]["t"] > 1.0)
+            demo.continued(live, lambda m: m["trial"] is not None and m["trial"]["t"] > 1.0)
             assert good(demo, "POST", "/trials/current/end", {})["measures"] is not None
 
             good(demo, "PUT", "/chairs/chosen", {"id": paired["chairs"][0]["id"], "dynamics": "unicycle"})
@@ -100,8 +86,7 @@ def test_the_story_of_a_real_chair(demo: Demo, tmp_path: Path) -> None:
             assert good(demo, "GET", "/drives/summary")["refusals"] == []
 
             drive = drive_begun(demo, live, summary["parameters"]["hash"])
-            armed(demo, live)
-            shown = until(live, lambda m: m["chair"]["state"] == "armed")
+            shown = demo.continued(live, lambda m: m["state"] == m["chair"]["state"] == "armed")
             assert shown["drive"]["id"] == drive["id"]
             receiver.wait_for(lambda line: line["state"] == "armed")
 
@@ -110,8 +95,7 @@ def test_the_story_of_a_real_chair(demo: Demo, tmp_path: Path) -> None:
             assert stopped["fault"]["name"] == "screen_hidden"
             receiver.wait_for(lambda line: line["state"] == "disarmed" and line["v"] == 0.0)
             screen.visible = True
-            good(demo, "POST", "/control/clear", {"stops": stopped["stops"]})
-            assert armed(demo, live)["drive"]["id"] == drive["id"]
+            assert demo.continued(live, lambda m: m["state"] == "armed")["drive"]["id"] == drive["id"]
             ended = good(demo, "POST", "/drives/current/end")
             assert (ended["end"], ended["hash"]) == ("by hand", summary["parameters"]["hash"])
             receiver.wait_for(lambda line: line["state"] == "disarmed")
