@@ -19,6 +19,7 @@ from app.clock import monotonic
 from folders import ROOT
 
 COMMAND = [sys.executable, "-c", "from app.cli.main import main; main()"]
+PATIENCE = 300  # s of silence that count as hung: how quick a machine is says nothing of the program
 CONTINUES = 20  # taps of Continue; on a busy machine a report of the page may be late again and again
 
 
@@ -45,7 +46,7 @@ def running_demo(**environment: str) -> Iterator[str]:
             yield printed_link(process)
         finally:
             process.send_signal(signal.SIGINT)
-            assert process.wait(60) == 0
+            assert process.wait(PATIENCE) == 0
 
 
 def free_port() -> int:
@@ -59,7 +60,7 @@ class SessionClient(httpx.Client):
     """A client that names the open session with every change, as a page does, unless the change names one itself."""
 
     def __init__(self, base: str, **more: Any) -> None:
-        super().__init__(base_url=f"{base}/api/v1", headers={"Origin": base}, timeout=60, **more)
+        super().__init__(base_url=f"{base}/api/v1", headers={"Origin": base}, timeout=PATIENCE, **more)
 
     def request(self, method: str, url: Any, **more: Any) -> httpx.Response:
         if method != "GET" and "Patient-Session" not in (more.get("headers") or {}):
@@ -138,7 +139,7 @@ class InView:
 
 def until(socket_: ClientConnection, good: Callable[[Any], bool]) -> Any:
     while True:
-        message = json.loads(socket_.recv(timeout=60))
+        message = json.loads(socket_.recv(timeout=PATIENCE))
         if good(message):
             return message
 

@@ -34,7 +34,7 @@ def test_a_killed_backup_harms_nothing(tmp_path: Path) -> None:
     stick.mkdir()
     chance = random.Random(16)
     started = time.monotonic()
-    out, _ = begin(settings, stick).communicate(timeout=60)
+    out, _ = begin(settings, stick).communicate()
     duration = time.monotonic() - started
     first = json.loads(out.splitlines()[-1])["made"]["name"]
     for number in range(KILLS):
@@ -47,7 +47,7 @@ def test_a_killed_backup_harms_nothing(tmp_path: Path) -> None:
         process.communicate()
         if first in BackupFolder(stick, None).names():  # otherwise one of the same day has taken its place
             check_backup(stick / first, None)
-    out, _ = begin(settings, stick).communicate(timeout=60)
+    out, _ = begin(settings, stick).communicate()
     made = json.loads(out.splitlines()[-1])["made"]
     manifest = check_backup(stick / made["name"], None)
     assert len([file for file in manifest.files if file.path.endswith("/end.json")]) == KILLS + 2
