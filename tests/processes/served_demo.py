@@ -81,7 +81,9 @@ class Served:
         """Open the live socket or the screen socket; a busy machine may be late with an answer to a ping."""
         cookie = "; ".join(f"{name}={value}" for name, value in self.client.cookies.items())
         address = f"{self.base.replace('http', 'ws')}/api/v1/{name}"
-        return connect(address, additional_headers={"Cookie": cookie}, origin=self.base, ping_interval=None)
+        headers = {"Cookie": cookie}
+        # A client with a full queue answers no ping, and is disconnected while the test does something else.
+        return connect(address, additional_headers=headers, origin=self.base, ping_interval=None, max_queue=None)
 
     def control_process(self) -> psutil.Process:
         children = psutil.Process(self.process.pid).children(recursive=True)
