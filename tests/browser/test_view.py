@@ -25,9 +25,9 @@ pytestmark = pytest.mark.browser
 
 SIZES = {"tablet on its side": (1024, 768), "tablet upright": (820, 1180)}
 SMALL = (640, 480)
-# Far above the second after which a page speaks up: software may need seconds for one picture on a busy machine.
 FIRST_PICTURE = 30  # s; the application, too, loads the view anew when its first picture does not come
 LOADS = 4
+# Far above the second after which a page speaks up: software may need seconds for one picture on a busy machine.
 LIVE = "document.documentElement.dataset.scene === '' && window.bodydriveView.age() < 20"
 
 

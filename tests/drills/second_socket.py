@@ -101,4 +101,4 @@ def _run(demo, where, result, dice, watcher):
 
 
 def _until_driving(demo, live):
-    demo.continued(live, lambda message: abs(message["v"]) > MOVES)
+    demo.go_on_until(live, lambda message: abs(message["v"]) > MOVES)

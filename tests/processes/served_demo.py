@@ -98,13 +98,13 @@ class Demo(Served):
         super().__init__(process, base)
         assert self.client.post("/auth/demo", json={"code": self.code}).json()["signed_in"]
 
-    def continued(self, live: ClientConnection, good: Callable[[Any], bool]) -> Any:
+    def go_on_until(self, live: ClientConnection, good: Callable[[Any], bool]) -> Any:
         """Wait for a message with `good`; at a stop, tap Continue, as a person does who sees only the newest message.
 
         A message that is older than the last tap, because it was not read before, does not count.
         """
         for _ in range(CONTINUES):
-            message = until(live, newer_than(monotonic(), lambda m: m["state"] == "fault" or good(m)))
+            message = until(live, lambda m: m["state"] == "fault" or good(m), since=monotonic())
             if message["state"] != "fault":
                 return message
             answer = self.client.post("/control/clear", json={"stops": message["stops"]})
@@ -139,12 +139,9 @@ class InView:
         self._socket.send(json.dumps({"screen": self._word, "visible": self.visible, "silence": 0.0}))
 
 
-def until(socket_: ClientConnection, good: Callable[[Any], bool]) -> Any:
+def until(socket_: ClientConnection, good: Callable[[Any], bool], since: float = 0.0) -> Any:
+    """Read messages until one with `good` that was made after `since` (monotonic s)."""
     while True:
         message = json.loads(socket_.recv(timeout=PATIENCE))
-        if good(message):
+        if good(message) and (message["t"] or 0.0) >= since:
             return message
-
-
-def newer_than(t: float, good: Callable[[Any], bool]) -> Callable[[Any], bool]:
-    return lambda message: message["t"] is not None and message["t"] > t and good(message)

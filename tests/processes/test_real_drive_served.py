@@ -40,7 +40,7 @@ def drive_begun(demo: Demo, live: Any, digest: str) -> Any:
         answer = demo.client.post("/drives", json={"hash": digest, "screen": WORD})
         if answer.is_success:
             return answer.json()
-        demo.continued(live, lambda _: True)
+        demo.go_on_until(live, lambda _: True)
     raise AssertionError(answer.text)
 
 
@@ -71,7 +71,7 @@ def test_the_story_of_a_real_chair(demo: Demo, tmp_path: Path) -> None:
             plan = good(demo, "GET", "/floorplans/apartment")
             where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
             trial = good(demo, "POST", "/trials", where)
-            demo.continued(live, lambda m: m["trial"] is not None and m["trial"]["t"] > 1.0)
+            demo.go_on_until(live, lambda m: m["trial"] is not None and m["trial"]["t"] > 1.0)
             demo.client.post("/trials/current/end", json={})  # on a busy machine, answered before it is measured
             until(live, lambda m: m["trial"] is None)
             assert good(demo, "GET", f"/trials/{trial['id']}")["measures"] is not None
@@ -88,7 +88,7 @@ def test_the_story_of_a_real_chair(demo: Demo, tmp_path: Path) -> None:
             assert good(demo, "GET", "/drives/summary")["refusals"] == []
 
             drive = drive_begun(demo, live, summary["parameters"]["hash"])
-            shown = demo.continued(live, lambda m: m["state"] == m["chair"]["state"] == "armed")
+            shown = demo.go_on_until(live, lambda m: m["state"] == m["chair"]["state"] == "armed")
             assert shown["drive"]["id"] == drive["id"]
             receiver.wait_for(lambda line: line["state"] == "armed")
 
@@ -97,7 +97,7 @@ def test_the_story_of_a_real_chair(demo: Demo, tmp_path: Path) -> None:
             assert stopped["fault"]["name"] == "screen_hidden"
             receiver.wait_for(lambda line: line["state"] == "disarmed" and line["v"] == 0.0)
             screen.visible = True
-            assert demo.continued(live, lambda m: m["state"] == "armed")["drive"]["id"] == drive["id"]
+            assert demo.go_on_until(live, lambda m: m["state"] == "armed")["drive"]["id"] == drive["id"]
             ended = good(demo, "POST", "/drives/current/end")
             assert (ended["end"], ended["hash"]) == ("by hand", summary["parameters"]["hash"])
             receiver.wait_for(lambda line: line["state"] == "disarmed")

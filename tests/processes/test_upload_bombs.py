@@ -60,7 +60,7 @@ def kept(state: Path) -> list[Path]:
 )
 def test_a_bomb_is_refused_and_nobody_waits(demo: Demo, before: int, watcher: Watcher, name: str) -> None:
     effect = send_bomb(demo, BOMBS[name](), watcher, before)
-    assert effect.status in {413, 415, 422, 503}  # 503: on a busy machine, the time limit ends the reading
+    assert effect.status in {413, 415, 422}
     assert effect.detail.endswith(".")
     assert str(demo.state) not in effect.detail
     assert effect.growth < MOST_GROWTH
