@@ -10,6 +10,8 @@ from browser.eyes.opening import go
 from browser.eyes.places import PLACES, put_back
 from playwright.sync_api import expect
 
+from app.session.calibration import calibration_flow
+
 pytestmark = [pytest.mark.browser]
 
 
@@ -68,13 +70,26 @@ def test_shirt(page, clinic):
     expect(page.get_by_label("Port")).to_be_visible()
 
 
-def test_calibrate(page, clinic):
+def test_calibrate(page, clinic, monkeypatch):
+    monkeypatch.setattr(calibration_flow, "STANDSTILL_LIMIT", 3600.0)  # s: a step does not end by itself meanwhile
     go(page, clinic, "calibrate")
     press(page, "Start")
-    press(page, "Stop recording")
+    tab_to(page, "Stop recording")
+    draw_again(page, clinic)
+    assert focused(page) == "Stop recording"
+    page.keyboard.press("Enter")
     expect(page.get_by_role("button", name="Stop recording")).to_have_count(0)
-    again = page.get_by_role("button", name=re.compile("^(Start|Repeat this step)$"))  # it may have ended by itself
-    tab_to(page, again.inner_text())
+    assert focused(page) == "Start"
+    tab_to(page, "Go on by itself", key="Shift+Tab")
+    draw_again(page, clinic)
+    assert focused(page) == "Go on by itself after each step"
+
+
+def draw_again(page, clinic):
+    """Return when the calibration's page was drawn anew, as after each change that another tablet makes."""
+    page.locator("main h1").evaluate("(one) => one.setAttribute('data-before', '')")
+    clinic.app.state.web.live.tell("calibration")
+    expect(page.locator("main h1:not([data-before])")).to_be_attached()
 
 
 def test_controls(page, clinic):

@@ -7,19 +7,23 @@
 const LONGEST = 12; // controls that were used last
 const TEXT = "input:not([type=radio], [type=checkbox], [type=range], [type=button]), textarea";
 
-/** What a control is called. @param {Element} element */
-const nameOf = (element) => element.getAttribute("aria-label") ?? element.textContent?.trim() ?? "";
+/** What a control is called; a switch, by the label around it. @param {Element} element */
+const nameOf = (element) =>
+  element.getAttribute("aria-label") ?? (element.closest("label") ?? element).textContent?.trim() ?? "";
 
 /** @param {Element} element */
 const canHaveFocus = (element) =>
   element.isConnected && !element.closest("[inert]") && !element.matches(":disabled") && element.checkVisibility();
 
-/** The one control of the same kind and name, as it was drawn again; null when there is none, or more than one. @param {Element} lost */
-function drawnAgain(lost) {
+/**
+ * The one control of the same kind and name, as it was drawn again; null when there is none, or more than one.
+ * @param {Element} lost @returns {HTMLElement | SVGElement | null}
+ */
+export function drawnAgain(lost) {
   const name = nameOf(lost);
   if (!name) return null;
   const same = [...document.querySelectorAll(lost.tagName)].filter((one) => nameOf(one) === name && canHaveFocus(one));
-  return same.length === 1 ? same[0] : null;
+  return same.length === 1 ? /** @type {HTMLElement | SVGElement} */ (same[0]) : null;
 }
 
 /** Keep the focus from now on. */

@@ -11,6 +11,7 @@ import { calibrateStep } from "./calibrate_step.js";
 import { failureWords } from "../../api.js";
 import { discoveryCard } from "../../widgets/discovery_card.js";
 import { h, put } from "../../widgets/dom.js";
+import { drawnAgain } from "../../shell/focus_keeper.js";
 import { emptyPage, patientHere } from "../../shell/nobody.js";
 import { leftOutWords, resultView } from "./calibration_result.js";
 import { showExpected } from "./map_origin.js";
@@ -137,8 +138,9 @@ export async function show(app, root, { signal }) {
     drawn.abort();
     drawn = new AbortController();
     signal.addEventListener("abort", () => drawn.abort(), { signal: drawn.signal });
-    const hadFocus = root.contains(document.activeElement) && document.activeElement !== root.querySelector("h1");
-    const choice = document.activeElement?.closest(".segments")?.getAttribute("aria-label"); // the label of the choice of a map that has the focus
+    const { activeElement: before } = document;
+    const hadFocus = before && root.contains(before) && before !== root.querySelector("h1");
+    const choice = before?.closest(".segments")?.getAttribute("aria-label"); // the label of the choice of a map that has the focus
     const isResult = calibration.current === "result";
     const view = isResult
       ? resultPage(app, calibration, actions, { accept, drive: () => beginNextTask(app, here.patient.id) })
@@ -157,9 +159,9 @@ export async function show(app, root, { signal }) {
     );
     /** @param {string} selector @returns {HTMLElement | null} */
     const find = (selector) => root.querySelector(selector);
-    const same = choice && find(`[aria-label="${CSS.escape(choice)}"] input:checked`);
-    if (same) same.focus({ preventScroll: true });
-    else if (hadFocus) (find(".foot .btn.go") ?? find("h1"))?.focus({ preventScroll: true });
+    if (!hadFocus) return;
+    const same = choice ? find(`[aria-label="${CSS.escape(choice)}"] input:checked`) : drawnAgain(before);
+    (same ?? find(".foot .btn.go") ?? find("h1"))?.focus({ preventScroll: true });
   };
   app.live.addEventListener(
     "changed",
