@@ -229,3 +229,16 @@ def test_an_idle_page_locks_with_stop_alive_and_keeps_what_was_typed(opened, ser
     page.get_by_role("button", name="Unlock").click()
     expect(page.get_by_role("textbox", name="Code")).to_have_value("P-99")
     expect(page.get_by_text("Kingfisher")).to_be_visible()
+
+
+def test_after_the_lock_the_page_is_the_one_of_its_address(opened, served, owner_cookies, monkeypatch):
+    page = owner_page(opened, served, owner_cookies, "1280x800")
+    page.goto(f"{served.address}/#/people")
+    expect(page.get_by_role("heading", name="People", level=1)).to_be_visible()
+    later = timedelta(minutes=30)  # also after the time to which another test has moved the last action
+    monkeypatch.setattr(people, "utc_now", lambda: utc_now() + later)
+    expect(page.get_by_role("heading", name="Locked")).to_be_visible()
+    page.evaluate("() => { location.hash = '#/people/invite'; }")  # as Forward of the browser does
+    page.get_by_label("Password of Ada").fill(PASSWORD)
+    page.get_by_role("button", name="Unlock").click()
+    expect(page.get_by_role("textbox", name="Name")).to_be_visible()

@@ -6,7 +6,7 @@ import { Api, ApiError, FORBIDDEN, failureWords } from "./api.js";
 import { Live } from "./live/live.js";
 import { h, put } from "./widgets/dom.js";
 import { Lock } from "./shell/lock.js";
-import { keepFocus } from "./shell/focus_keeper.js";
+import { focusAgain, keepFocus } from "./shell/focus_keeper.js";
 import { haltFollower } from "./shell/halt.js";
 import { header } from "./shell/header.js";
 import { DEMO_LINK, INVITATION_LINK, takeCode } from "./shell/link_codes.js";
@@ -62,7 +62,7 @@ export class App extends TypedEvents {
   /** Whether the drive page shows a running trial or drive: then it shows faults itself. */
   showsTrial = false;
   #leave = new AbortController();
-  #shown = "";
+  #shown = ""; // the address of the page that is shown
   /** @type {{floorplan: string, path: string} | null} the trial that the drive page shall start */
   #trialRequest = null;
 
@@ -129,7 +129,7 @@ export class App extends TypedEvents {
   /** The page was unlocked: read what may have changed meanwhile; show the page when it was never there. */
   async unlocked() {
     await this.toasts.attempt(() => this.readSession());
-    if (!this.root.hasChildNodes() || this.#page() !== this.#shown) await this.show();
+    if (!this.root.hasChildNodes() || this.#readRoute() !== this.#shown) await this.show();
   }
 
   /** Read the open session again. @param {{isOwn?: boolean}} [options] isOwn: this page opened or ended it, and shows it from now on */
@@ -179,7 +179,10 @@ export class App extends TypedEvents {
     this.#leave.abort();
     this.#pageSession.adopt();
     const leave = (this.#leave = new AbortController());
-    const name = (this.#shown = this.#page());
+    const address = this.#readRoute();
+    const giveFocus = focusAgain(this.root, address === this.#shown);
+    this.#shown = address;
+    const { page: name, rest } = this.route;
     this.dispatchEvent(new Event("route"));
     this.frame.classList.toggle("alone", !this.me?.signed_in);
     try {
@@ -190,32 +193,25 @@ export class App extends TypedEvents {
       this.root.scrollTop = this.frame.scrollTop = 0; // where there is little height, the frame scrolls
       put(this.root, h("p", { class: "quiet" }, t("loading")));
       document.title = t("app.title", { page: t(`rail.${name}`) });
-      await page.show(this, this.root, { signal: leave.signal, rest: this.route.rest });
+      await page.show(this, this.root, { signal: leave.signal, rest });
     } catch (error) {
       if (!leave.signal.aborted) this.#failed(error);
     }
-    if (!leave.signal.aborted) this.root.querySelector("h1")?.focus({ preventScroll: true });
+    if (!leave.signal.aborted) giveFocus();
   }
 
-  #page() {
+  /** Read what the address names into `route`, and return it as one text. */
+  #readRoute() {
     this.invitation = takeCode(INVITATION_LINK) || this.invitation;
-    if (this.invitation) {
-      this.route = { page: "invitation", rest: [] };
-      return "invitation";
+    const [named, ...rest] = location.hash.replace(/^#\/?/, "").split("/");
+    if (this.invitation) this.route = { page: "invitation", rest: [] };
+    else if (!this.me?.signed_in) this.route = { page: this.me?.needs_setup ? "set_up" : "sign_in", rest: [] };
+    else if (PAGES.includes(named)) this.route = { page: named, rest };
+    else {
+      this.route = { page: this.#next(), rest: [] };
+      history.replaceState(null, "", `#/${this.route.page}`);
     }
-    if (!this.me?.signed_in) {
-      this.route = { page: "sign_in", rest: [] };
-      return this.me?.needs_setup ? "set_up" : "sign_in";
-    }
-    const [page, ...rest] = location.hash.replace(/^#\/?/, "").split("/");
-    if (!PAGES.includes(page)) {
-      const next = this.#next();
-      history.replaceState(null, "", `#/${next}`);
-      this.route = { page: next, rest: [] };
-      return next;
-    }
-    this.route = { page, rest };
-    return page;
+    return [this.route.page, ...this.route.rest].join("/");
   }
 
   /** The page that comes next when the address names none. */

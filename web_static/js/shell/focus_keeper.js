@@ -26,6 +26,16 @@ export function drawnAgain(lost) {
   return same.length === 1 ? /** @type {HTMLElement | SVGElement} */ (same[0]) : null;
 }
 
+/**
+ * What gives the focus, once the page was drawn again, to the control that has it now, otherwise to the heading.
+ * @param {HTMLElement} root @param {boolean} isSame whether it is the page that is shown, and not another one
+ */
+export function focusAgain(root, isSame) {
+  const { activeElement: now } = document;
+  const before = isSame && root.contains(now) ? now : null;
+  return () => ((before && drawnAgain(before)) ?? root.querySelector("h1"))?.focus({ preventScroll: true });
+}
+
 /** Keep the focus from now on. */
 export function keepFocus() {
   /** @type {Element | null} */

@@ -19,7 +19,7 @@ const MINUTE = 60_000; // ms
  * @param {import("../main.js").App} app @param {AbortSignal} signal
  * @param {{isPage?: boolean}} [options] on a page of its own, the page has the heading
  */
-export function patientScreenCard(app, signal, { isPage = false } = {}) {
+export async function patientScreenCard(app, signal, { isPage = false } = {}) {
   const list = rowList("paired-chairs");
   const wishes = h("div", { class: "spread" });
   const below = h("div", {});
@@ -122,7 +122,7 @@ export function patientScreenCard(app, signal, { isPage = false } = {}) {
   };
   app.addEventListener("session", showSession, { signal });
   offer();
-  read();
+  await read(); // before it is shown, so that nothing on it moves
   return element;
 }
 

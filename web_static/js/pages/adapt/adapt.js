@@ -101,12 +101,13 @@ export async function show(app, root, { signal }) {
     { signal },
   );
   app.live.addEventListener("changed", ({ detail }) => CONCERNS.includes(detail) && read().catch(() => null), { signal });
+  await read();
+  if (signal.aborted) return;
   put(
     root,
     h("div", { class: "body" }, h("h1", { tabindex: "-1" }, t("adapt.title")), lead, problem, h("div", { class: "stack" }, place, modePlace, versions)),
     foot,
   );
-  await read();
 }
 
 /** Labels of the joints, as far as a proposal names them. @param {AdaptationView} view @returns {Record<string, string>} */

@@ -1,7 +1,7 @@
 /**
  * The calibration wizard: its steps are kept by the server, so that a reload comes back to the same one.
  * @import { App } from "../../main.js"
- * @import { CalibrationView, Discovery } from "types/api"
+ * @import { CalibrationView, Discovery, EquipmentView } from "types/api"
  * @import { Calibration, CalibrationResult } from "types/documents"
  * @import { Child } from "types/dom"
  * @import { Actions } from "./calibrate_step.js"
@@ -65,9 +65,11 @@ export async function show(app, root, { signal }) {
       await readAgain();
     }
   };
-  const readAgain = async () => {
+  /** @param {boolean} [isNews] then the page is drawn only if something differs: what was opened on it stays open */
+  const readAgain = async (isNews = false) => {
     const fresh = await read().catch(() => null);
     if (signal.aborted) return;
+    if (isNews && fresh && shownOf(...fresh) === shownOf(calibration, equipment)) return;
     if (fresh) equipment = fresh[1];
     take(fresh ? fresh[0] : calibration);
   };
@@ -165,13 +167,16 @@ export async function show(app, root, { signal }) {
   };
   app.live.addEventListener(
     "changed",
-    ({ detail }) => ["calibration", "equipment", "everything"].includes(detail) && readAgain(),
+    ({ detail }) => ["calibration", "equipment", "everything"].includes(detail) && readAgain(true),
     { signal },
   );
   signal.addEventListener("abort", () => clearTimeout(timer));
   if (calibration.running) runningStep = calibration.running.step;
   draw();
 }
+
+/** What the page shows of both, as one text: the free room on the disk always differs. @param {CalibrationView} calibration @param {EquipmentView} equipment */
+const shownOf = (calibration, { shirt, body, layout }) => JSON.stringify([calibration, shirt, body, layout]);
 
 /**
  * @param {App} app @param {Calibration} calibration @param {Actions} actions

@@ -12,7 +12,8 @@ export async function showChairs(app, root, task, signal) {
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {string[]} task to go back to @param {AbortSignal} signal */
 export async function showScreen(app, root, task, signal) {
-  if (!signal.aborted) showBelow(root, "screen", patientScreenCard(app, signal, { isPage: true }), task);
+  const card = await patientScreenCard(app, signal, { isPage: true });
+  if (!signal.aborted) showBelow(root, "screen", card, task);
 }
 
 /** @param {HTMLElement} root @param {"chair" | "screen"} name @param {HTMLElement} card @param {string[]} task */

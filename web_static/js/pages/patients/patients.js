@@ -114,7 +114,7 @@ export async function show(app, root, { signal }) {
   };
   const archive = isOwner ? archiveImport(app, read, signal) : null;
   search.addEventListener("input", showList);
-  app.addEventListener("session", showList, { signal });
+  app.addEventListener("session", () => app.session?.patient?.id !== shownHere && showList(), { signal });
   app.live.addEventListener("changed", follow, { signal });
   showList();
   put(

@@ -10,19 +10,20 @@ import { tabletsCard } from "./tablets_card.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
-  const [clinic, chairs, prior] = await Promise.all([
+  const role = app.me?.role;
+  const [clinic, chairs, prior, screens] = await Promise.all([
     app.api.get("/limits"),
     app.api.get("/chairs"),
     app.api.get("/clinic-prior"),
+    role !== "reviewer" && patientScreenCard(app, signal),
   ]);
   if (signal.aborted) return;
-  const role = app.me?.role;
   const isOwner = role === "owner";
   const limits = limitsCard(app, clinic, isOwner, signal);
   const right = [
     chairsCard(app, chairs, isOwner, signal),
     tabletsCard(app, signal),
-    role !== "reviewer" && patientScreenCard(app, signal),
+    screens,
     role !== "reviewer" && priorCard(app, prior, isOwner),
     role !== "reviewer" && linkedCard("plans.settings.lead", "plans.settings", "#/plans", "plans.link"),
     isOwner && linkedCard("people.settings.lead", "rail.people", "#/people", "people.settings.go"),

@@ -1,0 +1,85 @@
+"""What comes late, be it news of a change made elsewhere or a picture, moves nothing that a person is about to use."""
+
+import pytest
+from browser.eyes.axe import look_as
+from browser.eyes.places import PLACES, put_back
+from playwright.sync_api import expect
+
+pytestmark = [pytest.mark.browser]
+
+# What the server says has changed; the pages read anew what they show of it.
+NEWS = (
+    *("calibration", "controls", "equipment", "record", "screens", "session", "test", "trial", "adaptation", "disk"),
+    "everything",
+)
+DRAWN_WITHIN = 600  # ms; a page that is slower is looked at before it could go wrong
+OFTEN = ("patients", "calibrate", "calibrate, begin anew", "controls", "drive")  # what two tablets show at once
+MOST = 5  # controls of a page that are looked at, from its first to its last
+OPEN = "() => { for (const one of document.querySelectorAll('main details')) one.open = true; }"
+COUNT_OPEN = "() => document.querySelectorAll('main details[open]').length"
+NAME = """(one) => `${one.localName} "${
+  (one.getAttribute("aria-label") ?? (one.closest("label") ?? one).textContent).trim().slice(0, 60)}"`"""
+# Of radio buttons, only the chosen one can have the focus.
+CONTROLS = """() => [...document.querySelectorAll("main :is(a[href], button, input, select, textarea, summary)")]
+  .filter((one) => one.checkVisibility({ visibilityProperty: true }) && !one.closest("[inert]"))
+  .filter((one) => !one.disabled && one.tabIndex >= 0 && (one.type !== "radio" || one.checked))"""
+FOCUS = f"""(number) => {{
+  const one = ({CONTROLS})()[number];
+  one?.focus();
+  return one && document.activeElement === one ? ({NAME})(one) : null;
+}}"""
+
+
+def spread(count):
+    """Return the numbers of at most `MOST` of so many controls, from the first to the last."""
+    return sorted({round(number * (count - 1) / (MOST - 1)) for number in range(MOST)}) if count else []
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=() if name in OFTEN else pytest.mark.long) for name in PLACES]
+)
+def test_focus_and_what_is_open_stay(page, clinic, until, name):
+    PLACES[name](page, clinic)
+    page.evaluate(OPEN)
+    moved = {}
+    for number in spread(page.evaluate(f"({CONTROLS})().length")):
+        before, opened = page.evaluate(FOCUS, number), page.evaluate(COUNT_OPEN)
+        if before is None:  # it is covered by a dialog, or has just gone
+            continue
+        for what in NEWS:
+            clinic.app.state.web.live.tell(what)
+        page.wait_for_timeout(DRAWN_WITHIN)
+        until(page, "document.activeElement !== document.body")  # a page may still be on its way
+        now = page.evaluate(f"() => ({NAME})(document.activeElement)")
+        if now != before:
+            moved[before] = now
+        if page.evaluate(COUNT_OPEN) < opened:
+            moved["what was open"] = "closed"
+    put_back(clinic)
+    assert moved == {}
+
+
+@pytest.mark.parametrize("size", ["768x1024", "1280x800", "390x844"])
+@pytest.mark.parametrize(
+    ("name", "below"), [("drive", ".drive-places a >> nth=0"), ("drive tasks", ".paths a >> nth=-1")]
+)
+def test_a_plan_that_comes_late_moves_nothing(page, clinic, size, name, below):
+    look_as(page, (size, "light"))
+    page.goto("about:blank")
+    held = []
+
+    def hold(route):
+        held.append(route)
+
+    page.route("**/api/v1/floorplans/*", hold)
+    page.goto(f"{clinic.address}/#/{name.replace(' ', '/')}")
+    target = page.locator(below)
+    expect(target).to_be_attached()
+    page.wait_for_function("() => !document.querySelector('.plan-place .plan')")
+    before = target.evaluate("(one) => one.getBoundingClientRect().top")
+    assert held
+    for route in held:
+        route.continue_()
+    expect(page.locator(".plan-place .plan")).to_have_count(len(held))
+    assert target.evaluate("(one) => one.getBoundingClientRect().top") == before
+    page.unroute_all()
