@@ -13,8 +13,9 @@ const BEFORE = ["sign_in", "invitation"]; // the page of a person is not shown y
  * Show them, and fold them to one line as soon as the person goes on to another page; a tap opens them again.
  * @param {import("../main.js").App} app @param {HTMLElement} place between the header and the page
  */
-export function showFirstTime(app, place) {
-  loadStyles();
+export async function showFirstTime(app, place) {
+  await loadStyles();
+  if (!app.me?.signed_in || place.hasChildNodes()) return; // it was asked for twice, or somebody signed out meanwhile
   const isReviewer = app.me?.role === "reviewer";
   const sentences = isReviewer ? FOR_REVIEWERS : SENTENCES;
   for (const [i, key] of sentences.entries()) {

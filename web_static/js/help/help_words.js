@@ -25,12 +25,16 @@ export function pageWords(page) {
   return { title, sentences };
 }
 
-/** Load the styles of the help, once. */
+/** @type {Promise<unknown> | null} */
+let styles = null;
+
+/** Load the styles of the help, once; return when they apply, so that nothing is shown without them. */
 export function loadStyles() {
-  if (document.querySelector("#help-styles")) return;
-  const link = document.createElement("link");
-  link.id = "help-styles";
-  link.rel = "stylesheet";
-  link.href = "css/shell/help.css";
-  document.head.append(link);
+  return (styles ??= new Promise((resolve) => {
+    const link = document.createElement("link");
+    link.rel = "stylesheet";
+    link.href = "css/shell/help.css";
+    link.onload = link.onerror = resolve;
+    document.head.append(link);
+  }));
 }

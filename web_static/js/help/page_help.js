@@ -16,11 +16,11 @@ const MORE = "/docs/clinicians";
  * what the focus goes to.
  * @param {Shown} app what shows the page @param {HTMLButtonElement} opener the button that gets the focus back
  */
-export function openPageHelp(app, opener) {
+export async function openPageHelp(app, opener) {
+  await loadStyles();
   const name = helpName(app.route);
   const found = pageWords(name);
-  if (!found) return;
-  loadStyles();
+  if (!found || opener.getAttribute("aria-expanded") === "true") return; // a second tap came meanwhile
   const done = new AbortController();
   const { signal } = done;
   const title = h("h2", { id: "page-help-title", tabindex: "-1" }, found.title);
