@@ -105,6 +105,11 @@ def plan_editor(page: Any, clinic: EyesClinic) -> None:
     expect(page.locator(".sheet")).to_be_visible()
 
 
+def code_of_a_screen(page: Any, clinic: EyesClinic) -> None:
+    at("drive/screen", "Pair a screen")(page, clinic)
+    expect(page.get_by_role("heading", name="Pair a screen")).to_be_focused()
+
+
 def patient_stopped(page: Any, clinic: EyesClinic) -> None:
     clinic.fault(Fault.STOP_TABLET)
     patient_screen(page, clinic)
@@ -230,7 +235,7 @@ PLACES: dict[str, Open] = {
     "drive tasks": opened("drive/tasks"),
     "drive chairs": opened("drive/chairs"),
     "drive screen": opened("drive/screen"),
-    "drive, pair a screen": at("drive/screen", "Pair a screen"),
+    "drive, pair a screen": code_of_a_screen,
     "drive, over": trial_over,
     "drive, runs": trial_runs,
     "drive, stopped": trial_stopped,

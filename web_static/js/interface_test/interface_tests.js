@@ -23,11 +23,14 @@ const TONES = { better: "good", worse: "bad" };
 export function testsPlace(app, patient, signal) {
   const place = h("div", { class: "stack" });
   let drawn = new AbortController();
+  let shown = "";
   signal.addEventListener("abort", () => drawn.abort());
   const read = async () => {
     const found = await app.api.get(`/interface-tests?patient=${patient}`);
     const test = newestTest(found);
-    if (signal.aborted || !test) return;
+    const answer = JSON.stringify(found);
+    if (signal.aborted || !test || answer === shown) return; // what was opened on it stays open
+    shown = answer;
     drawn.abort();
     drawn = new AbortController();
     put(place, h("h2", {}, t("rail.interface_test")), testFigures(test), courseCard(found, drawn.signal));

@@ -3,7 +3,7 @@
  * @import { ControlWarning } from "types/api"
  */
 import { t } from "../texts.js";
-import { h } from "../widgets/dom.js";
+import { h, put } from "../widgets/dom.js";
 
 const WHERE = { sensor: "#/shirt", map: "#/calibrate", noise: "#/controls", span: "#/calibrate" };
 
@@ -51,17 +51,21 @@ function together(warnings) {
 }
 
 /**
- * A place that fills itself with a patient's warnings; it stays empty when there are none, or none can be read.
+ * A place that fills itself with a patient's warnings, anew after each trial; empty when there are none, or none can be read.
  * @param {import("../main.js").App} app @param {number} patient @param {AbortSignal} signal
  */
 export function warningsPlace(app, patient, signal) {
   const place = h("div", { class: "control-warnings-place" });
-  app.api
-    .get(`/patients/${patient}/quality`)
-    .then(({ warnings }) => {
-      const shown = !signal.aborted && controlWarnings(warnings, app.me?.role !== "reviewer", false);
-      if (shown) place.append(shown);
-    })
-    .catch(() => {}); // the page works without the warnings
+  let shown = "[]";
+  const read = async () => {
+    const { warnings } = await app.api.get(`/patients/${patient}/quality`);
+    const found = JSON.stringify(warnings);
+    if (signal.aborted || found === shown) return; // what was opened stays open
+    shown = found;
+    put(place, controlWarnings(warnings, app.me?.role !== "reviewer", false));
+  };
+  const tryToRead = () => read().catch(() => {}); // the page works without the warnings
+  app.live.addEventListener("changed", ({ detail }) => detail === "trial" && tryToRead(), { signal });
+  tryToRead();
   return place;
 }

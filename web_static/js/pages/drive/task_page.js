@@ -22,9 +22,16 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
   const mayDrive = app.me?.role !== "reviewer";
   const source = app.practice ? "simulated" : "worn";
   const readObstacle = () => app.api.get("/controls/obstacle").catch(() => null); // the start of a trial says it too
-  const [plans, proposal, equipment, chairs, obstacle, screens] = await Promise.all([
+  const readDriven = async () => {
+    const [proposal, trials] = await Promise.all([
+      app.api.get(`/patients/${patient.id}/next-task?source=${source}`),
+      app.api.get(`/trials?patient=${patient.id}`),
+    ]);
+    return { proposal, isRunning: trials.some(({ status }) => status === "running") };
+  };
+  const [plans, driven, equipment, chairs, obstacle, screens] = await Promise.all([
     app.api.get("/floorplans"),
-    app.api.get(`/patients/${patient.id}/next-task?source=${source}`),
+    readDriven(),
     app.api.get("/equipment"),
     app.api.get("/chairs"),
     mayDrive ? readObstacle() : null,
@@ -32,6 +39,7 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
   ]);
   if (signal.aborted) return;
   if (chairs.chosen !== null) return location.replace("#/drive/chair");
+  const { proposal } = driven;
   const chosen = findTask(plans, floorplan, path);
   const task = chosen ?? findTask(plans, proposal.floorplan, proposal.path);
   if (!task) throw new Error(t("drive.no-path", { path: proposal.path }));
@@ -40,8 +48,8 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
     if (!has3d) chooseView("plan");
     app.requestTrial({ floorplan: task.plan.name, path: task.path.name });
   };
-  app.live.addEventListener("changed", ({ detail }) => detail === "trial" && app.show(), { signal });
-  whenOtherObstacle(app, obstacle, mayDrive, readObstacle, signal);
+  whenOther(app, ["trial", "everything"], driven, readDriven, signal);
+  if (mayDrive) whenOther(app, ["equipment", "controls", "everything"], obstacle, readObstacle, signal);
   put(
     root,
     h(
@@ -79,17 +87,16 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
 }
 
 /**
- * Show the page anew when the shirt or the controls have changed so that something else stands against driving.
- * @param {App} app @param {ObstacleView | null} shown @param {boolean} mayDrive
- * @param {() => Promise<ObstacleView | null>} read @param {AbortSignal} signal
+ * Show the page anew when, after news, something is read that differs from what is shown.
+ * @template T @param {App} app @param {string[]} news names of what changes it @param {T} shown
+ * @param {() => Promise<T>} read @param {AbortSignal} signal
  */
-function whenOtherObstacle(app, shown, mayDrive, read, signal) {
+function whenOther(app, news, shown, read, signal) {
   const look = async () => {
-    const now = await read();
-    if (!signal.aborted && now?.words !== shown?.words) app.show();
+    const now = await read().catch(() => shown);
+    if (!signal.aborted && JSON.stringify(now) !== JSON.stringify(shown)) app.show();
   };
-  const isOfIt = new Set(["equipment", "controls", "everything"]);
-  app.live.addEventListener("changed", ({ detail }) => mayDrive && isOfIt.has(detail) && look(), { signal });
+  app.live.addEventListener("changed", ({ detail }) => news.includes(detail) && look(), { signal });
 }
 
 /**

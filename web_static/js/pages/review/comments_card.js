@@ -143,7 +143,7 @@ export function commentsCard(app, trial, comments, head, signal) {
     if (detail !== "record" && detail !== "everything") return;
     const now = await app.api.get(`/trials/${trial}/comments`).catch(() => comments);
     const isRevised = list.querySelector("form") !== null; // what is being written stays
-    if (signal.aborted || isRevised || JSON.stringify(now) === JSON.stringify(comments)) return;
+    if (signal.aborted || isRevised || shownOf(now) === shownOf(comments)) return;
     comments = now;
     draw();
   };
@@ -154,6 +154,9 @@ export function commentsCard(app, trial, comments, head, signal) {
   else if (comments.length) put(place, h("p", { class: "quiet small" }, t("comments.lost")));
   return { element: h("section", { class: "card stack comments-card" }, heading, none, list, place), marks };
 }
+
+/** What is shown of comments, as one text: one that has just been read keeps its mark here. @param {CommentView[]} comments */
+const shownOf = (comments) => JSON.stringify(comments, (name, value) => (name === "unread" ? null : value));
 
 /** Scroll back to the picture: on a phone the list stands far below it. */
 function showPicture() {
