@@ -66,20 +66,23 @@ def test_focus_and_what_is_open_stay(page, clinic, until, name):
 def test_a_plan_that_comes_late_moves_nothing(page, clinic, size, name, below):
     look_as(page, (size, "light"))
     page.goto("about:blank")
-    held = []
+    held, is_late = [], True
 
     def hold(route):
-        held.append(route)
+        if is_late:
+            held.append(route)
+        else:
+            route.continue_()
 
     page.route("**/api/v1/floorplans/*", hold)
     page.goto(f"{clinic.address}/#/{name.replace(' ', '/')}")
     target = page.locator(below)
     expect(target).to_be_attached()
-    page.wait_for_function("() => !document.querySelector('.plan-place .plan')")
     before = target.evaluate("(one) => one.getBoundingClientRect().top")
-    assert held
+    assert page.locator(".plan-place .plan").count() == 0
+    is_late = False
     for route in held:
         route.continue_()
-    expect(page.locator(".plan-place .plan")).to_have_count(len(held))
+    expect(page.locator(".plan-place .plan")).to_have_count(page.locator(".plan-place").count())
     assert target.evaluate("(one) => one.getBoundingClientRect().top") == before
     page.unroute_all()
