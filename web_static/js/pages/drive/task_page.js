@@ -22,16 +22,14 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
   const mayDrive = app.me?.role !== "reviewer";
   const source = app.practice ? "simulated" : "worn";
   const readObstacle = () => app.api.get("/controls/obstacle").catch(() => null); // the start of a trial says it too
-  const readDriven = async () => {
-    const [proposal, trials] = await Promise.all([
-      app.api.get(`/patients/${patient.id}/next-task?source=${source}`),
-      app.api.get(`/trials?patient=${patient.id}`),
-    ]);
-    return { proposal, isRunning: trials.some(({ status }) => status === "running") };
+  const readProposal = () => app.api.get(`/patients/${patient.id}/next-task?source=${source}`);
+  const readWhatIsNext = async () => {
+    const [next, trials] = await Promise.all([readProposal(), app.api.get(`/trials?patient=${patient.id}`)]);
+    return { proposal: next, isRunning: trials.some(({ status }) => status === "running") };
   };
-  const [plans, driven, equipment, chairs, obstacle, screens] = await Promise.all([
+  const [plans, proposal, equipment, chairs, obstacle, screens] = await Promise.all([
     app.api.get("/floorplans"),
-    readDriven(),
+    readProposal(),
     app.api.get("/equipment"),
     app.api.get("/chairs"),
     mayDrive ? readObstacle() : null,
@@ -39,7 +37,6 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
   ]);
   if (signal.aborted) return;
   if (chairs.chosen !== null) return location.replace("#/drive/chair");
-  const { proposal } = driven;
   const chosen = findTask(plans, floorplan, path);
   const task = chosen ?? findTask(plans, proposal.floorplan, proposal.path);
   if (!task) throw new Error(t("drive.no-path", { path: proposal.path }));
@@ -48,7 +45,7 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
     if (!has3d) chooseView("plan");
     app.requestTrial({ floorplan: task.plan.name, path: task.path.name });
   };
-  whenOther(app, ["trial", "everything"], driven, readDriven, signal);
+  whenOther(app, ["trial", "everything"], { proposal, isRunning: false }, readWhatIsNext, signal);
   if (mayDrive) whenOther(app, ["equipment", "controls", "everything"], obstacle, readObstacle, signal);
   put(
     root,
