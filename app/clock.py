@@ -2,11 +2,14 @@
 
 import time
 from datetime import UTC, datetime
-from typing import Protocol
+from pathlib import Path
+from typing import Final, Protocol
 
 # CLOCK_BOOTTIME also counts while the machine sleeps; `time.monotonic` does not on Linux and macOS. After a laptop was
 # closed during a drive, the control loop must see a pause and stop.
 CLOCK = getattr(time, "CLOCK_BOOTTIME", getattr(time, "CLOCK_MONOTONIC", None))
+
+BOOT: Final = Path("/proc/sys/kernel/random/boot_id")
 
 
 class Clock(Protocol):
@@ -48,3 +51,11 @@ def stopwatch() -> float:
 def utc_now() -> datetime:
     """Return the present time in UTC."""
     return datetime.now(UTC)
+
+
+def boot_name() -> str:
+    """Return a name of this start of the machine, within which `monotonic` goes on; empty where there is none."""
+    try:
+        return BOOT.read_text(encoding="ascii").strip() if CLOCK is not None else ""
+    except (OSError, ValueError):
+        return ""

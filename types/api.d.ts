@@ -5469,6 +5469,7 @@ export interface components {
             encrypted: boolean;
             years: number | null;
             warning: string;
+            clock: string;
             last_good: string | null;
             made: components["schemas"]["MadeBackupView"][];
             course: components["schemas"]["CourseView"] | null;

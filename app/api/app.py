@@ -72,6 +72,7 @@ from app.settings import Settings, docs_folder, static_folder
 from app.store.database import Database
 from app.store.files.plans import OwnPlans
 from app.store.files.replacements import replaced_files
+from app.store.keeping.passed_time import look_at_clocks
 from app.store.log_chain import warn_of_changed_log
 from app.world.scene import bundled_places
 
@@ -141,7 +142,7 @@ def create_app(
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-        database = await asyncio.to_thread(Database, settings.database)
+        database = await asyncio.to_thread(_opened, settings)
         parts = People(
             settings=settings,
             database=database,
@@ -197,6 +198,14 @@ def create_app(
     app.add_middleware(Guard, settings=settings)
     app.add_middleware(BehindProxy, settings=settings)  # before all others, which see what the browser sent
     return app
+
+
+def _opened(settings: Settings) -> Database:
+    """Open the database, and look at the clocks before anything is written that names a time."""
+    database = Database(settings.database)
+    with database.transaction(closing=True) as db:
+        look_at_clocks(db)
+    return database
 
 
 def _api(routers: Iterable[APIRouter]) -> APIRouter:

@@ -96,7 +96,7 @@ class BackupFolder:
             out.keep()
         if self.manifest(name) != manifest:
             raise Refusal(f"The backup in {self.folder} reads back wrongly: this disk is damaged, take another.")
-        self._remove_old()
+        self._remove_old(contents.passed)
         return name, manifest
 
     def check(self, manifest: Manifest, progress: Progress) -> None:
@@ -177,10 +177,13 @@ class BackupFolder:
             return {(file.path, file.size, file.changed): file.sha256 for file in self.manifest(name).files}
         return {}
 
-    def _remove_old(self) -> None:
-        """Remove backups that are not to be kept, objects that none names any more, and what a kill has left."""
+    def _remove_old(self, passed: datetime) -> None:
+        """Remove backups that are not to be kept, objects that none names any more, and what a kill has left.
+
+        `passed` is up to when time has really passed: a clock that was set forward makes no backup old.
+        """
         moments = {datetime.strptime(name, STAMP).replace(tzinfo=UTC): name for name in self.names()}
-        kept = kept_backups(moments)
+        kept = kept_backups(moments, passed)
         for moment, name in moments.items():
             if moment not in kept:
                 (self.folder / name).unlink()

@@ -6,6 +6,7 @@ import sqlite3
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from dataclasses import dataclass
+from datetime import datetime
 from pathlib import Path
 
 from app.backup.manifest import DATABASE
@@ -15,6 +16,7 @@ from app.recording.format import END_FILE
 from app.refusals import Refusal
 from app.settings import Settings
 from app.store.backup import Counts, back_up
+from app.store.keeping.passed_time import passed_of
 from app.store.people import mark_of
 
 GOING_ON = 60.0  # s: an unfinished recording that was written to within this time is going on
@@ -38,6 +40,7 @@ class Contents:
     sources: tuple[Source, ...]
     rows: Counts
     left_out: tuple[str, ...]
+    passed: datetime  # up to which time has really passed, wherever the clock was set to
 
 
 @contextmanager
@@ -65,7 +68,7 @@ def contents_of(settings: Settings, *, with_keys: bool) -> Iterator[Contents]:
         folders += [settings.keys, settings.authority, settings.signing] if with_keys else []
         listed = [source for folder in folders for source in _listed(settings, folder, left_out)]
         own = [_source(work / DATABASE, DATABASE), *(_source(file, file.name) for file in beside)]
-        yield Contents((*own, *listed), copy.rows, tuple(left_out))
+        yield Contents((*own, *listed), copy.rows, tuple(left_out), passed_of(work / DATABASE))
     finally:
         shutil.rmtree(work, ignore_errors=True)
 

@@ -212,6 +212,7 @@ def test_only_the_backups_to_keep_stay_with_their_contents(
     for day in range(12):
         (settings.files / "changing.csv").write_bytes(f"day {day}".encode())
         monkeypatch.setattr(backup_folder, "utc_now", lambda day=day: start + timedelta(days=day))
+        monkeypatch.setattr(contents, "passed_of", lambda _, day=day: start + timedelta(days=day))
         made(settings, stick)
     names = BackupFolder(stick, None).names()
     assert len(names) == 8  # 7 daily ones, and that of Sunday 4 January, the newest of its week
@@ -219,6 +220,17 @@ def test_only_the_backups_to_keep_stay_with_their_contents(
         check_backup(stick / name, None)
     stored = {each.read_bytes() for each in stick.glob("objects/*/*") if 0 < each.stat().st_size < 10}
     assert stored == {f"day {day}".encode() for day in (3, *range(5, 12))}
+
+
+def test_no_backup_goes_because_the_clock_was_set_forward(settings: Settings, tmp_path: Path, monkeypatch: Any) -> None:
+    stick = tmp_path / "stick"
+    stick.mkdir()
+    names = []
+    for start in range(9):
+        ahead = datetime.now(UTC) + timedelta(days=31 * start)
+        monkeypatch.setattr(backup_folder, "utc_now", lambda ahead=ahead: ahead)
+        names.append(made(settings, stick).name)
+    assert BackupFolder(stick, None).names() == sorted(names)
 
 
 def test_a_recording_that_goes_on_is_left_out_and_said_and_a_broken_one_is_not(

@@ -19,6 +19,7 @@ from app.refusals import Conflict
 from app.store.keeping.erasure import deleted_patients, erase_patient
 from app.store.keeping.incidents import all_incidents, lift_incident
 from app.store.keeping.made_backups import backup_warning, last_good_backup, newest_backups
+from app.store.keeping.passed_time import clock_warning
 from app.store.keeping.record_time import MOST_YEARS, record_keeping
 from app.store.log import write_log
 
@@ -107,6 +108,7 @@ class BackupsView(Document):
     encrypted: bool
     years: int | None
     warning: str
+    clock: str  # what the clock's jumps keep from being erased; empty: it goes on as time does
     last_good: str | None
     made: list[MadeBackupView]
     course: CourseView | None
@@ -129,6 +131,7 @@ def _view(parts: People, web: Web, clinic_id: int) -> BackupsView:
             warning=backup_warning(
                 None if good is None else good.at, has_folder=kept.folder is not None, folder_is_there=folder_is_there
             ),
+            clock=clock_warning(db),
             last_good=None if good is None else good.at.isoformat(),
             made=[MadeBackupView.of(one) for one in newest_backups(db)],
             course=None if course is None else CourseView.of(course),

@@ -19,9 +19,11 @@ from app.clock import utc_now
 from app.refusals import Conflict, Refusal
 from app.settings import Settings
 from app.store.database import Database
+from app.store.files.replacements import replaced_files
 from app.store.keeping.erasure import erase_due
 from app.store.keeping.keeping_tables import RecordKeeping
 from app.store.keeping.made_backups import add_backup, last_in_folder
+from app.store.keeping.passed_time import look_at_clocks, passed_now
 from app.store.keeping.record_time import record_keeping
 from app.store.people import the_clinic
 
@@ -48,6 +50,7 @@ class NightBackups:
     def __init__(self, database: Database, settings: Settings, tell: Callable[[str], None]) -> None:
         self._database = database
         self._settings = settings
+        self._replaced = replaced_files(settings)
         self._tell = tell
         self._looking: asyncio.Task[None] | None = None
         self._making: asyncio.Task[None] | None = None
@@ -143,13 +146,21 @@ class NightBackups:
         while True:
             try:
                 if looks % ERASE_EVERY == 0:
-                    await asyncio.to_thread(erase_due, self._database, self._settings)
+                    await asyncio.to_thread(self._erase)
                 if self.course is None and await asyncio.to_thread(self._is_due):
                     await self.begin(None)
             except Exception:  # keep looking: a disk that is gone may come back
                 logger.exception("Backups and erasures could not be looked at")
             looks += 1
             await asyncio.sleep(LOOK_EVERY)
+
+    def _erase(self) -> None:
+        """Erase what has waited for 30 days: deleted patients and replaced files."""
+        with self._database.transaction(closing=True) as db:
+            look_at_clocks(db)
+            passed = passed_now(db)
+        self._replaced.purge(passed)
+        erase_due(self._database, self._settings)
 
     def _kept(self) -> RecordKeeping | None:
         with self._database.transaction() as db:

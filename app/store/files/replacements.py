@@ -61,7 +61,6 @@ class ReplacedFiles:
         """Put a copy of a file on the shelf, before another replaces it; do nothing when there is no file."""
         if not file.exists():
             return
-        self.purge()
         shelf = self._shelf / kind
         shelf.mkdir(parents=True, exist_ok=True)
         place = shelf / f"{utc_now().strftime(STAMP)}{BETWEEN}{file.name}"
@@ -72,7 +71,6 @@ class ReplacedFiles:
 
     def listed(self) -> list[ReplacedFile]:
         """Return the replaced files, newest first."""
-        self.purge()
         return sorted(self._all(), key=lambda file: file.id, reverse=True)
 
     def content(self, kind: Kind, identity: str) -> tuple[ReplacedFile, bytes]:
@@ -96,10 +94,10 @@ class ReplacedFiles:
         """Take a file off the shelf."""
         (self._shelf / one.kind / one.id).unlink(missing_ok=True)
 
-    def purge(self) -> None:
-        """Remove for good what was replaced 30 days ago."""
+    def purge(self, now: datetime) -> None:
+        """Remove for good what was replaced 30 days before `now`, the time up to which time has really passed."""
         for one in self._all():
-            if one.until <= utc_now():
+            if one.until <= now:
                 self.drop(one)
 
     def _name_for(self, kind: Kind, name: str, same_name: SameName) -> str:
@@ -118,11 +116,9 @@ class ReplacedFiles:
 
 
 def replaced_files(settings: Settings) -> ReplacedFiles:
-    """Return the stores of a clinic's files with their shelf; delete at once what is older than 30 days."""
+    """Return the stores of a clinic's files with their shelf."""
     folders: dict[Kind, Path] = {"file": settings.files, "model": settings.models, "floorplan": settings.floorplans}
-    found = ReplacedFiles(settings.replaced, folders)
-    found.purge()
-    return found
+    return ReplacedFiles(settings.replaced, folders)
 
 
 def _time_of(stamp: str) -> datetime:

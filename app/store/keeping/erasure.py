@@ -22,6 +22,7 @@ from app.store.keeping.incidents import incident_of
 from app.store.keeping.keeping_tables import ErasedPatient, PatientFile
 from app.store.keeping.last_ids import note_last_ids
 from app.store.keeping.owned_rows import RowIds, erase_rows, forget_in_lists, rows_of_patient
+from app.store.keeping.passed_time import passed_now
 from app.store.keeping.record_time import UNDO_FOR, must_be_kept_until
 from app.store.keeping.tombstones import Tombstone, add_tombstones, tombstone
 from app.store.log import write_log
@@ -78,9 +79,12 @@ def erase_patient(database: Database, settings: Settings, clinic_id: int, patien
 
 
 def erase_due(database: Database, settings: Settings) -> None:
-    """Erase the patients who were deleted 30 days ago, and remove files that an interrupted erasure has left."""
+    """Erase the patients who were deleted 30 days ago, and remove files that an interrupted erasure has left.
+
+    30 days must really have passed: a clock that was set forward erases nobody (`app/store/keeping/passed_time.py`).
+    """
     with database.transaction() as db:
-        query = select(Patient).where(Patient.deleted <= utc_now() - UNDO_FOR)
+        query = select(Patient).where(Patient.deleted <= passed_now(db) - UNDO_FOR)
         found = list(db.scalars(query, execution_options=WITH_DELETED))
         due = [(patient.clinic_id, patient.id) for patient in found if not _why_not(db, patient)]
     for clinic_id, patient_id in due:

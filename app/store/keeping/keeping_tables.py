@@ -1,9 +1,9 @@
-"""The tables of keeping records: the owner's settings, erased patients, uploads of patients, incidents, backups."""
+"""The tables of keeping records: the owner's settings, erased patients, uploads, incidents, backups, clocks."""
 
 from datetime import datetime
 from typing import Any
 
-from sqlalchemy import ForeignKey, String
+from sqlalchemy import Float, ForeignKey, String
 from sqlalchemy.orm import Mapped, mapped_column
 
 from app.store.tables import Table
@@ -84,3 +84,14 @@ class MadeBackup(Table):
     bytes: Mapped[int]
     encrypted: Mapped[bool]
     with_keys: Mapped[bool]
+
+
+class PassedTime(Table):
+    """The last look at the clocks of the machine, from which follows how much time has really passed: one row."""
+
+    __tablename__ = "passed_time"
+    id: Mapped[int] = mapped_column(primary_key=True)
+    wall: Mapped[datetime]
+    count: Mapped[float] = mapped_column(Float)  # s, of the monotonic clock
+    boot: Mapped[str] = mapped_column(String(80))  # the start of the machine in which it counts; empty: unknown
+    jumps: Mapped[list[Any]]  # forward, of the wall clock (app.store.keeping.passed_time.Jump)

@@ -6,10 +6,10 @@ from typing import Final
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
-from app.clock import utc_now
 from app.refusals import Conflict
 from app.store.access.visible_patients import WITH_DELETED
 from app.store.keeping.keeping_tables import RecordKeeping
+from app.store.keeping.passed_time import passed_now
 from app.store.tables import Patient, PatientSession
 
 UNDO_FOR: Final = timedelta(days=30)  # after this a deleted patient is erased
@@ -34,7 +34,7 @@ def must_be_kept_until(db: Session, patient: Patient) -> datetime | None:
     query = select(func.max(PatientSession.started)).where(PatientSession.patient_id == patient.id)
     last = db.scalar(query, execution_options=WITH_DELETED) or patient.created
     until = years_later(last, years)
-    return until if until > utc_now() else None
+    return until if until > passed_now(db) else None
 
 
 def years_later(moment: datetime, years: int) -> datetime:

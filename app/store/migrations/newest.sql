@@ -567,4 +567,13 @@ CREATE INDEX ix_trial_patient_id_floorplan_path_status ON trial (patient_id, flo
 
 CREATE INDEX ix_trial_clinic_id_end_started ON trial (clinic_id, "end", started);
 
-INSERT INTO alembic_version (version_num) VALUES ('0019')
+CREATE TABLE passed_time (
+	id INTEGER NOT NULL, 
+	wall DATETIME NOT NULL, 
+	count FLOAT NOT NULL, 
+	boot VARCHAR(80) NOT NULL, 
+	jumps JSON NOT NULL, 
+	CONSTRAINT pk_passed_time PRIMARY KEY (id)
+);
+
+INSERT INTO alembic_version (version_num) VALUES ('0020')

@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from datetime import timedelta
 from pathlib import Path
 from typing import Any
@@ -10,15 +11,20 @@ import pytest
 from fake_clinic import Clinic
 from running_app import running
 
+from app.api.backup import night_backups
 from app.backup import sealing
 from app.backup.restoring import check_backup
 from app.clock import utc_now
 from app.settings import Settings
+from app.store import log
 from app.store.access.visible_patients import WITH_DELETED
 from app.store.database import Database
+from app.store.keeping import erasure, passed_time
+from app.store.keeping.erasure import erase_due
 from app.store.keeping.made_backups import last_in_folder
+from app.store.keeping.passed_time import clock_warning
 from app.store.keeping.record_time import record_keeping
-from app.store.patients import add_patient
+from app.store.patients import add_patient, delete_patient, restore_patient
 from app.store.people import add_clinic, the_clinic
 from app.store.tables import Patient
 
@@ -71,3 +77,26 @@ def test_a_program_that_runs_makes_the_backup_and_erases(settings: Settings, nig
         assert [row.what for row in clinic.log()].count("patient erased") == 1
     (backup,) = night.glob("*.backup")
     check_backup(backup, None)
+
+
+def test_a_start_with_a_clock_31_days_ahead_erases_nobody_and_says_so(
+    settings: Settings, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for clinic in running(settings):
+        with database_of(clinic).transaction() as db:
+            known = the_clinic(db) or add_clinic(db, "Clinic")
+            patient = add_patient(db, known.id, "P-1", "Heron", "")
+            delete_patient(db, known.id, patient.id)
+    now = passed_time._reading()
+    ahead = replace(now, wall=now.wall + timedelta(days=31))
+    monkeypatch.setattr(passed_time, "_reading", lambda: ahead)
+    for module in (log, erasure):
+        monkeypatch.setattr(module, "utc_now", lambda: ahead.wall)
+    looked_after: list[str] = []
+    monkeypatch.setattr(night_backups, "erase_due", lambda *all: (erase_due(*all), looked_after.append("erased")))
+    for clinic in running(settings):
+        until(lambda: looked_after)
+        assert [row.what for row in clinic.log()].count("clock jumped") == 1
+        with database_of(clinic).transaction() as db:
+            assert "31 days" in clock_warning(db)
+            restore_patient(db, patient.clinic_id, patient.id)

@@ -10,7 +10,7 @@ import pytest
 import trimesh
 
 from app.clock import utc_now
-from app.store.files import replacements
+from app.store.files.replacements import replaced_files
 
 ROOM = [[[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [0.0, 4.0], [0.0, 0.0]]]
 PATH = {"name": "main", "title": "Across", "points": [[1.0, 2.0], [5.0, 2.0]], "instruction": "Go."}
@@ -90,12 +90,12 @@ def test_what_was_replaced_can_be_put_back(
     assert signed_in.log()[-1].what == "replaced file restored"
 
 
-def test_what_was_replaced_stays_for_30_days(signed_in: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_was_replaced_stays_for_30_days(signed_in: Any, settings: Any) -> None:
     recording(signed_in, 1, "walk.csv", "")
     recording(signed_in, 2, "walk.csv", "?same_name=replace")
     now = utc_now()
     for days, left in ((29, 1), (31, 0)):
-        monkeypatch.setattr(replacements, "utc_now", lambda days=days: now + timedelta(days=days))
+        replaced_files(settings).purge(now + timedelta(days=days))
         assert len(signed_in.good("GET", "/replaced")) == left
 
 

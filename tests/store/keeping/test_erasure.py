@@ -4,6 +4,7 @@ import json
 import shutil
 import sqlite3
 from contextlib import closing
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
@@ -16,11 +17,12 @@ from app.clock import utc_now
 from app.refusals import Conflict, NotFound, Unavailable
 from app.settings import Settings
 from app.store.database import Database
-from app.store.keeping import erasure
+from app.store.keeping import erasure, passed_time
 from app.store.keeping.erasure import deleted_patients, erase_again, erase_due, erase_patient
 from app.store.keeping.incidents import lift_incident, mark_incident
 from app.store.keeping.keeping_tables import ErasedPatient
 from app.store.keeping.owned_rows import foreign_keys
+from app.store.keeping.passed_time import DAY, look_at_clocks
 from app.store.keeping.record_time import record_keeping, years_later
 from app.store.keeping.tombstones import add_tombstones, read_tombstones
 from app.store.log_chain import verify_log
@@ -46,6 +48,10 @@ class Filled:
     def erase(self, patient: int) -> None:
         erase_patient(self.database, self.settings, CLINIC, patient, "Ada")
 
+    def look(self) -> None:
+        with self.database.transaction() as db:
+            look_at_clocks(db)
+
     def whats(self) -> list[str]:
         with self.database.transaction() as db:
             return [row.what for row in db.query(LogEntry).order_by(LogEntry.id)]
@@ -59,8 +65,10 @@ def filled(tmp_path: Path) -> Any:
 
 
 def later(monkeypatch: pytest.MonkeyPatch, days: float) -> None:
-    moment = utc_now() + timedelta(days=days)
-    monkeypatch.setattr(erasure, "utc_now", lambda: moment)
+    """Let these days pass, which the machine runs through."""
+    now = passed_time._reading()
+    after = replace(now, wall=now.wall + timedelta(days=days), count=now.count + days * DAY)
+    monkeypatch.setattr(passed_time, "_reading", lambda: after)
 
 
 def test_an_erased_patient_leaves_no_row_and_no_file_and_the_log_says_so(filled: Filled) -> None:
@@ -120,11 +128,12 @@ def _owned(filled: Filled) -> set[str]:
 
 
 def test_after_30_days_and_not_before_the_patient_is_erased(filled: Filled, monkeypatch: pytest.MonkeyPatch) -> None:
+    filled.look()
     filled.delete(filled.goes)
     later(monkeypatch, 29.9)
     erase_due(filled.database, filled.settings)
     assert rows_by_table(filled.settings.database, filled.goes)
-    later(monkeypatch, 30.1)
+    later(monkeypatch, 0.2)
     erase_due(filled.database, filled.settings)
     assert rows_by_table(filled.settings.database, filled.goes) == {}
     assert list(mentions(filled.settings.state, GOES)) == []
@@ -171,6 +180,7 @@ def test_a_setting_that_came_after_the_deletion_holds_as_well(filled: Filled, mo
         record_keeping(db, CLINIC).years = 10
     with pytest.raises(Conflict, match="undo the deletion"):
         filled.erase(filled.goes)
+    filled.look()
     later(monkeypatch, 31)
     erase_due(filled.database, filled.settings)
     assert rows_by_table(filled.settings.database, filled.goes)

@@ -14,6 +14,7 @@ const LOOK_EVERY = 1000; // ms
 /** @param {import("../../main.js").App} app @param {BackupsView} first @param {AbortSignal} signal */
 export function madeCard(app, first, signal) {
   const warning = h("p", { class: "backup-warning" });
+  const clock = h("p", { class: "backup-warning" });
   const last = h("p", { role: "status" });
   const title = h("h3", {}, t("backup.list"));
   const go = h("button", { type: "button", class: "btn go" }, t("backup.now"));
@@ -29,6 +30,7 @@ export function madeCard(app, first, signal) {
     clearTimeout(timer);
     const isMaking = view.course !== null;
     put(warning, view.warning && [icon("warning", 20), h("b", {}, view.warning)]);
+    put(clock, view.clock && [icon("warning", 20), h("b", {}, view.clock)]);
     if (!isMaking && wasMaking) app.toasts.show(t(view.made[0]?.good ? "backup.done" : "backup.failed"));
     write(last, view.last_good ? t("backup.last", { when: moment(view.last_good) }) : "");
     list.show(view.made.slice(0, 8).map(row));
@@ -64,6 +66,7 @@ export function madeCard(app, first, signal) {
     { class: "card stack" },
     h("h2", {}, t("backup.state.title")),
     warning,
+    clock,
     last,
     h("div", {}, go),
     course,
