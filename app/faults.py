@@ -65,7 +65,8 @@ EXPLANATIONS: dict[Fault, Explanation] = {
         "Ask the patient to rest, or raise “Counts from” of the active movement in Controls, then tap Continue.",
     ),
     Fault.SHIRT_SILENT: Explanation(
-        "The shirt stopped sending.", "Check its battery and cable on the Shirt page, then tap Continue."
+        "The shirt stopped sending, or its signals come too late.",
+        "Check its battery and cable on the Shirt page, then tap Continue.",
     ),
     Fault.SHIRT_LOSSY: Explanation(
         "More than a tenth of the shirt's signals were lost.",

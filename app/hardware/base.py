@@ -86,7 +86,10 @@ class MovableBody(Protocol):
 
 
 class Shirt(Protocol):
-    """A source of frames. Drivers drop none: the loop decodes every frame and commands the chair by the newest."""
+    """A source of frames. The loop decodes every frame and commands the chair by the newest.
+
+    A driver drops none but those that its own checks refuse: repeated, forged or late ones.
+    """
 
     @property
     def layout(self) -> ShirtLayout:

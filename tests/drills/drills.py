@@ -13,7 +13,7 @@ from drills.results import Result
 from drills.second_sender import second_sender
 from drills.second_socket import second_socket
 from drills.session_end import session_end
-from drills.shirt import sensors_break, shirt_stalls
+from drills.shirt import sensors_break, shirt_kept_back, shirt_stalls
 from drills.stops import SCREENS, chair_switch, screen_gone, tablet_stop
 from drills.uploads import upload_bombs
 
@@ -30,6 +30,7 @@ DRILLS = {
     "sign-ins": (sign_ins, 30, 1),
     "switch": (chair_switch, 100, 1),
     "shirt": (shirt_stalls, 50, 1),
+    "kept-back": (shirt_kept_back, 20, 1),
     "sensors": (sensors_break, 60, 3),
     "disk": (disk_full, 20, 1),
     "disk-end": (session_end, 10, 1),

@@ -30,10 +30,11 @@ TRIES = 6
 
 
 class DrillShirt(UdpShirtSender):
-    """A shirt that can stall, or break in some of its channels."""
+    """A shirt that can stall, break in some of its channels, or have its frames kept back on their way."""
 
     def __init__(self, parameters, port, key_file):
         self.stalled = False
+        self.kept_back = 0.0  # s
         self.broken = {}  # channel: value
         self.recent = deque(maxlen=300)  # frames
         super().__init__(parameters, port, key_file)
@@ -51,11 +52,14 @@ class DrillShirt(UdpShirtSender):
     def _send(self):
         clock = MonotonicClock()
         due = clock.now()
+        on_their_way = deque()  # when a frame was made (s), the frame
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
             while not self._ended.is_set():
                 if not self.stalled:
                     self.recent.append(self._frame())
-                    sender.sendto(self.recent[-1], self._address)
+                    on_their_way.append((due, self.recent[-1]))
+                while on_their_way and on_their_way[0][0] + self.kept_back <= due:
+                    sender.sendto(on_their_way.popleft()[1], self._address)
                 self._frames += 1
                 due += 1 / RATE
                 clock.sleep_until(due)

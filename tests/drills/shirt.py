@@ -1,10 +1,16 @@
-"""Drills of the shirt: no frame comes, or sensors break."""
+"""Drills of the shirt: no frame comes, frames are kept back, or sensors break."""
 
 import asyncio
+from contextlib import suppress
 
 from drills.injury import A_TICK, COMMAND, injure_at_random
 from drills.results import Result
 from drills.rig import PARAMETERS, rig
+from processes.running_control import clear
+
+from app.clock import monotonic
+from app.faults import State
+from app.process.command_channel import LinkRefused
 
 
 async def shirt_stalls(runs, dice):
@@ -22,6 +28,40 @@ async def shirt_stalls(runs, dice):
         for _ in range(runs):
             await injure_at_random(made, result, dice, stall, go_on)
     result.remark = "at 100 Hz"
+    return result
+
+
+async def shirt_kept_back(runs, dice):
+    """S4, S23: the shirt's own signed frames are kept back for 0.3 to 3 s; they arm nothing and move nothing."""
+    result = Result("the shirt's own frames are kept back, then it is armed and moved", 0.21 + A_TICK + COMMAND)
+    asked = 0
+    async with rig() as made:
+
+        async def keep_back():
+            made.shirt.kept_back = dice.uniform(0.3, 3.0)
+
+        async def try_to_drive():
+            nonlocal asked
+            number = int(made.control.newest()["number"])
+            until = monotonic() + made.shirt.kept_back + 2.0  # the neutral check, and the stroke on its way
+            made.shirt.rest()
+            while monotonic() < until:
+                with suppress(LinkRefused):
+                    await clear(made.control)
+                    await made.control.call("arm", hash=PARAMETERS.hash)
+                    asked += 1
+                made.shirt.stroke()
+                await asyncio.sleep(0.1)
+            ticks = made.control.since(number)
+            if (ticks["state"] == State.ARMED).any() or ticks["v"].any():
+                result.violations.append(f"run {result.runs}: frames of the past armed or drove")
+            made.shirt.rest()
+            made.shirt.kept_back = 0.0
+            await asyncio.sleep(1.2)  # until the lost frames no longer count
+
+        for _ in range(runs):
+            await injure_at_random(made, result, dice, keep_back, try_to_drive)
+    result.remark = f"armed {asked} times meanwhile"
     return result
 
 

@@ -10,6 +10,7 @@ from app.clock import Clock
 from app.hardware.base import HardwareError
 from app.hardware.chair.key import Key, KeyRefused, read_key
 from app.hardware.configs import UdpConfig
+from app.hardware.shirt.lateness import Lateness
 from app.hardware.shirt.newest_frame import NewestFrame, newest_file
 from app.hardware.shirt.packet import LONGEST, Packet, decode, decode_signed, refusal
 from app.hardware.shirt.sender_choice import Address, SenderChoice
@@ -28,7 +29,7 @@ class UdpShirt:
 
     Frames of two senders would be mixed into one body, and a forger could drive. So frames of every other sender are
     counted and ignored, however long the shirt is silent. With a key only signed frames are good, and none is accepted
-    twice.
+    twice; one that comes late by the shirt's own clock is left out, for it shows a body of the past.
     """
 
     def __init__(self, config: UdpConfig, clock: Clock) -> None:
@@ -38,12 +39,15 @@ class UdpShirt:
         self.sender_choice = SenderChoice()
         self.junk = 0  # datagrams that are no frame of this shirt
         self.repeated = 0  # signed frames that came again, or after a newer one
+        self.late = 0  # signed frames that came late
         self._key_file = None if config.key_file is None else Path(config.key_file)
         self._key: Key | None = None
         self._newest: NewestFrame | None = None
         self._clock = clock
         self._channels = len(config.layout.channels)
         self._sequence = Sequence()
+        self._lateness = Lateness()
+        self._late_by = 0.0  # s, of the newest frame
         self._boot = 0
         self._socket: socket.socket | None = None
         self._buffer = bytearray(BUFFER)
@@ -69,7 +73,9 @@ class UdpShirt:
         self.close()
         self._sequence = Sequence()
         self.sender_choice = SenderChoice()
-        self.junk = self.repeated = self._boot = 0
+        self._lateness = Lateness()
+        self.junk = self.repeated = self.late = self._boot = 0
+        self._late_by = 0.0
         self._refusal = ""
         self._frame_t = -math.inf
         if self._key_file is not None:
@@ -90,8 +96,8 @@ class UdpShirt:
             packet = self._packet(size, now)
             if packet is not None:
                 seq, microseconds, values = packet
-                self._frame_t = now
-                if self._sequence.takes(seq):
+                if self._sequence.takes(seq) and self._is_in_time(microseconds, now):
+                    self._frame_t = now
                     return SensorFrame(seq, microseconds * 1e-6, now, values)
             wait = deadline - now
             if wait <= 0.0:
@@ -117,14 +123,29 @@ class UdpShirt:
             return None
         if boot != self._boot:
             self._boot = boot
-            self._sequence.forget()
+            self._forget_device()
         return packet
+
+    def _is_in_time(self, microseconds: int, now: float) -> bool:
+        """Return whether a frame of this device time is not late at `now` (monotonic s); count it when it is.
+
+        The clock of unsigned frames is not believed: anybody can write it, and a replay at another speed stretches it.
+        """
+        self._late_by = 0.0 if self._key is None else self._lateness.of(microseconds, now)
+        if self._late_by:
+            self.late += 1
+        return not self._late_by
+
+    def _forget_device(self) -> None:
+        """Begin with the next frame, which another device sends, or the shirt after a restart."""
+        self._sequence.forget()
+        self._lateness.forget()
 
     def use_sender(self, name: str) -> bool:
         """Accept another sender as the shirt; False when none of this name (HOST:PORT) sent good frames."""
         if not self.sender_choice.use(name):
             return False
-        self._sequence.forget()
+        self._forget_device()
         return True
 
     def pending(self) -> bool:
@@ -139,8 +160,8 @@ class UdpShirt:
 
     def words(self) -> str:
         """Return the shirt's state in words."""
-        trouble = self._newest.trouble if self._newest else ""
-        why = f" ({trouble or self._refusal})" if trouble or self._refusal else ""
+        trouble = (self._newest.trouble if self._newest else "") or self._late_words() or self._refusal
+        why = f" ({trouble})" if trouble else ""
         if self._socket is None:
             return f"Nothing listens for the shirt{why}."
         host, port = self.address
@@ -160,7 +181,18 @@ class UdpShirt:
             words += f", {choice.other_frames} frames of another sender ({choice.other}) left out"
         if self.repeated:
             words += f", {self.repeated} repeated frames left out"
+        if self.late:
+            words += f", {self.late} late frames left out"
         return words
+
+    def _late_words(self) -> str:
+        """Return why the newest frame is left out when it came late, empty when it did not."""
+        if not self._late_by:
+            return ""
+        return (
+            f"its frames arrive {self._late_by:.1f} s late, and a late one counts as none: bring the shirt nearer to "
+            f"its receiver, and look what else is in the network"
+        )
 
     def close(self) -> None:
         """Close the socket; closing twice does no harm."""

@@ -47,15 +47,16 @@ class PairedShirt:
         shirt.open()
         return shirt
 
-    def frame(self, boot, seq):
-        return signed_frame(self.key, boot, seq, seq * 10_000, VALUES)
+    def frame(self, boot, seq, kept=0.0):
+        """Return a frame that was made `kept` seconds ago."""
+        return signed_frame(self.key, boot, seq, round(1e6 * (self.clock.now() - kept)), VALUES)
 
     def send(self, content, device=0):
         self.devices[device].sendto(content, self.shirt.address)
 
-    def takes(self, boot, seq, device=0):
+    def takes(self, boot, seq, device=0, kept=0.0):
         """Send a frame and return whether it is accepted."""
-        self.send(self.frame(boot, seq), device)
+        self.send(self.frame(boot, seq, kept), device)
         return self.shirt.read(0.05) is not None
 
     def begin(self, boot, seq=0, device=0):
@@ -175,6 +176,36 @@ def test_another_address_with_the_key_waits_until_nothing_can_be_armed(tmp_path)
     assert not paired.takes(1, 6)
     assert paired.shirt.lost <= 4
     paired.close()
+
+
+@pytest.fixture
+def begun(tmp_path):
+    made = PairedShirt(tmp_path / "keys", FakeClock(10.0))
+    made.begin(1)
+    yield made
+    made.close()
+
+
+def test_genuine_frames_that_are_kept_back_are_none(begun):
+    """Kept back for 2 s they armed, and a stroke of the past moved the chair."""
+    for seq, kept in ((1, 2.0), (2, 2.0), (3, 0.12), (4, 9.0)):
+        begun.clock.time += 0.01
+        assert not begun.takes(1, seq, kept=kept)
+        assert begun.shirt.words().endswith(f", {seq} late frames left out.")
+    begun.clock.time += 2.0
+    assert not begun.takes(1, 5, kept=2.0)
+    assert begun.shirt.words().startswith("No frames from 127.0.0.1:")
+    assert "(its frames arrive 2.0 s late, and a late one counts as none: bring" in begun.shirt.words()
+    assert begun.takes(1, 6, kept=0.05)
+    assert not begun.takes(1, 4)
+    assert begun.shirt.lost == 0
+
+
+def test_a_shirt_that_is_started_again_is_judged_by_its_own_clock(begun):
+    begun.clock.time += 5.0
+    begun.begin(2)
+    begun.clock.time += 5.0
+    assert not begun.takes(2, 1, kept=0.2)
 
 
 def test_a_key_that_is_none_opens_nothing(paired):
