@@ -6584,6 +6584,7 @@ export interface components {
         };
         NewSession: {
             patient_id: number;
+            ends?: number | null;
         };
         NewShare: {
             /** @default 14 */
@@ -7049,6 +7050,7 @@ export interface components {
             number: number;
             started: string;
             opened_by: string | null;
+            trials: number;
         };
         ShareRow: {
             id: number;

@@ -100,15 +100,20 @@ def open_session(db: Session, clinic_id: int) -> PatientSession | None:
     )
 
 
-def start_session(db: Session, clinic_id: int, patient_id: int, person: str | None = None) -> PatientSession:
-    """Open a session and end the one that was open; a session of the same patient stays open.
+def start_session(
+    db: Session, clinic_id: int, patient_id: int, person: str | None = None, *, ends: int | None = None
+) -> PatientSession:
+    """Open a session; a session of the same patient stays open.
 
-    `person` is the name of the person who opens it, which other screens show.
+    `person` is the name of the person who opens it, which other screens show. An open session of another patient is
+    ended only if `ends` is its id; otherwise Conflict says whose it is.
     """
     find_patient(db, clinic_id, patient_id)
     session = open_session(db, clinic_id)
     if session is not None and session.patient_id == patient_id:
         return session
+    if session is not None and session.id != ends:
+        raise Conflict(_other_session(db, session))
     end_session(db, clinic_id)
     last = db.scalar(select(func.max(PatientSession.number)).where(PatientSession.patient_id == patient_id)) or 0
     session = PatientSession(
@@ -128,6 +133,21 @@ def start_session(db: Session, clinic_id: int, patient_id: int, person: str | No
     db.add(session)
     db.flush()
     return session
+
+
+def _other_session(db: Session, session: PatientSession) -> str:
+    by = f" by {session.opened_by}" if session.opened_by else ""
+    count = session_trials(db, session)
+    trials = "1 trial" if count == 1 else f"{count} trials"
+    return (
+        f"A session of {find_patient(db, session.clinic_id, session.patient_id).code} is open: begun{by} at "
+        f"{session.started.astimezone():%H:%M}, {trials}. End it first, or confirm that this session ends it."
+    )
+
+
+def session_trials(db: Session, session: PatientSession) -> int:
+    """Return how many trials of a session have ended, discarded ones included."""
+    return db.scalar(select(func.count(Trial.id)).where(Trial.session_id == session.id, Trial.status == "done")) or 0
 
 
 def end_session(db: Session, clinic_id: int) -> None:

@@ -243,7 +243,11 @@ class Clinic:
 
     def begin_session(self) -> Any:
         patient = self.good("POST", "/patients", json={"code": "P-1", "pseudonym": "Heron"})
-        return self.good("POST", "/session", json={"patient_id": patient["id"]})["patient"]
+        return self.open_session(patient["id"])["patient"]
+
+    def open_session(self, patient_id: int) -> Any:
+        """Open a patient's session, and end the one that is open."""
+        return self.good("POST", "/session", json={"patient_id": patient_id, "ends": self.web.session.session_id})
 
     def calibrate(self) -> Any:
         for step in self.good("GET", "/calibration")["steps"][:-1]:

@@ -50,7 +50,7 @@ def second_patient(clinic: Any) -> Any:
     """Open another patient's session on another screen; return the session that the first page still shows."""
     before = clinic.session
     patient = clinic.good("POST", "/patients", json={"code": "B-12", "pseudonym": "Otter"})
-    clinic.good("POST", "/session", json={"patient_id": patient["id"]})
+    clinic.open_session(patient["id"])
     return before
 
 

@@ -48,7 +48,7 @@ def test_a_session_leaves_no_name_in_log_and_file_names(
     signed_in: Clinic, settings: Settings, caplog: pytest.LogCaptureFixture
 ) -> None:
     patient = signed_in.good("POST", "/patients", json=PATIENT)
-    signed_in.good("POST", "/session", json={"patient_id": patient["id"]})
+    signed_in.open_session(patient["id"])
     signed_in.calibrate()
     signed_in.good("GET", f"/patients/{patient['id']}/quality")
     signed_in.good("DELETE", "/session")

@@ -127,7 +127,7 @@ def test_a_session_of_a_shown_patient_appears_at_once(reviewed: Clinic) -> None:
         with as_person(reviewed, cookies):
             socket = stack.enter_context(reviewed.client.websocket_connect(f"{SOCKETS}/api/v1/live", headers=ORIGIN))
             assert socket.receive_json()["hidden"] is True
-        reviewed.good("POST", "/session", json={"patient_id": reviewed.shown})  # type: ignore[attr-defined]
+        reviewed.open_session(reviewed.shown)  # type: ignore[attr-defined]
         for _ in range(100):
             picture = socket.receive_json()
             if not picture["hidden"]:

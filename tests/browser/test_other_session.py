@@ -43,7 +43,8 @@ def tablets(browser, page_log, served):
 def opens(page, code):
     go(page, "patients")
     row = page.get_by_role("listitem").filter(has_text=code)
-    row.get_by_role("button", name=re.compile("Start|Open|Session", re.IGNORECASE)).click()
+    row.get_by_role("button", name="Start session").click()
+    page.get_by_role("button", name=f"End it and start {code}").click()
     expect(page.locator(".who")).to_contain_text(code)
 
 
@@ -146,6 +147,34 @@ def test_who_starts_a_session_before_the_end_of_another_one_is_answered_is_not_r
     ends[0].continue_()
     expect(page.locator(".who")).to_contain_text("B-12")
     page.unroute_all()
+
+
+def test_who_opens_a_session_is_asked_before_that_of_another_patient_ends(tablets, served):
+    page, _ = tablets
+    go(page, "patients")
+    sent = changes_of(page)
+    start = page.get_by_role("listitem").filter(has_text="B-12").get_by_role("button", name="Start session")
+    question = page.get_by_role("alertdialog")
+    cancel = question.get_by_role("button", name="Cancel")
+    for leave in (cancel.click, lambda: page.keyboard.press("Escape")):
+        start.click()
+        expect(question).to_contain_text(re.compile(r"of A-03 is open: Ada began it at \d\d:\d\d, 0 trials\. Only one"))
+        leave()
+        expect(question).to_be_hidden()
+        expect(start).to_be_enabled()
+        assert sent == []
+    start.click()
+    expect(question).to_be_visible()
+    for name, (width, height) in SIZES.items():
+        page.set_viewport_size({"width": width, "height": height})
+        page.screenshot(path=SCREENSHOTS / f"{name}-session-ends.png")
+    served.good("DELETE", "/session")
+    served.open_session("A-03")  # on another tablet: the session that the person agreed to end is no longer open
+    with page.expect_response(lambda answer: answer.request.method == "POST") as refused:
+        question.get_by_role("button", name="End it and start B-12").click()
+    assert refused.value.status == 409
+    assert "A-03" in refused.value.json()["detail"]
+    assert served.good("GET", "/session")["patient"]["code"] == "A-03"
 
 
 def is_end(route):

@@ -71,7 +71,10 @@ def test_one_session_at_a_time_counted_per_patient(db: Session, patient: Patient
     with pytest.raises(Conflict, match="end it first"):
         delete_patient(db, clinic, patient.id)
     other = add_patient(db, clinic, "P-2", "Otter", "")
-    assert start_session(db, clinic, other.id).number == 1
+    with pytest.raises(Conflict, match=r"^A session of P-1 is open: begun at \d\d:\d\d, 0 trials\. End it first"):
+        start_session(db, clinic, other.id)
+    assert first.ended is None
+    assert start_session(db, clinic, other.id, ends=first.id).number == 1
     assert first.ended is not None
     end_session(db, clinic)
     assert open_session(db, clinic) is None

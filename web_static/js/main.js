@@ -15,7 +15,7 @@ import { showWhetherOffline } from "./shell/offline.js";
 import { PAGES, rail } from "./shell/rail.js";
 import { stopOnSpace } from "./shell/stop.js";
 import { followSystem } from "./shell/theme.js";
-import { questionPlace } from "./widgets/same_name.js";
+import { questionPlace } from "./widgets/question.js";
 import { Toasts } from "./shell/toast.js";
 import { TypedEvents } from "./live/typed_events.js";
 import { Screen } from "./live/screen.js";

@@ -6,7 +6,6 @@ from fastapi import APIRouter
 from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
-from app.api.answers import Answer, MomentText
 from app.api.deps import Anyone, Clinician, PeopleParts, RowId
 from app.api.parts import Web, open_view
 from app.api.sign_in.identity import SignedInPerson
@@ -25,6 +24,7 @@ from app.store.patients import (
     patient_figures,
     restore_patient,
     session_progress,
+    session_trials,
     start_session,
 )
 from app.store.records.consents import consents_of
@@ -64,15 +64,17 @@ class NewSession(Document):
     """The patient of a new session."""
 
     patient_id: Count
+    ends: Count | None = None  # id of the open session of another patient which a person has agreed to end
 
 
-class SessionView(Answer):
+class SessionView(Document):
     """The open session."""
 
     id: int
     number: int
-    started: MomentText
+    started: str
     opened_by: str | None  # a person's name
+    trials: int  # that have ended, discarded ones included
 
 
 class CurrentSession(Document):
@@ -162,7 +164,13 @@ def current_session(parts: PeopleParts, who: SignedInPerson) -> CurrentSession:
         has_profile, done = session_progress(db, session)
         return CurrentSession(
             patient=_view(db, find_patient(db, who.clinic_id, session.patient_id)),
-            session=SessionView.of(session),
+            session=SessionView(
+                id=session.id,
+                number=session.number,
+                started=session.started.isoformat(),
+                opened_by=session.opened_by,
+                trials=session_trials(db, session),
+            ),
             has_profile=has_profile,
             consents_to_recording=consents_of(db, session.patient_id).recording is not None,
             steps_done=done,
@@ -177,11 +185,14 @@ def who_is_here(who: Anyone, parts: PeopleParts) -> CurrentSession:
 
 @router.post("/session")
 async def begin_session(body: NewSession, who: Clinician, parts: PeopleParts, web: Web) -> CurrentSession:
-    """Open a session of a patient, and end the one that was open; 507 where the disk has no room to record it."""
+    """Open a session of a patient; 507 where the disk has no room to record it.
+
+    409 while a session of another patient is open whose id is not in `ends`.
+    """
 
     def _open() -> CurrentSession:
         with parts.database.transaction() as db:
-            session = start_session(db, who.clinic_id, body.patient_id, who.name)
+            session = start_session(db, who.clinic_id, body.patient_id, who.name, ends=body.ends)
             write_log(db, who.name, "session opened", patient=body.patient_id, session=session.id)
         return current_session(parts, who)
 

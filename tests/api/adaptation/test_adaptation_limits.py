@@ -54,7 +54,7 @@ def test_of_another_patient_nothing_is_shown_or_applied(ready: Any) -> None:
     drive(ready)
     view = proposed(ready)
     other = ready.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Stork"})
-    ready.good("POST", "/session", json={"patient_id": other["id"]})
+    ready.open_session(other["id"])
     stands = ready.good("GET", "/adaptation")
     assert (stands["proposal"], stands["version"], stands["mode"]) == (None, None, "off")
     assert apply(ready, view).status_code == 404

@@ -89,7 +89,7 @@ def test_each_answer_on_an_imported_session_or_trial_says_where_it_came_from(sig
     assert trial["origin"] == origin
     assert signed_in.good("GET", f"/trials/{trial['id']}")["origin"] == origin
     own = signed_in.good("POST", "/patients", json={"code": "P-77", "pseudonym": "Wren", "note": ""})["id"]
-    signed_in.good("POST", "/session", json={"patient_id": own})
+    signed_in.open_session(own)
     assert signed_in.good("GET", f"/patients/{own}/sessions")[0]["origin"] is None
 
 

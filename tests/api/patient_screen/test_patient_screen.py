@@ -143,7 +143,7 @@ def test_the_end_of_the_session_is_the_end_of_its_screens(paired: Clinic) -> Non
         assert closing(socket) == 4401
     assert paired.good("GET", "/patient-screen/me") == {"state": "over"}
     other = paired.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Plover"})
-    paired.good("POST", "/session", json={"patient_id": other["id"]})
+    paired.open_session(other["id"])
     only(paired, "bodydrive_screen")
     assert paired.client.get("/view/patient/", headers=ORIGIN).status_code == 401
 

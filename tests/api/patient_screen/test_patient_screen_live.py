@@ -91,7 +91,7 @@ def test_what_the_clinician_asks_for_is_shown_and_kept_for_the_session(paired: C
         assert socket.receive_json()["asks"] == wishes
     assert paired("POST", "/patient-screen/settings", json={"arrow": "yes"}).status_code == 422
     other = paired.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Plover"})
-    paired.good("POST", "/session", json={"patient_id": other["id"]})
+    paired.open_session(other["id"])
     assert paired.good("GET", "/patient-screen")["settings"]["arrow"] is False
 
 

@@ -21,7 +21,7 @@ def entry() -> dict[str, Any]:
 
 def begin(clinic: Clinic, code: str) -> int:
     patient = clinic.good("POST", "/patients", json={"code": code, "pseudonym": "Heron"})
-    clinic.good("POST", "/session", json={"patient_id": patient["id"]})
+    clinic.open_session(patient["id"])
     return int(patient["id"])
 
 

@@ -20,7 +20,7 @@ def test_with_four_others_a_new_patient_drives_after_rest_and_free_movement(with
 
 
 def test_a_calibration_knows_others_and_not_the_patient(with_others: Any) -> None:
-    with_others.good("POST", "/session", json={"patient_id": OTHERS[0]})
+    with_others.open_session(OTHERS[0])
     assert with_others.good("GET", "/calibration")["others"] == 0  # three others are too few
     assert with_others.good("GET", "/clinic-prior") == {"on": True, "people": 4, "needed": 4}
 

@@ -12,7 +12,7 @@ from calibrated_others import record
 def again(calibrated: Any) -> Any:
     """A calibrated patient's second session."""
     calibrated.good("DELETE", "/session")
-    calibrated.good("POST", "/session", json={"patient_id": calibrated.patient["id"]})
+    calibrated.open_session(calibrated.patient["id"])
     return calibrated
 
 

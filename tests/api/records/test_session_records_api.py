@@ -153,7 +153,7 @@ def test_two_sessions_are_compared_by_task_and_by_what_changed(calibrated: Clini
     for _ in range(4):
         drive_trial(calibrated)
     calibrated.good("POST", f"/sessions/{first}/sign-off")
-    calibrated.good("POST", "/session", json={"patient_id": patient})
+    calibrated.open_session(patient)
     second = int(calibrated.session)
     drive_trial(calibrated)
     found = calibrated.good("GET", f"/sessions/{second}/comparison", params={"other": first})
@@ -170,6 +170,6 @@ def test_two_sessions_are_compared_by_task_and_by_what_changed(calibrated: Clini
     again = calibrated("GET", f"/sessions/{first}/comparison", params={"other": first})
     assert (again.status_code, "choose two" in again.text) == (409, True)
     other = calibrated.good("POST", "/patients", json={"code": "B-1", "pseudonym": "Otter"})
-    calibrated.good("POST", "/session", json={"patient_id": other["id"]})
+    calibrated.open_session(other["id"])
     two = calibrated("GET", f"/sessions/{first}/comparison", params={"other": int(calibrated.session)})
     assert (two.status_code, "not of one patient" in two.text) == (409, True)

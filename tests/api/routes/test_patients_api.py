@@ -55,3 +55,21 @@ def test_bad_input_is_one_sentence_and_adds_nobody(signed_in: Any, body: Any, wo
 def test_what_is_not_json_is_said_so(signed_in: Any) -> None:
     answer = signed_in("POST", "/patients", content=b"{", headers={"Content-Type": "application/json"})
     assert (answer.status_code, answer.json()["detail"]) == (422, "What was sent is not JSON: correct it.")
+
+
+def test_an_open_session_of_another_patient_ends_only_when_the_person_agrees(signed_in: Any) -> None:
+    first, second = (
+        signed_in.good("POST", "/patients", json={"code": code, "pseudonym": code})["id"] for code in ("P-1", "P-2")
+    )
+    opened = signed_in.good("POST", "/session", json={"patient_id": first})["session"]
+    assert opened["trials"] == 0
+    for ends in ({}, {"ends": opened["id"] + 1}):
+        refused = signed_in("POST", "/session", json={"patient_id": second, **ends})
+        assert refused.status_code == 409
+        words = refused.json()["detail"]
+        assert f"P-1 is open: begun by {opened['opened_by']} at " in words
+        assert ", 0 trials. End it first, or confirm" in words
+        assert signed_in.good("GET", "/session")["patient"]["id"] == first
+    assert signed_in.good("POST", "/session", json={"patient_id": first})["session"] == opened
+    now = signed_in.good("POST", "/session", json={"patient_id": second, "ends": opened["id"]})
+    assert now["patient"]["id"] == second

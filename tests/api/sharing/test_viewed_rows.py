@@ -115,7 +115,7 @@ def test_who_watches_a_session_live_stands_in_the_log_from_the_first_picture_of_
         for _ in range(3):  # pictures of one patient make one row
             assert not ritas.receive_json()["hidden"]
         assert ottos.receive_json()["hidden"]
-        calibrated.good("POST", "/session", json={"patient_id": second})
+        calibrated.open_session(second)
         session = int(calibrated.session)
         for socket in (ritas, ottos):
             while socket.receive_json()["session"] != session:

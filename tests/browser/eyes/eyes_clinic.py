@@ -106,7 +106,8 @@ class EyesClinic(ServedClinic):
 
     def be_here(self, patient: int = 1) -> None:
         """Open a patient's session."""
-        self.good("POST", "/session", {"patient_id": patient})
+        now = self.good("GET", "/session")["session"]
+        self.good("POST", "/session", {"patient_id": patient, "ends": now and now["id"]})
 
     def _change_pictures(self) -> None:
         """Let `shown` and `shown_to_patient` replace fields of what the live sockets send."""

@@ -82,7 +82,8 @@ class ClinicApp(ServedClinic):
 
     def open_session(self, code: str) -> None:
         """Open a patient's session in the owner's own browser."""
-        self.good("POST", "/session", {"patient_id": self.patients[code]})
+        now = self.good("GET", "/session")["session"]
+        self.good("POST", "/session", {"patient_id": self.patients[code], "ends": now and now["id"]})
 
     def sign_in(self, page: Any) -> None:
         """Sign a page in as the owner."""

@@ -207,7 +207,10 @@ def test_somebody_never_calibrated_drives_after_three_taps(opened):
 def test_a_new_patient_drives_after_few_taps(opened):
     """The demonstration is signed in by its link: the tap on Patients stands for the one on Sign in."""
     page = opened()
-    expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
+    go_to(page, "patients")
+    page.get_by_role("button", name="End session").click()
+    expect(page.get_by_role("button", name="End session")).to_have_count(0)
+    go_to(page, "shirt")
     page.evaluate(COUNT)
     page.get_by_role("link", name="Patients").first.click()
     page.get_by_role("button", name="New patient").click()

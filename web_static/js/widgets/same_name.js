@@ -5,16 +5,11 @@
  */
 import { ApiError } from "../api.js";
 import { t } from "../texts.js";
-import { h, onEscape, put } from "./dom.js";
-
-/** An empty place, beside the pages that are drawn again, in which the question appears. @returns {HTMLElement} */
-export function questionPlace() {
-  return h("div", { class: "card ask question", role: "alertdialog", hidden: true, tabindex: "-1" });
-}
+import { h } from "./dom.js";
+import { ask } from "./question.js";
 
 /**
- * Send an upload; when its name is taken, ask and send it again. The page around the question stays usable, Stop above
- * all.
+ * Send an upload; when its name is taken, ask and send it again.
  * @template Answer
  * @param {HTMLElement} place the page frame's, as of `questionPlace`
  * @param {(sameName: SameName) => Promise<Answer>} send
@@ -35,37 +30,9 @@ export async function sendUnderName(place, send) {
  * @param {HTMLElement} place @param {string} question @param {NameChoice} choice @returns {Promise<SameName | null>}
  */
 function choiceOf(place, question, { proposed, may_replace: mayReplace }) {
-  const before = /** @type {HTMLElement | null} */ (document.activeElement);
-  return new Promise((resolve) => {
-    /** @param {SameName | null} sameName */
-    const choose = (sameName) => {
-      place.hidden = true;
-      onEscape(place, null);
-      removeEventListener("hashchange", leave);
-      put(place);
-      before?.focus?.();
-      resolve(sameName);
-    };
-    const leave = () => choose(null);
-    /** @param {SameName | null} sameName @param {string} words */
-    const button = (sameName, words, kind = "btn") =>
-      h("button", { type: "button", class: kind, onclick: () => choose(sameName) }, words);
-    put(
-      place,
-      h("p", {}, question),
-      mayReplace && h("p", { class: "quiet small" }, t("same-name.kept")),
-      h(
-        "div",
-        { class: "spread" },
-        button("keep-both", t("same-name.keep-both", { name: proposed }), "btn go"),
-        mayReplace && button("replace", t("same-name.replace")),
-        button(null, t("cancel")),
-      ),
-    );
-    onEscape(place, leave);
-    place.setAttribute("aria-label", question);
-    addEventListener("hashchange", leave);
-    place.hidden = false;
-    place.focus();
-  });
+  /** @type {{value: SameName | null, label: string, kind?: string}[]} */
+  const answers = [{ value: "keep-both", label: t("same-name.keep-both", { name: proposed }), kind: "btn go" }];
+  if (mayReplace) answers.push({ value: "replace", label: t("same-name.replace") });
+  answers.push({ value: null, label: t("cancel") });
+  return ask(place, question, answers, mayReplace && h("p", { class: "quiet small" }, t("same-name.kept")));
 }

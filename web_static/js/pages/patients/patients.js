@@ -7,10 +7,11 @@ import { ApiError } from "../../api.js";
 import { archiveImport } from "./archive_import.js";
 import { deletionForm } from "./deletion_form.js";
 import { h, put } from "../../widgets/dom.js";
-import { day } from "../../widgets/format.js";
+import { day, minuteOfDay } from "../../widgets/format.js";
 import { icon } from "../../widgets/icons.js";
 import { rowList } from "../../widgets/list.js";
 import { newPatientForm } from "./patient_form.js";
+import { ask } from "../../widgets/question.js";
 import { mayExport, reportChoice } from "../../results/report_choice.js";
 import { t } from "../../texts.js";
 
@@ -50,7 +51,11 @@ export async function show(app, root, { signal }) {
   const open = (patient, button = null) => {
     if (button) button.disabled = true; // opening a session takes a moment: a second tap shall do nothing
     return inTurn(async () => {
-      if (!(await app.toasts.attempt(() => app.api.post("/session", { patient_id: patient.id })))) return read();
+      const begun = await app.toasts.attempt(async () => {
+        const ends = await agreedEnd(app, patient);
+        return ends === undefined ? null : app.api.post("/session", { patient_id: patient.id, ends });
+      });
+      if (!begun) return read();
       await app.readSession({ isOwn: true });
       goOn();
     });
@@ -147,6 +152,27 @@ function invitation() {
     h("span", { class: "quiet" }, t("patients.alone")),
     h("a", { class: "btn small", href: "#/people/invite" }, t("people.invite")),
   );
+}
+
+/**
+ * Ask before another patient's open session is ended: whose it is, who opened it, since when, how many trials it has.
+ * @param {App} app @param {PatientView} patient who comes next
+ * @returns {Promise<number | null | undefined>} id of the session to end; null: none is open; undefined: the person cancelled
+ */
+async function agreedEnd(app, patient) {
+  const { patient: other, session } = await app.api.get("/session");
+  if (!other || !session || other.id === patient.id) return null;
+  const question = t(session.opened_by ? "patients.ends" : "patients.ends.somebody", {
+    code: other.code,
+    name: session.opened_by ?? "",
+    time: minuteOfDay(session.started),
+    trials: t("patients.trials", { count: session.trials }),
+  });
+  const answer = await ask(app.question, question, [
+    { value: "end", label: t("patients.ends.go", { next: patient.code }), kind: "btn go" },
+    { value: null, label: t("cancel") },
+  ]);
+  return answer ? session.id : undefined;
 }
 
 /** A reviewer looks, and changes nothing. @param {App} app */
