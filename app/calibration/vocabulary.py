@@ -68,6 +68,11 @@ class DriveParameters(Document):
     cruise_time: CruiseTime = 10.0  # s without a gesture for u1, after which a cruising chair slows to standstill
     turn_cruise_time: TurnCruiseTime | None = 3.0  # s: the time-out of turning; None only in sets older than this field
 
+    @property
+    def keeps_speed(self) -> bool:
+        """Whether a chair goes on by itself, forward or turning, while the body is at rest."""
+        return "acceleration" in (self.mode_u1, self.mode_u2)
+
     @model_validator(mode="after")
     def _names_fit_together(self) -> Self:
         names = [gesture.name for gesture in self.gestures]

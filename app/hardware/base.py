@@ -230,7 +230,12 @@ class Chair(Protocol):
 
     @property
     def switch_seen(self) -> bool:
-        """Whether the chair has reported its stop switch as pressed, so that the switch works."""
+        """Whether the chair has shown its stop switch pressed, so that the switch works."""
+        ...
+
+    @property
+    def switch_reported(self) -> bool:
+        """Whether the stop switch was seen, or was reported in a way that the next arming has to confirm."""
         ...
 
     @property

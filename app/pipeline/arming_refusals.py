@@ -41,7 +41,7 @@ def real_chair_refusal(loop: ControlLoop) -> str:
         return chair.words()
     if chair.inhibited:
         return f"{chair.words()} Look around, release the switch, then arm again."
-    if "acceleration" in (parameters.mode_u1, parameters.mode_u2) and not chair.switch_seen:
+    if parameters.keeps_speed and not chair.switch_reported:
         return (
             "With “Keeps its speed” or “Keeps turning” a chair goes on by itself, so a real one needs its stop switch: "
             "press and release it once to show that it works, or choose “Follows the movement” on the Controls page."

@@ -21,7 +21,7 @@ def status(loop: ControlLoop) -> dict[str, Any]:
         "chair": {
             "kind": setup.chair.kind,
             "words": setup.chair.words(),
-            "switch_seen": setup.chair.switch_seen,
+            "switch_seen": setup.chair.switch_reported,
         },
         "head": {"kind": setup.head.kind, "words": setup.head.words},
         "dial": setup.chain.dial,

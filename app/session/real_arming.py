@@ -132,7 +132,7 @@ class RealArming:
             return [NO_CHAIR]
         tick = self._control.newest()
         refusal = self._chair_refusal(self._chairs.chosen.name, tick)
-        if refusal or parameters is None or "acceleration" not in (parameters.mode_u1, parameters.mode_u2):
+        if refusal or parameters is None or not parameters.keeps_speed:
             return [refusal] if refusal else []
         try:
             status = await self._control.call("status")

@@ -6,7 +6,7 @@ import random
 from drills.flood import sign_ins
 from drills.machine import disk_full, wall_clock
 from drills.network_cuts import cuts
-from drills.network_faults import forgeries, weather
+from drills.network_faults import forgeries, recorded_switch, weather
 from drills.odd_names import odd_names
 from drills.processes import hold_control, kill_control, kill_receiver, kill_web, web_silent
 from drills.results import Result
@@ -36,6 +36,7 @@ DRILLS = {
     "disk-end": (session_end, 10, 1),
     "weather": (weather, 60, 1),
     "forgeries": (forgeries, 20, 1),
+    "recorded-switch": (recorded_switch, 10, 2),
     "clock": (wall_clock, 20, 1),
     "names": (odd_names, 20, 1),
     "second-sender": (second_sender, 20, 1),

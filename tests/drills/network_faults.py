@@ -7,10 +7,14 @@ import struct
 from drills.injury import look_for_jerks
 from drills.relay import FAIR, Weather
 from drills.results import Result
-from drills.rig import rig
+from drills.rig import PARAMETERS, rig
+from processes.running_control import clear, tick_with
 
 from app.clock import monotonic
 from app.faults import Fault, State
+from app.process.command_channel import LinkRefused
+
+STOP_INPUT_AT = 48  # byte of a telemetry
 
 WEATHERS = {
     "drop 10 %": Weather(drop=0.1),
@@ -92,3 +96,37 @@ def _forged(dice, datagram):
     else:
         changed[28:36] = random.Random(dice.random()).randbytes(8)
     return bytes(changed)
+
+
+async def recorded_switch(runs, dice):
+    """S10, S13: a recorded telemetry that shows the switch pressed, in place of a chair that is cut off."""
+    result = Result("a recording of the chair's pressed switch, then arming in acceleration mode", None)
+    refused = 0
+    async with rig(seed=dice.randrange(1000)) as made:
+        for run in range(runs):
+            pressed = next(told for told in reversed(made.relay.told) if told[STOP_INPUT_AT])
+            if run % 2:
+                await made.cruise()  # the chair has another nonce afterwards
+            await made.end_control()
+            await made.start_control(switch=False)
+            made.relay.cut = True
+            await asyncio.sleep(0.4)  # until another nonce than the newest is taken
+            made.relay.tell(pressed)
+            await tick_with(made.control, lambda tick: tick["stop_input"] == 1)
+            made.relay.cut = False
+            await tick_with(made.control, lambda tick: tick["stop_input"] == 0 and tick["chair_state"] == 0)
+            number, began = int(made.control.newest()["number"]), monotonic()
+            try:
+                await clear(made.control)
+                await made.control.call("arm", hash=PARAMETERS.hash)
+                made.shirt.stroke()
+                await tick_with(made.control, lambda tick: tick["state"] in (State.ARMED, State.FAULT))
+            except LinkRefused:
+                refused += 1
+            if (made.control.since(number)["state"] == State.ARMED).any():
+                result.violations.append(f"run {result.runs + 1}: armed by a recording of the switch")
+            result.add(None, late=made.watcher.late(began, monotonic()))
+            made.shirt.rest()
+            await made.show_switch()
+    result.remark = f"{refused} refused at once; the others did not become ready"
+    return result

@@ -7,6 +7,7 @@ import random
 import select
 import socket
 import threading
+from collections import deque
 from struct import Struct
 from typing import NamedTuple
 
@@ -48,7 +49,10 @@ FAIR = Weather()
 
 
 class Relay:
-    """The network; the sender uses it as the chair. `passed` holds (time, datagram) of what reached the chair."""
+    """The network; the sender uses it as the chair.
+
+    `passed` holds (time, datagram) of what reached the chair, `told` what the chair said.
+    """
 
     def __init__(self, chair_port: int, seed: int = 0) -> None:
         self._dice = random.Random(seed)
@@ -61,6 +65,7 @@ class Relay:
         self.weather = FAIR
         self.cut = False
         self.passed: list[tuple[float, bytes]] = []
+        self.told: deque[bytes] = deque(maxlen=1000)
         self._sender = None
         self._gap_until = {True: 0.0, False: 0.0}
         self._waiting: list[tuple[float, int, bool, bytes]] = []
@@ -84,6 +89,10 @@ class Relay:
     def inject(self, datagram: bytes) -> None:
         """Send a datagram to the chair from the sender's address."""
         self._far.sendto(datagram, ("127.0.0.1", self.chair_port))
+
+    def tell(self, datagram: bytes) -> None:
+        """Send a datagram to the sender from the chair's address."""
+        self._near.sendto(datagram, self._sender)
 
     def close(self) -> None:
         self._ended.set()
@@ -125,5 +134,6 @@ class Relay:
                 self.passed.append((monotonic(), datagram))
             elif self._sender is not None:
                 self._near.sendto(datagram, self._sender)
+                self.told.append(datagram)
         except OSError:
             pass  # the chair is being restarted

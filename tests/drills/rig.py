@@ -83,15 +83,16 @@ class Rig:
         self._heart = None
         self._runs = 0
 
-    async def start_control(self):
-        """Start a control process and give it everything it needs to arm."""
+    async def start_control(self, *, switch=True):
+        """Start a control process and give it everything it needs to arm; `switch`: show it the chair's switch."""
         self.control = await ControlProcess.start()
         self._heart = asyncio.create_task(self._beat(self.control))
         await self.control.call("shirt", config=self.shirt_config)
         await self.control.call("parameters", parameters=PARAMETERS.model_dump(mode="json"))
         await self.control.call("chair", config=self.receiver.config(port=self.relay.port))
         await tick_with(self.control, lambda tick: tick["has_frame"] and tick["chair_age"] < 0.3)
-        await self.show_switch()
+        if switch:
+            await self.show_switch()
         await self.begin_run()
 
     @property

@@ -181,8 +181,13 @@ class ChairLink:
 
     @property
     def switch_seen(self) -> bool:
-        """Whether the chair has reported its stop switch as pressed, so that the switch works."""
+        """Whether the chair has shown its stop switch pressed, so that the switch works."""
         return self.telemetry.switch_seen
+
+    @property
+    def switch_reported(self) -> bool:
+        """Whether the stop switch was seen, or a telemetry shows it that the next arming has to confirm."""
+        return self.telemetry.switch_reported
 
     @property
     def silent(self) -> bool:
@@ -202,6 +207,8 @@ class ChairLink:
         newest = self.telemetry.newest
         if newest is None or self.silent:
             return f"{chair} does not answer: check its power and the network."
+        if self.telemetry.switch_refuted:
+            return f"{chair}: what was told of its stop switch was not of now, press and release the switch again."
         return f"{chair}, {telemetry_words(newest)}"
 
     def report(self, tick: Tick, t: float) -> None:
@@ -227,7 +234,7 @@ class ChairLink:
             self._flags = self._left = 0
             self._armed_digest = self._digest
             self._nonce = b""
-            self._stalled = False
+            self._stalled = self.telemetry.switch_refuted = False
             self.due = t
         elif state is State.FAULT or (state is State.DISARMED and before in RUNNING):
             self._ended = t

@@ -33,7 +33,7 @@ class VirtualChair:
     stands = True
     inhibited = False
     silent = False
-    switch_seen = False
+    switch_seen = switch_reported = False
     due = math.inf
 
     __slots__ = (

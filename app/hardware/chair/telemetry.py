@@ -1,15 +1,25 @@
 """The newest telemetry of a real chair; recordings of earlier telemetry are rejected. No clock, no socket."""
 
 import math
+from typing import NamedTuple
 
 from app.hardware.chair.packet import Telemetry
 from app.hardware.chair.reasons import WORDS, Reason
 from app.number_words import percent
 
 SILENT = 0.3  # s without telemetry, which comes every 0.1 s
+DRIFT = 1e-3  # s per s by which the chair's clock may differ from ours
 MOST_NONCES = 1000  # number of nonces kept: a chair makes a new one at each disarming
 ARMED, FAULT = 2, 3  # values of Telemetry.state
 STATE_WORDS = ("disarmed", "waits for rest", "armed", "not ready")
+
+
+class PressedSwitch(NamedTuple):
+    """A telemetry that shows the stop switch pressed, and that may be a recording."""
+
+    nonce: bytes
+    t_ns: int  # of the chair's clock
+    t: float  # monotonic s, when it came
 
 
 class ChairTelemetry:
@@ -25,7 +35,10 @@ class ChairTelemetry:
     - nothing was taken for `SILENT` seconds: the chair was started again, or this chair link was.
 
     A forger can still show an old telemetry in place of a silent chair. That arms nothing, because a chair counts as
-    ready only when its telemetry carries the epoch of the current arming.
+    ready only when its telemetry carries the epoch of the current arming. Nor does it show a switch: a pressed one
+    counts as seen in a telemetry that carries our epoch. One seen before the arming is confirmed by the first telemetry
+    that carries it: by the same nonce, and a chair's time by which the switch was pressed when we were told so, and not
+    earlier. Otherwise the chair does not become ready, and the switch has to be shown again.
 
     Attributes
     ----------
@@ -34,13 +47,18 @@ class ChairTelemetry:
     t : float
         When it arrived (monotonic s); -inf before the first.
     switch_seen : bool
-        Whether a telemetry has shown the stop input pressed, so that it exists and works.
+        Whether the chair has shown its stop input pressed to us, so that it exists and works.
+    switch_refuted : bool
+        Whether what showed it pressed before the current arming was a recording, or of the chair's earlier start; an
+        arming, which may make several epochs, begins with False.
     """
 
     def __init__(self) -> None:
         self.newest: Telemetry | None = None
         self.t = -math.inf
         self.switch_seen = False
+        self.switch_refuted = False
+        self._pressed: PressedSwitch | None = None
         self._epoch = 0
         self._epoch_ns = -1
         self._nonces: dict[bytes, int] = {}  # nonce: the chair's latest time (ns) with it
@@ -63,8 +81,23 @@ class ChairTelemetry:
         if len(self._nonces) > MOST_NONCES:
             del self._nonces[next(iter(self._nonces))]
         self.newest, self.t = telemetry, t
-        self.switch_seen |= telemetry.stop_input != 0
+        self._note_switch(telemetry, t)
         return True
+
+    def _note_switch(self, telemetry: Telemetry, t: float) -> None:
+        if self.answers:
+            if self._pressed is not None and not self.switch_seen:
+                self.switch_seen = _shows_now(self._pressed, telemetry, t)
+                self.switch_refuted = not self.switch_seen
+            self._pressed = None
+            self.switch_seen |= telemetry.stop_input != 0
+        elif telemetry.stop_input:
+            self._pressed = PressedSwitch(telemetry.nonce, telemetry.t_ns, t)
+
+    @property
+    def switch_reported(self) -> bool:
+        """Whether the stop switch was seen, or a telemetry shows it that the next arming has to confirm."""
+        return self.switch_seen or self._pressed is not None
 
     @property
     def answers(self) -> bool:
@@ -74,12 +107,21 @@ class ChairTelemetry:
     @property
     def ready(self) -> bool:
         """Whether the chair has accepted the current arming and obeys commands to move."""
-        return self.newest is not None and self.answers and self.newest.state == ARMED and not self.newest.stop_input
+        if self.newest is None or self.switch_refuted:
+            return False
+        return self.answers and self.newest.state == ARMED and not self.newest.stop_input
 
     @property
     def inhibited(self) -> bool:
         """Whether the chair's stop switch is pressed, or it has a fault."""
         return self.newest is not None and (self.newest.state == FAULT or self.newest.stop_input != 0)
+
+
+def _shows_now(pressed: PressedSwitch, telemetry: Telemetry, t: float) -> bool:
+    """Return whether a telemetry of our own epoch, come at `t`, shows that the pressed switch was no recording."""
+    passed = t - pressed.t
+    by_chair = 1e-9 * (telemetry.t_ns - pressed.t_ns)
+    return pressed.nonce == telemetry.nonce and by_chair <= passed + SILENT + DRIFT * passed
 
 
 def telemetry_words(telemetry: Telemetry) -> str:

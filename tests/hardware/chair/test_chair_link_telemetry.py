@@ -89,6 +89,31 @@ def test_recorded_telemetry_changes_nothing(pair):
     assert pair.link.telemetry.newest is newest
 
 
+def test_a_recording_of_the_switch_arms_nothing_and_the_words_ask_for_it_anew(pair):
+    pair.meet()
+    pressed = pair.chair.say(FAULT, stop_input=1)
+    pair.chair.t_ns += 3_600_000_000_000  # an hour later; nobody has seen it meanwhile
+    pair.link.listen(pair.t)
+    assert pair.link.switch_reported
+    assert not pair.link.switch_seen
+    pair.hear()
+    first = pair.check()
+    pair.hear(ARMED, first.epoch, first.sequence)
+    assert not pair.link.ready
+    assert not pair.link.switch_reported
+    assert pair.link.words().endswith("press and release the switch again.")
+    pair.chair.send(pressed)
+    pair.link.listen(pair.t)
+    assert not pair.link.switch_reported
+    pair.turn(State.FAULT)
+    pair.hear(FAULT, first.epoch, stop_input=1)
+    pair.hear(DISARMED, first.epoch)
+    assert pair.link.switch_seen
+    second = pair.check()
+    pair.hear(ARMED, second.epoch, second.sequence)
+    assert pair.link.ready
+
+
 def test_others_on_the_network_are_not_heard_and_a_flood_does_not_hold_it_up(pair):
     pair.meet()
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:

@@ -84,6 +84,41 @@ def test_a_pressed_switch_or_a_fault_inhibits(telemetry):
     assert (telemetry.inhibited, telemetry.ready, telemetry.switch_seen) == (False, True, True)
 
 
+def confirmed(pressed, came, first, t):
+    """Return whether a pressed switch counts after the first telemetry of our epoch."""
+    telemetry = ChairTelemetry()
+    assert telemetry.take(pressed, came)
+    assert (telemetry.switch_seen, telemetry.switch_reported) == (False, True)
+    telemetry.begin_epoch(EPOCH)
+    assert telemetry.take(first, t)
+    assert telemetry.switch_reported == telemetry.switch_seen != telemetry.switch_refuted
+    assert telemetry.ready == telemetry.switch_seen
+    return telemetry.switch_seen
+
+
+S = 1_000_000_000  # ns in a second
+
+
+def test_a_switch_seen_before_the_arming_counts_when_it_was_pressed_then():
+    """One telemetry that somebody had recorded showed a switch, and acceleration mode armed."""
+    pressed = reported(1000 * S, stop_input=1)
+    assert confirmed(pressed, 10.0, reported(1600 * S, A, ARMED, EPOCH), 610.0)
+    assert confirmed(pressed, 10.0, reported(1600 * S, A, ARMED, EPOCH), 609.8)
+    assert not confirmed(pressed, 10.0, reported(1002 * S, A, ARMED, EPOCH), 10.5)
+    assert not confirmed(pressed, 10.0, reported(1600 * S, B, ARMED, EPOCH), 610.0)
+
+
+def test_a_switch_that_was_a_recording_keeps_the_chair_from_being_ready_in_all_of_this_arming():
+    telemetry = ChairTelemetry()
+    assert telemetry.take(reported(5 * S, stop_input=1), 1.0)
+    for number, nonce in enumerate((A, B, b"nonce--C")):
+        telemetry.begin_epoch(EPOCH + number)
+        assert telemetry.take(reported((50 + number) * S, nonce, ARMED, EPOCH + number), 1.1 + number)
+        assert not telemetry.ready
+    assert telemetry.take(reported(60 * S, b"nonce--C", FAULT, EPOCH + 2, stop_input=1), 5.0)
+    assert telemetry.switch_seen
+
+
 def test_it_remembers_many_nonces_and_not_endlessly_many():
     telemetry = ChairTelemetry()
     for i in range(2 * MOST_NONCES):
