@@ -3,7 +3,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from app.world.imports.boundary import SIDES, TOLERANCE, _loops, outlines
+from app.world.imports.boundary import TOLERANCE, corner_count, exact_outlines, outlines
+
+SIDES = ((0, -1), (1, 0), (0, 1), (-1, 0))  # columns and rows to the neighbours of a cell
 
 regions = arrays(np.bool_, st.tuples(st.integers(1, 12), st.integers(1, 12)))
 
@@ -18,16 +20,17 @@ def area(loops):
 
 @given(regions)
 def test_exact_outlines_enclose_exactly_the_region(region):
-    loops = _loops(region)
+    loops = exact_outlines(region)
     assert area(loops) == np.count_nonzero(region)
     sides = sum(
         1
         for row, column in np.argwhere(region)
-        for (across, up), _, _ in SIDES
+        for across, up in SIDES
         if not (0 <= row + up < region.shape[0] and 0 <= column + across < region.shape[1])
         or not region[row + up, column + across]
     )
     assert sum(abs(a[0] - b[0]) + abs(a[1] - b[1]) for a, b in edges(loops)) == sides
+    assert sum(map(len, loops)) == corner_count(region)
     for loop in loops:
         for a, b, c in zip(loop, loop[1:] + loop[:1], loop[2:] + loop[:2], strict=True):
             assert (a[0] == b[0]) != (b[0] == c[0])  # every corner turns
@@ -48,7 +51,7 @@ def test_no_wall_lies_in_the_region(region):
 @given(regions)
 def test_every_exact_corner_is_near_a_wall(region):
     walls = edges(outlines(region))
-    for loop in _loops(region):
+    for loop in exact_outlines(region):
         for corner in loop:
             away = [np.subtract(corner, a) for a, _ in walls]
             along = [np.subtract(b, a) for a, b in walls]
@@ -60,7 +63,7 @@ def test_every_exact_corner_is_near_a_wall(region):
 def test_a_slanted_wall_becomes_few_pieces():
     rows, columns = np.mgrid[0:100, 0:200]
     region = rows > 10 + 0.13 * columns
-    assert len(_loops(region)[0]) > 40
+    assert len(exact_outlines(region)[0]) > 40
     assert len(outlines(region)[0]) <= 24
 
 

@@ -8,72 +8,90 @@ Corner = tuple[int, int]  # column, row of a cell's corner
 TOLERANCE = 1.0  # cells by which the simplified outline may lie outside the exact one: the height of one step
 SMALL = 12  # cells of circumference, up to which an outline is not simplified
 
-# The four sides of a cell at (column, row): the neighbour, then start and end of the edge with the cell on its left.
-SIDES = (
-    ((0, -1), (0, 0), (1, 0)),
-    ((1, 0), (1, 0), (1, 1)),
-    ((0, 1), (1, 1), (0, 1)),
-    ((-1, 0), (0, 1), (0, 0)),
-)
 
-
-def outlines(region: NDArray[np.bool_]) -> list[list[Corner]]:
+def outlines(region: NDArray[np.bool_], tolerance: float = TOLERANCE) -> list[list[Corner]]:
     """Return the simplified closed outlines of `region` (rows, columns), each without repeating its first corner.
 
     The region is on the left of every outline. Cells that meet only at a corner are separated, because nothing can pass
-    there.
+    there. `tolerance` (cells) is how far a simplified outline may lie outside the exact one.
     """
-    return [_simplify(loop) for loop in _loops(region)]
+    return [_simplify(loop, tolerance) for loop in exact_outlines(region)]
 
 
-def _loops(region: NDArray[np.bool_]) -> list[list[Corner]]:
-    """Return the exact outlines, each straight run as one edge."""
-    following: dict[Corner, list[Corner]] = {}
-    padded = np.pad(region, 1)
-    for (across, up), (from_x, from_y), (to_x, to_y) in SIDES:
-        beyond = padded[1 + up : padded.shape[0] - 1 + up, 1 + across : padded.shape[1] - 1 + across]
-        rows, columns = np.nonzero(region & ~beyond)
-        for row, column in zip(rows.tolist(), columns.tolist(), strict=True):
-            following.setdefault((column + from_x, row + from_y), []).append((column + to_x, row + to_y))
-    loops = []
-    while following:
-        start = here = next(iter(following))
-        loop, direction = [], (0, 0)
-        while True:
-            there = _leave(following, here, direction)
-            new_direction = there[0] - here[0], there[1] - here[1]
-            if new_direction != direction:
-                loop.append(here)
-            here, direction = there, new_direction
-            if here == start and (here not in following or not _turns_left(following[here], here, direction)):
-                break
-        if _direction(loop[0], loop[1 % len(loop)]) == direction:
-            loop = loop[1:]  # the trace began in the middle of a straight run
+def corner_count(region: NDArray[np.bool_]) -> int:
+    """Return the number of corners of the exact outlines."""
+    return sum(len(rows) for rows, _, _ in _corners(region))
+
+
+def exact_outlines(region: NDArray[np.bool_]) -> list[list[Corner]]:
+    """Return the exact outlines of `region`, each straight run as one edge.
+
+    Every corner has one horizontal and one vertical edge. Along a line of the grid, corners are start and end of an
+    edge in turn: their order gives the edges.
+    """
+    found = _corners(region)
+    if not found:
+        return []
+    rows, columns, quadrants = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    # Two corners may share a place: the one whose edge comes from below or from the left is sorted before the other.
+    east, north = quadrants % 2, quadrants // 2
+    across = _partners(np.lexsort((east, columns, rows)))
+    upward = _partners(np.lexsort((north, rows, columns)))
+    places = list(zip(columns.tolist(), rows.tolist(), strict=True))
+    # The region lies on the left of an edge to the east when the cells above the edge belong to the region.
+    above = _is_region_above(region, rows, columns, east).tolist()
+    loops, unseen = [], [True] * len(places)
+    for first in range(len(places)):
+        # Begin with an edge that is followed along its direction, so that the region is on the left.
+        if not unseen[first] or (places[across[first]] > places[first]) != above[first]:
+            continue
+        loop, here = [], first
+        while unseen[here]:
+            there = across[here]
+            unseen[here] = unseen[there] = False
+            loop += [places[here], places[there]]
+            here = upward[there]
         loops.append(loop)
     return loops
 
 
-def _leave(following: dict[Corner, list[Corner]], here: Corner, direction: Corner) -> Corner:
-    """Remove an edge that starts at `here`, the left one of two, and return its end."""
-    edges = following[here]
-    left = here[0] - direction[1], here[1] + direction[0]
-    there = left if left in edges else edges[0]
-    edges.remove(there)
-    if not edges:
-        del following[here]
-    return there
+def _corners(region: NDArray[np.bool_]) -> list[tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]]:
+    """Return the corners of the outlines as rows, columns and quadrants, in groups of one quadrant.
+
+    A corner's quadrant says where its two edges lead: 0 west and south, 1 east and south, 2 west and north, 3 east and
+    north. Such a corner is convex when the cell in that quadrant is the only one of the two beside its edges' far sides
+    that belongs to the region, or concave when it is the only one that does not.
+    """
+    padded = np.pad(region, 1)
+    cells = padded[:-1, :-1], padded[:-1, 1:], padded[1:, :-1], padded[1:, 1:]  # south-west, -east, north-west, -east
+    found = []
+    for quadrant, cell in enumerate(cells):
+        beside, over = cells[quadrant ^ 1], cells[quadrant ^ 2]
+        opposite = cells[quadrant ^ 3]
+        convex = cell & ~beside & ~over
+        concave = ~cell & beside & over & opposite
+        rows, columns = np.nonzero(convex | concave)
+        found.append((rows, columns, np.full(len(rows), quadrant)))
+    return found
 
 
-def _turns_left(edges: list[Corner], here: Corner, direction: Corner) -> bool:
-    return (here[0] - direction[1], here[1] + direction[0]) in edges
+def _partners(order: NDArray[np.intp]) -> list[int]:
+    """Return for each corner the other end of its edge, given the order of the corners along the lines of the grid."""
+    partners = np.empty(len(order), dtype=np.intp)
+    partners[order[::2]], partners[order[1::2]] = order[1::2], order[::2]
+    return partners.tolist()
 
 
-def _direction(a: Corner, b: Corner) -> Corner:
-    return int(np.sign(b[0] - a[0])), int(np.sign(b[1] - a[1]))
+def _is_region_above(
+    region: NDArray[np.bool_], rows: NDArray[np.int64], columns: NDArray[np.int64], east: NDArray[np.int64]
+) -> NDArray[np.bool_]:
+    """Return whether the cell above each corner's horizontal edge, next to the corner, belongs to the region."""
+    padded = np.pad(region, 1)
+    return np.asarray(padded[rows + 1, columns + east])
 
 
-def _simplify(loop: list[Corner]) -> list[Corner]:
-    """Return `loop` without the corners that can be left out within TOLERANCE, without cutting into the region."""
+def _simplify(loop: list[Corner], tolerance: float) -> list[Corner]:
+    """Return `loop` without the corners that can be left out within the tolerance, without cutting into the region."""
     circumference = sum(abs(a[0] - b[0]) + abs(a[1] - b[1]) for a, b in zip(loop, loop[1:] + loop[:1], strict=True))
     if circumference <= SMALL:
         return loop
@@ -85,7 +103,7 @@ def _simplify(loop: list[Corner]) -> list[Corner]:
         reach += 1
         misses = 0
         for there in range(here + 2, last + 1):
-            if _can_skip(corners, here, there):
+            if _can_skip(corners, here, there, tolerance):
                 reach, misses = there, 0
             else:
                 misses += 1
@@ -96,8 +114,8 @@ def _simplify(loop: list[Corner]) -> list[Corner]:
     return simplified if len(simplified) >= 3 else loop
 
 
-def _can_skip(corners: NDArray[np.float64], here: int, there: int) -> bool:
-    """Return whether the corners between two others are within TOLERANCE of their chord, on its left or on it."""
+def _can_skip(corners: NDArray[np.float64], here: int, there: int, tolerance: float) -> bool:
+    """Return whether the corners between two others are within the tolerance of their chord, on its left or on it."""
     chord = corners[there] - corners[here]
     length = float(np.hypot(*chord))
     if length == 0.0:
@@ -105,5 +123,5 @@ def _can_skip(corners: NDArray[np.float64], here: int, there: int) -> bool:
     away = corners[here + 1 : there] - corners[here]
     left = (chord[0] * away[:, 1] - chord[1] * away[:, 0]) / length
     along = away @ chord / length
-    beside = left.min() >= -1e-9 and left.max() <= TOLERANCE + 1e-9
-    return bool(beside and along.min() >= -TOLERANCE and along.max() <= length + TOLERANCE)
+    beside = left.min() >= -1e-9 and left.max() <= tolerance + 1e-9
+    return bool(beside and along.min() >= -tolerance and along.max() <= length + tolerance)
