@@ -37,6 +37,9 @@ def import_file(
     metres_per_pixel: Annotated[float | None, typer.Option(help="A picture's scale.")] = None,
     width: Annotated[float | None, typer.Option(help="Or how wide the whole picture is, m.")] = None,
     threshold: Annotated[float, typer.Option(help="A pixel lighter than this share of white is free.")] = THRESHOLD,
+    outside: Annotated[
+        bool, typer.Option("--outside", help="A map or a picture: use what can be reached from its edge, too.")
+    ] = False,
     as_json: AsJson = False,
 ) -> None:
     """Make a floor plan from a ROS map, a DXF drawing or a picture: walls, and a path to drive."""
@@ -55,6 +58,7 @@ def import_file(
         "metres_per_pixel": metres_per_pixel,
         "width": width,
         "threshold": threshold,
+        "outside": outside,
         "title": title,
         "name": name,
     }

@@ -108,7 +108,7 @@ async def import_files(
 ) -> DraftView:
     """Propose a floor plan made of a DXF drawing, a picture, or a ROS map (its YAML file and its picture).
 
-    `options` is a JSON object: unit, layers, metres_per_pixel, width, threshold, title, name.
+    `options` is a JSON object: unit, layers, metres_per_pixel, width, threshold, outside, title, name.
     """
     return DraftView(**await draft_of_uploads(files, options, parts.readings))
 

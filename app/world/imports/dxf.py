@@ -8,9 +8,10 @@ from typing import Any, Final
 import numpy as np
 
 from app.world.floorplan import MAX_WALLS
+from app.world.imports.building import inside_of_building
 from app.world.imports.draft import Draft, path_document, plain_name
 from app.world.imports.dxf_lines import Drawing, read_dxf
-from app.world.imports.raster import enclosed_cells, free_cells
+from app.world.imports.raster import free_cells
 from app.world.imports.route import propose_route
 from app.world.imports.wall_pieces import DECIMALS as MILLIMETRES
 from app.world.imports.wall_pieces import Point, chain_pieces, join_pieces
@@ -120,7 +121,8 @@ def _propose_path(walls: list[list[Point]], size: tuple[float, float]) -> list[d
     """Return a list of one path through the largest part of the building; an empty list when a chair fits nowhere."""
     resolution = max(FINEST, float(np.sqrt(size[0] * size[1] / MOST_CELLS)), max(size) / MOST_CELLS)
     free = free_cells(walls, WALL_THICKNESS, size, resolution)
-    route = propose_route(enclosed_cells(free), resolution)
+    inside = inside_of_building(free, resolution)
+    route = None if inside is None else propose_route(inside.free, resolution)
     if route is None:
         return []
     points = (route.cells * resolution).round(DECIMALS).tolist()

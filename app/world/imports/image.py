@@ -7,10 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageOps, UnidentifiedImageError
 
+from app.world.imports.distances import joined
 from app.world.imports.draft import Draft
 from app.world.imports.map_draft import draft_of_map
 from app.world.imports.options import THRESHOLD
-from app.world.imports.raster import enclosed_cells
 from app.world.imports.ros_map import OccupancyMap
 
 FORMATS: Final = ("PNG", "JPEG", "PPM")
@@ -31,11 +31,13 @@ def import_image(
     threshold: float = THRESHOLD,
     title: str | None = None,
     name: str | None = None,
+    *,
+    outside: bool = False,
 ) -> Draft:
     """Return a floor plan made of a PNG or JPEG picture, with its lower left corner at the origin.
 
     Either `metres_per_pixel` or `width` (m, of the picture) is given; `threshold` is the share of white from which on a
-    pixel is free.
+    pixel is free. `outside`: what can be reached from the picture's edge is used as well.
 
     Raises
     ------
@@ -55,11 +57,12 @@ def import_image(
             f"{file}: with this scale the picture is {columns * scale:.2f} x {rows * scale:.2f} m large, correct it"
         )
     side = _pixels_per_cell(file, rows, columns, scale)
-    free = enclosed_cells(np.flipud(_to_cells(grey >= threshold * 255.0, side)))
+    # From the lower left corner, which is the origin, and not from the first row, which is the uppermost one.
+    free = joined(np.flipud(grey >= threshold * 255.0), side, beyond=True)
     if not free.any():
         raise ValueError(f"{file}: nothing in this picture is as light as the threshold, lower it")
-    occupancy = OccupancyMap(np.ascontiguousarray(free), scale * side, (0.0, 0.0, 0.0))
-    return draft_of_map(occupancy, file, title, name, what="picture")
+    occupancy = OccupancyMap(np.ascontiguousarray(free), scale * side)
+    return draft_of_map(occupancy, file, title, name, what="picture", outside=outside)
 
 
 def _pixels_per_cell(file: Path, rows: int, columns: int, scale: float) -> int:
@@ -70,14 +73,6 @@ def _pixels_per_cell(file: Path, rows: int, columns: int, scale: float) -> int:
             f"{file}: one cell would be {scale * side:.2f} m, and doorways would be lost, show a smaller part"
         )
     return side
-
-
-def _to_cells(free: NDArray[np.bool_], side: int) -> NDArray[np.bool_]:
-    """Return cells of `side` x `side` pixels, free when all their pixels are; pixels beyond the edge are free."""
-    rows, columns = free.shape
-    padded = np.pad(free, ((0, -rows % side), (0, -columns % side)), constant_values=True)
-    blocks = padded.reshape(padded.shape[0] // side, side, padded.shape[1] // side, side)
-    return np.asarray(blocks.all(axis=(1, 3)))
 
 
 def _read(file: Path) -> NDArray[np.uint8]:

@@ -1,50 +1,155 @@
 """Imports an occupancy map as a floor plan: walls around the free space, and a proposed path."""
 
 from pathlib import Path
+from typing import Final, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.world.floorplan import MAX_WALLS
-from app.world.imports.boundary import outlines
+from app.world.imports.boundary import TOLERANCE, Corner, corner_count, outlines
+from app.world.imports.building import Inside, inside_of_building
+from app.world.imports.distances import grown, joined, wall_distances
 from app.world.imports.draft import Draft, path_document, plain_name
 from app.world.imports.ros_map import OccupancyMap
-from app.world.imports.route import propose_route
+from app.world.imports.route import Route, propose_route
 
-WALL_THICKNESS = 0.02  # m; small, because the outline is the surface of the walls
-DECIMALS = 4  # of a metre in the plan
+WALL_THICKNESS: Final = 0.02  # m; small, because the outline is the surface of the walls
+DECIMALS: Final = 4  # of a metre in the plan
+FINE: Final = 0.04  # m that a simplified wall may lie behind the surface; one cell where cells are larger
+NARROW: Final = (0.0, 0.1, 0.2)  # m; spaces that a chair of 0.64 m cannot enter: closing them takes no place from it
+COARSEST: Final = 0.2  # m per cell; in coarser cells doorways close
+MOST_CORNERS: Final = 20 * MAX_WALLS  # of exact outlines, to be simplified: more do not become few enough
+TOO_MANY: Final = 4 * MAX_WALLS  # pieces, without narrow spaces: coarser cells do not make them few enough
+SEEN: Final = 0.99  # share of the cells from which on a map is a drawing, whose outside is as white as its rooms
+OPEN_EDGE: Final = 0.5  # share of a map's edge that is free, from which on its outside is free
+
+
+class _Walls(NamedTuple):
+    """The outlines of a plan's region, and what was done to have few enough of them."""
+
+    route: Route
+    loops: list[list[Corner]]
+    side: int  # cells of the map along one side of a cell of the region
+    narrow: float  # m, width up to which narrow spaces were closed
 
 
 def draft_of_map(
-    occupancy: OccupancyMap, file: Path, title: str | None = None, name: str | None = None, what: str = "map"
+    occupancy: OccupancyMap,
+    file: Path,
+    title: str | None = None,
+    name: str | None = None,
+    what: str = "map",
+    *,
+    outside: bool = False,
 ) -> Draft:
     """Return a floor plan made of an occupancy map.
 
-    Only the free space connected with the proposed path is kept; unknown cells count as walls. The walls lie in
-    occupied or unknown cells, at most one cell behind the surface, never in free cells. `what` names the map's origin
-    in sentences.
+    Only the free space connected with the proposed path is kept, and only the inside of a building unless `outside`;
+    unknown cells count as walls. The walls lie in occupied or unknown cells, at most one cell behind the surface, never
+    in free cells. A map with too many wall pieces is made simpler and then coarser. `what` names the map's origin in
+    sentences.
 
     Raises
     ------
     ValueError
         One sentence that names the file and what to do.
     """
-    route = propose_route(occupancy.free, occupancy.resolution)
-    if route is None:
-        hint = "resolution" if what == "map" else "scale"
-        raise ValueError(f"{file}: a chair fits nowhere in this {what}, check its {hint} and thresholds")
-    walls = []
-    for loop in outlines(route.region):
-        places = occupancy.place(np.array([*loop, loop[0]], dtype=np.float64)).round(DECIMALS).tolist()
-        walls.append(places)
-    edges = sum(len(wall) - 1 for wall in walls)
-    if edges > MAX_WALLS:
-        raise ValueError(f"{file}: this {what} has {edges:,} wall pieces, clean it until it has at most {MAX_WALLS:,}")
-    points = occupancy.place(route.cells).round(DECIMALS).tolist()
+    inside = Inside(occupancy.free, 0.0)
+    if not outside and _has_open_edge(occupancy):
+        found = inside_of_building(occupancy.free, occupancy.resolution)
+        if found is None:
+            raise ValueError(
+                f"{file}: all that is free in this {what} is connected to its edge, so that it shows no building, "
+                "choose to use the outside as well (--outside)"
+            )
+        inside = found
+    walls = _walls(inside.free, occupancy.resolution, file, what)
+    cell = OccupancyMap(walls.route.region, occupancy.resolution * walls.side, occupancy.origin)
+    placed = [cell.place(np.array([*loop, loop[0]], dtype=np.float64)).round(DECIMALS).tolist() for loop in walls.loops]
     document = {
         "name": name or plain_name(file.stem),
         "title": title or file.stem[:80],
-        "walls": walls,
+        "walls": placed,
         "wall_thickness": WALL_THICKNESS,
-        "paths": [path_document(points)],
+        "paths": [path_document(cell.place(walls.route.cells).round(DECIMALS).tolist())],
     }
-    return Draft(document, (f"{edges} wall pieces.", "The path is a proposal: change it as you like."))
+    words = [*_size_sentences(occupancy, walls, what), *_change_sentences(occupancy, inside, walls)]
+    return Draft(document, (*words, "The path is a proposal: change it as you like."))
+
+
+def _has_open_edge(occupancy: OccupancyMap) -> bool:
+    """Return whether free cells at the edge are outside of a building.
+
+    A scan ends where its robot saw nothing more, and its rooms may lie at its edge.
+    """
+    free = occupancy.free
+    edge = np.concatenate([free[0], free[-1], free[1:-1, 0], free[1:-1, -1]])
+    is_drawing = occupancy.unknown <= (1.0 - SEEN) * free.size
+    return bool(edge.any() if is_drawing else edge.mean() > OPEN_EDGE)
+
+
+def _walls(free: NDArray[np.bool_], resolution: float, file: Path, what: str) -> _Walls:
+    """Return outlines of at most MAX_WALLS pieces: of the cells as they are, without narrow spaces, or coarser."""
+    side, pieces = 1, 0
+    while side == 1 or resolution * side <= COARSEST:
+        size = resolution * side
+        route = propose_route(joined(free, side, beyond=False), size)
+        if route is None:
+            break
+        for narrow in NARROW if side == 1 else NARROW[-1:]:
+            region = _without_narrow_spaces(route.region, narrow / size)
+            pieces = corner_count(region)
+            if pieces <= MOST_CORNERS:
+                loops = outlines(region, max(TOLERANCE, FINE / size))
+                pieces = sum(map(len, loops))
+            if pieces <= MAX_WALLS:
+                return _Walls(Route(route.cells, region), loops, side, narrow)
+            if narrow > 0 and pieces > TOO_MANY:
+                break
+        if pieces > TOO_MANY:
+            break
+        side *= 2
+    if pieces:
+        raise ValueError(f"{file}: this {what} has {pieces:,} wall pieces, clean it until it has at most {MAX_WALLS:,}")
+    hint = "resolution" if what == "map" else "scale"
+    raise ValueError(f"{file}: a chair fits nowhere in this {what}, check its {hint} and thresholds")
+
+
+def _without_narrow_spaces(free: NDArray[np.bool_], width: float) -> NDArray[np.bool_]:
+    """Return the free cells that a disc of a diameter (cells) covers where it fits."""
+    if width == 0:
+        return free
+    return free & grown(wall_distances(free, width / 2 + 2.0) > width / 2, width / 2)
+
+
+def _size_sentences(occupancy: OccupancyMap, walls: _Walls, what: str) -> list[str]:
+    rows, columns = occupancy.free.shape
+    area, cell = occupancy.resolution**2, occupancy.resolution * walls.side
+    taken_rows, taken_columns = (np.flatnonzero(walls.route.region.any(axis=axis)) for axis in (1, 0))
+    width, height = (float(taken[-1] - taken[0] + 1) * cell for taken in (taken_columns, taken_rows))
+    free = np.count_nonzero(walls.route.region) * cell**2
+    words = [
+        f"{sum(map(len, walls.loops)):,} wall pieces.",
+        f"The plan is {width:.1f} x {height:.1f} m large, with {free:.1f} m² free; the whole {what} is "
+        f"{columns * occupancy.resolution:.1f} x {rows * occupancy.resolution:.1f} m.",
+    ]
+    if what == "map":
+        words.append(f"{occupancy.unknown * area:.1f} m² of the map are unknown and count as wall.")
+    return words
+
+
+def _change_sentences(occupancy: OccupancyMap, inside: Inside, walls: _Walls) -> list[str]:
+    words = []
+    if inside.opening > 0:
+        words.append(
+            f"The building is open to the outside: its openings of up to {inside.opening:.1f} m are closed in the plan."
+        )
+    if walls.narrow > 0:
+        words.append(f"There were too many wall pieces: spaces narrower than {walls.narrow} m are closed.")
+    if walls.side > 1:
+        words.append(
+            f"{walls.side} x {walls.side} cells are joined to cells of {occupancy.resolution * walls.side:.2f} m; "
+            "walls may be thicker by that."
+        )
+    return words

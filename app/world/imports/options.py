@@ -23,5 +23,6 @@ class Options(Document):
     metres_per_pixel: Scale | None = None
     width: Scale | None = None  # m, of the whole picture
     threshold: Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, lt=1)] = THRESHOLD
+    outside: bool = False  # of a map or a picture: use what can be reached from its edge as well
     title: Title | None = None
     name: Name | None = None

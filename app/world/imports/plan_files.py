@@ -28,10 +28,17 @@ def import_plan(file: Path, options: Options, image: Path | None = None) -> Draf
         return import_dxf(file, options.unit, options.layers, options.title, options.name)
     if suffix in IMAGES:
         return import_image(
-            file, options.metres_per_pixel, options.width, options.threshold, options.title, options.name
+            file,
+            options.metres_per_pixel,
+            options.width,
+            options.threshold,
+            options.title,
+            options.name,
+            outside=options.outside,
         )
     if suffix in MAPS:
-        return draft_of_map(read_occupancy_map(file, image), file, options.title, options.name)
+        occupancy = read_occupancy_map(file, image)
+        return draft_of_map(occupancy, file, options.title, options.name, outside=options.outside)
     raise ValueError(f"{file}: this is no {', '.join(SUFFIXES)} file, name another")
 
 

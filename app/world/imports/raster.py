@@ -1,10 +1,10 @@
-"""Rasterises walls into cells, and finds the free cells inside a building."""
+"""Rasterises walls into cells."""
 
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import distance_transform_edt, label
+from scipy.ndimage import distance_transform_edt
 
 from app.world.imports.wall_pieces import Point
 
@@ -27,14 +27,3 @@ def free_cells(
     if not marked.any():
         return ~marked
     return np.asarray(distance_transform_edt(~marked) * resolution > thickness / 2)
-
-
-def enclosed_cells(free: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return the free cells that are not connected to the edge; all free cells when there are no such cells.
-
-    In drawings and pictures, the outside of a building is as free as its rooms.
-    """
-    parts, _ = label(free)
-    edge = np.unique(np.concatenate([parts[0], parts[-1], parts[:, 0], parts[:, -1]]))
-    enclosed = free & ~np.isin(parts, edge)
-    return np.asarray(enclosed) if enclosed.any() else free
