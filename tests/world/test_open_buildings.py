@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from app.world.imports.building import inside_of_building
 from app.world.imports.draft import plan_of
+from app.world.imports.inside import inside_of_building
 from app.world.imports.options import Options
 from app.world.imports.plan_files import import_plan
 

@@ -8,9 +8,9 @@ from typing import Any, Final
 import numpy as np
 
 from app.world.floorplan import MAX_WALLS
-from app.world.imports.building import inside_of_building
 from app.world.imports.draft import Draft, path_document, plain_name
 from app.world.imports.dxf_lines import Drawing, read_dxf
+from app.world.imports.inside import inside_of_building
 from app.world.imports.raster import free_cells
 from app.world.imports.route import propose_route
 from app.world.imports.wall_pieces import DECIMALS as MILLIMETRES

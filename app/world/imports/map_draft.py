@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from app.world.floorplan import MAX_WALLS
 from app.world.imports.boundary import TOLERANCE, Corner, corner_count, outlines
-from app.world.imports.building import Inside, inside_of_building
 from app.world.imports.distances import grown, joined, wall_distances
 from app.world.imports.draft import Draft, path_document, plain_name
+from app.world.imports.inside import Inside, inside_of_building
 from app.world.imports.ros_map import OccupancyMap
 from app.world.imports.route import Route, propose_route
 
