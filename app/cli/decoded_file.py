@@ -24,13 +24,13 @@ from app.source import UNKNOWN_SOURCE, Source, source_of_header, source_words
 def decode_file(signals: Path, parameters: DriveParameters) -> tuple[Signals, DecodedRun]:
     """Return the signals and the decoded run; a recording is decoded at the times of its ticks."""
     recorded = read_signals(signals, parameters.profile.layout)
+    warn(recorded.damage)
     if signals.is_dir():
         run = read_run(signals)
         try:
             decoded = decode_run(run, parameters)
         except ValueError as error:
             raise InputError(f"{signals}: {error}") from error
-        warn(recorded.damage)
         recorded.t = run.frames()["t"]
         return recorded, decoded
     values = recorded.values.astype(np.float32, copy=False)

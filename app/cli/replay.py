@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.errors import InputError
+from app.cli.output import warn
 from app.clock import Clock, MonotonicClock
 from app.hardware.shirt.sender import STANDARD_ADDRESS
 
@@ -37,6 +38,7 @@ def replay(
         file = read_frames(recording)
     except HardwareError as error:
         raise InputError(str(error)) from error
+    warn(file.note)
     if not as_json:
         typer.echo(
             f"Sending {file.name} to {to}: {len(file.layout.channels)} channels at "

@@ -12,15 +12,13 @@ from pydantic import ValidationError
 from app.layout import MAX_CHANNELS, ShirtLayout
 from app.recording.reader import Run, read_run
 from app.sentences import one_sentence
-from app.signals.columns import Table, read_columns_and_dialect, require_column, row_words
+from app.signals.columns import Table, read_columns_and_dialect, require_column
 from app.signals.csv_dialect import Dialect
+from app.signals.sampling_times import FASTEST, SLOWEST, refuse_falling_times, sampling_times, strictly_rising
 
 SHORTEST = 10  # samples
-SLOWEST, FASTEST = 10.0, 5000.0  # Hz; a slower sample rate does not suffice for a low-pass of 3 Hz
-GAP = 1.5  # of the median step: longer steps are gaps
 ROWS_AT_ONCE = 4096
 LARGEST = 1e10  # no sensor gives more; sums of such values do not overflow float32, nor the limits of a profile
-EVEN_WITHIN = 1.0  # of the time column's resolution: largest difference between written times and an even grid
 
 
 @dataclass(slots=True)
@@ -32,7 +30,7 @@ class Signals:
     channel_names: list[str]
     sample_rate: float  # Hz
     t_device: NDArray[np.float64] | None = None  # (n,) s on the shirt's own clock, where a recording has it
-    damage: str = ""  # one sentence on what is damaged in the recording
+    damage: str = ""  # sentences on what is damaged or missing in the recording, or was mended
     dialect: Dialect | None = None  # of a CSV file
 
     def between(self, start: float | None, end: float | None) -> slice:
@@ -67,9 +65,8 @@ def read_signals(path: str | Path, layout: ShirtLayout | None = None) -> Signals
         raise ValueError(_missing(path, missing, layout))
     if len(t) < SHORTEST:
         raise ValueError(f"{path}: {len(t)} samples are too few for a signal, record at least a few seconds")
-    signals = make_signals(t, _stack_columns(table, names), names, path)
-    signals.dialect = dialect
-    return signals
+    even, sample_rate, note = sampling_times(t, path)
+    return Signals(even, _stack_columns(table, names), names, sample_rate, damage=note, dialect=dialect)
 
 
 def signals_of_run(run: Run, path: Path, layout: ShirtLayout | None = None) -> Signals:
@@ -92,50 +89,15 @@ def signals_of_run(run: Run, path: Path, layout: ShirtLayout | None = None) -> S
         )
     chosen = values[:, [names.index(name) for name in wanted]]
     chosen[np.abs(chosen) > LARGEST] = np.nan
-    signals = make_signals(frames["run_t"], chosen, wanted, path)
-    signals.t_device = frames["t_device"] if np.isfinite(frames["t_device"]).all() else None
-    signals.damage = run.damage
-    stated = run.meta.get("sample_rate")
-    if isinstance(stated, int | float) and SLOWEST <= stated <= FASTEST:
-        signals.sample_rate = float(stated)
-    return signals
-
-
-def make_signals(
-    t: NDArray[np.float64],
-    values: NDArray[np.float64] | NDArray[np.float32],
-    channel_names: list[str],
-    path: Path,
-) -> Signals:
-    """Return signals with strictly rising times; raise ValueError with one sentence when `t` falls or is not in s."""
-    steps = np.diff(t)
-    if len(falls := np.flatnonzero(steps < 0)):
-        row = int(falls[0]) + 1
-        raise ValueError(
-            f"{row_words(path, row)}: time runs backwards there "
-            f"(t = {t[row]:g} after {t[row - 1]:g}), sort the rows or remove the part that was recorded twice"
-        )
-    if t[-1] <= t[0]:
-        raise ValueError(f"{path}: t is {t[0]:g} in every row, give the time of each sample in seconds")
-    if not steps.all():
-        t = _spread_equal_times(t, steps)
-    rate = sample_rate_of(t)
-    if not SLOWEST <= rate <= FASTEST:
-        raise ValueError(
-            f"{path}: t rises by {1 / rate:g} from row to row, but it must be in seconds and the sample rate between "
-            f"{SLOWEST:g} and {FASTEST:g} Hz, correct the column t"
-        )
-    return Signals(t, values, channel_names, sample_rate=rate)
-
-
-def sample_rate_of(t: NDArray[np.float64]) -> float:
-    """Return the sample rate (Hz) of times `t` (n,), from the mean of the steps that are not gaps.
-
-    The median of the steps is wrong for rounded times (0.003, 0.004, 0.003 ...).
-    """
-    steps = np.diff(t)
-    whole = steps[steps <= GAP * np.median(steps)]
-    return round(1.0 / float(whole.mean()), 6)
+    t, note, stated = frames["run_t"], run.damage, run.meta.get("sample_rate")
+    if isinstance(stated, int | float) and SLOWEST <= stated <= FASTEST:  # the times are those of arrival
+        refuse_falling_times(t, path)
+        t, sample_rate = strictly_rising(t), float(stated)
+    else:
+        t, sample_rate, uneven = sampling_times(t, path)
+        note = f"{note} {uneven}".strip()
+    t_device = frames["t_device"] if np.isfinite(frames["t_device"]).all() else None
+    return Signals(t, chosen, wanted, sample_rate, t_device, note)
 
 
 def read_layout(path: str | Path) -> ShirtLayout:
@@ -172,21 +134,3 @@ def _stack_columns(table: Table, names: list[str]) -> NDArray[np.float64] | NDAr
         block = values[rows]
         block[np.abs(block) > LARGEST] = np.nan
     return values
-
-
-def _spread_equal_times(t: NDArray[np.float64], steps: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return strictly rising times for a `t` (n,) written with so few digits that neighbours have equal times.
-
-    The times are an even grid if that agrees with every written time within its resolution. Otherwise the samples with
-    equal times are spread evenly up to the next written time.
-    """
-    count = len(t)
-    step = float(np.median(steps)) or float(t[-1] - t[0]) / (count - 1)
-    rate = round(1.0 / step, 6)  # removes rounding errors: a step of 0.01000000000000023 means 0.01
-    grid: NDArray[np.float64] = t[0] + np.arange(count) / rate
-    if np.abs(grid - t).max() <= EVEN_WITHIN * steps.max():
-        return grid
-    firsts = np.flatnonzero(np.concatenate(([True], steps > 0)))
-    end = t[-1] + step * (count - firsts[-1])
-    spread: NDArray[np.float64] = np.interp(np.arange(count), np.append(firsts, count), np.append(t[firsts], end))
-    return spread

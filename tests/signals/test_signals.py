@@ -2,12 +2,10 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from app.layout import Channel, Joint, ShirtLayout
 from app.recording.reader import Run
-from app.signals.signals import make_signals, read_layout, read_signals, signals_of_run
+from app.signals.signals import read_layout, read_signals, signals_of_run
 
 ROWS = "".join(f"{i * 0.01:.2f},{i},{-i}\n" for i in range(20))
 LAYOUT = ShirtLayout(
@@ -155,29 +153,6 @@ def test_text_in_parquet_is_named(tmp_path):
     pq.write_table(pa.table({"t": np.arange(20) / 50, "a": ["x"] * 20}), file)
     with pytest.raises(ValueError, match="column 'a' holds string and not numbers"):
         read_signals(file)
-
-
-@given(
-    sample_rate=st.sampled_from([50.0, 100.0, 300.0, 1000.0]),
-    digits=st.integers(1, 4),
-    count=st.integers(50, 400),
-    start=st.floats(0, 1000),
-)
-def test_times_written_with_too_few_digits_are_made_even_again(tmp_path_factory, sample_rate, digits, count, start):
-    truth = start + np.arange(count) / sample_rate
-    written = truth.round(digits)
-    if written[-1] <= written[0]:
-        return
-    signals = make_signals(written, np.zeros((count, 1)), ["a"], tmp_path_factory.getbasetemp())
-    assert (np.diff(signals.t) > 0).all()
-    assert np.abs(signals.t - truth).max() <= 3 * 10.0**-digits
-
-
-def test_gaps_between_exact_times_stay_gaps(tmp_path):
-    t = np.concatenate([np.arange(50), np.arange(70, 120)]) / 100
-    signals = make_signals(t, np.zeros((100, 1)), ["a"], tmp_path)
-    assert signals.t.tolist() == t.tolist()
-    assert signals.sample_rate == 100.0
 
 
 def test_a_stretch_is_found_by_its_times(write):

@@ -32,6 +32,7 @@ class FrameFile:
     t: NDArray[np.float64]  # (n,) s, strictly rising from 0
     seq: NDArray[np.int64]  # (n,) strictly rising from 0; a gap is a loss during the recording
     values: NDArray[np.float32]  # (n, n_channels)
+    note: str = ""  # what was mended or is missing in the times of the file
 
 
 def read_frames(path: str | Path) -> FrameFile:
@@ -127,7 +128,7 @@ def _read_file(path: Path) -> FrameFile:
             raise ValueError(one_sentence(error, f"{path}: its columns make no layout")) from error
     t = signals.t - signals.t[0]
     seq = _rising(np.rint(t * signals.sample_rate).astype(np.int64))
-    return FrameFile(path.name, layout, signals.sample_rate, t, seq, signals.values.astype(np.float32))
+    return FrameFile(path.name, layout, signals.sample_rate, t, seq, signals.values.astype(np.float32), signals.damage)
 
 
 def _layouts_beside(path: Path) -> tuple[Path, Path]:

@@ -78,7 +78,8 @@ class ReplayedShirt:
             return f"The replay of {self._file.name} has ended: start it again, or let it loop."
         channels, length = len(self._file.layout.channels), float(self._file.t[-1])
         where = f"{self._t % length if length else 0.0:.0f} s of {length:.0f} s"
-        return f"Replay of {self._file.name}, {channels} sensors at {self._file.sample_rate:g} Hz, {where}."
+        source = f"Replay of {self._file.name}, {channels} sensors at {self._file.sample_rate:g} Hz"
+        return f"{source}, {where}. {self._file.note}".rstrip()
 
     def close(self) -> None:
         """End the replay."""

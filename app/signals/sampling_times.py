@@ -1,0 +1,267 @@
+"""The sampling times of a file: its sample rate, and times that were stamped in bursts or coarsely made even.
+
+A device stamps a sample when it is taken. Other programs stamp it when a radio delivers several at once, or in whole
+seconds. Then neither the median nor the mean of the steps is the sample period: the median is the step within a burst,
+and the mean includes pauses. The period is what several samples together take, from the first row of one group of
+samples to the first row of the next.
+"""
+
+from pathlib import Path
+from typing import Final, NamedTuple, NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.signals.columns import row_words
+
+SLOWEST: Final = 10.0  # Hz; a slower sample rate does not suffice for a low-pass of 3 Hz
+FASTEST: Final = 5000.0  # Hz
+GAP: Final = 1.5  # periods: a longer step is a gap
+NEW_GROUP: Final = 3.0  # of the first quartile of the steps: a longer one begins another group of samples
+FEWEST_GROUPS: Final = 4  # of which the first and the last may be cut
+OFTEN: Final = 0.8  # share of groups that have equally many samples
+FEW: Final = 0.1  # share of steps that may differ from whole periods, or be gaps, without a look at the whole file
+FEW_EQUAL: Final = 3  # equal times that are mended where they stand: rows that were written twice
+UNEVEN: Final = 1 / 3  # of a period: what a step may differ from whole periods
+MOST_GAPS: Final = 0.25  # share of steps that are gaps; beyond it, nobody knows the rate
+RATE_CHANGE: Final = 20  # gaps in succession: no loss does this, another sample rate does
+LONGEST_HOLE: Final = 3600.0  # s
+NOTED_HOLE: Final = 1.0  # s
+NOTED_GAPS: Final = 0.01  # share of steps
+LARGEST_TIME: Final = 1e20  # larger than the nanoseconds since 1970
+SHORTEST_SPAN: Final = 1e-12  # of the whole column: less than ten samples in days, and divisible by
+ROUNDING: Final = 1e-5  # of a period: what sums of rounded steps may differ
+UNITS: Final = (
+    ("milliseconds", 1e-3),
+    ("microseconds", 1e-6),
+    ("nanoseconds", 1e-9),
+    ("minutes", 60.0),
+    ("hours", 3600.0),
+    ("days", 86400.0),
+)  # and how many seconds each is
+FAST: Final = 600.0  # Hz, and a rate of 10 Hz in minutes
+SHORT, BRIEF = 1.0, 20.0  # s: shorter recordings at such a rate are taken for minutes; at 60 times a usual rate, too
+USUAL_RATES: Final = (10.0, 12.5, 15.0, 16.0, 20.0, 24.0, 25.0, 30.0, 32.0, 40.0, 50.0, 60.0, 64.0, 75.0, 80.0)  # Hz
+
+
+class SamplingTimes(NamedTuple):
+    """Times of samples, strictly rising."""
+
+    t: NDArray[np.float64]  # (n,) s
+    sample_rate: float  # Hz
+    note: str  # sentences on what was changed, or is missing; empty when nothing is
+
+
+def sampling_times(written: NDArray[np.float64], path: Path) -> SamplingTimes:
+    """Return the times and the sample rate of the column `t`.
+
+    Parameters
+    ----------
+    written : ndarray, shape (n,)
+        The column as the file has it: finite numbers, n >= 2.
+    path : Path
+        The file, for the sentence of a refusal.
+
+    Raises
+    ------
+    ValueError
+        One sentence for times that run backwards, are in another unit than seconds, jump, or have no even rate.
+    """
+    t, period, note = _even_times(written, path)
+    _refuse_units(t, period, path)
+    if not note:
+        t, period, note = _without_clock_steps(t, period, path)
+    return SamplingTimes(t, round(1.0 / period, 6), " ".join(filter(None, (note, _gap_note(t, period, path)))))
+
+
+def _even_times(written: NDArray[np.float64], path: Path) -> tuple[NDArray[np.float64], float, str]:
+    """Return strictly rising times, the period, and what was done about samples that share a time or come in bursts."""
+    if np.abs(written).max() > LARGEST_TIME:
+        raise ValueError(f"{path}: t goes from {written[0]:g} to {written[-1]:g}, give the time in seconds")
+    refuse_falling_times(written, path)
+    steps = np.diff(written)
+    if written[-1] - written[0] < SHORTEST_SPAN:
+        raise ValueError(f"{path}: t is {written[0]:g} in every row, give the time of each sample in seconds")
+    shared = int((steps == 0.0).sum())
+    if shared == 0:
+        starts = _bursts(steps)
+        if starts is None:
+            return written, _period(steps), ""
+        problem = "The samples come in bursts, stamped when they arrived"
+    else:
+        starts = np.flatnonzero(np.concatenate(([True], steps > 0)))
+        problem = f"{shared:,} of {len(written):,} samples have the time of the sample before"
+    even = None if 0 < shared <= FEW_EQUAL else _evenly_spread(written, starts)
+    if even is None and 0 < shared <= max(FEW_EQUAL, FEW * len(steps)):
+        even = strictly_rising(written), _period(steps[steps > 0])
+    if even is None:
+        raise ValueError(
+            f"{path}: {problem[0].lower()}{problem[1:]}, and their number differs from time to time, so that the "
+            f"sample rate is unknown: export the device's own time of each sample, in seconds"
+        )
+    t, period = even
+    return t, period, f"{problem}: they were spread evenly, at {1.0 / period:.6g} Hz."
+
+
+def refuse_falling_times(t: NDArray[np.float64], path: Path) -> None:
+    """Raise ValueError with the first row at which `t` (n,) is smaller than before."""
+    falls = np.flatnonzero(np.diff(t) < 0)
+    if len(falls):
+        row = int(falls[0]) + 1
+        raise ValueError(
+            f"{row_words(path, row)}: time runs backwards there "
+            f"(t = {t[row]:g} after {t[row - 1]:g}), sort the rows or remove the part that was recorded twice"
+        )
+
+
+def _bursts(steps: NDArray[np.float64]) -> NDArray[np.intp] | None:
+    """Return the first row of each burst; None when samples come one by one.
+
+    In bursts most of the time passes between one burst and the next. Between two losses it passes sample by sample.
+    """
+    starts = np.concatenate(([0], np.flatnonzero(steps > NEW_GROUP * np.quantile(steps, 0.25)) + 1))
+    if len(starts) < FEWEST_GROUPS:
+        return None
+    between = steps[starts[1:] - 1]
+    whole = np.add.reduceat(steps, starts[:-1])[1:]  # from a burst's first row to the next one's
+    often = np.median(np.diff(starts)[1:]) >= 2 and np.median(between[1:] / whole) > 0.5
+    return starts if often else None
+
+
+def _evenly_spread(t: NDArray[np.float64], starts: NDArray[np.intp]) -> tuple[NDArray[np.float64], float] | None:
+    """Return even times and their period for groups of samples that begin at the rows `starts`; None if there are none.
+
+    Where no sample is missing, one even grid agrees with the beginnings of all groups to within the time of one group.
+    Where groups are missing, most of the others have equally many samples, and each stretch without a loss is a grid.
+    """
+    if len(starts) < FEWEST_GROUPS:
+        return None
+    first, counts, intervals = t[starts], np.diff(starts), np.diff(t[starts])
+    interval, count = float(np.median(intervals[1:])), float(np.median(counts[1:]))
+    rows = np.arange(len(t), dtype=np.float64)
+    period = float(first[-1] - first[1]) / float(starts[-1] - starts[1])
+    offset = float(np.median(first[1:] - starts[1:] * period))
+    is_full = intervals <= GAP * counts * interval / count  # its samples fill the time up to the next group
+    resolution = float(intervals[is_full].max(initial=interval))
+    is_even = np.abs(first - offset - starts * period).max() <= resolution + 2 * period
+    if is_even and not _has_lost_groups(intervals / interval, is_full):
+        return offset + rows * period, period
+    whole = (np.abs(counts - count) <= max(1.0, 0.02 * count)) & (intervals <= GAP * interval)
+    if whole[1:].mean() < OFTEN:
+        return (offset + rows * period, period) if is_even else None
+    whole[0] = False  # it may be cut
+    period = float(intervals[whole].sum() / counts[whole].sum())
+    offsets = np.empty(len(starts), dtype=np.float64)
+    breaks = np.flatnonzero(~whole) + 1  # the group after a loss begins another stretch
+    for stretch in np.split(np.arange(len(starts)), breaks):
+        offsets[stretch] = np.median(first[stretch] - starts[stretch] * period)
+    even: NDArray[np.float64] = np.repeat(offsets, np.diff(np.append(starts, len(t)))) + rows * period
+    return (even, period) if (np.diff(even) > 0).all() else None
+
+
+def _has_lost_groups(intervals: NDArray[np.float64], is_full: NDArray[np.bool_]) -> bool:
+    """Return whether long intervals (n,), in median ones, are those of losses.
+
+    After a delay a short interval follows. A single long one may be where later times are written with fewer digits.
+    """
+    long = intervals[(intervals > GAP) & ~is_full]
+    late = int((intervals < 0.5).sum())
+    return len(long) > late + 1 and bool(np.median(np.abs(long - np.rint(long))) < 0.2)
+
+
+def strictly_rising(t: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return times (n,) in which samples with one time are spread evenly up to the next time."""
+    steps = np.diff(t)
+    if steps.all():
+        return t
+    firsts = np.flatnonzero(np.concatenate(([True], steps > 0)))
+    end = t[-1] + float(np.median(steps[steps > 0])) * (len(t) - firsts[-1])
+    spread: NDArray[np.float64] = np.interp(np.arange(len(t)), np.append(firsts, len(t)), np.append(t[firsts], end))
+    return spread
+
+
+def _period(steps: NDArray[np.float64]) -> float:
+    """Return the mean of the steps that are no gaps; their median is wrong for rounded times (0.003, 0.004, 0.003)."""
+    return float(steps[steps <= GAP * np.median(steps)].mean())
+
+
+def _without_clock_steps(t: NDArray[np.float64], period: float, path: Path) -> tuple[NDArray[np.float64], float, str]:
+    """Return times, period and what was done; raise ValueError for times without an even rate.
+
+    A clock that moves on in coarse steps, or late, gives uneven times of even samples: no time is then further than a
+    period from an even grid, however long the recording is.
+    """
+    steps = np.diff(t)
+    periods = steps / period
+    uneven = np.abs(periods - np.maximum(np.rint(periods), 1.0)) > UNEVEN
+    gaps = periods > GAP
+    if uneven.mean() <= FEW and gaps.mean() <= FEW:
+        _refuse_another_rate(gaps, t, path)
+        return t, period, ""
+    mean = float(t[-1] - t[0]) / len(steps)
+    grid = t[0] + np.arange(len(t)) * mean
+    late = t - grid
+    if np.ptp(late) <= 2.0 * mean:
+        grid += np.median(late)
+        note = f"The steps of t differ, though the samples are even: they were spread evenly, at {1.0 / mean:.6g} Hz."
+        return grid, mean, note
+    if uneven.mean() <= FEW and gaps.mean() <= MOST_GAPS:
+        _refuse_another_rate(gaps, t, path)
+        return t, period, ""
+    low, high = np.quantile(steps, (0.05, 0.95))
+    raise ValueError(
+        f"{path}: t rises by {low:.3g} to {high:.3g} s from row to row, without an even sample rate: export the "
+        f"device's own time of each sample, or resample the file to an even rate"
+    )
+
+
+def _refuse_another_rate(gaps: NDArray[np.bool_], t: NDArray[np.float64], path: Path) -> None:
+    run = np.convolve(gaps, np.ones(RATE_CHANGE, np.int64), "valid") if len(gaps) >= RATE_CHANGE else np.zeros(1)
+    if run.max() == RATE_CHANGE:
+        row = int(run.argmax())
+        raise ValueError(
+            f"{row_words(path, row)}: the sample rate changes there (t = {t[row]:g} s), cut the file into parts of one "
+            f"rate each"
+        )
+
+
+def _refuse_units(t: NDArray[np.float64], period: float, path: Path) -> None:
+    """Raise ValueError unless `t` can be in seconds: what it looks like, and what to do."""
+    span, slow, fast = float(t[-1] - t[0]), (1 + ROUNDING) / SLOWEST, (1 - ROUNDING) / FASTEST
+    if not fast <= period <= slow:
+        if abs(period - 1.0) < ROUNDING and np.ptp(np.diff(t)) < ROUNDING:
+            _refuse(path, period, "a counter of samples", "divide the column t by the sample rate in Hz")
+        like = [(unit, size) for unit, size in UNITS if fast <= period * size <= slow]
+        if like:
+            words = " or ".join(f"{unit} ({1.0 / (period * size):.4g} Hz)" for unit, size in like)
+            _refuse(path, period, words, f"multiply the column t by {' or '.join(f'{size:g}' for _, size in like)}")
+        speed = "slowly" if period > slow else "fast"
+        remedy = f"write it in seconds, and record at {SLOWEST:g} to {FASTEST:g} Hz"
+        _refuse(path, period, f"another unit, or samples taken too {speed}", remedy)
+    rate = 1.0 / (period * 60.0)
+    like_minutes = any(abs(rate / usual_rate - 1.0) < 2e-3 for usual_rate in USUAL_RATES)
+    if 1.0 / period >= FAST * (1 - ROUNDING) and (span < SHORT or (span < BRIEF and like_minutes)):
+        words = f"minutes ({span * 60.0:.4g} s at {rate:.4g} Hz) and not {span:.3g} s at {1.0 / period:.5g} Hz"
+        _refuse(path, period, words, f"multiply the column t by 60, or record more than {BRIEF:g} s")
+
+
+def _refuse(path: Path, period: float, like: str, remedy: str) -> NoReturn:
+    raise ValueError(
+        f"{path}: t must be in seconds, but it rises by {period:.4g} from row to row, which looks like {like}: {remedy}"
+    )
+
+
+def _gap_note(t: NDArray[np.float64], period: float, path: Path) -> str:
+    """Return a sentence on the gaps, empty when they are few and short; raise ValueError for a jump of hours."""
+    steps = np.diff(t)
+    gaps, row = int((steps > GAP * period).sum()), int(steps.argmax())
+    longest = float(steps[row])
+    if longest > LONGEST_HOLE:
+        raise ValueError(
+            f"{row_words(path, row + 1)}: t jumps there by {longest:g} s ({longest / 3600.0:.1f} hours), keep the part "
+            f"before or after it, or correct the column t"
+        )
+    if longest <= NOTED_HOLE and gaps <= NOTED_GAPS * len(steps):
+        return ""
+    many = "There is 1 gap" if gaps == 1 else f"There are {gaps:,} gaps"
+    return f"{many} between the samples, the longest of {longest:.3g} s before {row_words(path, row + 1)}."
