@@ -140,6 +140,8 @@ def _evenly_spread(t: NDArray[np.float64], starts: NDArray[np.intp]) -> tuple[ND
     interval, count = float(np.median(intervals[1:])), float(np.median(counts[1:]))
     rows = np.arange(len(t), dtype=np.float64)
     period = float(first[-1] - first[1]) / float(starts[-1] - starts[1])
+    if count == 1.0 and abs(interval - period) * (starts[-1] - starts[1]) <= 2.0 * float(intervals.max()):
+        period = round(interval, 9)  # most times are exact, and only others have too few digits
     offset = float(np.median(first[1:] - starts[1:] * period))
     is_full = intervals <= GAP * counts * interval / count  # its samples fill the time up to the next group
     resolution = float(intervals[is_full].max(initial=interval))
