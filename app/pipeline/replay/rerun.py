@@ -11,7 +11,7 @@ from app.hardware.chair.simulator import VirtualChair
 from app.pipeline.replay.batch import DecodedRun, decode_block
 from app.recording.reader import Run
 from app.sentences import one_sentence
-from app.signals.signals import FASTEST, SLOWEST
+from app.signals.sampling_times import FASTEST, SLOWEST
 from app.world.floorplan import FloorPlan
 
 DRIVE = "drive"  # the kind of run with decisions of the gate
