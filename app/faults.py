@@ -1,7 +1,7 @@
 """The states of the safety gate, and all faults with their explanations."""
 
 from enum import IntEnum
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 
 class State(IntEnum):
@@ -39,6 +39,14 @@ class Fault(IntEnum):
     SCREEN_SLOW = 20
     PICTURE_LOST = 21
 
+
+def is_pause(state: int, fault: int) -> bool:
+    """Return whether the virtual chair waits for its screen: a reason not to move, and nothing latched."""
+    return state != State.FAULT and fault != Fault.NONE
+
+
+PEOPLE_STOPS: Final = frozenset({Fault.STOP_TABLET, Fault.STOP_GESTURE, Fault.STOP_KEY, Fault.STOP_CHAIR})
+"""Stops that a person made on purpose; every other fault is a halt by the machine."""
 
 CONTINUE = ", then tap Continue."  # how the next step of a halted trial or drive ends
 

@@ -30,6 +30,7 @@ from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
 from app.session.fault_log import FaultLog
 from app.session.interface_test.interface_test_flow import InterfaceTestFlow
+from app.session.measures_renewal import MeasuresRenewal
 from app.session.open_session import SessionFlow
 from app.session.real_arming import RealArming
 from app.session.real_drive import RealDriveFlow
@@ -119,6 +120,7 @@ def make_parts(
         trajectories=Trajectories(computing),
         timelines=Timelines(computing),
         qualities=TrialQualities(database, runs.folder_of, computing),
+        renewal=MeasuresRenewal(database, runs, computing, tell),
         spread=spread,
         deteriorations=Deteriorations(database, computing, spread),
         replays=Replays(),
@@ -144,6 +146,7 @@ async def start_parts(database: Database, web: WebParts) -> None:
     web.faults.start()
     web.disk.start()
     web.backups.start()
+    web.renewal.start()
     if await asyncio.to_thread(_is_session_open, database):
         await open_view(web)
 
@@ -169,7 +172,12 @@ async def end_parts(web: WebParts) -> None:
     await asyncio.gather(web.trials.stop(), web.drives.stop(), web.tests.stop())
     await web.adaptation.stop()
     await asyncio.gather(
-        web.live.close(), web.patient_live.close(), web.faults.close(), web.disk.close(), web.backups.close()
+        web.renewal.close(),
+        web.live.close(),
+        web.patient_live.close(),
+        web.faults.close(),
+        web.disk.close(),
+        web.backups.close(),
     )
     await asyncio.gather(web.view.close(), web.control.close(), asyncio.to_thread(web.replays.close_all))
     await asyncio.to_thread(web.computing.close)

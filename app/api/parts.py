@@ -33,6 +33,7 @@ from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
 from app.session.fault_log import FaultLog
 from app.session.interface_test.interface_test_flow import InterfaceTestFlow
+from app.session.measures_renewal import MeasuresRenewal
 from app.session.open_session import SessionFlow
 from app.session.real_arming import RealArming
 from app.session.real_drive import RealDriveFlow
@@ -78,6 +79,7 @@ class WebParts:
     trajectories: Trajectories
     timelines: Timelines
     qualities: TrialQualities
+    renewal: MeasuresRenewal
     spread: ClinicSpread
     deteriorations: Deteriorations
     replays: Replays

@@ -30,6 +30,8 @@ def path_measures(
     contacts: ArrayLike | None = None,
     u1: ArrayLike | None = None,
     u2: ArrayLike | None = None,
+    permitted: ArrayLike | None = None,
+    restart: ArrayLike | None = None,
 ) -> Measures:
     """Return the measures of a trial, from its start to where it first reaches the goal.
 
@@ -49,6 +51,10 @@ def path_measures(
         (n,) number of contacts up to each row; computed from `in_contact` when not given.
     u1, u2
         (n,) controls, -1..1.
+    permitted
+        (n,) whether motion was permitted since the row before; only such time counts. Everywhere when not given.
+    restart
+        (n,) whether the chair has not moved since an interruption: no part of the speed's profile, and no stop.
 
     Returns
     -------
@@ -66,10 +72,14 @@ def path_measures(
     times, points = _checked(t, x, y)
     path = Path(path_points if isinstance(path_points, Sequence) else path_points.tolist())
     cut = cut_at_goal(times, points, path, goal_radius)
-    speed, rate = _speed(cut)
-    dist = float(np.hypot(*np.diff(cut.points, axis=0).T).sum())
-    time = float(cut.t[-1] - cut.t[0])
-    cross_track = np.array([path.project(px, py)[1] for px, py in cut.points.tolist()])
+    counts = np.ones(len(cut.t), bool) if permitted is None else _until(cut, "permitted", permitted, len(times))
+    counts = counts if counts.any() else ~counts
+    waits = np.zeros(len(cut.t), bool) if restart is None else _until(cut, "restart", restart, len(times))
+    speed, rate = _speed(cut, waits)
+    steps = np.hypot(*np.diff(cut.points, axis=0).T)
+    dist = float(steps.sum())
+    time = float(np.diff(cut.t)[counts[1:]].sum())
+    cross_track = np.array([path.project(px, py)[1] for px, py in cut.points[counts].tolist()])
     measures: Measures = {
         "dist": dist,
         "path_length": path.length,
@@ -79,7 +89,7 @@ def path_measures(
         "cross_track_max": float(np.max(np.abs(cross_track))),
         "cross_track_mean": float(np.mean(cross_track)),
         "time": time,
-        "mean_speed": dist / time if time > 0 else None,
+        "mean_speed": float(steps[counts[1:]].sum()) / time if time > 0 else None,
         "stops": standstills(speed, rate),
         "sparc": sparc(speed, rate),
         "ldlj": log_dimensionless_jerk(speed, rate),
@@ -111,9 +121,17 @@ def _control_measures(cut: Cut, t: Numbers, dist: float, u1: ArrayLike | None, u
     return measures
 
 
-def _speed(cut: Cut) -> tuple[Numbers, float]:
-    """Return the speed (n,) in m/s at evenly spaced times, and their rate (Hz)."""
-    t, first = np.unique(cut.t, return_index=True)
+def _until(cut: Cut, name: str, values: ArrayLike, n: int) -> NDArray[np.bool_]:
+    """Return a column of `n` truth values for the rows of a cut, whose last one may lie before a row of the column."""
+    column = _column(name, values, n) != 0
+    return np.asarray(column[np.minimum(np.arange(len(cut.t)), n - 1)])
+
+
+def _speed(cut: Cut, waits: NDArray[np.bool_]) -> tuple[Numbers, float]:
+    """Return the speed (n,) in m/s at evenly spaced times without the time of `waits` (n,), and their rate (Hz)."""
+    steps = np.diff(cut.t, prepend=cut.t[:1])
+    joined = np.cumsum(np.where(waits, 0.0, steps)) if waits.any() else cut.t
+    t, first = np.unique(joined, return_index=True)
     if len(t) < 2:
         return np.zeros(0), HIGHEST_RATE
     rate = float(np.clip(1.0 / np.median(np.diff(t)), LOWEST_RATE, HIGHEST_RATE))

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from app.geometry import Pose
 from app.scoring.command_counts import contact_beginnings
+from app.scoring.interruptions import driven_rows, interruption_measures, interruptions
 from app.scoring.path_measures import path_measures
 from app.scoring.scene_measures import cones_touched, contacts_at_gaps, following_errors, gap_clearance
 from app.world.floorplan import FloorPlan, PrescribedPath
@@ -31,7 +32,8 @@ def task_measures(plan: FloorPlan, path: PrescribedPath, columns: Mapping[str, A
         The floor plan, and the path with its task.
     columns
         (n,) each: t (s), x, y (m), theta (rad), v (m/s), scene_t (s; NaN in recordings made before scenes existed),
-        in_contact, contacts (number up to each row), u1, u2 (-1..1).
+        in_contact, contacts (number up to each row), u1, u2 (-1..1). With `state` and `fault` of each row, only the
+        time in which motion was permitted counts, and the trial's interruptions are measures, too.
 
     Returns
     -------
@@ -49,6 +51,18 @@ def task_measures(plan: FloorPlan, path: PrescribedPath, columns: Mapping[str, A
     """
     rows = {name: np.asarray(columns[name], dtype=np.float64) for name in NEEDED}
     rows["scene_t"] = np.where(np.isfinite(rows["scene_t"]), rows["scene_t"], rows["t"] - rows["t"][:1])
+    if "state" not in columns:
+        return _measures(plan, path, {**rows, **_no_interruption(rows)})
+    measures = _measures(plan, path, driven_rows({**rows, "state": np.asarray(columns["state"])}))
+    found = interruptions(rows["t"], columns["state"], columns["fault"])
+    return measures | interruption_measures(found, measures["time"], reached=measures["reached"])
+
+
+def _no_interruption(rows: Columns) -> dict[str, NDArray[Any]]:
+    return {"permitted": np.ones(len(rows["t"])), "restart": np.zeros(len(rows["t"]))}
+
+
+def _measures(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Measures:
     if isinstance(path.task, Course):
         return _course_measures(plan, path, rows)
     return _single_task_measures(plan, path, rows)
@@ -110,7 +124,7 @@ def _course_measures(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Me
 
 
 def _path_measures(path: PrescribedPath, rows: Columns) -> Measures:
-    names = ("in_contact", "contacts", "u1", "u2")
+    names = ("in_contact", "contacts", "u1", "u2", "permitted", "restart")
     extras = {name: rows[name] for name in names}
     return dict(path_measures(rows["t"], rows["x"], rows["y"], path.points, path.goal_radius, **extras))
 
@@ -144,7 +158,7 @@ def _states(rows: Columns) -> list[tuple[Pose, float, float]]:
 
 
 def _duration(rows: Columns) -> float:
-    return float(rows["t"][-1] - rows["t"][0])
+    return float(np.diff(rows["t"])[rows["permitted"][1:] != 0].sum())
 
 
 def _time_in_contact(rows: Columns) -> float:

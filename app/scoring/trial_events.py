@@ -5,13 +5,12 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from app.faults import EXPLANATIONS, Fault, State
+from app.faults import EXPLANATIONS, PEOPLE_STOPS, Fault, State
 from app.quantities import Document
 from app.recording.reader import Columns
 
 EventKind = Literal["checking", "armed", "stop", "fault", "disarmed", "contact", "goal"]
 
-STOPS = frozenset({Fault.STOP_TABLET, Fault.STOP_GESTURE, Fault.STOP_KEY, Fault.STOP_CHAIR})  # made on purpose
 ONE_CONTACT = 0.5  # s; a touch within this time after a contact's beginning belongs to that contact
 WORDS = {
     "checking": "The check for rest began.",
@@ -64,7 +63,7 @@ def _state_event(state: int, fault: int, t: float) -> Event:
         }
         return _event(t, kinds[state])
     why = Fault(fault)
-    return _event(t, "stop" if why in STOPS else "fault", EXPLANATIONS[why].happened)
+    return _event(t, "stop" if why in PEOPLE_STOPS else "fault", EXPLANATIONS[why].happened)
 
 
 def _contacts(contacts: NDArray[Any], t: NDArray[np.float64]) -> list[Event]:

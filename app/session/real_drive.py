@@ -34,7 +34,7 @@ class DriveWatch:
                 self._began = t
             if self._began is not None:
                 self.t = t - self._began
-            if self.halt.take(t, state):
+            if self.halt.take(t, state is State.FAULT):
                 return "fault"
         return None
 

@@ -28,6 +28,8 @@ from app.session.calibration.step_check import check_frames
 from app.world.cursor_task import CursorPlan
 from app.world.floorplan import FloorPlan, PrescribedPath
 
+MEASURES_VERSION = 2  # 1: waiting counted as driving; measures of an older version are computed again
+
 
 def check_recording(folder: Path, duration: float) -> str | None:
     """Return in one sentence why a step's recording cannot be used, None when it can."""
@@ -118,11 +120,24 @@ def _during(frames: Columns, step: Step, kind: str) -> NDArray[Any]:
 
 
 def measure_recording(folder: Path, plan: FloorPlan, path: PrescribedPath) -> dict[str, Any]:
-    """Return all measures of a trial, from when motion was first permitted; ValueError when it never was."""
+    """Return all measures of a trial, from when motion was first permitted; ValueError when it never was.
+
+    The time in which motion was not permitted any more is left out, and counted by its reason.
+    """
     rows = since_armed(read_run(folder).columns)
     # The speed that the chair reported; older recordings hold only the commanded one.
     v = np.where(np.isfinite(rows["driven_v"]), rows["driven_v"], rows["v"])
-    return task_measures(plan, path, {**rows, "t": rows["t"] - rows["t"][0], "v": v})
+    measures = task_measures(plan, path, {**rows, "t": rows["t"] - rows["t"][0], "v": v})
+    return {**measures, "measures_version": MEASURES_VERSION}
+
+
+def measure_again(folder: Path) -> dict[str, Any]:
+    """Return the measures of a trial by its recording alone; ValueError when it does not hold the plan and the path."""
+    meta = read_run(folder, scalars_only=True).meta
+    if not meta.get("floorplan"):
+        raise ValueError("The recording does not hold the floor plan of its trial: it cannot be measured again.")
+    plan = FloorPlan.model_validate(meta["floorplan"])
+    return measure_recording(folder, plan, plan.path_named(meta["path"]))
 
 
 def measure_interface_test(folder: Path, plan: CursorPlan) -> dict[str, Any]:

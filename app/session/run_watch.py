@@ -7,7 +7,6 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from app.faults import State
 from app.session.control_link import ControlLink
 from app.session.runs import SessionRun
 
@@ -33,29 +32,24 @@ class Starter(NamedTuple):
 
 
 class Halt:
-    """The halt of a trial or a drive by a latched stop, and how long it still waits for Continue.
+    """The halt of a trial or a drive by a latched stop or a pause, and how long it still waits.
 
     Attributes
     ----------
     remaining : float or None
         For how much longer (s); None while it is not halted.
-    total : float
-        s of all halts so far.
     """
 
     def __init__(self) -> None:
         self.remaining: float | None = None
-        self.total = 0.0
         self._since: float | None = None
-        self._before = 0.0  # s of the halts before this one
 
-    def take(self, t: float, state: State) -> bool:
-        """Take the state at `t` (s); return True when the halt has lasted for HALT_LIMIT."""
-        if state is not State.FAULT:
-            self._since, self._before, self.remaining = None, self.total, None
+    def take(self, t: float, waits: bool) -> bool:
+        """Take whether it is halted at `t` (s); return True when the halt has lasted for HALT_LIMIT."""
+        if not waits:
+            self._since = self.remaining = None
             return False
         self._since = t if self._since is None else self._since
-        self.total = self._before + t - self._since
         self.remaining = max(0.0, HALT_LIMIT - (t - self._since))
         return self.remaining == 0.0
 

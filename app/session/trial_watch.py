@@ -6,7 +6,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.faults import State
+from app.faults import State, is_pause
 from app.geometry import Pose
 from app.session.run_watch import Halt
 from app.world.floorplan import FloorPlan, PrescribedPath
@@ -19,7 +19,7 @@ End = Literal["goal", "time-out", "by hand", "fault"]
 class TrialPlace(NamedTuple):
     """The chair's progress in its task."""
 
-    t: float  # s since motion was first permitted
+    t: float  # s in which motion was permitted
     done: float  # m along the path of the present stage, or rad turned
     length: float  # m, or rad
     cross_track: float  # m, left positive; for a turn, distance to the spot
@@ -41,8 +41,10 @@ class TrialWatch:
         self._leader = leader_of(plan, path)
         self._tracks = [Track(mover) for mover in plan.movers]
         self._time_limit = path.time_limit
-        self._began: float | None = None
+        self._last: float | None = None  # time of the last tick since motion was first permitted, s
         self.halt = Halt()
+        self.pauses = 0  # so far
+        self.paused = False
         self.place = TrialPlace(0.0, 0.0, self.progress.length, 0.0, 0.0)
 
     def movers(self, scene_t: float) -> list[Pose]:
@@ -58,13 +60,16 @@ class TrialWatch:
         return None
 
     def _take_one(self, tick: np.void, t: float, state: State) -> End | None:
-        if self.halt.take(t, state):
+        was_paused, self.paused = self.paused, is_pause(state, int(tick["fault"]))
+        waits = self.paused or state is State.FAULT
+        if self.halt.take(t, waits):
             return "fault"
-        if self._began is None:
-            if state is not State.ARMED:
-                return None
-            self._began = t
+        if self._last is None and state is not State.ARMED:
+            return None
+        self.pauses += self.paused and not was_paused
         before, progress = self.place, self.progress
+        driven = before.t + (t - self._last if self._last is not None and state is State.ARMED else 0.0)
+        self._last = t
         pose, scene_t = Pose(float(tick["x"]), float(tick["y"]), float(tick["theta"])), float(tick["scene_t"])
         progress.update(pose, float(tick["driven_v"]), scene_t)
         done, cross_track = progress.s, progress.cross_track
@@ -73,11 +78,9 @@ class TrialWatch:
         leader = None if self._leader is None else self._leader.at(scene_t).pose
         distance = None if leader is None else math.hypot(pose.x - leader.x, pose.y - leader.y)
         e_diff = before.e_diff + area
-        self.place = TrialPlace(
-            t - self._began, done, progress.length, cross_track, e_diff, progress.stage, leader, distance
-        )
-        if state is State.FAULT:
-            return None  # halted: only a person or HALT_LIMIT ends it
+        self.place = TrialPlace(driven, done, progress.length, cross_track, e_diff, progress.stage, leader, distance)
+        if waits:
+            return None  # only a person or HALT_LIMIT ends it
         if progress.reached:
             return "goal"
-        return "time-out" if self.place.t - self.halt.total > self._time_limit else None
+        return "time-out" if driven > self._time_limit else None

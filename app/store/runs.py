@@ -3,14 +3,15 @@
 import math
 from typing import Any
 
-from sqlalchemy import func, select
+from sqlalchemy import JSON, func, select
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
 from app.refusals import Conflict
+from app.scoring.interruptions import reason_to_ask
 from app.source import UNKNOWN_SOURCE, Source
 from app.store.own_rows import own_row
-from app.store.records.sign_off import require_unsigned
+from app.store.records.sign_off import require_unsigned, sign_off_of
 from app.store.tables import PatientSession, Run, Trial
 
 
@@ -86,11 +87,47 @@ def add_trial(
 
 
 def finish_trial(db: Session, trial_id: int, end: str, measures: dict[str, Any] | None) -> Trial:
-    """Store how a trial ended, and its measures; one that is not finite is stored as null."""
+    """Store how a trial ended, and its measures; one that is not finite is stored as null.
+
+    A trial that the machine interrupted too much is left out until a person keeps it.
+    """
     trial = db.get_one(Trial, trial_id)
     trial.status, trial.end = "done", end
     trial.measures = _storable(measures)
+    _ask_for(trial)
     return trial
+
+
+def _ask_for(trial: Trial) -> None:
+    reason = reason_to_ask(trial.measures or {})
+    if trial.kept and reason is not None:
+        trial.kept, trial.discard_reason = False, reason
+
+
+def trials_of_older_measures(db: Session, version: int) -> dict[int, str]:
+    """Return the finished trials whose measures are of an older version, the newest first, with their runs' folders."""
+    known = func.coalesce(Trial.measures["measures_version"].as_integer(), 1)
+    old = (Trial.status == "done", Trial.measures != JSON.NULL, known < version)
+    query = select(Trial.id, Run.folder).join(Run, Run.id == Trial.run_id).where(*old)
+    return dict(db.execute(query.order_by(Trial.id.desc())).all())
+
+
+def renew_measures(db: Session, trial_id: int, measures: dict[str, Any]) -> dict[str, Any]:
+    """Store the measures of a trial that was measured again; return the figures that changed, as they were before.
+
+    A trial of a signed session goes on counting, because a person has signed that it counts.
+    """
+    trial = db.get_one(Trial, trial_id)
+    before, trial.measures = trial.measures or {}, _storable(measures)
+    if sign_off_of(db, trial.session_id) is None:
+        _ask_for(trial)
+    return {name: value for name, value in before.items() if _is_changed_figure(value, measures.get(name))}
+
+
+def _is_changed_figure(before: Any, now: Any) -> bool:
+    if not isinstance(before, int | float):
+        return False
+    return not (isinstance(now, int | float) and math.isclose(before, now, rel_tol=1e-6, abs_tol=1e-9))
 
 
 def _storable(value: Any) -> Any:

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.faults import State
+from app.faults import Fault, State
 from app.messages import TICK
 from app.session.calibration.step_check import check_frames
 from app.session.real_drive import DriveWatch
@@ -50,6 +50,38 @@ def test_time_runs_from_the_first_permitted_motion():
     assert watch.take(ticks([130.1], [0.0], [0.0])) == "time-out"
 
 
+def test_the_clock_stands_while_motion_is_not_permitted():
+    watch = watch_of(time_limit=10.0)
+    for t, state in [(0.0, 2), (1.0, 2), (2.0, 3), (100.0, 3), (100.5, 0), (101.0, 1), (101.5, 2), (109.9, 2)]:
+        assert watch.take(ticks([t], [0.0], [0.0], State(state))) is None
+    assert watch.place.t == pytest.approx(1.0 + 0.5 + 8.4)
+
+
+def test_pauses_are_counted_and_wait_as_long_as_a_halt():
+    watch = watch_of(time_limit=10.0)
+
+    def take(t, state, fault=Fault.NONE):
+        rows = ticks([t], [0.0], [0.0], state)
+        rows["fault"] = fault
+        return watch.take(rows)
+
+    assert take(0.0, State.DISARMED, Fault.SCREEN_SLOW) is None
+    assert (watch.paused, watch.pauses) == (True, 0)  # the trial has not begun
+    take(1.0, State.ARMED)
+    for t in (2.0, 5.0):
+        take(t, State.DISARMED, Fault.SCREEN_SLOW)
+        assert watch.paused
+        take(t + 1.0, State.DISARMED, Fault.SCREEN_SLOW)
+        take(t + 2.0, State.CHECKING)
+        assert not watch.paused
+    assert watch.pauses == 2
+    assert watch.place.t == 0.0
+    assert take(10.0, State.DISARMED, Fault.SCREEN_LOST) is None
+    assert take(309.9, State.DISARMED, Fault.SCREEN_LOST) is None
+    assert watch.halt.remaining == pytest.approx(0.1)
+    assert take(310.0, State.DISARMED, Fault.SCREEN_LOST) == "fault"
+
+
 @pytest.mark.parametrize("watch", [watch_of(), DriveWatch()], ids=["trial", "drive"])
 def test_a_stop_halts_for_five_minutes_says_so_and_then_ends_it(watch):
     assert HALT_LIMIT >= 180.0
@@ -85,8 +117,8 @@ def test_what_was_halted_is_no_part_of_the_time_limit():
     for begin in (20.0, 130.0):
         assert watch.take(ticks([begin, begin + 100.0], [0.0, 0.0], [0.0, 0.0], State.FAULT)) is None
         assert watch.take(ticks([begin + 101.0], [0.0], [0.0])) is None
-    assert watch.take(ticks([260.0], [0.0], [0.0])) is None  # 60 s of its own
-    assert watch.take(ticks([260.1], [0.0], [0.0])) == "time-out"
+    assert watch.take(ticks([279.0], [0.0], [0.0])) is None  # 60 s of its own
+    assert watch.take(ticks([279.1], [0.0], [0.0])) == "time-out"
 
 
 @given(st.lists(st.tuples(st.floats(-50, 50), st.floats(-50, 50)), min_size=1, max_size=60))

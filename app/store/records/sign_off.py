@@ -26,8 +26,8 @@ OF_A_SESSION = (
     *(SessionNote, NoteRevision, OutcomeScale),
 )
 
-# Columns that are computed from the recording whenever somebody looks, and hold nothing of their own.
-DERIVED: dict[type[Table], set[str]] = {Trial: {"quality"}}
+# Columns that are computed from the recording, again when the program computes them otherwise.
+DERIVED: dict[type[Table], set[str]] = {Trial: {"quality", "measures"}}
 
 
 @dataclass(frozen=True, slots=True)
