@@ -7032,6 +7032,9 @@ export interface components {
             end: string | null;
             kept: boolean;
             discard_reason: string | null;
+            measures: {
+                [key: string]: unknown;
+            } | null;
             source: components["schemas"]["SourceView"];
         };
         SessionVerdicts: {

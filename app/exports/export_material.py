@@ -7,6 +7,7 @@ from typing import Any
 
 from app.exports.room_to_make import words_without_room
 from app.refusals import DiskFull, NotFound
+from app.scoring.interruptions import interruption_words
 from app.scoring.verdict.spread import Spread
 from app.source import SourceGroup, source_words
 from app.store.database import Database
@@ -112,6 +113,7 @@ def run_facts(code: str, run: RecordedRun, meta: dict[str, Any], damage: str) ->
         "kind": run.kind,
         "task": run.task,
         "trial": "" if trial is None else str(trial.number),
+        "interruptions": "" if trial is None else interruption_words(trial.measures),
         "test": "" if run.test is None else str(run.test.number),
         "started": run.started.isoformat(),
         "source": source_words(run.source),

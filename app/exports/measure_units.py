@@ -26,6 +26,12 @@ MEASURES: dict[str, tuple[str, str]] = {
     "pulses_per_metre": ("Commands per metre", "/m"),
     "sparc": ("Smoothness: spectral arc length", "1"),
     "ldlj": ("Smoothness: logarithmic dimensionless jerk", "1"),
+    "halts": ("Number of halts by the machine; no other measure includes their time", "1"),
+    "halt_time": ("Time halted by the machine", "s"),
+    "pauses": ("Number of pauses because of the screen", "1"),
+    "pause_time": ("Time paused because of the screen", "s"),
+    "person_stops": ("Number of stops by a person", "1"),
+    "person_stop_time": ("Time stopped by a person", "s"),
 }
 TEST_MEASURES: dict[str, tuple[str, str]] = {
     "acquisitions_per_minute": ("Two-minute test: targets per minute", "/min"),

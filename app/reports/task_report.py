@@ -12,12 +12,14 @@ from app.reports.document import Drawing, MeasureRow, TaskReport, Tone
 from app.reports.material import Rows, TaskMaterial
 from app.reports.measure_words import MEASURE_WORDS, leading_measures, noise_words, with_unit
 from app.reports.trajectory_drawing import Points, trajectory_drawing
+from app.scoring.interruptions import interruption_words
 from app.scoring.learning import learning_curves
 from app.scoring.learning_words import MEASURES
 from app.scoring.verdict.measure_comparison import from_scale, value_of
 from app.scoring.verdict.measure_verdict import VERDICT_WORDS, Verdict, Word, series_of
 from app.scoring.verdict.verdicts import SessionVerdicts, task_verdicts
 
+MOST_NAMED = 6  # interrupted trials
 MOST_OWN, MOST_PAST = 10, 30  # trajectories of the newest session and of earlier ones: more could not be told apart
 TONES: dict[Word, Tone] = {"better": "good", "worse": "bad", "within": "", "too few": ""}
 
@@ -88,7 +90,12 @@ def _trials_words(rows: Rows, session: int | None) -> str:
     reached = sum(bool(row.get("reached", True)) for row in own)
     used = sum(row["familiarisation"] for row in own)
     getting_used = f", {used} of them to get used to the task" if used else ""
-    return f"{amount(len(own), 'trial')} counted{getting_used}; the goal was reached in {reached}."
+    counted = f"{amount(len(own), 'trial')} counted{getting_used}; the goal was reached in {reached}."
+    interrupted = [f"trial {row['number']} ({words})" for row in own if (words := interruption_words(row))]
+    if not interrupted:
+        return counted
+    more = f" and {len(interrupted) - MOST_NAMED} more" if len(interrupted) > MOST_NAMED else ""
+    return f"{counted} Interrupted: {', '.join(interrupted[:MOST_NAMED])}{more}."
 
 
 def _compared_words(compared: SessionVerdicts | None) -> str:

@@ -125,6 +125,14 @@ WORDS: Final = (("halted", "halts", "halt_time"), ("paused", "pauses", "pause_ti
 PEOPLE_WORDS: Final = ("stopped by a person", "person_stops", "person_stop_time")
 
 
+def interruptions_of(measures: Mapping[str, Any] | None) -> dict[str, Any]:
+    """Return count and duration (s) of the interruptions in a trial's measures, of those kinds that there were."""
+    if measures is None:
+        return {}
+    kinds = [(count, duration) for _, count, duration in (*WORDS, PEOPLE_WORDS) if measures.get(count)]
+    return {name: measures.get(name) for kind in kinds for name in kind}
+
+
 def interruption_words(measures: Mapping[str, Any] | None) -> str:
     """Return the interruptions of a trial in words, such as "halted 3 times, 14 s"; empty when there was none."""
     return _words(measures or {}, *WORDS, PEOPLE_WORDS)

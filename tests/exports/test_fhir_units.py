@@ -22,13 +22,14 @@ OF_TRIALS = {
         *("turn_drift", "gap_clearance"),
     ),
     "m2": ("e_diff",),
-    "s": ("time", "contact_time"),
+    "s": ("time", "contact_time", "halt_time", "pause_time", "person_stop_time"),
     "m/s": ("mean_speed",),
     "deg": ("heading_error_deg",),
     "/m": ("pulses_per_metre",),
     "1": (
         *("dist_ratio", "stops", "collisions", "stages_done", "follow_near"),
         *("cones_touched", "door_contacts", "turn_reversals", "sparc", "ldlj"),
+        *("halts", "pauses", "person_stops"),
     ),
 }
 OF_TESTS = {

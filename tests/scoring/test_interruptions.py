@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.faults import PEOPLE_STOPS, Fault, State
-from app.scoring.interruptions import interruptions
+from app.scoring.interruptions import interruption_words, interruptions, reason_to_ask
 from app.scoring.task_measures import task_measures
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.movers import Mover
@@ -205,3 +205,18 @@ def test_other_tasks_leave_the_wait_out_too(kind):
     plain, halted = (task_measures(plan, path, driven(v, waits)) for waits in ([], [(200, 60.0, "machine")]))
     assert halted["time"] == pytest.approx(plain["time"], abs=0.7)
     assert halted["halt_time"] == pytest.approx(60.5, abs=0.03)
+
+
+def test_interruptions_in_words():
+    measures = {
+        "halts": 3,
+        "halt_time": 14.2,
+        "pauses": 1,
+        "pause_time": 2.6,
+        "person_stops": 0,
+        "person_stop_time": 0.0,
+    }
+    assert interruption_words(measures) == "halted 3 times, 14 s; paused once, 3 s"
+    assert interruption_words(None) == interruption_words({"time": 3.0}) == ""
+    assert reason_to_ask(measures) is None
+    assert "halted 3 times, 14 s; paused once, 3 s" in (reason_to_ask({**measures, "interrupted": True}) or "")

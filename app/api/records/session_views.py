@@ -1,6 +1,7 @@
 """The answers on sessions and their records."""
 
 from datetime import date
+from typing import Any
 
 from app.api.answers import Answer, MomentText
 from app.api.interface_tests.interface_test_view import InterfaceTestView
@@ -78,6 +79,7 @@ class SessionTrial(Answer):
     end: str | None
     kept: bool
     discard_reason: str | None
+    measures: dict[str, Any] | None
     source: SourceView
 
 

@@ -7,6 +7,7 @@ from typing import Any, Literal, NamedTuple
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
+from app.scoring.interruptions import interruptions_of
 from app.store.interface_tests import interface_tests_of_session
 from app.store.records.imports import origin_of
 from app.store.records.record_tables import NoteRevision, SessionNote
@@ -66,6 +67,7 @@ def _done(db: Session, session: PatientSession) -> Iterator[StoryEvent]:
             "kept": trial.kept,
             "discard_reason": trial.discard_reason,
             "simulated": trial.run.simulated,
+            **interruptions_of(trial.measures),
         }
         yield StoryEvent(trial.started, "trial", None, trial.floorplan_title, facts)
     for test in interface_tests_of_session(db, session.id):

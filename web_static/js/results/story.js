@@ -5,6 +5,7 @@
 import { t, hasText } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { day, minuteOfDay, number } from "../widgets/format.js";
+import { interruptionWords } from "./interruptions.js";
 import { originWords } from "./origin_words.js";
 
 const SAID = ["note", "comment", "unlock"]; // kinds of events with words of a person
@@ -31,6 +32,7 @@ function eventLine({ at, kind, person, words, facts }, replay, isNewDay) {
   const title = t(`share.event.${kind}`, { ...facts, count: Number(facts.recordings), t: seconds, words, end });
   const trial = kind === "trial" ? facts.id : facts.trial;
   const marks = [
+    interruptionWords(facts),
     facts.simulated && t("share.simulated"),
     facts.kept === false && t("record.driven.discarded", { reason: String(facts.discard_reason ?? "") }),
   ].filter(Boolean);

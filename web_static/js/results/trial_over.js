@@ -8,6 +8,7 @@ import { t } from "../texts.js";
 import { discardForm } from "./discard.js";
 import { h, put } from "../widgets/dom.js";
 import { moment } from "../widgets/format.js";
+import { isInterrupted } from "./interruptions.js";
 import { qualityCard } from "./quality_card.js";
 import { groupMark, groupOf } from "./source_group.js";
 import { trialSummary } from "./trial_summary.js";
@@ -62,10 +63,19 @@ export function showTrialOver(app, root, read, actions, above) {
     place.scrollIntoView({ block: "nearest" });
     place.querySelector("input")?.focus();
   };
+  const count = async () => {
+    await keep();
+    app.toasts.show(t("over.counted.toast", { number: trial.number }), {
+      action: t("undo"),
+      run: () => call(() => app.api.post(`/trials/${trial.id}/discard`, { reason: trial.discard_reason ?? "" })),
+    });
+  };
   const mayChange = app.me?.role !== "reviewer";
   const keeping = trial.kept
     ? h("button", { type: "button", class: "btn", onclick: ask }, t("over.discard"))
-    : h("button", { type: "button", class: "btn", onclick: keep }, t("over.keep"));
+    : isInterrupted(trial.measures)
+      ? h("button", { type: "button", class: "btn", onclick: count }, t("over.count"))
+      : h("button", { type: "button", class: "btn", onclick: keep }, t("over.keep"));
   put(
     root,
     h(

@@ -8,6 +8,7 @@ import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
 import { comparable, figure, largeMeasures, leadingMeasures, measured, MEASURES, unitOf, withUnit } from "./measures.js";
+import { interruptionWords, isInterrupted } from "./interruptions.js";
 import { originWords } from "./origin_words.js";
 import { planPicture } from "../plan/plan_svg.js";
 import { scrollTable } from "../widgets/scroll_table.js";
@@ -37,6 +38,7 @@ export function trialSummary(trial, trials, plan, found) {
     { class: "stack" },
     trial.origin && h("p", { class: "quiet" }, originWords(trial.origin)),
     !trial.kept && h("p", { class: "problem" }, t("over.discarded", { reason: trial.discard_reason ?? "" })),
+    interruptionNote(trial),
     !measures && h("p", { class: "problem" }, t("over.no-measures")),
     measures && !measures.reached && h("p", { class: "card" }, unfinishedWords(trial, measures)),
     isFamiliarisation(found, trial.id) && h("p", { class: "card quiet" }, t("verdict.familiarisation")),
@@ -44,6 +46,14 @@ export function trialSummary(trial, trials, plan, found) {
     measures?.parts ? stagesCard(/** @type {StageResult[]} */ (measures.parts)) : null,
     h("div", { class: "summary-columns" }, drivenCard(trial, plan), measures && tableCard(measures, earlier, trial.kept ? found : null)),
   );
+}
+
+/** What interrupted the trial; and that it counts only when somebody says so. @param {TrialDetail} trial */
+function interruptionNote({ kept, measures }) {
+  const words = interruptionWords(measures);
+  if (!words) return null;
+  const ask = !kept && isInterrupted(measures);
+  return h("p", { class: "card interruptions" }, h("b", {}, `${words}.`), " ", t("interruption.left-out"), ask && [" ", t("interruption.ask")]);
 }
 
 /** How far an unfinished trial came, and that it is not compared. @param {TrialDetail} trial @param {Measures} measures */

@@ -7,6 +7,7 @@ import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 import { comparable, measured, MEASURES, signedWithUnit, withUnit } from "../../results/measures.js";
+import { interruptionWords } from "../../results/interruptions.js";
 import { groupOf } from "../../results/source_group.js";
 import { isFamiliarisation, noiseNote, verdictWords } from "../../results/verdict_words.js";
 
@@ -31,6 +32,15 @@ export function compareTable(trials, found) {
       found && h("td", {}, verdict?.noise ?? "–"),
     );
   };
+  const interrupted = [first, second].map(interruptionWords);
+  const interruptions = h(
+    "tr",
+    {},
+    h("th", { scope: "row" }, t("interruption.column")),
+    interrupted.map((words) => h("td", { class: "own" }, words || t("interruption.none"))),
+    h("td", {}, "–"),
+    found && [h("td", {}, "–"), h("td", {}, "–")],
+  );
   const names = Object.keys(MEASURES).filter((name) => [first, second].some((one) => measured(one, name) !== null));
   const head = [
     t("over.measure"),
@@ -51,7 +61,7 @@ export function compareTable(trials, found) {
         t("compare.measures"),
         "measures",
         h("thead", {}, h("tr", {}, head.map((words) => h("th", { scope: "col" }, words)))),
-        h("tbody", {}, names.map(row)),
+        h("tbody", {}, [names.map(row), interrupted.some(Boolean) && interruptions]),
       ),
     found && noiseNote(),
   );

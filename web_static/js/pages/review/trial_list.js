@@ -7,6 +7,7 @@ import { h } from "../../widgets/dom.js";
 import { moment } from "../../widgets/format.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 import { comparable, measured, leadingMeasures, withUnit } from "../../results/measures.js";
+import { interruptionMark } from "../../results/interruptions.js";
 import { originWords } from "../../results/origin_words.js";
 import { groupMark, groupOf } from "../../results/source_group.js";
 
@@ -38,7 +39,7 @@ export function trialList(patient, trials, used, compare, unread) {
         unread({ trial_id: trial.id }),
       ),
       h("td", {}, moment(trial.started)),
-      h("td", {}, t(`review.end.${trial.end}`)),
+      h("td", {}, t(`review.end.${trial.end}`), interruptionMark(trial.measures)),
       listed.map((name) => h("td", {}, comparable(name, trial.measures) ? withUnit(name, measured(trial.measures, name)) : "–")),
       h(
         "td",

@@ -4,6 +4,7 @@
  * @import { UnreadMark } from "../../results/unread_marks.js"
  */
 import { testTable } from "../../interface_test/test_table.js";
+import { interruptionMark } from "../../results/interruptions.js";
 import { groupMark, groupOf } from "../../results/source_group.js";
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
@@ -37,7 +38,7 @@ function trialTable(patient, trials, unread) {
         h("a", { class: "row-link", href: `#/review/${patient}/trial/${trial.id}` }, t("record.driven.trial", { plan: trial.floorplan_title, number: trial.number })),
         unread({ trial_id: trial.id }),
       ),
-      h("td", {}, t(`review.end.${trial.end}`)),
+      h("td", {}, t(`review.end.${trial.end}`), interruptionMark(trial.measures)),
       h("td", { title: trial.source.words }, groupMark(groupOf(trial)) ?? t("source.group.worn")),
       h("td", {}, trial.kept ? t("record.driven.counts") : t("record.driven.discarded", { reason: trial.discard_reason })),
     );

@@ -141,6 +141,8 @@ export default {
   "over.discarded": "Discarded: {reason}",
   "over.discarded.toast": "Trial {number} does not count any more.",
   "over.keep": "Let it count again",
+  "over.count": "Count it",
+  "over.counted.toast": "Trial {number} counts.",
   "over.next": "Next trial",
   "over.harder": "One level harder",
   "over.other": "Another task",

@@ -22,6 +22,7 @@ export default {
   "log.what.test ended": "two-minute test ended",
   "log.what.test started": "two-minute test started",
   "log.what.trial kept": "trial counts again",
+  "log.what.trial measured again": "trial measured again by a newer program",
   "log.what.unlocked": "page unlocked",
   "log.name.answers": "answers",
   "log.name.bytes": "size",
