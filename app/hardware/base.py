@@ -146,6 +146,10 @@ class NetworkShirt(Protocol):
         """Accept another sender as the shirt; False when none of this name sent good frames."""
         ...
 
+    def lost_key(self) -> str:
+        """Return in words why the shirt's key counts no longer, empty while it does or there is none."""
+        ...
+
 
 class HeadTracker(Protocol):
     """A source of head poses. Only the newest pose counts: none is queued, and reading never waits."""
@@ -249,6 +253,10 @@ class Chair(Protocol):
 
     def words(self) -> str:
         """Return the chair's state in words."""
+        ...
+
+    def lost_key(self) -> str:
+        """Return in words why the chair's key counts no longer, empty while it does or there is none."""
         ...
 
     def place(self, pose: Pose) -> None:

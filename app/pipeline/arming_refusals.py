@@ -21,13 +21,19 @@ def refusal(loop: ControlLoop, digest: str) -> str:
     if gate.state is State.FAULT:
         what = EXPLANATIONS[gate.fault]
         return f"{what.happened} {what.remedy} Take the stop back, then start again."
-    return real_chair_refusal(loop)
+    return device_refusal(loop)
 
 
-def real_chair_refusal(loop: ControlLoop) -> str:
-    """Return in a sentence what a real chair still needs before it is armed; empty for the virtual chair."""
+def device_refusal(loop: ControlLoop) -> str:
+    """Return in a sentence which device is no longer paired, or what a real chair still needs before it is armed."""
     setup = loop.setup
     chair, parameters = setup.chair, setup.parameters
+    lost = setup.network_shirt.lost_key() if setup.network_shirt else ""
+    if lost:
+        return f"The shirt is no longer paired: {lost}."
+    lost = chair.lost_key()
+    if lost:
+        return f"The chair is no longer paired: {lost}."
     if not chair.is_real or parameters is None:
         return ""
     if setup.mistrust:

@@ -11,7 +11,7 @@ from app.faults import Fault, State
 from app.hardware.base import HardwareError
 from app.hardware.registry import parse_body, parse_chair, parse_head, parse_shirt
 from app.pipeline import command_fields
-from app.pipeline.arming_refusals import real_chair_refusal, refusal
+from app.pipeline.arming_refusals import device_refusal, refusal
 from app.pipeline.loop import ControlLoop
 from app.pipeline.opening import Change, Openings, defect
 from app.pipeline.runs import Runs
@@ -230,7 +230,7 @@ class Commands:
             return {}
         goes_on = run is not None and run.kind == "drive" and run.was_armed
         if goes_on:
-            _refuse(real_chair_refusal(self._loop))
+            _refuse(device_refusal(self._loop))
         if not gate.clear(fields.stops):
             raise CommandRefused("There was another stop meanwhile: look around, then tap Continue again.")
         if goes_on:

@@ -14,6 +14,7 @@ from app.calibration.vocabulary import Binding
 from app.disk_room import ROOM_TO_RECORD
 from app.faults import Fault, State
 from app.geometry import Twist
+from app.hardware.chair.key import new_key, read_key, write_key
 from app.hardware.shirt.packet import encode
 from app.pipeline.runs import require_room
 from app.pipeline.setup import CommandRefused
@@ -297,3 +298,51 @@ def test_a_source_without_trust_arms_no_real_chair(control, chair, tmp_path):
     network_shirt(control, key_file=str(shirt_key_file(tmp_path, pair_shirt(tmp_path).id)))
     assert "begin a drive" in control.refused("arm", hash=digest)
     control.setup.close()
+
+
+@pytest.mark.parametrize("happens", ["deleted", "replaced", "readable"])
+def test_without_the_key_of_its_shirt_neither_chair_is_armed(control, chair, tmp_path, happens):
+    """After its key was deleted, which unpairs it, the shirt armed and drove."""
+    file = shirt_key_file(tmp_path, pair_shirt(tmp_path).id)
+    network_shirt(control, key_file=str(file))
+    digest = control.parameters.hash
+    control.done("arm", hash=digest)
+    control.done("disarm")
+    key = read_key(file)
+    change_key(file, happens)
+    for config in ({"kind": "virtual"}, chair.document):
+        control.done("chair", config=config)
+        assert control.refused("arm", hash=digest).startswith(f"The shirt is no longer paired: the key file {file} ")
+    file.unlink(missing_ok=True)
+    write_key(file, key)
+    assert "begin a drive" in control.refused("arm", hash=digest)
+    control.setup.close()
+
+
+@pytest.mark.parametrize("happens", ["deleted", "replaced", "readable"])
+def test_without_its_key_a_real_chair_is_not_armed_and_a_halted_drive_does_not_go_on(control, chair, tmp_path, happens):
+    control.live(0.1)
+    control.done("chair", config=chair.document)
+    control.done("run", run_id="r", folder=str(tmp_path / "r"), kind="drive", cues=[], meta={})
+    for changes in ({}, {"stop_input": 1, "state": 3}, {}):
+        control.live(0.01)
+        chair.commands()
+        chair.say(**changes)
+        control.live(0.01)
+    control.done("arm", hash=control.parameters.hash)
+    change_key(chair.key_file, happens)
+    control.done("stop", by="tablet")
+    words = "The chair is no longer paired: the key file"
+    assert control.refused("clear", stops=1).startswith(words)
+    control.done("end_run")
+    assert control.setup.chain.gate.clear(1)
+    assert control.refused("arm", hash=control.parameters.hash).startswith(words)
+
+
+def change_key(file, how):
+    if how == "readable":
+        file.chmod(0o644)
+        return
+    file.unlink()
+    if how == "replaced":
+        write_key(file, new_key(7))

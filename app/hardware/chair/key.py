@@ -57,6 +57,14 @@ def read_key(file: Path) -> Key:
     return Key(int(found[1]), bytes.fromhex(found[2]))
 
 
+def lost_key(file: Path, key: Key) -> str:
+    """Return in words why `key`, which was read from `file` earlier, counts no longer; empty while it does."""
+    try:
+        return "" if read_key(file) == key else f"the key file {file} holds another key than it did: choose it again"
+    except KeyRefused as error:
+        return str(error)
+
+
 def write_key(file: Path, key: Key) -> None:
     """Write a new key file that only its owner can read; raise FileExistsError when there is one."""
     handle = os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)

@@ -14,7 +14,7 @@ from typing import Literal
 from app.faults import State
 from app.geometry import STANDSTILL, Pose, Twist
 from app.hardware.base import ORIGIN, HardwareError
-from app.hardware.chair.key import Key, KeyRefused, read_key
+from app.hardware.chair.key import Key, KeyRefused, lost_key, read_key
 from app.hardware.chair.odometry import arc
 from app.hardware.chair.packet import (
     DIGEST_BYTES,
@@ -200,6 +200,10 @@ class ChairLink:
         if self._state in RUNNING:
             return False
         return self._driven() == STANDSTILL or self._now - self._ended > SETTLE
+
+    def lost_key(self) -> str:
+        """Return in words why the chair's key counts no longer, empty while it does; reads the key file."""
+        return lost_key(Path(self.config.key_file), self._key)
 
     def words(self) -> str:
         """Return the chair's state in words."""

@@ -108,6 +108,10 @@ class VirtualChair:
         self.state = ChairState(x, y, theta, v, omega, touching, self._contacts, scene_t)
         return self.state
 
+    def lost_key(self) -> str:
+        """Return an empty string: it has no key."""
+        return ""
+
     def words(self) -> str:
         """Return the chair's state in words."""
         return f"The virtual chair, moving as a {self.dynamics}."

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from app.clock import Clock
 from app.hardware.base import HardwareError
-from app.hardware.chair.key import Key, KeyRefused, read_key
+from app.hardware.chair.key import Key, KeyRefused, lost_key, read_key
 from app.hardware.configs import UdpConfig
 from app.hardware.shirt.lateness import Lateness
 from app.hardware.shirt.newest_frame import NewestFrame, newest_file
@@ -147,6 +147,10 @@ class UdpShirt:
             return False
         self._forget_device()
         return True
+
+    def lost_key(self) -> str:
+        """Return in words why the shirt's key counts no longer, empty while it does; reads the key file."""
+        return "" if self._key is None or self._key_file is None else lost_key(self._key_file, self._key)
 
     def pending(self) -> bool:
         """Return whether a datagram has arrived already."""
