@@ -46,3 +46,32 @@ def test_a_noisy_scan_is_made_simpler_and_says_so():
 def test_an_open_entrance_changes_nothing(name):
     _, plan = imported(f"dxf-entrance-{name}.dxf")
     assert plan.paths[0].line.length == pytest.approx(11.3, abs=0.3)
+
+
+@pytest.mark.parametrize(
+    ("name", "places"),
+    [
+        ("invisible", {(5.0, 0.0), (5.0, 2.0)}),
+        ("layer-massivwand", {(5.0, 0.0)}),
+        ("layer-framed-wall", {(5.0, 0.0)}),
+        ("array-mirrored", {(9.6, 2.0), (6.6, 2.0), (3.6, 2.0)}),
+    ],
+)
+def test_a_drawing_has_the_walls_that_it_shows(name, places):
+    _, plan = imported(f"dxf-{name}.dxf")
+    assert places <= {point for wall in plan.walls for point in wall}
+
+
+def test_the_invisible_line_is_not_there():
+    draft, plan = imported("dxf-invisible.dxf")
+    assert (5.0, 6.0) not in {point for wall in plan.walls for point in wall}
+    assert "1 invisible" in " ".join(draft.words)
+
+
+def test_another_file_is_named():
+    assert "1 WALLS_EG" in " ".join(imported("dxf-xref.dxf")[0].words)
+
+
+def test_the_size_in_inches_and_in_centimetres_is_said():
+    words = " ".join(imported("dxf-inch-flag-drawn-in-cm.dxf")[0].words)
+    assert "30.5 x 20.3 m large, in inch as it says (12.0 x 8.0 m in cm)" in words

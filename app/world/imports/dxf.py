@@ -1,6 +1,8 @@
 """Imports a DXF drawing as a floor plan: lines become walls, and the layer PATH (or a proposal) becomes the path."""
 
 import re
+from collections import Counter
+from collections.abc import Iterable
 from itertools import pairwise
 from pathlib import Path
 from typing import Any, Final
@@ -9,7 +11,7 @@ import numpy as np
 
 from app.world.floorplan import MAX_WALLS
 from app.world.imports.draft import Draft, path_document, plain_name
-from app.world.imports.dxf_lines import Drawing, read_dxf
+from app.world.imports.dxf_lines import UNITS, Drawing, read_dxf
 from app.world.imports.inside import inside_of_building
 from app.world.imports.raster import free_cells
 from app.world.imports.route import propose_route
@@ -18,13 +20,21 @@ from app.world.imports.wall_pieces import Point, chain_pieces, join_pieces
 from app.world.path import Path as Line
 
 PATH_LAYER: Final = "path"
-WORDS_ON: Final = re.compile(r"text|dim|anno|bema|ma(ß|ss)|hatch|defpoints|title|frame|grid|axis", re.IGNORECASE)
+WORDS_ON: Final = re.compile(
+    r"(te?xte?s?|beschriftung(en)?|label(s|ling)?|dim(s|ensions?)?|anno(tations?)?|(be|ver)?ma(ß|ss)(e|ung|ungen|ketten?)?"
+    r"|cotes?|hatch(es|ing)?|schraffur(en)?|defpoints|title(s|block)?|border|frame|rahmen|grid(s|lines?)?|raster"
+    r"|ax[ie]s|achsen?|axes)",
+    re.IGNORECASE,
+)
+WALLS_ON: Final = re.compile(r"w(a|ae|ä)nde?|mauer|wall|mur|muro|parete|pared", re.IGNORECASE)
 WALL_THICKNESS: Final = 0.02  # m; small, because the lines of drawings are surfaces of walls
 WIDEST: Final = 500.0  # m
 NARROWEST: Final = 1.0  # m
+PROBABLE: Final = (3.0, 150.0)  # m, the longer side of a storey: outside of this, the unit is asked for
 FINEST: Final = 0.05  # m per cell of the grid on which a path is searched
 MOST_CELLS: Final = 1_000_000
 MOST_PATHS: Final = 20
+MOST_LISTED: Final = 8  # things left out that are named
 DECIMALS: Final = 4
 
 
@@ -37,7 +47,8 @@ def import_dxf(
 ) -> Draft:
     """Return a floor plan made of a drawing's lines, with its lower left corner at the origin.
 
-    `unit` (mm, cm, m, inch or foot) is needed when the drawing does not contain it. `layers` are those whose lines
+    `unit` (mm, cm, m, inch or foot) is needed when the drawing does not contain it, or when its size is improbable with
+    the unit that it contains. `layers` are those whose lines
     become walls; when not given, all except those for text and dimensions.
 
     Raises
@@ -54,7 +65,11 @@ def import_dxf(
     corners = np.array(pieces).reshape(-1, 2)
     low = corners.min(axis=0)
     size = corners.max(axis=0) - low
-    _check_size(file, float(size[0]), float(size[1]))
+    width, height = float(size[0]), float(size[1])
+    if unit is None:
+        _check_unit(file, drawing.unit, width, height)
+    else:
+        _check_size(file, width, height)
     x, y = float(low[0]), float(low[1])
     walls = join_pieces(((a[0] - x, a[1] - y), (b[0] - x, b[1] - y)) for a, b in pieces)
     edges = sum(len(wall) - 1 for wall in walls)
@@ -63,7 +78,7 @@ def import_dxf(
             f"{file}: this drawing has {edges:,} wall pieces and at most {MAX_WALLS:,} are taken, choose fewer layers"
         )
     drawn = _drawn_paths(drawing, (x, y))
-    paths = drawn or _propose_path(walls, (float(size[0]), float(size[1])))
+    paths = drawn or _propose_path(walls, (width, height))
     document: dict[str, Any] = {
         "name": name or plain_name(file.stem),
         "title": title or file.stem[:80],
@@ -71,17 +86,57 @@ def import_dxf(
         "wall_thickness": WALL_THICKNESS,
         "paths": paths,
     }
-    return Draft(document, tuple(_sentences(drawing, edges, drawn, paths)), offered, chosen)
+    given = f"as given, in {drawing.unit}" if unit else _as_drawn(drawing.unit, width, height)
+    words = [
+        f"{edges} wall pieces.",
+        *_path_sentences(drawn, paths),
+        f"The drawing is {width:.1f} x {height:.1f} m large, {given}.",
+        *_left_out_sentences(drawing, () if layers else tuple(sorted(set(offered) - set(chosen)))),
+    ]
+    return Draft(document, tuple(words), offered, chosen)
 
 
 def _choose_layers(file: Path, offered: tuple[str, ...], layers: tuple[str, ...] | None) -> tuple[str, ...]:
     if layers is None:
-        return tuple(layer for layer in offered if not WORDS_ON.search(layer))
+        return tuple(layer for layer in offered if not _is_for_words(layer))
     for layer in layers:
         if layer not in offered:
             known = ", ".join(offered[:10]) or "none"
             raise ValueError(f"{file}: there is no layer '{layer[:40]}' with lines, use some of these: {known}")
     return layers
+
+
+def _is_for_words(layer: str) -> bool:
+    """Return whether one of the words in a layer's name means text or dimensions, and none means a wall."""
+    words = re.findall(r"[^\W\d_]+", layer)
+    return any(WORDS_ON.fullmatch(word) for word in words) and not WALLS_ON.search(layer)
+
+
+def _check_unit(file: Path, unit: str, width: float, height: float) -> None:
+    """Ask for the unit when the drawing's own makes a storey of an improbable size."""
+    if PROBABLE[0] <= max(width, height) <= PROBABLE[1]:
+        return
+    raise ValueError(
+        f"{file}: in {unit}, as it says, this drawing is {width:,.1f} x {height:,.1f} m large, which is improbable for "
+        f"a storey, give its unit{_other_units(unit, width, height, UNITS)}, or remove what lies far from the building"
+    )
+
+
+def _as_drawn(unit: str, width: float, height: float) -> str:
+    """Return in which unit a drawing says that it is drawn; many are marked as inch or foot without being so."""
+    metric = [] if unit in {"mm", "cm", "m"} else ["mm", "cm", "m"]
+    return f"in {unit} as it says{_other_units(unit, width, height, metric)}"
+
+
+def _other_units(unit: str, width: float, height: float, units: Iterable[str]) -> str:
+    """Return the probable sizes (m) of a drawing in other units, in brackets."""
+    factors = [(name, UNITS[name] / UNITS[unit]) for name in units if name != unit]
+    sizes = [
+        f"{width * factor:.1f} x {height * factor:.1f} m in {name}"
+        for name, factor in factors
+        if PROBABLE[0] <= max(width, height) * factor <= PROBABLE[1]
+    ]
+    return f" ({', '.join(sizes)})" if sizes else ""
 
 
 def _check_size(file: Path, width: float, height: float) -> None:
@@ -129,15 +184,32 @@ def _propose_path(walls: list[list[Point]], size: tuple[float, float]) -> list[d
     return [path_document(points)] if Line(points).length > 0 else []
 
 
-def _sentences(drawing: Drawing, edges: int, drawn: list[dict[str, Any]], paths: list[dict[str, Any]]) -> list[str]:
-    words = [f"{edges} wall pieces."]
+def _path_sentences(drawn: list[dict[str, Any]], paths: list[dict[str, Any]]) -> list[str]:
+    if len(drawn) > 1:
+        return [f"{len(drawn)} paths are from the layer PATH."]
     if drawn:
-        words.append(f"{len(drawn)} from the layer PATH." if len(drawn) > 1 else "The path is that of the layer PATH.")
-    elif paths:
-        words.append("The path is a proposal: change it as you like.")
-    else:
-        words.append("A chair fits nowhere, so there is no path yet: draw one, or check the unit.")
+        return ["The path is that of the layer PATH."]
+    if paths:
+        return ["The path is a proposal: change it as you like."]
+    return ["A chair fits nowhere, so there is no path yet: draw one, or check the unit."]
+
+
+def _left_out_sentences(drawing: Drawing, by_name: tuple[str, ...]) -> list[str]:
+    """Return what is not in the plan, with counts; `by_name` are the layers left out because of their names."""
+    lines = Counter({layer: len(drawing.layers[layer]) for layer in by_name})
+    sentences = []
+    if lines:
+        sentences.append(f"Left out by the names of their layers, which can be chosen: {_listed(lines)}.")
+    if drawing.hidden:
+        sentences.append(f"On layers that are off or frozen: {_listed(drawing.hidden)}.")
+    if drawing.files:
+        sentences.append(f"In other files, bind them to the drawing to have them: {_listed(drawing.files)}.")
     if drawing.left_out:
-        kinds = ", ".join(f"{count} {kind}" for kind, count in sorted(drawing.left_out.items())[:8])
-        words.append(f"Not taken over: {kinds}.")
-    return words
+        sentences.append(f"Not taken over: {_listed(drawing.left_out)}.")
+    return sentences
+
+
+def _listed(counts: Counter[str]) -> str:
+    shown = ", ".join(f"{count} {name[:60]}" for name, count in sorted(counts.items())[:MOST_LISTED])
+    more = len(counts) - MOST_LISTED
+    return f"{shown} and {more} more" if more > 0 else shown

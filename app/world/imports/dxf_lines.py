@@ -2,13 +2,15 @@
 
 import math
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, Final, NamedTuple
 
 import ezdxf.path
 import ezdxf.recover
+from ezdxf.audit import AuditError
 from ezdxf.math import Matrix44
+from ezdxf.xclip import XClip
 
 from app.world.imports.wall_pieces import Point
 
@@ -27,16 +29,21 @@ WORDS: Final = frozenset({"TEXT", "MTEXT", "DIMENSION", "ATTDEF", "ATTRIB", "LEA
 
 
 class Drawing(NamedTuple):
-    """The lines of a drawing."""
+    """The lines of a drawing, and how many things were not read."""
 
     layers: dict[str, list[list[Point]]]  # layer -> lines, m
-    left_out: Counter[str]  # kind of entity -> how many were not read
+    unit: str  # a key of UNITS
+    left_out: Counter[str]  # by kind of entity, or in words
+    hidden: Counter[str]  # by layer, of those that are off or frozen
+    files: Counter[str]  # by block, of blocks that are other drawings
 
 
 def read_dxf(file: Path, unit: str | None = None) -> Drawing:
     """Read the lines of a DXF file; `unit` (a key of UNITS) overrides the unit in the drawing.
 
-    Layers that are off or frozen are left out, as in drawing programs; z coordinates are dropped.
+    What drawing programs do not show is left out: layers that are off or frozen, and invisible entities (group code
+    60). A block's lines are shown though the layer of the block is off, unless they lie on layer 0, which stands for
+    that layer; on a frozen layer a block is hidden with all its lines. z coordinates are dropped.
 
     Raises
     ------
@@ -45,9 +52,11 @@ def read_dxf(file: Path, unit: str | None = None) -> Drawing:
     """
     if unit is not None and unit not in UNITS:
         raise ValueError(f"the unit '{unit}' is not known: use one of {', '.join(UNITS)}")
-    document = _document(file)
+    document, missing = _document(file)
     try:
-        return _Reader(file, document, _scale(file, document, unit)).read()
+        reader = _Reader(file, document, _unit(file, document, unit))
+        reader.left_out["missing blocks"] += missing
+        return reader.read()
     except ValueError as error:
         if str(error).startswith(f"{file}: "):
             raise
@@ -57,7 +66,8 @@ def read_dxf(file: Path, unit: str | None = None) -> Drawing:
         raise ValueError(f"{file}: something in this drawing is damaged, save it again as DXF") from error
 
 
-def _document(file: Path) -> Any:
+def _document(file: Path) -> tuple[Any, int]:
+    """Return the drawing, and the number of references to blocks that it does not have."""
     try:
         with file.open("rb") as opened:
             content = opened.read(MOST_BYTES + 1)
@@ -72,37 +82,40 @@ def _document(file: Path) -> Any:
     if b"SECTION" not in content:
         raise ValueError(f"{file}: this is no DXF drawing that can be read, save it again as DXF")
     try:
-        document, _ = ezdxf.recover.readfile(file)
+        document, auditor = ezdxf.recover.readfile(file)
     except Exception as error:
         raise ValueError(f"{file}: this is no DXF drawing that can be read, save it again as DXF") from error
-    return document
+    return document, sum(fix.code == AuditError.UNDEFINED_BLOCK for fix in auditor.fixes)
 
 
-def _scale(file: Path, document: Any, unit: str | None) -> float:
-    """Return the length of one unit of the drawing, m."""
+def _unit(file: Path, document: Any, unit: str | None) -> str:
+    """Return the unit of the drawing."""
     name = unit or HEADER_UNITS.get(document.header.get("$INSUNITS", 0))
     if name is None:
         raise ValueError(
             f"{file}: this drawing does not say in which unit it is drawn, give its unit ({', '.join(UNITS)})"
         )
-    return UNITS[name]
+    return name
 
 
 class _Reader:
     """Visits the entities of a drawing and counts them, so that nested blocks cannot take unlimited time."""
 
-    def __init__(self, file: Path, document: Any, scale: float) -> None:
+    def __init__(self, file: Path, document: Any, unit: str) -> None:
         self._file = file
         self._document = document
-        self._scale = scale
+        self._unit = unit
         self._seen = self._points = 0
         self._layers: defaultdict[str, list[list[Point]]] = defaultdict(list)
-        self._left_out: Counter[str] = Counter()
-        self._hidden = {layer.dxf.name.lower() for layer in document.layers if layer.is_off() or layer.is_frozen()}
+        self.left_out: Counter[str] = Counter()
+        self._hidden: Counter[str] = Counter()
+        self._files: Counter[str] = Counter()
+        self._off = {layer.dxf.name.lower() for layer in document.layers if layer.is_off()}
+        self._frozen = {layer.dxf.name.lower() for layer in document.layers if layer.is_frozen()}
 
     def read(self) -> Drawing:
-        self._walk(self._document.modelspace(), Matrix44.scale(self._scale), None, 0)
-        return Drawing(dict(self._layers), self._left_out)
+        self._walk(self._document.modelspace(), Matrix44.scale(UNITS[self._unit]), None, 0)
+        return Drawing(dict(self._layers), self._unit, +self.left_out, self._hidden, self._files)
 
     def _walk(self, entities: Iterable[Any], matrix: Matrix44, inherited: str | None, depth: int) -> None:
         """Read entities in a block's coordinates; layer 0 of a block means the layer that the block is placed on."""
@@ -115,44 +128,48 @@ class _Reader:
             layer = str(entity.dxf.layer)
             layer = inherited if inherited is not None and layer == "0" else layer
             kind = entity.dxftype()
-            if layer.lower() in self._hidden or kind in WORDS:
-                continue
-            if kind == "INSERT":
+            if entity.dxf.get("invisible", 0):
+                self.left_out["invisible"] += 1
+            elif layer.lower() in self._frozen or (layer.lower() in self._off and kind != "INSERT"):
+                self._hidden[layer] += 1
+            elif kind in WORDS:
+                self.left_out["texts and dimensions"] += 1
+            elif kind == "INSERT":
                 self._read_block(entity, matrix, layer, depth)
+            elif kind == "MLINE":
+                self._walk(entity.virtual_entities(), matrix, layer, depth)
             elif kind in LINES:
                 self._read_line(entity, matrix, layer)
             else:
-                self._left_out[kind] += 1
+                self.left_out[kind] += 1
 
     def _read_block(self, insert: Any, matrix: Matrix44, layer: str, depth: int) -> None:
         block = insert.block()
         if block is None or block.is_any_layout:
-            self._left_out["INSERT"] += 1
+            self.left_out["missing blocks"] += 1
             return
+        if block.block.is_xref or block.block.is_xref_overlay:
+            self._files[str(insert.dxf.name)] += 1
         if depth >= DEEPEST:
             raise ValueError(f"{self._file}: its blocks lie in each other more than {DEEPEST} deep, explode them")
+        if XClip(insert).is_clipping_enabled:
+            self.left_out["clipped blocks, which are read whole"] += 1
         for place in self._places(insert):
             self._seen += 1
-            self._walk(block, place * matrix, layer, depth + 1)
+            self._walk(block, place.matrix44() * matrix, layer, depth + 1)
 
-    def _places(self, insert: Any) -> Iterator[Matrix44]:
-        """Yield the transformation of each placement of a block: one, or rows and columns of them."""
-        dxf, here = insert.dxf, insert.matrix44()
-        rows, columns = max(1, dxf.row_count), max(1, dxf.column_count)
-        if rows * columns > MOST_ENTITIES:
-            raise ValueError(f"{self._file}: a block stands there {rows * columns:,} times, draw only the walls")
-        angle = math.radians(dxf.rotation)
-        cos, sin = math.cos(angle), math.sin(angle)
-        for row in range(rows):
-            for column in range(columns):
-                x, y = column * dxf.column_spacing, row * dxf.row_spacing
-                yield here * Matrix44.translate(x * cos - y * sin, x * sin + y * cos, 0)
+    def _places(self, insert: Any) -> Iterable[Any]:
+        """Return the block references that an array of rows and columns stands for."""
+        times = max(1, insert.dxf.row_count) * max(1, insert.dxf.column_count)
+        if times > MOST_ENTITIES:
+            raise ValueError(f"{self._file}: a block stands there {times:,} times, draw only the walls")
+        return insert.multi_insert() if insert.mcount > 1 else (insert,)
 
     def _read_line(self, entity: Any, matrix: Matrix44, layer: str) -> None:
         try:
             path = ezdxf.path.make_path(entity, segments=SMALLEST_ARC)
         except TypeError:  # a POLYLINE may also be a mesh
-            self._left_out[entity.dxftype()] += 1
+            self.left_out[entity.dxftype()] += 1
             return
         path = path.transform(matrix)
         if not len(path):
