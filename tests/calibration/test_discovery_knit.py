@@ -62,4 +62,8 @@ def test_the_forecast_holds_for_what_is_done_later():
             movements += len(peaks)
     assert movements > 40
     assert predicted / movements == pytest.approx(counted / movements, abs=0.15)
-    assert len(found.suggestion.bindings) == 5
+    # These are four people who move at once: two of their joints answer to each other's prompts, and are not both bound.
+    bound = [JOINTS.index(name) for binding in found.suggestion.bindings[:-1] for name in binding.gestures]
+    together = np.array(profile.cross_talk)[np.ix_(bound, bound)]
+    assert len(bound) == 3
+    assert (together[~np.eye(3, dtype=bool)] <= CROSS_TALK_LIMIT).all()

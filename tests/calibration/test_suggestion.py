@@ -44,6 +44,27 @@ def test_joints_that_answer_together_are_not_chosen():
     assert names in ({*JOINTS}, {"right_wrist", "left_wrist", "right_shoulder", "left_shoulder"})
 
 
+def test_no_two_gestures_of_which_one_comes_with_the_other_are_bound():
+    for share in (0.5, 0.9):
+        suggestion = suggested(calibrated(("jaw", "neck"), {"jaw": {"neck": share}}))
+        assert [(binding.control, len(binding.gestures)) for binding in suggestion.bindings] == [("u1+", 1)]
+        assert "is left out: it comes with" in suggestion.reason
+        assert "nothing was prompted" not in suggestion.reason
+    three = suggested(calibrated(("jaw", "neck", "brow"), {"jaw": {"neck": 0.9}}))
+    names = {name for binding in three.bindings for name in binding.gestures}
+    assert names in ({"jaw", "brow"}, {"neck", "brow"})
+    assert [binding.control for binding in three.bindings] == ["u1+", "u1-", "stop"]
+
+
+def test_a_pair_of_sides_that_come_together_is_no_pair():
+    joints = ("right_elbow", "left_elbow", "right_shoulder", "left_shoulder", "jaw", "neck", "brow")
+    along = {"right_elbow": {"left_elbow": 0.9}, "right_shoulder": {"left_shoulder": 0.9}}
+    for chosen in (suggested(calibrated(joints, along)), suggested(calibrated(joints[:5], along))):
+        names = {name for binding in chosen.bindings for name in binding.gestures}
+        assert not {"right_elbow", "left_elbow"} <= names
+        assert not {"right_shoulder", "left_shoulder"} <= names
+
+
 def test_any_four_joints_do_when_the_body_has_no_pairs():
     chosen = bound(suggested(calibrated(("tongue", "brow", "jaw", "neck"))))
     assert sorted(name for control, gestures in chosen.items() for name in gestures if control != "stop") == [

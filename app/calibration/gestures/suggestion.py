@@ -32,18 +32,34 @@ class SuggestedVocabulary(Document):
 
 
 class _Costs:
-    """Costs of sets of gestures: the mean ratio of their numbers to the limits; 1 means at all limits."""
+    """Costs of sets of gestures: the mean ratio of their numbers to the limits; 1 means at all limits.
+
+    A set with two gestures that must not both be bound has no cost: `is_allowed` says so.
+    """
 
     def __init__(
         self, profile: CalibrationProfile, found: Sequence[FoundGesture], shares: Mapping[str, Shares]
     ) -> None:
         repeated = {joint.name for joint in profile.joints if joint.has_to_be_repeated}
         self._shares = shares
+        self._joints = [joint.name for joint in profile.joints]
+        self._matrix = profile.cross_talk
         self._alone: dict[str, float] = {}
         for gesture in found:
             of_limits = ratios(gesture)
             alone = math.fsum(of_limits.values()) - of_limits["cross_talk"]
             self._alone[gesture.name] = alone / len(of_limits) + REPEAT_PENALTY * (gesture.joint in repeated)
+
+    def together(self, one: FoundGesture, other: FoundGesture) -> float:
+        """Return the larger share of one joint's activation during the other's prompts, of which the grades warn."""
+        if self._matrix is None:
+            return 0.0
+        row, column = self._joints.index(one.joint), self._joints.index(other.joint)
+        return max(self._matrix[row][column], self._matrix[column][row])
+
+    def is_allowed(self, chosen: Sequence[FoundGesture]) -> bool:
+        """Return whether no two of the chosen gestures come together."""
+        return all(self.together(*pair) <= CROSS_TALK_LIMIT for pair in combinations(chosen, 2))
 
     def cross_talk(self, chosen: Sequence[FoundGesture]) -> float | None:
         """Return the mean cross-talk among the chosen gestures, None when it is unknown."""
@@ -70,7 +86,8 @@ def suggest_vocabulary(
     A pair is left and right of one body part moved in the same direction, unless four other gestures cost clearly less.
     No two gestures use one joint, because each movement there is followed by one back. A joint that was not prompted
     while others were is not chosen, because its sign is unknown. With fewer than four joints, the first two gestures
-    drive forward and back, and a third one turns. Both gestures of the first pair made together stop.
+    drive forward and back, and a third one turns. Both gestures of the first pair made together stop. Two gestures of
+    which one comes with the other, beyond the limit of the grades, are never both bound: rather fewer than four are.
     """
     prompted = {joint.name for joint in profile.joints if joint.prompted}
     candidates = [one for one in found if one.joint in prompted] or list(found)
@@ -83,7 +100,9 @@ def suggest_vocabulary(
     if len(chosen) > 1:
         bindings.append(Binding(control="stop", gestures=(chosen[0].name, chosen[1].name)))
     return SuggestedVocabulary(
-        gestures=_gestures(found, chosen), bindings=tuple(bindings), reason=_reason_of(chosen, costs.cross_talk(chosen))
+        gestures=_gestures(found, chosen),
+        bindings=tuple(bindings),
+        reason=_reason_of(chosen, costs.cross_talk(chosen)) + _left_out(candidates, chosen, costs),
     )
 
 
@@ -97,26 +116,33 @@ def _choose_gestures(
         for joint in order
         if any(one.joint == joint for one in candidates)
     }
-    if len(better) < 4:
-        return list(better.values())
-    any_four = [[(four[0], four[1]), (four[2], four[3])] for four in combinations(better.values(), 4)]
-    mirrored = [pair for pair in combinations(candidates, 2) if _is_mirrored(*pair)]
-    pairs_of_pairs = [[one, other] for one, other in combinations(mirrored, 2) if not _joints(one) & _joints(other)]
-    one, other = _cheapest(any_four, costs)
+    sizes = range(min(len(better), 4), 0, -1)
+    allowed = ([some for some in combinations(better.values(), size) if costs.is_allowed(some)] for size in sizes)
+    sets = next(filter(None, allowed), [()])
+    mirrored = [pair for pair in combinations(candidates, 2) if _is_mirrored(*pair) and costs.is_allowed(pair)]
+    pairs_of_pairs = [
+        (*one, *other)
+        for one, other in combinations(mirrored, 2)
+        if not _joints(one) & _joints(other) and costs.is_allowed((*one, *other))
+    ]
+    chosen = sets[0] if len(sets) == 1 else _cheapest(sets, costs)
     if pairs_of_pairs:
         mirror = _cheapest(pairs_of_pairs, costs)
-        if costs.of([*mirror[0], *mirror[1]]) <= costs.of([*one, *other]) + MIRROR_WORTH:
-            one, other = mirror
+        if len(chosen) < 4 or costs.of(mirror) <= costs.of(chosen) + MIRROR_WORTH:
+            chosen = mirror
+    if len(chosen) < 4:
+        return list(chosen)
+    one, other = (chosen[0], chosen[1]), (chosen[2], chosen[3])
     if FORWARD_PART in other[0].joint and FORWARD_PART not in one[0].joint:
         one, other = other, one
     return [*_right_first(one), *_right_first(other)]
 
 
-def _cheapest(pairs_of_pairs: Sequence[list[Pair]], costs: _Costs) -> list[Pair]:
-    """Return the two pairs of lowest cost; of nearly equal ones the first, as layouts name their main joints first."""
-    all_costs = [costs.of([*one, *other]) for one, other in pairs_of_pairs]
+def _cheapest(sets: Sequence[Sequence[FoundGesture]], costs: _Costs) -> Sequence[FoundGesture]:
+    """Return the set of lowest cost; of nearly equal ones the first, as layouts name their main joints first."""
+    all_costs = [costs.of(one) for one in sets]
     enough = min(all_costs) + EQUAL_COST
-    return next(pairs for pairs, cost in zip(pairs_of_pairs, all_costs, strict=True) if cost <= enough)
+    return next(one for one, cost in zip(sets, all_costs, strict=True) if cost <= enough)
 
 
 def _joints(pair: Pair) -> set[str]:
@@ -149,11 +175,26 @@ def _reason_of(chosen: Sequence[FoundGesture], cross_talk: float | None) -> str:
     names = ", ".join(one.joint if one.direction == 1 else f"{one.joint} going back" for one in chosen)
     weakest = min(one.signal_to_noise for one in chosen)
     words = f"Suggested: {names}. The weakest of them has a {signal_word(weakest)} signal"
-    if cross_talk is None:
+    if len(chosen) == 1:
+        words += "."
+    elif cross_talk is None:
         words += "; nothing was prompted, so it is not known what moves along."
     else:
         words += f"; on average {percent(cross_talk)} of another's activation appears while one moves."
     return words + _forecast(chosen)
+
+
+def _left_out(candidates: Sequence[FoundGesture], chosen: Sequence[FoundGesture], costs: _Costs) -> str:
+    """Return sentences on the joints that come with a chosen gesture, when fewer than four could be chosen."""
+    if len(chosen) >= 4:
+        return ""
+    words = ""
+    for joint in dict.fromkeys(one.joint for one in candidates):
+        if all(one.joint != joint for one in chosen):
+            gestures = [one for one in candidates if one.joint == joint]
+            share, partner = min(max((costs.together(one, other), other.joint) for other in chosen) for one in gestures)
+            words += f" {joint} is left out: it comes with {partner} ({percent(min(share, 9.99))} of its activation)."
+    return words
 
 
 def _forecast(chosen: Sequence[FoundGesture]) -> str:
