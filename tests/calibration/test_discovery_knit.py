@@ -10,6 +10,7 @@ from app.calibration.gestures.ability import abilities
 from app.calibration.gestures.cross_check import hit_level
 from app.calibration.gestures.discovery import discover
 from app.calibration.gestures.evidence import gather_evidence
+from app.calibration.grades import CROSS_TALK_LIMIT
 from app.signals.columns import read_columns
 from app.signals.signals import read_signals
 from app.signals.smoothing import smooth
@@ -62,7 +63,7 @@ def test_the_forecast_holds_for_what_is_done_later():
             movements += len(peaks)
     assert movements > 40
     assert predicted / movements == pytest.approx(counted / movements, abs=0.15)
-    # These are four people who move at once: two of their joints answer to each other's prompts, and are not both bound.
+    # These are four people who move at once: two joints answer to each other, and are not both bound.
     bound = [JOINTS.index(name) for binding in found.suggestion.bindings[:-1] for name in binding.gestures]
     together = np.array(profile.cross_talk)[np.ix_(bound, bound)]
     assert len(bound) == 3
