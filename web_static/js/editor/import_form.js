@@ -1,8 +1,9 @@
 /** The form that imports a plan from a drawing, a picture or a robot's map, and asks for what the file does not contain. */
 import { failureWords } from "../api.js";
 import { h, put } from "../widgets/dom.js";
-import { field, segments, selection } from "../widgets/fields.js";
+import { field, segments, selection, toggle } from "../widgets/fields.js";
 import { t } from "../texts.js";
+import { importPreview } from "./import_preview.js";
 
 const ACCEPTED = ".dxf,.png,.jpg,.jpeg,.yaml,.yml,.pgm";
 const UNITS = ["mm", "cm", "m", "inch", "foot"];
@@ -19,6 +20,7 @@ const IS_MAP = /\.ya?ml$/i;
 export function importForm(app, onDraft) {
   const input = h("input", { type: "file", multiple: true, accept: ACCEPTED, id: "plan-files" });
   const more = h("div", { class: "stack" });
+  const preview = h("div", { class: "stack" });
   const problem = h("p", { class: "problem", role: "alert" });
   const go = h("button", { class: "btn go", disabled: true }, t("import.read"));
   /** @type {Options} */
@@ -33,7 +35,9 @@ export function importForm(app, onDraft) {
     go.disabled = !names.length;
     options = () => ({});
     put(more);
-    if (!isMap && names.some((name) => IS_PICTURE.test(name))) options = pictureFields(more);
+    put(preview);
+    if (isMap) options = mapFields(more);
+    else if (names.some((name) => IS_PICTURE.test(name))) options = pictureFields(more);
     if (names.some((name) => IS_DRAWING.test(name))) options = drawingFields(more);
   };
   input.addEventListener("change", choose);
@@ -43,6 +47,7 @@ export function importForm(app, onDraft) {
     const { files } = input;
     if (!files?.length) return;
     problem.textContent = "";
+    put(preview);
     go.disabled = true;
     const sent = new FormData();
     for (const file of files) sent.append("files", file);
@@ -51,7 +56,7 @@ export function importForm(app, onDraft) {
       /** @type {DraftView} */
       const draft = await app.api.call("POST", "/floorplans/import", sent);
       if (IS_DRAWING.test(files[0].name) && !layers && draft.layers.length > 1) offerLayers(draft);
-      else onDraft(draft);
+      put(preview, importPreview(draft, () => onDraft(draft)));
     } catch (error) {
       problem.textContent = failureWords(error);
     }
@@ -75,10 +80,9 @@ export function importForm(app, onDraft) {
         "fieldset",
         { class: "layers stack" },
         h("legend", {}, t("import.layers")),
-        h("p", { class: "quiet small" }, draft.words.join(" ")),
+        h("p", { class: "quiet small" }, t("import.layers.hint")),
         boxes,
       ),
-      h("button", { type: "button", class: "btn", onclick: () => onDraft(draft) }, t("import.as-it-is")),
     );
   };
   return h(
@@ -90,6 +94,7 @@ export function importForm(app, onDraft) {
     more,
     problem,
     h("div", {}, go),
+    preview,
   );
 }
 
@@ -128,7 +133,20 @@ function pictureFields(place) {
     label,
     field(t("import.threshold"), threshold, t("import.threshold.hint")),
   );
-  return () => ({ [by]: value.valueAsNumber, threshold: threshold.valueAsNumber });
+  const outside = mapFields(place);
+  return () => ({ [by]: value.valueAsNumber, threshold: threshold.valueAsNumber, ...outside() });
+}
+
+/** The choice that maps and pictures have. @param {HTMLElement} place @returns {Options} */
+function mapFields(place) {
+  let outside = false;
+  place.append(
+    toggle(t("import.outside"), outside, (on) => {
+      outside = on;
+    }),
+    h("p", { class: "quiet small" }, t("import.outside.hint")),
+  );
+  return () => ({ outside });
 }
 
 /** The fields for a drawing. @param {HTMLElement} place @returns {Options} */
