@@ -7308,6 +7308,8 @@ export interface components {
             id: number;
             number: number;
             patient_id: number;
+            patient_code: string;
+            session_number: number;
             floorplan: string;
             floorplan_title: string;
             path: [

@@ -78,6 +78,17 @@ def test_a_toast_that_names_a_patient_goes_with_the_sign_in(page):
     assert page.locator(".toast").count() == 0
 
 
+def test_header_and_title_that_name_a_patient_go_with_the_sign_in(page, served):
+    expect(page.locator("header .me")).to_have_text("Ada")
+    page.goto(f"{served.address}/#/review/1")
+    expect(page).to_have_title("P-71, shown · Review · bodydrive")
+    expect(page.locator("header .who")).to_have_text("P-71 shown")
+    page.get_by_role("button", name="Sign out").click()
+    assert_names_nobody(page)
+    expect(page).to_have_title("Sign in · bodydrive")
+    page.goto(f"{served.address}/#/patients")
+
+
 def test_an_answer_that_comes_after_the_sign_out_says_nothing(page):
     late = []
     page.route("**/api/v1/session", lambda route: late.append((route, route.fetch())))

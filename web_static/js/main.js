@@ -1,6 +1,7 @@
 /**
  * The application: who is signed in, who is here, the live link, and which page is shown.
  * @import { CurrentSession, EquipmentView, Me } from "types/api"
+ * @import { Subject } from "./shell/subject.js"
  */
 import { Api, ApiError, FORBIDDEN, failureWords } from "./api.js";
 import { Live } from "./live/live.js";
@@ -14,6 +15,7 @@ import { firstTimePlace, notices } from "./shell/notices.js";
 import { showWhetherOffline } from "./shell/offline.js";
 import { PAGES, rail } from "./shell/rail.js";
 import { stopOnSpace } from "./shell/stop.js";
+import { pageTitle } from "./shell/subject.js";
 import { followSystem } from "./shell/theme.js";
 import { questionPlace } from "./widgets/question.js";
 import { Toasts } from "./shell/toast.js";
@@ -29,7 +31,7 @@ const WARN_EVERY = 60_000; // ms
  * What happens in the frame. `drafts`: the detail is a list to which a page adds what was entered and not sent;
  * `equipment`: the detail is the equipment after a file was added.
  * @typedef {{
- *   me: Event, session: Event, route: Event, "trial-view": Event, warning: Event, practice: Event,
+ *   me: Event, session: Event, subject: Event, route: Event, "trial-view": Event, warning: Event, practice: Event,
  *   drafts: CustomEvent<string[]>, equipment: CustomEvent<EquipmentView>,
  * }} AppEvents
  */
@@ -53,6 +55,8 @@ export class App extends TypedEvents {
   /** The open session and its patient. @type {CurrentSession | null} */
   session = null;
   #pageSession = new PageSession(this);
+  /** Whose data the page shows, where these are not simply those of the open session. @type {Subject | null} */
+  subject = null;
   /** Kind of the shirt in use when nobody wears it. @type {string | null} */
   practice = null;
   /** What the address names: a page, and what it shall show. @type {{page: string, rest: string[]}} */
@@ -75,6 +79,9 @@ export class App extends TypedEvents {
     stopOnSpace(this, window);
     this.lock.watch();
     keepFocus();
+    for (const event of /** @type {const} */ (["me", "session", "subject"])) {
+      this.addEventListener(event, () => (document.title = pageTitle(this)));
+    }
     this.live.addEventListener("changed", (event) => this.#changed(event.detail));
     this.live.addEventListener("connection", () => this.#connectionChanged());
     this.addEventListener("route", () => showWhetherOffline(this));
@@ -117,6 +124,7 @@ export class App extends TypedEvents {
     this.api.forget();
     this.me = { ...this.me, signed_in: false };
     this.session = null;
+    this.setSubject(null);
     put(this.root);
     this.toasts.clear();
     put(this.question);
@@ -173,6 +181,12 @@ export class App extends TypedEvents {
     this.dispatchEvent(new Event("trial-view"));
   }
 
+  /** Name in header and title whose data the page shows. @param {Subject | null} subject null: those of the open session */
+  setSubject(subject) {
+    this.subject = subject;
+    this.dispatchEvent(new Event("subject"));
+  }
+
   /** Show the page that the address names; without one, the page that comes next in this session. */
   async show() {
     if (this.lock.isLocked) return;
@@ -184,6 +198,7 @@ export class App extends TypedEvents {
     this.#shown = address;
     const { page: name, rest } = this.route;
     this.dispatchEvent(new Event("route"));
+    this.setSubject(null);
     this.frame.classList.toggle("alone", !this.me?.signed_in);
     try {
       const page = await import(`./pages/${name}/${name}.js`);
@@ -192,7 +207,6 @@ export class App extends TypedEvents {
       this.root.className = "page";
       this.root.scrollTop = this.frame.scrollTop = 0; // where there is little height, the frame scrolls
       put(this.root, h("p", { class: "quiet" }, t("loading")));
-      document.title = t("app.title", { page: t(`rail.${name}`) });
       await page.show(this, this.root, { signal: leave.signal, rest });
     } catch (error) {
       if (!leave.signal.aborted) this.#failed(error);

@@ -27,7 +27,7 @@ from app.store.patients import find_patient
 from app.store.records.import_tables import PatientImport
 from app.store.records.imports import Origin, origin_of, origins_of
 from app.store.runs import find_trial, keep_trial, trials_of
-from app.store.tables import Trial
+from app.store.tables import PatientSession, Trial
 
 router = APIRouter(tags=["trials"])
 
@@ -86,6 +86,8 @@ class TrialDetail(Document):
     id: int
     number: int
     patient_id: int
+    patient_code: str
+    session_number: int  # 1, 2, 3 ... per patient
     floorplan: str
     floorplan_title: str
     path: list[tuple[float, float]]
@@ -166,10 +168,14 @@ def one_trial(trial_id: RowId, who: Anyone, parts: PeopleParts, web: Web) -> Tri
         trial = find_trial(db, who.clinic_id, trial_id)
         write_log(db, who.name, "trial viewed", trial=trial_id)
         view = _view(db, trial)
+        code = find_patient(db, who.clinic_id, trial.patient_id).code
+        session_number = db.get_one(PatientSession, trial.session_id).number
     found = web.trajectories.of(web.runs.folder_of(trial.run_id)) if trial.status == "done" else None
     shown = view.model_dump(exclude={"path"})
     return TrialDetail(
         **shown,
+        patient_code=code,
+        session_number=session_number,
         path=[(x, y) for x, y in trial.path_points],
         path_name=trial.path,
         trajectory=None if found is None else TrajectoryView.of(found),

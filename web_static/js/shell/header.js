@@ -5,6 +5,7 @@ import { h, set, write } from "../widgets/dom.js";
 import { icon } from "../widgets/icons.js";
 import { practiceMark } from "./practice_mark.js";
 import { stopButton } from "./stop.js";
+import { subjectPlace } from "./subject.js";
 import { chosenTheme, nextTheme } from "./theme.js";
 
 /** @type {Record<import("./theme.js").Theme, import("../widgets/icons.js").IconName>} */
@@ -12,7 +13,8 @@ const THEME_ICONS = { system: "sun", light: "sun", dark: "moon", contrast: "cont
 
 /** @param {import("../main.js").App} app */
 export function header(app) {
-  const who = h("span", { class: "who" });
+  const who = subjectPlace(app);
+  const me = h("span", { class: "me" });
   const demo = h("span", { class: "tag calm", title: t("demo.explained") }, t("demo.tag"));
   const practice = practiceMark();
   const shirt = h("span", { class: "lamp" });
@@ -51,19 +53,19 @@ export function header(app) {
     practice.element,
     who,
     lamps,
+    me,
     h("div", { class: "tools" }, help, theme, leave),
     stopButton(app),
   );
 
-  const showWho = () => {
-    const { patient, session } = app.session ?? {};
+  const showMe = () => {
     const signedIn = Boolean(app.me?.signed_in);
     demo.hidden = !app.me?.demo;
     help.hidden = !signedIn;
     leave.hidden = !signedIn || Boolean(app.me?.demo);
     lamps.style.visibility = signedIn ? "" : "hidden";
-    who.hidden = !signedIn;
-    write(who, app.lock.isLocked ? "" : patient ? t("who.session", { code: patient.code, number: session?.number ?? 1 }) : t("who.nobody"));
+    me.hidden = leave.hidden;
+    write(me, me.hidden ? "" : (app.me?.name ?? ""));
   };
   const showShirt = () => {
     if (!app.live.present) return unknown(shirt, "lamp.shirt.unknown", "");
@@ -90,8 +92,7 @@ export function header(app) {
   // A demonstration has a mark of its own.
   const showPractice = () => practice.show(app.me?.demo ? null : app.practice);
   for (const event of /** @type {const} */ (["me", "practice"])) app.addEventListener(event, showPractice);
-  app.addEventListener("me", showWho);
-  app.addEventListener("session", showWho);
+  app.addEventListener("me", showMe);
   app.live.addEventListener("quality", showShirt);
   app.live.addEventListener("tick", showChair);
   app.live.addEventListener("tick", showShirt);
@@ -100,7 +101,7 @@ export function header(app) {
     showChair();
     help.disabled = leave.disabled = !app.live.connected; // signing out needs the server, and the help is loaded from it
   });
-  showWho();
+  showMe();
   showShirt();
   showChair();
   return element;

@@ -67,7 +67,6 @@ export class Lock {
     app.toasts.clear();
     app.question.style.display = "none";
     app.frame.classList.add("locked", "alone");
-    document.title = t("app.title", { page: t("lock.title") });
     put(this.#cover, this.#doors());
     app.root.replaceWith(this.#cover);
     app.dispatchEvent(new Event("me")); // the header names nobody now

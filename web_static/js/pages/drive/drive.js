@@ -81,6 +81,7 @@ async function over(app, root, id, signal) {
   const source = read.trial.source.simulated ? "simulated" : "worn";
   const next = await app.api.get(`/patients/${read.trial.patient_id}/next-task?source=${source}`);
   if (signal.aborted) return;
+  app.setSubject({ code: read.trial.patient_code, sessions: [read.trial.session_number] });
   /** @param {Place} where @param {boolean} isMain @param {string} words */
   const button = (where, isMain, words) =>
     h("button", { type: "button", class: isMain ? "btn go" : "btn", onclick: () => app.requestTrial(where) }, words);

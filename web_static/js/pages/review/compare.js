@@ -17,6 +17,7 @@ export async function show(app, root, { signal, rest: [patient, , ...ids] }) {
   const trials = await Promise.all(ids.slice(0, 2).map((id) => app.api.get(`/trials/${id}`)));
   trials.sort((a, b) => a.id - b.id);
   if (signal.aborted) return;
+  app.setSubject({ code: trials[0].patient_code, sessions: trials.map((trial) => trial.session_number) });
   const found = await verdicts(app, trials);
   const above = await pictures(app, root, trials, signal);
   if (signal.aborted) return;

@@ -39,6 +39,7 @@ export async function show(app, root, { signal, rest }) {
   if (!patient) return emptyPage(root, t("review.none.title"), t("review.nobody.lead"), "#/patients", t("nobody.go"));
   let trials = await app.api.get(`/trials?patient=${patient.id}`);
   if (signal.aborted) return;
+  app.setSubject({ code: patient.code, sessions: [] });
   let redraw = () => app.show();
   followTrials(app, patient.id, trials, (now) => ((trials = now), redraw()), signal);
   const who = field(

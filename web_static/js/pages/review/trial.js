@@ -21,6 +21,7 @@ import { t } from "../../texts.js";
 export async function show(app, root, { signal, rest: [patient, , id] }) {
   const read = await readTrial(app.api, id);
   if (signal.aborted) return;
+  app.setSubject({ code: read.trial.patient_code, sessions: [read.trial.session_number] });
   if (read.trial.status === "running") {
     app.live.addEventListener("changed", ({ detail }) => ["trial", "everything"].includes(detail) && app.show(), { signal });
     const title = t("review.running.title", { number: read.trial.number });

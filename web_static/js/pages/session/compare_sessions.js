@@ -17,6 +17,7 @@ export async function show(app, root, { signal, rest: [, first, second] }) {
   const found = await app.api.get(`/sessions/${Number(first)}/comparison?other=${Number(second)}`);
   if (signal.aborted) return;
   const { earlier, later, tasks, tests } = found;
+  app.setSubject({ code: earlier.code, sessions: [earlier.number, later.number] });
   /** @param {SessionComparison["earlier"]} session */
   const link = ({ id, number: place, started, goal }) =>
     h("li", {}, h("a", { href: `#/session/${id}` }, t("verdict.session", { number: place })), ` (${moment(started)})`, goal && `: ${goal}`);

@@ -36,6 +36,7 @@ export async function show(app, root, { signal, rest }) {
   let record = await app.api.get(`/sessions/${id}`);
   const unread = await unreadMarks(app, record.patient_id, signal);
   if (signal.aborted) return;
+  app.setSubject({ code: record.code, sessions: [record.number] });
   const place = h("div", { class: "body session-record" });
   const isDrafted = () => [...place.querySelectorAll("textarea, input")].some((one) => isChanged(/** @type {HTMLInputElement} */ (one)));
   /** @type {Writing["change"]} */

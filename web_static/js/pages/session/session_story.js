@@ -11,6 +11,7 @@ export async function show(app, root, { signal, rest: [, session] }) {
   let story = await app.api.get(`/sessions/${id}/story`);
   if (signal.aborted) return;
   const { number, code, patient_id: patient } = story;
+  app.setSubject({ code, sessions: [number] });
   const card = h("section", { class: "card stack" });
   const draw = () => put(card, storyParts(story, (trial) => `#/review/${patient}/trial/${trial}`));
   /** @param {CustomEvent<string>} event */
