@@ -134,7 +134,7 @@ def make_parts(
 
 async def start_parts(database: Database, web: WebParts) -> None:
     """Start the control process and what watches it; open a 3D view when a session is open."""
-    await asyncio.to_thread(_close_interrupted, database)
+    await asyncio.to_thread(_close_interrupted, database, web.runs)
     await web.control.start()
     await web.limits.open()
     await web.chairs.open()
@@ -157,8 +157,9 @@ def _is_session_open(database: Database) -> bool:
         return clinic is not None and open_session(db, clinic.id) is not None
 
 
-def _close_interrupted(database: Database) -> None:
-    """Mark the steps, trials, drives and interface tests that an ended web process left running as interrupted."""
+def _close_interrupted(database: Database, runs: SessionRuns) -> None:
+    """Mark the runs, steps, trials, drives and tests that an ended web process left running as interrupted."""
+    runs.close_interrupted()
     with database.transaction(closing=True) as db:
         fail_interrupted_steps(db)
         close_interrupted_trials(db)

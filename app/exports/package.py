@@ -72,7 +72,7 @@ def _add_run(code: str, form: Form, run: RecordedRun, package: Path) -> int:
             opened.writestr(entry(f"{run.stem}.missing.txt"), "The recording of this run is missing.\n")
             return opened.start_dir
         if not recorded.meta:
-            opened.writestr(entry(f"{run.stem}.missing.txt"), f"{recorded.damage}\n")
+            opened.writestr(entry(f"{run.stem}.missing.txt"), f"{recorded.loss}\n")
             return opened.start_dir
         for file in _run_files(code, form, run, recorded, folder):
             add_file(opened, file, file.relative_to(folder).as_posix())
@@ -80,7 +80,7 @@ def _add_run(code: str, form: Form, run: RecordedRun, package: Path) -> int:
 
 
 def _run_files(code: str, form: Form, run: RecordedRun, recorded: RunGroups, folder: Path) -> list[Path]:
-    facts = run_facts(code, run, recorded.meta, recorded.damage)
+    facts = run_facts(code, run, recorded.meta, recorded.loss)
     if form == "bids":
         place = {"patient": code, "session": run.session, "task": run.task, "run": run.number}
         return bids_form.write_bids(recorded, facts, folder, place)

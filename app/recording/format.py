@@ -20,6 +20,8 @@ PARQUET_FILE = "run.parquet"
 DAMAGE_FILE = "damaged.txt"
 SEGMENT, SEGMENT_CHECK = "segment-{:04d}.arrows", "segment-{:04d}.check"
 
+LOST_AT_MOST = 0.5  # s of a recording, when the power fails
+
 META_KEY = b"bodydrive"  # key of the copy of run.json in the Arrow schema's metadata
 END_OF_STREAM = b"\xff\xff\xff\xff\x00\x00\x00\x00"  # the end marker of an Arrow IPC stream
 

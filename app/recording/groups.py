@@ -17,7 +17,7 @@ class RunGroups:
     """A recorded run whose rows come group by group; the groups can be taken once."""
 
     meta: dict[str, Any]  # the content of `run.json`
-    damage: str  # one sentence on the damage; empty when the recording is whole and closed
+    loss: str  # what is damaged, and how much a cut lost at most; empty when the recording is whole and closed
     groups: Iterator[Columns]  # at least one, which may have no rows
 
 
@@ -36,7 +36,7 @@ def read_in_groups(folder: Path) -> RunGroups:
         end = None
     if end is None or end["checksums"].get(PARQUET_FILE) != file_checksum(file):
         run = read_run(folder)
-        return RunGroups(run.meta, run.damage, _slices(run))
+        return RunGroups(run.meta, run.loss, _slices(run))
     return _whole(file)
 
 

@@ -1,6 +1,7 @@
 """Reads a recorded run, up to its first damaged byte."""
 
 import json
+import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,6 +16,7 @@ from app.recording.format import (
     DAMAGE_FILE,
     END_FILE,
     END_OF_STREAM,
+    LOST_AT_MOST,
     META_FILE,
     META_KEY,
     PARQUET_FILE,
@@ -31,6 +33,8 @@ if TYPE_CHECKING:
 
 CHUNK = 1 << 20  # bytes read at once for a checksum
 UNREAD = "{file}: this file was cut or changed and cannot be read: restore it from a backup."
+CUT = "The recording was cut: what had been written by then is here."
+LOST_OF_A_CUT = "It ends {end:.2f} s after its first row; of the time until the cut, at most {lost:g} s are lost."
 UNREADABLE = (ValueError, TypeError, AttributeError, KeyError, NotImplementedError)
 """What a changed name or type of a column raises, which the Parquet file does not protect by a checksum."""
 
@@ -55,6 +59,14 @@ class Run:
     def rows(self) -> int:
         """Number of rows."""
         return len(self.columns["t"])
+
+    @property
+    def loss(self) -> str:
+        """The damage, of a recording that was cut with how much its end lost at most; empty when it is whole."""
+        if self.damage != CUT or not self.rows:
+            return self.damage
+        end = float(self.columns["t"][-1] - self.columns["t"][0])
+        return f"{CUT} {LOST_OF_A_CUT.format(end=end, lost=LOST_AT_MOST)}"
 
     def frames(self) -> Columns:
         """Return the columns of the rows in which a frame came."""
@@ -138,7 +150,7 @@ def _read_segments(segments: list[Path]) -> tuple[list["pa.Table"], str]:
             )
         if not content[:sound].endswith(END_OF_STREAM):
             break
-    return tables, "The recording was cut: what had been written by then is here."
+    return tables, CUT
 
 
 def _sound_part(content: bytes, records: bytes) -> tuple[int, bool]:
@@ -243,3 +255,14 @@ def file_checksum(file: Path) -> int | None:
     except OSError:
         return None
     return checksum
+
+
+def kept_rows(folder: Path) -> int | None:
+    """Return how many rows of a run are on the disk, brought there when they were not; None when none can be read."""
+    try:
+        for file in folder.glob("segment-*"):
+            with file.open("rb") as opened:
+                os.fsync(opened.fileno())
+        return read_run(folder, scalars_only=True).rows
+    except (ValueError, OSError):
+        return None

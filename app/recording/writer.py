@@ -17,6 +17,7 @@ from app.recording.format import (
     DAMAGE_FILE,
     END_FILE,
     END_OF_STREAM,
+    LOST_AT_MOST,
     META_FILE,
     PARQUET_FILE,
     SEGMENT,
@@ -26,7 +27,6 @@ from app.recording.format import (
 )
 
 WRITE_EVERY = 0.08  # s
-LOST_AT_MOST = 0.5  # s of the recording, when the power fails
 SYNC_EVERY = LOST_AT_MOST - WRITE_EVERY  # s: the next look is WRITE_EVERY later
 SEGMENT_SIZE = 32_000_000  # bytes, after which the next segment begins
 
@@ -37,7 +37,7 @@ class RunWriter:
     Attributes
     ----------
     rows : int
-        Ticks written so far.
+        Ticks on the disk so far: written and synced, so that a cut of the power leaves them.
     dropped : int
         Ticks that were overwritten in the ring before they could be written.
     damage : str
@@ -51,6 +51,7 @@ class RunWriter:
             raise FileExistsError(f"{folder.name}: there is a recording of this name already, begin a new run")
         self.folder = folder
         self.rows = self.dropped = 0
+        self._written = 0  # ticks, of which the last may not be on the disk yet
         self.damage = ""
         self._meta = json.dumps(meta, separators=(",", ":"), sort_keys=True).encode()
         write_atomically(folder / META_FILE, self._meta)
@@ -125,7 +126,7 @@ class RunWriter:
             rows = ticks[ticks["run"] == run]
             if len(rows):
                 self._write(self._encoder.batch(rows))
-                self.rows += len(rows)
+                self._written += len(rows)
         if self._size > SEGMENT_SIZE:
             self._close_segment()
             self._open_segment()
@@ -149,6 +150,7 @@ class RunWriter:
     def _sync(self) -> None:
         for descriptor in self._descriptors:
             os.fsync(descriptor)
+        self.rows = self._written
 
     def _close_segment(self) -> None:
         self._write(END_OF_STREAM)

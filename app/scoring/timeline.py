@@ -136,7 +136,7 @@ def timeline_of(folder: FilePath, path_points: list[Any], end: str | None) -> Ti
         joints=_joints(run, decimation),
         events=events_of(rows, t, end),
         floorplan=plan,
-        words=run.damage,
+        words=run.loss,
     )
 
 

@@ -6,17 +6,21 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 from app.cues import Cue
+from app.recording.reader import kept_rows
 from app.refusals import Conflict, Refusal
 from app.session.control_link import ControlLink
 from app.source import Source
 from app.store.database import Database
+from app.store.log import log_once
 from app.store.records.consents import require_consent
-from app.store.runs import add_run, close_run
+from app.store.runs import add_run, close_run, open_runs, run_folders
 from app.store.tables import PatientSession
 from app.world.cursor_task import CursorPlan
+
+NAMELESS: Final = "recordings without a row"
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,5 +122,27 @@ class SessionRuns:
             add_run(db, run_id, session_id, kind, run_id, source)
 
     def _close(self, run_id: str, rows: int | None, dropped: int | None) -> None:
+        if rows is None:
+            rows = kept_rows(self.folder_of(run_id))
         with self._database.transaction(closing=True) as db:
             close_run(db, run_id, rows, dropped)
+
+    def close_interrupted(self) -> list[str]:
+        """Store how many rows are on the disk of each run that an ended program left open.
+
+        Returns
+        -------
+        list of str
+            Names of recordings that no row of the database names: a program was killed before it could store one. They
+            are kept; the start that finds them names them in the log.
+        """
+        with self._database.transaction() as db:
+            left, named = open_runs(db), run_folders(db)
+        rows = {run: kept_rows(self.folder_of(folder)) for run, folder in left.items()}
+        nameless = sorted(place.name for place in self._folder.glob("*") if place.is_dir() and place.name not in named)
+        with self._database.transaction(closing=True) as db:
+            for run, count in rows.items():
+                close_run(db, run, count, None)
+            if nameless:
+                log_once(db, NAMELESS, recordings=nameless)
+        return nameless

@@ -38,6 +38,13 @@ def write_log(db: Session, person: str | None, what: str, /, **details: Any) -> 
     db.info[HAS_NEW_ROWS] = True
 
 
+def log_once(db: Session, what: str, **details: Any) -> None:
+    """Append one row that the program itself has found, unless the newest of its kind has these details."""
+    last = db.scalar(select(LogEntry.details).where(LogEntry.what == what).order_by(LogEntry.id.desc()).limit(1))
+    if last != details:
+        write_log(db, None, what, **details)
+
+
 def log_viewing(db: Session, person: str, patient: int) -> None:
     """Log that a person looks at the records of a patient, once in a quarter of an hour."""
     if not _is_logged(db, person, VIEWED, LogEntry.details["patient"].as_integer() == patient):

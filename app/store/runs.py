@@ -10,6 +10,7 @@ from app.clock import utc_now
 from app.refusals import Conflict
 from app.scoring.interruptions import reason_to_ask
 from app.source import UNKNOWN_SOURCE, Source
+from app.store.access.visible_patients import WITH_DELETED
 from app.store.own_rows import own_row
 from app.store.records.sign_off import require_unsigned, sign_off_of
 from app.store.tables import PatientSession, Run, Trial
@@ -37,6 +38,17 @@ def run_ids(db: Session, patient_id: int) -> list[str]:
     """Return the ids of all runs of a patient."""
     found = select(Run.id).join(PatientSession, PatientSession.id == Run.session_id)
     return list(db.scalars(found.where(PatientSession.patient_id == patient_id)))
+
+
+def open_runs(db: Session) -> dict[str, str]:
+    """Return the folders of the runs that have not ended, by their ids, also those of deleted patients."""
+    query = select(Run.id, Run.folder).where(Run.ended.is_(None))
+    return {run: folder for run, folder in db.execute(query, execution_options=WITH_DELETED)}  # noqa: C416  (typed rows)
+
+
+def run_folders(db: Session) -> frozenset[str]:
+    """Return the folders of all runs, also those of deleted patients."""
+    return frozenset(db.scalars(select(Run.folder), execution_options=WITH_DELETED))
 
 
 def close_run(db: Session, run_id: str, rows: int | None, dropped: int | None) -> None:

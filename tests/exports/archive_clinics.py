@@ -46,24 +46,24 @@ def state_of(settings):
     return rows, sorted(name for name in files if "sqlite" not in name)
 
 
-def rewrite(package, target, change=None, *, names=None, patient=None, text=("", ""), listed=None):
+def rewrite(package, target, change=None, *, names=None, patient=None, text=("", ""), listed=None, files=None):
     """Write an archive anew, with right hashes: other names, rows, another text in the document, another list."""
     with zipfile.ZipFile(package) as source:
-        contents = {name: source.read(name) for name in source.namelist()}
+        contents = {name: source.read(name) for name in source.namelist()} | (files or {})
     if patient is not None:
         document = json.loads(contents[PATIENT])
         patient(document["tables"])
         contents[PATIENT] = json.dumps(document).encode()
     contents[PATIENT] = contents[PATIENT].replace(*(part.encode() for part in text))
     contents = {(names or {}).get(name, name): content for name, content in contents.items()}
-    files = {
+    entries = {
         name: FileEntry(bytes=len(content), sha256=sha256(content).hexdigest())
         for name, content in contents.items()
         if name != LIST
     }
-    report = files.pop(REPORT, None)
+    report = entries.pop(REPORT, None)
     made = json.loads(
-        ArchiveList(clinic="Riverside", hash=hash_of(files), files=files, report=report).model_dump_json()
+        ArchiveList(clinic="Riverside", hash=hash_of(entries), files=entries, report=report).model_dump_json()
     )
     contents[LIST] = json.dumps({**made, **(listed or {})}).encode()
     if change is not None:

@@ -195,13 +195,16 @@ def bomb(contents):
 
 WRONG = {
     "a run that is not there": ({"patient": wrong_id}, "refers to a row that is not there"),
-    "another type": ({"patient": wrong_type}, "has another type"),
+    "another type": ({"patient": wrong_type}, r"row 1 of its table 'trial', 'number': should be a valid integer"),
     "another column": ({"patient": other_column}, "columns of its table 'session' are others"),
     "a hidden sign": ({"patient": hidden_sign}, "which nobody sees"),
-    "other figures of a test": ({"patient": wrong_test}, "another form"),
-    "a workload beyond its scale": ({"patient": wrong_workload}, "another form"),
+    "other figures of a test": ({"patient": wrong_test}, r"row 1 of its table 'interface_test', 'measures\."),
+    "a workload beyond its scale": (
+        {"patient": wrong_workload},
+        r"'workload\.mental': should be less than or equal to 100",
+    ),
     "a moment before all years": ({"patient": before_all_years}, "is no date"),
-    "no profile": ({"patient": wrong_profile}, "another form"),
+    "no profile": ({"patient": wrong_profile}, r"row 1 of its table 'profile', 'document\.created': Field required"),
     "a long code": ({"patient": long_code}, "too long"),
     "a path as a run": ({"patient": path_as_run}, "wrong names"),
     "a path as a name": ({"names": {f"runs/{RUN}/run.json": "runs/../../evil.json"}}, "no archive"),

@@ -29,9 +29,8 @@ ring.unlink()
 writer = RunWriter(Path(sys.argv[1]), META, CHANNELS, GESTURES)
 synced = writer._sync
 def sync_and_say():
-    rows = writer.rows
     synced()
-    print(rows, flush=True)
+    print(writer.rows, flush=True)
 writer._sync = sync_and_say
 writer.start(ring, 0, 1)
 i = 0

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from app.disk_room import ROOM_TO_RECORD
 from app.exports.archive.archive_contents import WRONG, checked_rows
+from app.exports.archive.archived_recordings import wrong_recording
 from app.exports.archive.open_archive import OpenArchive, open_archive
 from app.file_modes import OWNER_FOLDER
 from app.files import sync_folder
@@ -74,6 +75,9 @@ def import_archive(
         with passing_folder(runs.parent, "import") if unpacked is None else nullcontext(unpacked) as folder:
             folder.mkdir(mode=OWNER_FOLDER, exist_ok=True)
             archive.unpack_recordings(folder, here)
+            wrong = next(filter(None, map(wrong_recording, sorted(folder.iterdir()))), "")
+            if wrong:
+                raise ValueError(WRONG.format(file=archive.file, why=wrong))
             return _add(database, clinic_id, archive, rows, person, folder, runs)
 
 

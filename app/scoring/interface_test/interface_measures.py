@@ -8,43 +8,51 @@ import math
 from collections import defaultdict
 from collections.abc import Sequence
 from statistics import fmean, stdev
-from typing import Any, NamedTuple
+from typing import Annotated, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
+from pydantic import Field, StrictBool
 
-from app.quantities import Document
-from app.scoring.interface_test.workload import Workload
+from app.quantities import Count, Document
 from app.world.cursor_task import Attempt, CursorPlan, CursorTask
 
 SPREAD_TO_WIDTH = 4.133  # the width that holds 96 % of normally distributed ends, over their standard deviation
 FEWEST_ENDS = 8  # acquired targets, below which their spread is not known well enough for a throughput
-WORDS_OF_DIRECTION = {(1.0, 0.0): "ahead", (-1.0, 0.0): "back", (0.0, 1.0): "left", (0.0, -1.0): "right"}
+
+Amount = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1e12)]
+Way = Literal["ahead", "back", "left", "right"]
+WORDS_OF_DIRECTION: dict[tuple[float, float], Way] = {
+    (1.0, 0.0): "ahead",
+    (-1.0, 0.0): "back",
+    (0.0, 1.0): "left",
+    (0.0, -1.0): "right",
+}
 
 
 class DirectionMeasures(Document):
     """What happened on the ways in one direction."""
 
-    acquired: int
-    missed: int
-    movement_time: float | None  # s, mean over the acquired targets
+    acquired: Count
+    missed: Count
+    movement_time: Amount | None  # s, mean over the acquired targets
 
 
 class InterfaceMeasures(Document):
     """The measures of one interface test; means are over the acquired targets, None where there are too few."""
 
-    duration: float  # s from the first target to the end
-    complete: bool  # whether it ran for as long as was planned
-    acquired: int
-    missed: int
-    acquisitions_per_minute: float | None
-    first_entry: float | None  # s from the appearance of a target until the cursor is in it for the first time
-    dial_in: float | None  # s from the first entry to the last one
-    entries: float | None  # per acquired target; 1 means that no target was left again
-    path_efficiency: float | None  # 0..1, straight way over the way of the cursor
-    effective_width: float | None  # arms of the cross
-    throughput: float | None  # bit/s
-    directions: dict[str, DirectionMeasures]  # ahead, back, left, right: of the way to the target
+    duration: Amount  # s from the first target to the end
+    complete: StrictBool  # whether it ran for as long as was planned
+    acquired: Count
+    missed: Count
+    acquisitions_per_minute: Amount | None
+    first_entry: Amount | None  # s from the appearance of a target until the cursor is in it for the first time
+    dial_in: Amount | None  # s from the first entry to the last one
+    entries: Amount | None  # per acquired target; 1 means that no target was left again
+    path_efficiency: Amount | None  # 0..1, straight way over the way of the cursor
+    effective_width: Amount | None  # arms of the cross
+    throughput: Amount | None  # bit/s
+    directions: dict[Way, DirectionMeasures]  # ahead, back, left, right: of the way to the target
 
 
 class Ways(NamedTuple):
@@ -119,15 +127,6 @@ def interface_measures(task: CursorTask) -> InterfaceMeasures:
         throughput=None if width is None else throughput(_ways(acquired), width),
         directions={word: _direction(attempts, way) for way, word in WORDS_OF_DIRECTION.items()},
     )
-
-
-def check_documents(plan: Any, measures: Any, workload: Any) -> None:
-    """Raise ValueError for documents of an interface test that this program would not have stored; None: not there."""
-    CursorPlan.model_validate(plan)
-    if measures is not None:
-        InterfaceMeasures.model_validate(measures)
-    if workload is not None:
-        Workload.model_validate(workload)
 
 
 def _middle(attempt: Attempt) -> tuple[float, float]:

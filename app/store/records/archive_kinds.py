@@ -71,6 +71,7 @@ NOT_IN_ARCHIVE: Final = {
     "chair": "real chairs of this clinic",
     "record_keeping": "settings of this clinic's owner",
     "made_backup": "backups of this clinic",
+    "passed_time": "what the clocks of this clinic's machine said",
     "prior_switch": "a setting of this clinic's owner",
 }
 """Every other table, with the reason why the archive of a patient does not have it."""

@@ -12,6 +12,7 @@ from sqlalchemy.orm import Session
 from app.store.access.person_tables import Person
 from app.store.chairs import chair_elsewhere
 from app.store.records.archive_kinds import ADDED_LATER, KINDS, LEFT_OUT
+from app.store.records.archived_rows import wrong_value, wrong_versions
 from app.store.sharing.sharing_tables import MomentComment
 from app.store.tables import Moment, Table
 
@@ -95,6 +96,11 @@ def check_rows(rows: Any) -> Rows:
         raise WrongRows(f"it has more than {MOST_ROWS:,} rows")
     if len(found["patient"]) != 1:
         raise WrongRows("it has not exactly one patient")
+    tables = (table_of(kind) for kind, _ in KINDS)
+    wrong = (wrong_value(table, exchanged(table), found[table.name]) for table in tables)
+    words = next(filter(None, wrong), "") or wrong_versions(found)
+    if words:
+        raise WrongRows(words)
     if any(row["ended"] is None for row in found["session"]):
         raise WrongRows("one of its sessions has not ended")
     return found

@@ -1,0 +1,206 @@
+"""The form of each row that an archive may hold: every value and every document in it, by the model that wrote it.
+
+A column has the form of its type: numbers are strict, finite and bounded, texts visible, moments of this age. The
+columns that hold documents, words of a fixed set or names stand below. What fits is stored as it is.
+"""
+
+import json
+from datetime import UTC, date, datetime
+from functools import cache
+from typing import Annotated, Any, Final, Literal
+
+from pydantic import AfterValidator, AwareDatetime, Field, TypeAdapter, ValidationError, create_model
+from sqlalchemy import Boolean, Column, Date, Float, Integer
+from sqlalchemy import Table as SqlTable
+
+from app.calibration.adaptation.proposal_document import JointChange
+from app.calibration.profile import CalibrationProfile
+from app.calibration.vocabulary import DriveParameters, SetTitle
+from app.layout import ShirtLayout
+from app.quantities import Count, Document, Finite, Line, Name, Note, Seconds
+from app.scoring.control_quality import ControlQuality
+from app.scoring.interface_test.interface_measures import InterfaceMeasures
+from app.scoring.interface_test.workload import Workload
+from app.scoring.trial_measures import TrialMeasures
+from app.store.patient_screens import ScreenSettings
+from app.store.records.consents import CONSENTS
+from app.store.tables import Moment
+from app.world.cursor_task import CursorPlan
+from app.world.floorplan import Polyline
+from app.world.path import Path
+
+EARLIEST, LATEST = datetime(1970, 1, 2, tzinfo=UTC), datetime(2200, 1, 1, tzinfo=UTC)
+
+
+def _of_this_age(moment: datetime) -> datetime:
+    if not EARLIEST <= moment <= LATEST:
+        raise ValueError("is no date between 1970 and 2200")
+    return moment
+
+
+def _day_of_this_age(day: date) -> date:
+    if not EARLIEST.date() <= day <= LATEST.date():
+        raise ValueError("is no date between 1970 and 2200")
+    return day
+
+
+def _line(points: Polyline) -> Polyline:
+    Path(points)  # two different points at least
+    return points
+
+
+def _joint_change(change: dict[str, Any]) -> dict[str, Any]:
+    """Check the change of a joint as `JointChange` has it, under the joint's name; fitted to a donning it has less."""
+    whole = {"name": "joint", "status": "applied", "reason": "", **change}
+    JointChange.model_validate_json(json.dumps(whole), strict=True)
+    return change
+
+
+class SureOfRings(Document):
+    """Which rings a person is sure of, and the recording in which they looked turned."""
+
+    recording: Line | None
+    rings: tuple[Name, ...]
+
+
+class CalibrationUnderWay(Document):
+    """The calibration of a session: its layout."""
+
+    layout: ShirtLayout
+    as_worn: SureOfRings | None = None
+
+
+class MapDifference(Document):
+    """What a version of a map differs in from its parent."""
+
+    felt_change: Finite | None = None
+    joints: dict[Name, Annotated[dict[str, Any], AfterValidator(_joint_change)]] | None = None
+    trials: tuple[Count, ...] | None = None
+    by_itself: bool | None = None
+    back_to: Count | None = None
+
+
+Moments = Annotated[AwareDatetime, AfterValidator(_of_this_age)]
+Days = Annotated[date, AfterValidator(_day_of_this_age)]
+Hash = Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
+Status = Literal["running", "done"]
+
+BY_TYPE: Final[tuple[tuple[type, Any], ...]] = (
+    (Boolean, bool),
+    (Integer, Count),
+    (Float, Finite),
+    (Moment, Moments),
+    (Date, Days),
+)
+FORMS: Final[dict[str, dict[str, Any]]] = {
+    "patient": {"code": Line, "pseudonym": Line, "adaptation": Literal["off", "suggest", "auto"]},
+    "session": {
+        "script": CalibrationUnderWay,
+        "current_step": Name,
+        "result": CalibrationProfile,
+        "screen": ScreenSettings,
+        "opened_by": Line,
+        "version": Line,
+    },
+    "run": {
+        "shirt": Name,
+        "body": Name,
+        "chair": Name,
+        "kind": Literal["rest", "free", "prompt", "drive", "interface_test"],
+    },
+    "calibration_step": {
+        "step": Name,
+        "status": Literal["waiting", "running", "done", "failed", "skipped"],
+    },
+    "profile": {
+        "origin": Literal["calibration", "adaptation", "donning", "back"],
+        "difference": MapDifference,
+        "document": CalibrationProfile,
+    },
+    "parameters": {"title": SetTitle, "settings": dict[str, Any], "hash": Hash},
+    "trial": {
+        "floorplan": Name,
+        "floorplan_title": Line,
+        "path": Name,
+        "path_points": Annotated[Polyline, AfterValidator(_line)],
+        "status": Status,
+        "end": Line,
+        "measures": TrialMeasures,
+        "quality": ControlQuality,
+    },
+    "drive": {"end": Line, "hash": Hash},
+    "interface_test": {
+        "status": Status,
+        "end": Line,
+        "plan": CursorPlan,
+        "measures": InterfaceMeasures,
+        "workload": Workload,
+    },
+    "note_revision": {"person": Line},
+    "outcome_scale": {"name": Line},
+    "session_sign_off": {"person": Line, "unlocked_by": Line},
+    "patient_consent": {"consent": Literal[CONSENTS], "person": Line, "withdrawn_by": Line},
+    "moment_comment": {"author": Line, "t": Seconds},
+}
+
+
+def wrong_value(table: SqlTable, columns: list[Column[Any]], rows: list[dict[str, Any]]) -> str:
+    """Say in half a sentence which value of these rows does not have its form; empty when all have."""
+    try:
+        _form_of_rows(table.name, tuple(columns)).validate_json(json.dumps(rows), strict=True)
+    except ValidationError as error:
+        row = int(error.errors()[0]["loc"][0]) + 1
+        return f"row {row} of its table '{table.name}', {first_words(error, skip=1)}"
+    return ""
+
+
+def first_words(error: ValidationError, *, skip: int = 0, before: str = "") -> str:
+    """Return the field of the first thing that is wrong, and what: `skip` parts of its place are left out."""
+    first = error.errors(include_url=False, include_context=False, include_input=False)[0]
+    field = ".".join(map(str, [*filter(None, [before]), *first["loc"][skip:]]))
+    words = first["msg"].removeprefix("Value error, ").removeprefix("Input ")
+    return f"'{field}': {words}" if field else words
+
+
+def wrong_versions(rows: dict[str, list[dict[str, Any]]]) -> str:
+    """Say which map or set of controls contradicts another one: every map comes from an earlier one, or from none."""
+    documents: dict[Any, Any] = {}
+    for place, row in enumerate(rows["profile"], start=1):
+        before = (row["difference"] or {}).get("back_to")
+        earlier = {other["version"] for other in rows["profile"] if other["version"] < row["version"]}
+        if any(version is not None and version not in earlier for version in (row["parent"], before)):
+            return f"row {place} of its table 'profile' comes from a version that is not there"
+        if row["origin"] == "back" and before is None:
+            return f"row {place} of its table 'profile' does not say which version it goes back to"
+        documents[row["id"]] = row["document"]
+    current: set[Any] = set()
+    for place, row in enumerate(rows["parameters"], start=1):
+        where = f"row {place} of its table 'parameters'"
+        if row["profile_id"] not in documents:
+            return f"{where}, 'profile_id': refers to a row that is not there"
+        if row["current"] and (row["abandoned"] or row["profile_id"] in current):
+            return f"{where}, 'current': another set of controls is the current one"
+        if row["current"]:
+            current.add(row["profile_id"])
+        try:
+            whole = json.dumps({**row["settings"], "profile": documents[row["profile_id"]]})
+            DriveParameters.model_validate_json(whole, strict=True)
+        except ValidationError as error:
+            return f"{where}, {first_words(error, before='settings')}"
+    return ""
+
+
+@cache
+def _form_of_rows(table: str, columns: tuple[Column[Any], ...]) -> TypeAdapter[Any]:
+    forms = FORMS.get(table, {})
+    fields: dict[str, Any] = {one.name: (_form(one, forms.get(one.name, _by_type(one))), ...) for one in columns}
+    row = create_model(table, __base__=Document, **fields)
+    return TypeAdapter(list[row])  # type: ignore[valid-type]
+
+
+def _form(column: Column[Any], form: Any) -> Any:
+    return form | None if column.nullable else form
+
+
+def _by_type(column: Column[Any]) -> Any:
+    return next((form for kind, form in BY_TYPE if isinstance(column.type, kind)), Note)

@@ -1,0 +1,79 @@
+"""After a program was killed, the number of rows of a run is that of the rows on the disk, and none is forgotten."""
+
+import random
+import signal
+import subprocess
+import sys
+import threading
+from pathlib import Path
+from typing import Any
+
+import pytest
+from recording.test_recording_killed import KILLED
+
+from app.clock import utc_now
+from app.recording.reader import CUT, kept_rows, read_run
+from app.session.runs import NAMELESS, SessionRuns
+from app.store.database import Database
+from app.store.patients import add_patient, start_session
+from app.store.people import add_clinic
+from app.store.records.recorded_runs import recorded_runs
+from app.store.runs import add_run
+from app.store.tables import LogEntry, Run
+from folders import ROOT
+
+
+def killed_recording(folder: Path, after: float) -> int:
+    """Record in a process of its own, kill it, and return how many rows it has said last."""
+    words = [sys.executable, "-c", KILLED, str(folder), str(ROOT / "tests")]
+    process = subprocess.Popen(words, stdout=subprocess.PIPE)
+    assert process.stdout is not None
+    try:
+        said = [process.stdout.readline() for _ in range(2)]
+        threading.Event().wait(after)
+    finally:
+        process.send_signal(signal.SIGKILL)
+        said += process.communicate()[0].splitlines(keepends=True)
+    return int([line for line in said if line.endswith(b"\n")][-1])
+
+
+@pytest.fixture
+def interrupted(database: Database, tmp_path: Path) -> tuple[Database, SessionRuns, Path]:
+    """A clinic that was killed while it recorded `known`; of `unknown` there is no row yet."""
+    runs = tmp_path / "runs"
+    with database.transaction() as db:
+        clinic = add_clinic(db, "Clinic")
+        session = start_session(db, clinic.id, add_patient(db, clinic.id, "P-1", "Heron", "").id)
+        add_run(db, "known", session.id, "drive", "known")
+        add_run(db, "gone", session.id, "drive", "gone")
+        session.ended = utc_now()
+    killed_recording(runs / "unknown", 0.0)
+    return database, SessionRuns(database, None, runs, lambda: True), runs  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_the_row_of_a_killed_run_says_what_is_on_the_disk(interrupted: Any, seed: int) -> None:
+    database, runs, folder = interrupted
+    said = killed_recording(folder / "known", random.Random(seed).uniform(0.0, 0.6))
+    runs.close_interrupted()
+    read = read_run(folder / "known")
+    with database.transaction() as db:
+        known, gone = db.get_one(Run, "known"), db.get_one(Run, "gone")
+        assert (known.rows, known.dropped) == (read.rows, None)
+        assert read.rows >= said
+        assert (gone.rows, gone.ended is None) == (None, False)
+        assert [run.folder.name for run in recorded_runs(db, 1, None, folder)] == ["known", "gone"]
+    end = read.columns["t"][-1] - read.columns["t"][0]
+    assert (
+        read.loss
+        == f"{CUT} It ends {end:.2f} s after its first row; of the time until the cut, at most 0.5 s are lost."
+    )
+
+
+def test_a_recording_without_a_row_is_kept_and_named_once(interrupted: Any) -> None:
+    database, runs, folder = interrupted
+    assert [runs.close_interrupted() for _ in range(2)] == [["unknown"], ["unknown"]]
+    with database.transaction() as db:
+        (logged,) = db.query(LogEntry).where(LogEntry.what == NAMELESS)
+    assert logged.details == {"recordings": ["unknown"]}
+    assert kept_rows(folder / "unknown")
