@@ -2,10 +2,13 @@
 
 import json
 import shutil
+import struct
 import zipfile
+import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from hashlib import sha256
+from lzma import LZMAError
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -27,6 +30,19 @@ from app.exports.archive.archive_list import (
 
 LARGEST_DOCUMENT = 256_000_000  # bytes
 LARGEST_WHOLE = 2**63 - 1
+
+# What the library raises for a file that was changed anywhere.
+DAMAGED = (
+    zipfile.BadZipFile,
+    zlib.error,
+    LZMAError,
+    struct.error,
+    EOFError,
+    NotImplementedError,
+    RuntimeError,
+    KeyError,
+)
+UNREADABLE = (*DAMAGED, OSError, ValueError)
 
 NO_ARCHIVE = "{file}: this is no archive of bodydrive, or it was cut: name another file."
 CHANGED = "{file}: '{name}' in the archive was changed or cut, and nothing was imported: copy the archive again."
@@ -53,7 +69,7 @@ class OpenArchive:
             raise ValueError(NO_ARCHIVE.format(file=file)) from error
         expected = [LIST, PATIENT] if self.listed.report is None else [LIST, PATIENT, REPORT]
         is_listed = set(names) == {*expected, *self.listed.files} and names[: len(expected)] == expected
-        if not is_listed or hash_of(self.listed.files) != self.listed.hash:
+        if not is_listed or PATIENT not in self.listed.files or hash_of(self.listed.files) != self.listed.hash:
             raise ValueError(CHANGED.format(file=file, name=LIST))
         if self.listed.report is not None:
             self._checked(REPORT, self.listed.report)
@@ -86,7 +102,7 @@ class OpenArchive:
             try:
                 with self._zip.open(name) as source, target.open("xb") as written:
                     shutil.copyfileobj(source, written, CHUNK)
-            except (zipfile.BadZipFile, EOFError) as error:
+            except DAMAGED as error:
                 raise ValueError(CHANGED.format(file=self.file, name=name)) from error
             if _hash_of(target) != known.sha256:
                 raise ValueError(CHANGED.format(file=self.file, name=name))
@@ -113,7 +129,7 @@ class OpenArchive:
         try:
             with self._zip.open(name) as source:
                 content = source.read(most + 1)
-        except (zipfile.BadZipFile, EOFError, OSError, NotImplementedError, RuntimeError, ValueError) as error:
+        except UNREADABLE as error:
             raise ValueError(CHANGED.format(file=self.file, name=name)) from error
         if len(content) > most:
             raise ValueError(CHANGED.format(file=self.file, name=name))
@@ -125,7 +141,7 @@ def open_archive(file: Path) -> Iterator[OpenArchive]:
     """Open an archive to read it; ValueError with one sentence when it is none, cut, or of a newer program."""
     try:
         opened = zipfile.ZipFile(file)
-    except (zipfile.BadZipFile, OSError, ValueError, NotImplementedError) as error:
+    except UNREADABLE as error:
         raise ValueError(NO_ARCHIVE.format(file=file)) from error
     with opened:
         yield OpenArchive(file, opened)
