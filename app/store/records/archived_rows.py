@@ -195,7 +195,7 @@ def _form_of_rows(table: str, columns: tuple[Column[Any], ...]) -> TypeAdapter[A
     forms = FORMS.get(table, {})
     fields: dict[str, Any] = {one.name: (_form(one, forms.get(one.name, _by_type(one))), ...) for one in columns}
     row = create_model(table, __base__=Document, **fields)
-    return TypeAdapter(list[row])  # type: ignore[valid-type]
+    return TypeAdapter(list[row])
 
 
 def _form(column: Column[Any], form: Any) -> Any:
