@@ -39,7 +39,7 @@ class MapCheck(Document):
     """The check of one map on held-out repetitions (docs/learning/guided-map.md)."""
 
     in_phase: Fraction  # share of all activation during the prompted movements
-    hit_rate: Fraction  # share of the time of the prompted movements with activation
+    hit_rate: Fraction  # share of the time of the prompted movements with activation; of movements: `PriorMap.hits`
     false_per_minute: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1e6)]  # activations at rest
     false_count: Annotated[int, Field(strict=True, ge=0)]  # number of activations at rest
 
@@ -108,7 +108,7 @@ class PriorMap(LinearMap):
     # Per ring that looked so, and that a person is sure sits right: the weights go by the layout. Left out where it is
     # empty, so that profiles from before keep their hash.
     as_worn: dict[Name, Arrangement] = Field(default_factory=dict, exclude_if=operator.not_)
-    hits: Forecast | None = None  # expected of 100 movements; None: not known
+    hits: Forecast | None = None  # of 100 movements, how many should reach half of a full activation; None: not known
     false_per_minute: Forecast | None = None  # expected activations without a prompt; None: not known
     prior_check: MapCheck | None = None  # on this person's own held-out repetitions; None without any
     pca_check: MapCheck | None = None  # of the joint's PCA map, on the same frames

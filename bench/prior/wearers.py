@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.fit.repetitions import Prompt, Stretch, stretches_of_prompts
+from app.calibration.gestures.prediction import HIT_ACTIVATION
 from app.calibration.profile import CalibrationProfile, MapKind
 from app.calibration.vocabulary import standard_parameters
 from app.layout import ShirtLayout
@@ -22,7 +23,8 @@ MARGIN = 0.3  # s of stillness around what counts as rest
 JUDGED_FROM = 20.0  # s after the first frame of the joint's part: before it the calibration takes place
 OWN_PROMPTS = (0.0, 5.0, 10.0, 20.0)  # s of a person's own prompted movement, after each of which maps are compared
 TABLE_HEAD = (
-    "| own prompts | map | in phase: median / 10th percentile / worst | hit | false per min |\n|---|---|---|---|---|"
+    "| own prompts | map | in phase: median / 10th percentile / worst | hits: all / worst recording | time active | "
+    "false per min |\n|---|---|---|---|---|---|"
 )
 
 Array = NDArray[np.float64]
@@ -68,7 +70,8 @@ class Figures(NamedTuple):
     """The figures of a map on one joint of one recording."""
 
     in_phase: float
-    hit: float
+    hit: float  # share of the movements that reach half of a full activation
+    active: float  # share of the time of the movements with activation
     false_per_minute: float
 
 
@@ -112,19 +115,25 @@ def figures_of(wearer: Wearer, part: JointPart, decoded: Array) -> Figures:
     in_stroke = np.zeros(len(activation), np.bool_)
     for start, stop in part.movement.strokes:
         in_stroke[start:stop] = start >= first
+    later = [(start, stop) for start, stop in part.movement.strokes if start >= first]
+    reached = [activation[start:stop].max() >= HIT_ACTIVATION for start, stop in later]
     resting = part.movement.still.copy()
     resting[:first] = False
     begins = np.diff(((activation > 0.0) & resting).astype(np.int8), prepend=0) > 0
     minutes = float(resting.sum()) / wearer.sample_rate / 60.0
     return Figures(
         float(activation[part.movement.rising].sum()) / total if total else 0.0,
+        float(np.mean(reached)),
         float((activation[in_stroke] > 0.0).mean()),
         float(begins.sum()) / minutes if minutes else 0.0,
     )
 
 
 def summary(rows: Sequence[Figures]) -> str:
-    """Return the cells of a table: in-phase median / 10th percentile / worst, hit, false per minute."""
-    in_phase, hit, false = np.array(rows).T
+    """Return the cells of a table: share in phase, hits, time active, false activations a minute."""
+    in_phase, hit, active, false = np.array(rows).T
     tenth = np.percentile(in_phase, 10)
-    return f"{np.median(in_phase):.3f} / {tenth:.3f} / {in_phase.min():.2f} | {np.median(hit):.2f} | {false.mean():.1f}"
+    return (
+        f"{np.median(in_phase):.3f} / {tenth:.3f} / {in_phase.min():.2f} | {hit.mean():.3f} / {hit.min():.2f} | "
+        f"{np.median(active):.2f} | {false.mean():.1f}"
+    )

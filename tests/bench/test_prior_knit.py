@@ -4,7 +4,6 @@ from collections.abc import Sequence
 
 import numpy as np
 import pytest
-from scipy.stats import spearmanr
 
 from bench.prior.__main__ import Comparison, entries_of, with_ring
 from bench.prior.knit import FOLDER, knit_people
@@ -30,9 +29,9 @@ def comparison(knit: Sequence[Wearer]) -> Comparison:
 
 
 def in_phase_and_hit(rows: Sequence[Figures]) -> tuple[float, float, float]:
-    """Return median and 10th percentile of the share in phase, and the median of the hits."""
-    in_phase, hit, _ = np.array(rows).T
-    return float(np.median(in_phase)), float(np.percentile(in_phase, 10)), float(np.median(hit))
+    """Return median and 10th percentile of the share in phase, and the median of the time with activation."""
+    in_phase, _, active, _ = np.array(rows).T
+    return float(np.median(in_phase)), float(np.percentile(in_phase, 10)), float(np.median(active))
 
 
 @pytest.mark.parametrize(("seconds", "least"), [(0.0, (0.98, 0.93, 0.70)), (20.0, (0.98, 0.95, 0.75))])
@@ -49,12 +48,19 @@ def test_twenty_seconds_are_better_with_other_people_than_alone_where_it_is_wors
     assert worst["best"] > worst["PCA"]
 
 
-def test_the_hits_that_came_lie_within_two_deviations_of_those_expected(comparison: Comparison) -> None:
-    for pairs in comparison.forecasts.values():
-        error = np.array([abs(expected.value - came) / expected.uncertainty for expected, came in pairs])
-        assert float((error < 2.0).mean()) >= 0.95
-    expected, came = np.array([(one.value, hit) for one, hit in comparison.forecasts[20.0]]).T
-    assert float(spearmanr(expected, came)[0]) >= 0.5
+@pytest.mark.parametrize("seconds", [0.0, 5.0, 10.0, 20.0])
+def test_slow_people_reach_half_of_full(comparison: Comparison, seconds: float) -> None:
+    hits = np.array([one.hit for one in comparison.figures[seconds, "prior"]])
+    assert float(hits.mean()) >= 0.98  # 0.91 with other people's full
+    assert float(hits.min()) >= 0.5  # 0.00 to 0.14 with other people's full
+
+
+@pytest.mark.parametrize("seconds", [0.0, 5.0, 10.0, 20.0])
+def test_of_three_recordings_two_have_hits_within_one_stated_deviation(comparison: Comparison, seconds: float) -> None:
+    pairs = comparison.forecasts[seconds]
+    within = [abs(expected.value - came) < expected.uncertainty for expected, came in pairs]
+    assert 0.55 <= float(np.mean(within)) <= 0.8
+    assert float(np.mean([expected.value - came for expected, came in pairs])) == pytest.approx(0.0, abs=6.0)
 
 
 def test_rings_that_sit_right_are_kept_and_turned_ones_are_found(

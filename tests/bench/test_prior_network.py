@@ -32,7 +32,7 @@ def test_an_activation_begins_at_the_dead_zone_and_ends_at_full():
 
 def test_a_network_is_worth_its_place_for_a_gain_or_for_half_the_false_activations():
     def people(in_phase, false):
-        return [Figures(in_phase, 0.7, false)] * 10
+        return [Figures(in_phase, 0.9, 0.7, false)] * 10
 
     alone = people(0.95, 2.0)
     assert not is_better(alone, alone)
@@ -52,7 +52,7 @@ def test_no_module_imports_a_program():
 
 
 def test_the_summary_names_both_maps_and_says_when_a_network_would_be_offered():
-    alone, better = [Figures(0.95, 0.7, 2.0)] * 10, [Figures(0.97, 0.7, 2.0)] * 10
+    alone, better = [Figures(0.95, 0.9, 0.7, 2.0)] * 10, [Figures(0.97, 0.9, 0.7, 2.0)] * 10
     same, gain = ({(5.0, LINEAR): alone, (5.0, MEAN): other} for other in (alone, better))
     assert verdict(same) == "A network would be offered after no amount of own prompts."
     assert verdict(gain) == "A network would be offered after own prompts of 5 s."

@@ -36,5 +36,5 @@ def test_simulated_people_are_decoded_by_each_other_s_map():
         fitted = with_prior_maps(fit_profile(wearer.layout, wearer.sample_rate, free), prior, free)
         found = figures(wearer, wearer.parts[0], fitted.profile, "prior")
         assert found.in_phase > 0.95
-        assert found.hit > 0.4
+        assert found.active > 0.4
         assert "1.000" in summary([found]) or "0.9" in summary([found])

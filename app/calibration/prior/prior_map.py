@@ -14,7 +14,7 @@ from app.calibration.guided.check import check
 from app.calibration.prior.arrangement import find_arrangement, ring_movement, sensors_at
 from app.calibration.prior.documents import FEWEST_PEOPLE
 from app.calibration.prior.features import KINDS, features
-from app.calibration.prior.forecasts import expected_false, expected_hits, held_out_rate
+from app.calibration.prior.forecasts import expected_false, expected_hits, held_out_rate, own_full, own_peaks
 from app.calibration.prior.frames import prompted_frames, without_gaps
 from app.calibration.prior.map_prior import JointPrior, MapPrior, check_layout
 from app.calibration.prior.scale import channels_alive, first_movement, log_ranges, scales
@@ -159,12 +159,14 @@ def _joint(
     others = people.mean.of_channels(used.places)
     frames = prompted_frames(stretches, used.channels, used.scale, rate, others)
     weights = solve(others, rate, frames)
-    dead_zone, full = thresholds(weights, others)
-    if not full > 0.0:
+    dead_zone, full_of_others = thresholds(weights, others)
+    if not full_of_others > 0.0:
         raise PriorMapError("Other people's movements have nothing in common with each other: add more people.")
-    in_fs = joint.full / full
-    by_pca = _pca_weights(joint, used)
     in_free = features(moved[:, list(used.channels)] / used.scale, rate)
+    held_out = None if frames is None else held_out_rate(frames, others, rate)
+    peaks = own_peaks(in_free @ weights, dead_zone, held_out, frames)
+    in_fs = joint.full / own_full(peaks, dead_zone, full_of_others)
+    by_pca = _pca_weights(joint, used)
     sign = joint.sign
     if not joint.prompted and float((in_free @ weights) @ (in_free @ by_pca)) < 0.0:
         sign = 1 if joint.sign < 0 else -1
@@ -185,11 +187,10 @@ def _joint(
         arrangement=_of_joint(sitting.used, joint, profile.layout),
         as_worn=_of_joint(sitting.left, joint, profile.layout),
     )
-    held_out = None if frames is None else held_out_rate(frames, others, rate) * in_fs
-    found: dict[str, object] = {
-        "hits": expected_hits(in_free @ weights * in_fs, fitted.dead_zone, held_out, frames),
-    }
+    peaks = [peak * in_fs for peak in peaks]
+    found: dict[str, object] = {"hits": expected_hits(peaks, fitted.dead_zone, fitted.full, fitted.repetitions)}
     if frames is not None and held_out is not None:
+        held_out = held_out * in_fs
         pca = frames.features @ by_pca
         found |= {
             "false_per_minute": expected_false(held_out, frames, fitted.dead_zone, rate),

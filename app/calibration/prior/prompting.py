@@ -5,14 +5,14 @@ import math
 from app.calibration.profile import Forecast
 from app.calibration.script import REPETITIONS
 
-# Standard deviations of the share of a stroke's time with activation, measured on the real knit: between what is
-# expected from many repetitions and what comes, and what one repetition more or less makes.
-LASTING_DEVIATION, FIRST_DEVIATION = 0.08, 0.12
+# Measured on the real knit with people kept apart: the deviation within which the hits of about two recordings of
+# three came, without own repetitions, and how it falls with them (docs/learning/prior-measured.md).
+FIRST_DEVIATION, FALL = 0.066, 0.8
 
 
 def deviation_of_hits(repetitions: int) -> float:
     """Return the standard deviation of expected hits of 100 movements, with so many own repetitions."""
-    return round(100 * math.sqrt(LASTING_DEVIATION**2 + FIRST_DEVIATION**2 / (1 + repetitions)), 1)
+    return round(100 * FIRST_DEVIATION * math.pow(1 + repetitions, -FALL), 1)
 
 
 def hits_with_prompts(without: Forecast) -> Forecast:

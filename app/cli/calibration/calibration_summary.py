@@ -56,7 +56,7 @@ def report(
     lines += [
         "",
         "Clear: share of the main movement. Span: of the full movement, in the signals' own unit.",
-        "Expected: how many of 100 movements are answered, and how often it acts at rest, a minute.",
+        "Expected: how many of 100 movements reach half of full, and how often it acts at rest, a minute.",
         "",
     ]
     lines += [f"{joint.name}: {joint.reason}" for joint in profile.joints]

@@ -83,7 +83,7 @@ def comparison(profile: "CalibrationProfile", reasons: dict[str, str], width: in
     if both:
         lines += [
             "On prompted repetitions that were kept apart, the standard calibration and the one learnt from the cues:",
-            f"{'':{width}}  {'in phase':>16}  {'hit rate':>16}  {'false per min':>16}",
+            f"{'':{width}}  {'in phase':>16}  {'time driven':>16}  {'false per min':>16}",
             f"{'joint':{width}}" + f"  {'standard':>8}  {'cues':>6}" * 3 + "  offered",
         ]
         lines += [

@@ -28,7 +28,7 @@ def test_what_is_not_known_without_own_repetitions_is_null(in_session: Any) -> N
     in_session.calibrate()
     prior = in_session.good("GET", "/calibration")["result"]["joints"][0]["prior"]
     assert (prior["hits"]["value"], prior["false_per_minute"], prior["prior_check"]) == (71.0, None, None)
-    assert prior["hits_with_prompts"] == {"value": 71.0, "uncertainty": 10.0}  # what three repetitions would bring
+    assert prior["hits_with_prompts"] == {"value": 71.0, "uncertainty": 2.2}  # what three repetitions would bring
 
 
 def test_a_joint_has_an_advice_only_where_there_is_something_to_heed(in_session: Any) -> None:

@@ -108,7 +108,7 @@ export default {
     other: "Both were learnt from this calibration. Each figure is of {count} repetitions that were kept apart.",
   },
   "result.maps.in-phase": "Share of the drive that comes with the asked movement",
-  "result.maps.hit": "Share of the asked movement that drives",
+  "result.maps.hit": "Share of the time of the asked movement in which it drives",
   "result.maps.false": "Drives at rest, times a minute",
   "result.maps.kept.guided": "The calibration learnt from the cues is not offered: it would not be better for this joint.",
   "result.maps.kept.prior": "The calibration learnt from other people is not offered: it would not be better for this joint.",
