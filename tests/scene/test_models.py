@@ -11,7 +11,7 @@ from PIL import Image
 from trimesh.visual.material import PBRMaterial
 
 from app import isolated_reader
-from app.scene.models import glb
+from app.scene.models import glb, glb_document
 from app.scene.models.glb_import import MOST_COLOURS, read_model
 from app.scene.models.objects import READINGS, stored_model
 
@@ -45,10 +45,10 @@ def write(tmp_path):
 def binary(document, body=b""):
     words = json.dumps({"asset": {"version": "2.0"}} | document).encode()
     words += b" " * (-len(words) % 4)
-    chunks = struct.pack("<2I", len(words), glb.JSON_CHUNK) + words
+    chunks = struct.pack("<2I", len(words), glb_document.JSON_CHUNK) + words
     if body:
         chunks += struct.pack("<2I", len(body), 0x004E4942) + body
-    return glb.MAGIC + struct.pack("<2I", 2, 12 + len(chunks)) + chunks
+    return glb_document.MAGIC + struct.pack("<2I", 2, 12 + len(chunks)) + chunks
 
 
 def test_an_object_stands_on_the_floor_in_its_own_size_and_colours(write):
@@ -96,8 +96,8 @@ def test_many_colours_become_few(write):
     [
         (b"", "no GLB file"),
         (b"solid x", "no GLB file"),
-        (glb.MAGIC + struct.pack("<4I", 1, 20, 0, glb.JSON_CHUNK), "version 1"),
-        (glb.MAGIC + struct.pack("<4I", 2, 20, 500, glb.JSON_CHUNK), "cut off"),
+        (glb_document.MAGIC + struct.pack("<4I", 1, 20, 0, glb_document.JSON_CHUNK), "version 1"),
+        (glb_document.MAGIC + struct.pack("<4I", 2, 20, 500, glb_document.JSON_CHUNK), "cut off"),
         (binary({"nodes": 5}), "description cannot be read"),
         (binary({"meshes": [{"primitives": [{"indices": -1}]}]}), "description cannot be read"),
         (binary({}), "nothing with faces"),

@@ -1,11 +1,19 @@
 """Checks of a GLB file before it is unpacked: a foreign file may claim any size."""
 
-import struct
 from collections.abc import Iterator
-from typing import Annotated, Any, Final
+from typing import Final
 
-import msgspec
-
+from app.scene.models.glb_document import (
+    BYTES,
+    COMPONENTS,
+    FAN,
+    STRIP,
+    TRIANGLES,
+    Document,
+    Primitive,
+    chunks,
+    read_document,
+)
 from app.scene.models.glb_pictures import check_pictures
 from app.scene.models.objects import MOST_BYTES
 
@@ -16,75 +24,14 @@ MOST_ELEMENTS: Final = 1_000_000  # of one accessor, which may claim any count w
 MOST_NUMBERS: Final = 10_000_000  # of all accessors
 MOST_POINTS: Final = 1_000_000  # of all nodes; a mesh is copied for each node that names it
 
-TRIANGLES, STRIP, FAN = 4, 5, 6  # modes of a primitive
-READABLE: Final = ("KHR_materials_", "KHR_texture_transform")  # prefixes of extensions that do not change the shape
-MAGIC: Final = b"glTF"
-JSON_CHUNK: Final = 0x4E4F534A
-BYTES: Final = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}  # of a component, by its type
-COMPONENTS: Final = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
+# Prefixes of extensions that do not change the shape, or that are read.
+READABLE: Final = ("KHR_materials_", "KHR_texture_transform", "KHR_mesh_quantization", "KHR_node_visibility")
+INSTANCES: Final = "EXT_mesh_gpu_instancing"  # draws one mesh at many places, also where it is not required
 COMPRESSED: Final = ("EXT_meshopt_compression", "KHR_meshopt_compression", "KHR_draco_mesh_compression")
 
-Index = Annotated[int, msgspec.Meta(ge=0)]
 
-
-class _Accessor(msgspec.Struct, rename="camel"):
-    count: Index
-    component_type: Index = 5126
-    type: str = "VEC3"
-    buffer_view: Index | None = None
-    byte_offset: Index = 0
-
-
-class _View(msgspec.Struct, rename="camel"):
-    buffer: Index = 0
-    byte_length: Index = 0
-    byte_offset: Index = 0
-    byte_stride: Index | None = None
-    extensions: dict[str, Any] = {}
-
-
-class _Primitive(msgspec.Struct):
-    attributes: dict[str, Index] = {}
-    indices: Index | None = None
-    mode: Index = TRIANGLES
-    extensions: dict[str, Any] = {}
-
-
-class _Mesh(msgspec.Struct):
-    primitives: list[_Primitive] = []
-
-
-class _Node(msgspec.Struct):
-    mesh: Index | None = None
-    children: list[Index] = []
-
-
-class _Roots(msgspec.Struct):
-    nodes: list[Index] = []
-
-
-class _Source(msgspec.Struct, rename="camel"):
-    uri: str | None = None
-    buffer_view: Index | None = None
-    byte_length: Index = 0
-
-
-class _Document(msgspec.Struct, rename="camel"):
-    accessors: list[_Accessor] = []
-    meshes: list[_Mesh] = []
-    nodes: list[_Node] = []
-    scenes: list[_Roots] = []
-    buffers: list[_Source] = []
-    buffer_views: list[_View] = []
-    images: list[_Source] = []
-    extensions_required: list[str] = []
-
-
-def check(content: bytes) -> None:
-    """Check that a GLB file can be read and drawn.
-
-    Layout (glTF 2.0, section 4): u32 little-endian magic, version 2, length; then chunks of u32 length, u32 kind and
-    bytes, the first of them JSON.
+def check(content: bytes) -> Document:
+    """Check that a GLB file can be read and drawn, and return its document.
 
     Raises
     ------
@@ -93,13 +40,15 @@ def check(content: bytes) -> None:
     """
     if len(content) > MOST_BYTES:
         raise ValueError(f"it is larger than {MOST_BYTES // 1_000_000} MB: make the object simpler")
-    document = _document(content)
+    document = read_document(content)
     for name in document.extensions_required:
         if not name.startswith(READABLE):
             raise ValueError(f"it needs '{name}', which is not read here: export it without compression or extensions")
     for source in (*document.buffers, *document.images):
         if source.uri is not None and not source.uri.startswith("data:"):
             raise ValueError("it needs other files: export everything into one GLB file")
+    if any(INSTANCES in node.extensions for node in document.nodes):
+        raise ValueError(f"it needs '{INSTANCES}', which is not read here: export it without instances")
     _check_tree(document)
     try:
         _check_lists(document)
@@ -112,23 +61,10 @@ def check(content: bytes) -> None:
         raise ValueError(f"it has {faces:,} faces and at most {MOST_FACES:,} are drawn: make the object simpler")
     if points > MOST_POINTS:
         raise ValueError(f"it has {points:,} points and at most {MOST_POINTS:,} are read: make the object simpler")
+    return document
 
 
-def _document(content: bytes) -> _Document:
-    if content[:4] != MAGIC or len(content) < 20:
-        raise ValueError("it is no GLB file: export the object as glTF binary (.glb)")
-    version, _, length, kind = struct.unpack_from("<4I", content, 4)
-    if version != 2:
-        raise ValueError(f"it is glTF version {version}: export it as version 2")
-    if kind != JSON_CHUNK or 20 + length > len(content):
-        raise ValueError("it is cut off or damaged: export it again")
-    try:
-        return msgspec.json.decode(content[20 : 20 + length], type=_Document)
-    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise ValueError("its description cannot be read: export it again") from error
-
-
-def _check_tree(document: _Document) -> None:
+def _check_tree(document: Document) -> None:
     """Refuse nodes with several parents or in a cycle: walking along a cycle would never end."""
     children = [child for node in document.nodes for child in node.children]
     roots = {root for scene in document.scenes for root in scene.nodes}
@@ -146,7 +82,7 @@ def _check_tree(document: _Document) -> None:
     raise ValueError(f"its parts are nested more than {DEEPEST} deep: export it again")
 
 
-def _check_lists(document: _Document) -> None:
+def _check_lists(document: Document) -> None:
     """Refuse accessors that do not lie in their view, and views that do not lie in their buffer."""
     if any(accessor.count > MOST_ELEMENTS for accessor in document.accessors):
         raise ValueError(f"it has lists of more than {MOST_ELEMENTS:,} numbers: make the object simpler")
@@ -170,33 +106,32 @@ def _check_lists(document: _Document) -> None:
         raise ValueError(f"its lists have more than {MOST_NUMBERS:,} numbers: make the object simpler")
 
 
-def _pictures(document: _Document, content: bytes) -> Iterator[bytes | str]:
+def _pictures(document: Document, content: bytes) -> Iterator[bytes | str]:
     """Yield each picture as bytes or as a data URI; a GLB's first buffer is its binary chunk."""
-    (length,) = struct.unpack_from("<I", content, 12)
-    start = 20 + length + 8
+    _, binary = chunks(content)
     for image in document.images:
         if image.uri is not None:
             yield image.uri
         elif image.buffer_view is not None:
             view = document.buffer_views[image.buffer_view]
             if view.buffer == 0:
-                yield content[start + view.byte_offset : start + view.byte_offset + view.byte_length]
+                yield binary[view.byte_offset : view.byte_offset + view.byte_length]
             else:
                 raise ValueError("its pictures lie in another buffer: export it again")
 
 
-def _drawn(document: _Document) -> Iterator[_Primitive]:
+def _drawn(document: Document) -> Iterator[Primitive]:
     for node in document.nodes:
         if node.mesh is not None:
             yield from document.meshes[node.mesh].primitives
 
 
-def _points(document: _Document, primitive: _Primitive) -> int:
+def _points(document: Document, primitive: Primitive) -> int:
     listed = primitive.attributes.get("POSITION")
     return 0 if listed is None else document.accessors[listed].count
 
 
-def _faces(document: _Document, primitive: _Primitive) -> int:
+def _faces(document: Document, primitive: Primitive) -> int:
     if "KHR_draco_mesh_compression" in primitive.extensions:
         raise ValueError("it is compressed with Draco: export it without compression")
     listed = primitive.indices if primitive.indices is not None else primitive.attributes.get("POSITION")

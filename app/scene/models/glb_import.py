@@ -15,6 +15,8 @@ from app.scene.meshes import palette
 from app.scene.meshes.bodies import Mesh, Part, merged
 from app.scene.meshes.palette import Colour
 from app.scene.models.glb import MOST_FACES, check
+from app.scene.models.glb_document import Document
+from app.scene.models.glb_geometry import UnreadableError, plain_glb
 from app.scene.models.objects import MOST_BYTES, THINNEST, Model, write_reading
 
 MOST_COLOURS: Final = 12  # each needs a draw call
@@ -49,16 +51,25 @@ def read_model(file: Path) -> Model:
     except OSError as error:
         raise ValueError(f"{file.name}: this file cannot be read ({error.strerror or error}), check it") from error
     try:
-        check(content)
-        return _model(content)
+        return _model(check(content), content)
     except ValueError as error:
         raise ValueError(f"{file.name}: this object cannot be used, {error}") from error
 
 
-def _model(content: bytes) -> Model:
+def _model(document: Document, content: bytes) -> Model:
+    with np.errstate(all="ignore"):  # places that are no numbers are refused below
+        try:
+            plain, corners = plain_glb(document, content)
+        except IndexError as error:
+            raise ValueError("it refers to parts that are not in it: export it again") from error
+        except UnreadableError:
+            raise
+        except Exception as error:
+            # The lists of a damaged file do not fit together, which NumPy says with any exception.
+            raise ValueError("it is damaged: export it again") from error
     by_colour: dict[Colour, list[Mesh]] = {}
     try:
-        loaded = trimesh.load_scene(io.BytesIO(content), file_type="glb", process=False)
+        loaded = trimesh.load_scene(io.BytesIO(plain), file_type="glb", process=False)
         bodies = [body for body in loaded.dump() if isinstance(body, trimesh.Trimesh) and len(body.faces)]
         for body in bodies:
             # glTF looks along z with y up; a chair looks along x with z up.
@@ -78,6 +89,8 @@ def _model(content: bytes) -> Model:
     if not np.isfinite(whole.vertices).all() or np.abs(whole.vertices).max() > 1e6:
         raise ValueError("some of its points are infinite or too far away: export it again")
     low, high = whole.vertices.min(axis=0), whole.vertices.max(axis=0)
+    if not np.allclose([low, high], [corners.min(axis=0)[[2, 0, 1]], corners.max(axis=0)[[2, 0, 1]]], rtol=1e-4):
+        raise ValueError("its size cannot be read for certain: export it again without animation and compression")
     middle = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
     length, width, height = (max(float(side), THINNEST) for side in high - low)
     parts = [Part(merged(meshes), colour) for colour, meshes in sorted(by_colour.items())]

@@ -20,7 +20,7 @@ READINGS: Final = ".readings"  # folder beside the objects, with one file for ea
 READER: Final = "app.scene.models.glb_import"
 MOST_IN_MEMORY: Final = 4  # objects in memory, at most 10 MB each
 REFUSAL_SUFFIX: Final = ".refused"
-READING_SUFFIX: Final = ".npz"
+READING_SUFFIX: Final = ".2.npz"  # the number changes when the same file is read otherwise: it is then read again
 NO_READING: Final = (OSError, ValueError, KeyError, EOFError, BadZipFile)  # the reading is missing or damaged
 
 
