@@ -7161,6 +7161,7 @@ export interface components {
         };
         StartView: {
             me: components["schemas"]["Me"];
+            is_nearby: boolean;
             practice: string | null;
             session: components["schemas"]["CurrentSession"] | null;
         };

@@ -11,6 +11,9 @@ from app.network import link
 from app.settings import Settings
 
 ONLY_HERE = "Only this machine can open the link, because the program listens to nobody else."
+ONLY_IN_NETWORK = (
+    "The link opens in the clinic's own network or VPN only: elsewhere, it needs a proxy (page “For administrators”)."
+)
 
 
 class OwnAddress(NamedTuple):
@@ -39,9 +42,19 @@ def own_address(settings: Settings, connection: HTTPConnection) -> OwnAddress:
 
 def link_words(settings: Settings, address: OwnAddress) -> str:
     """Return where a link to this address does not work, and what a new device needs first; empty: nothing to say."""
-    only_here = ONLY_HERE if address.only_here else ""
-    first = settings.network.first_words if settings.network else ""
-    return " ".join(filter(None, (only_here, first)))
+    return " ".join(filter(None, (ONLY_HERE if address.only_here else "", first_words(settings))))
+
+
+def first_words(settings: Settings) -> str:
+    """Return what a device needs before it opens its first link; empty: nothing."""
+    return settings.network.first_words if settings.network else ""
+
+
+def reach_words(settings: Settings, address: OwnAddress) -> str:
+    """Return from where a link for somebody outside does not open; empty: it opens from everywhere, by the proxy."""
+    if settings.public_name:
+        return ""
+    return ONLY_HERE if address.only_here else ONLY_IN_NETWORK
 
 
 def is_loopback(host: str) -> bool:

@@ -67,6 +67,23 @@ def test_a_refused_change_says_so_in_view_and_a_trial_disables_the_page(page):
     expect(page.locator(".controls-more")).to_have_js_property("inert", False)
 
 
+def test_a_suggestion_replaces_what_is_set_only_after_a_question(page):
+    go(page, "controls")
+    sent = []
+    page.on("request", lambda request: sent.append(request.url) if request.url.endswith("/suggest") else None)
+    suggest = page.get_by_role("button", name="Suggest for me")
+    question = page.get_by_role("alertdialog", name="The suggestion replaces")
+    suggest.click()
+    question.get_by_role("button", name="Cancel").click()
+    expect(suggest).to_be_focused()
+    assert sent == []
+    suggest.click()
+    question.get_by_role("button", name="Replace them").click()
+    expect(page.locator(".suggestion")).to_be_visible()
+    expect(page.get_by_role("button", name="Undo")).to_be_enabled()
+    assert len(sent) == 1
+
+
 def test_without_a_shirt_the_way_to_one_is_in_view_and_the_page_keeps_its_place(page):
     go(page, "drive")
     page.get_by_role("link", name="Choose a shirt").click()

@@ -55,6 +55,8 @@ export class App extends TypedEvents {
   /** The open session and its patient. @type {CurrentSession | null} */
   session = null;
   #pageSession = new PageSession(this);
+  /** Whether this page is in the building, where a person can see the chair. */
+  isNearby = false;
   /** Whose data the page shows, where these are not simply those of the open session. @type {Subject | null} */
   subject = null;
   /** Kind of the shirt in use when nobody wears it. @type {string | null} */
@@ -100,6 +102,7 @@ export class App extends TypedEvents {
     const code = takeCode(DEMO_LINK);
     if (code) await this.toasts.attempt(() => this.api.post("/auth/demo", { code }));
     const start = await this.toasts.attempt(() => this.api.get("/start"));
+    this.isNearby = start?.is_nearby ?? true;
     this.#setPractice(start?.practice ?? null);
     await this.#signedIn(start?.me ?? null, start?.session ?? null);
   }

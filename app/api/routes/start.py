@@ -1,8 +1,10 @@
 """What a page asks for when it starts, in one answer."""
 
 from fastapi import APIRouter
+from fastapi.requests import Request
 
 from app.api.deps import ForEveryone, PeopleParts
+from app.api.nearby import is_nearby
 from app.api.parts import Web
 from app.api.routes.patients import CurrentSession, current_session
 from app.api.sign_in.auth import Me, me_view
@@ -16,15 +18,17 @@ class StartView(Document):
     """Who is signed in, the kind of a shirt that nobody wears, and the open session for who is signed in."""
 
     me: Me
+    is_nearby: bool  # whether the page is in the building, where a person can see the chair
     practice: str | None
     session: CurrentSession | None  # None: nobody is signed in, or the page is locked
 
 
 @router.get("/start", dependencies=[ForEveryone])
-def start(who: WhoAsks, parts: PeopleParts, web: Web) -> StartView:
+def start(request: Request, who: WhoAsks, parts: PeopleParts, web: Web) -> StartView:
     """Return what a page needs before it can show anything."""
     return StartView(
         me=me_view(parts, who),
+        is_nearby=is_nearby(request),
         practice=web.equipment.practice,
         session=None if who is None or who.locked else current_session(parts, who),
     )

@@ -9,7 +9,7 @@ from pydantic import Field
 
 from app.api.answers import Answer, MomentText
 from app.api.deps import Clinician, People, PeopleParts, RowId
-from app.api.own_address import link_words, own_address
+from app.api.own_address import first_words, own_address, reach_words
 from app.api.parts import Web
 from app.api.sign_in.identity import SignedInPerson
 from app.api.sign_in.passwords import hash_of
@@ -143,7 +143,7 @@ async def _make(
                 shares=_rows(db, patient),
                 url=f"{address.base}{PAGE}{token}",
                 pin=pin,
-                words=link_words(parts.settings, address),
+                words=" ".join(filter(None, (reach_words(parts.settings, address), first_words(parts.settings)))),
             )
 
     await run_in_threadpool(check)  # before the PIN is hashed, which takes long

@@ -6,6 +6,7 @@ from typing import Any
 def parts(clinic: Any) -> dict[str, Any]:
     return {
         "me": clinic.good("GET", "/auth/me"),
+        "is_nearby": True,
         "practice": clinic.good("GET", "/equipment/practice")["kind"],
         "session": clinic.good("GET", "/session"),
     }
@@ -27,3 +28,7 @@ def test_without_a_session_nobody_is_here(signed_in: Any) -> None:
     start = signed_in.good("GET", "/start")
     assert start == parts(signed_in)
     assert start["session"]["patient"] is None
+
+
+def test_who_comes_through_a_proxy_is_not_nearby(signed_in: Any) -> None:
+    assert signed_in.client.get("/api/v1/start", headers={"Via": "1.1 proxy"}).json()["is_nearby"] is False

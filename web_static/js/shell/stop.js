@@ -16,7 +16,10 @@ async function stopNow(app) {
   }
 }
 
-/** The Stop button of the header, which every page has, signed in or not. @param {import("../main.js").App} app */
+/** Whether the page has a Stop: all but that of a reviewer elsewhere, who cannot see the chair. @param {import("../main.js").App} app */
+const hasStop = ({ me, isNearby }) => isNearby || me?.role !== "reviewer";
+
+/** The Stop button of the header, which pages have, signed in or not. @param {import("../main.js").App} app */
 export function stopButton(app) {
   const button = h(
     "button",
@@ -29,6 +32,7 @@ export function stopButton(app) {
     stopNow(app);
   };
   button.addEventListener("pointerdown", hit);
+  app.addEventListener("me", () => (button.hidden = !hasStop(app)));
   // A click without a pointer comes from the keyboard or from assistive technology.
   button.addEventListener("click", (event) => event.detail === 0 && hit());
   return button;
@@ -42,7 +46,7 @@ export function stopButton(app) {
 export function stopOnSpace(app, where, signal) {
   /** @param {KeyboardEvent} event */
   const stops = (event) =>
-    event.code === "Space" && MOVING.has(app.live.latest?.state ?? "") && !isWriting(event.target);
+    event.code === "Space" && hasStop(app) && MOVING.has(app.live.latest?.state ?? "") && !isWriting(event.target);
   /** @param {KeyboardEvent} event */
   const down = (event) => {
     if (!stops(event)) return;

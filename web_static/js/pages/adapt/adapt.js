@@ -20,8 +20,8 @@ import { t } from "../../texts.js";
 const MODES = ["off", "suggest", "auto"];
 const CONCERNS = ["adaptation", "controls", "trial", "drive", "equipment", "everything"];
 
-/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
-export async function show(app, root, { signal }) {
+/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page `#/adapt/look` looks at once */
+export async function show(app, root, { signal, rest }) {
   const here = patientHere(app, root);
   if (!here) return;
   if (!here.hasProfile)
@@ -46,6 +46,7 @@ export async function show(app, root, { signal }) {
   const read = async () => {
     const [view, maps] = await Promise.all([app.api.get("/adaptation"), app.api.get(`/patients/${here.patient.id}/maps`)]);
     if (!signal.aborted) draw(view, /** @type {MapVersion[]} */ (maps));
+    return view;
   };
   /** Make a change, and read again how things are. @param {() => Promise<AdaptationView>} change */
   const ask = async (change) => {
@@ -76,15 +77,17 @@ export async function show(app, root, { signal }) {
     const view = await ask(() => app.api.post("/adaptation/back"));
     if (view) app.toasts.show(t("adapt.back.toast", { to: to ?? "", version: view.version ?? "" }));
   };
+  const look = () => ask(() => app.api.post("/adaptation/propose"));
   /** @param {AdaptationView} view @returns {Child[]} */
-  const buttons = ({ proposal, back_to: before, refusal, looking }) => {
-    const waits = proposal?.changes && proposal.applied === null ? proposal : null;
+  const buttons = (view) => {
+    const { back_to: before, refusal } = view;
+    const waits = waiting(view);
     return [
       before !== null && button(t("adapt.back", { version: before }), back),
       h("span", { class: "grow" }),
       waits && button(t("adapt.later"), () => ask(() => app.api.post("/adaptation/dismiss", { proposal: waits.id }))),
       waits && button(t("adapt.apply"), () => apply(waits.id), "btn go", refusal !== null),
-      !waits && button(t("adapt.look"), () => ask(() => app.api.post("/adaptation/propose")), "btn", looking || refusal !== null),
+      !waits && button(t("adapt.look"), look, "btn", !mayLook(view)),
       !waits && h("a", { class: "btn go", href: "#/drive" }, t("rail.drive")),
     ];
   };
@@ -101,14 +104,24 @@ export async function show(app, root, { signal }) {
     { signal },
   );
   app.live.addEventListener("changed", ({ detail }) => CONCERNS.includes(detail) && read().catch(() => null), { signal });
-  await read();
+  const view = await read();
   if (signal.aborted) return;
+  if (rest[0] === "look") {
+    history.replaceState(null, "", "#/adapt"); // so that a reload looks at what was found
+    if (mayChange && mayLook(view)) look();
+  }
   put(
     root,
     h("div", { class: "body" }, h("h1", { tabindex: "-1" }, t("adapt.title")), lead, problem, h("div", { class: "stack" }, place, modePlace, versions)),
     foot,
   );
 }
+
+/** The proposal that waits for a person; null when none does. @param {AdaptationView} view */
+const waiting = ({ proposal }) => (proposal?.changes && proposal.applied === null ? proposal : null);
+
+/** Whether a look at the last trials can begin now. @param {AdaptationView} view */
+const mayLook = (view) => !waiting(view) && !view.looking && view.refusal === null;
 
 /** Labels of the joints, as far as a proposal names them. @param {AdaptationView} view @returns {Record<string, string>} */
 function labelsOf({ proposal }) {

@@ -18,6 +18,7 @@ import { icon } from "../../widgets/icons.js";
 import { emptyPage, patientHere } from "../../shell/nobody.js";
 import { OTHER_SESSION } from "../../shell/other_session.js";
 import { pads } from "../../widgets/pads.js";
+import { ask as askPerson } from "../../widgets/question.js";
 import { setsCard } from "./sets_card.js";
 import { modesCard, speedsCard } from "./speeds_card.js";
 import { t } from "../../texts.js";
@@ -48,7 +49,13 @@ export async function show(app, root, { signal }) {
   const undo = iconButton("undo", () => ask(() => draft.api.post("/controls/undo")));
   const redo = iconButton("redo", () => ask(() => draft.api.post("/controls/redo")));
   const onward = h("a", { class: "btn go" }); // to driving, or to what is missing before
-  const suggest = () => ask(() => draft.api.post("/controls/suggest"), true);
+  const suggest = async () => {
+    const answer = await askPerson(app.question, t("controls.suggest.ask"), [
+      { value: "suggest", label: t("controls.suggest.go"), kind: "btn go" },
+      { value: null, label: t("cancel") },
+    ]);
+    if (answer && !signal.aborted) await ask(() => draft.api.post("/controls/suggest"), true);
+  };
   const suggestButton = h("button", { type: "button", class: "btn", onclick: suggest }, t("controls.suggest"));
   const title = h("span", {});
   /** @type {ReturnType<typeof controlRow>[]} */
@@ -143,7 +150,7 @@ export async function show(app, root, { signal }) {
       busy,
       problem,
       suggestButton,
-      h("a", { class: "btn bare", href: "#/adapt" }, t("adapt.link")),
+      h("a", { class: "btn bare", href: "#/adapt/look" }, t("adapt.link")),
       state,
       onward,
     ),
