@@ -5,13 +5,18 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
-from app.layout import MAX_CHANNELS, MAX_JOINTS, ShirtLayout
+from app.layout import MAX_CHANNELS, MAX_JOINTS, ShirtLayout, is_missing
 from app.quantities import Document, Finite, Fraction, Hertz, Name, Threshold
 
 Grade = Literal["good", "usable", "repeat"]
 
 Numbers = Annotated[tuple[Finite, ...], Field(max_length=MAX_CHANNELS)]
 Span = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=1e12)]
+Covariances = Annotated[
+    tuple[Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-1e24, le=1e24)], ...],
+    Field(max_length=MAX_CHANNELS),
+]
+Noise = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1e12)]
 
 MapKind = Literal["pca", "guided", "prior"]
 
@@ -162,6 +167,11 @@ class JointMap(Document):
     map: MapKind = "pca"  # the map that gives the rate; the score is always that of PC1
     guided: GuidedMap | None = None  # the fitted guided map, with its check
     prior: PriorMap | None = None  # the map learnt from other people
+    # (k, k) of the channels' movement in the calibration, squared signal units: it tells what a bad channel would show,
+    # and how exactly that is known. None, and left out for their hash, in profiles from before it was stored.
+    covariance: Annotated[tuple[Covariances, ...], Field(max_length=MAX_CHANNELS)] | None = Field(
+        default=None, exclude_if=is_missing
+    )
 
     @model_validator(mode="after")
     def _lengths_agree(self) -> Self:
@@ -173,7 +183,18 @@ class JointMap(Document):
                     raise ValueError(f"joint '{self.name}': its map is '{kind}', but it has no {kind} map")
             elif any(len(part) != len(self.channels) for part in linear.parts):
                 raise ValueError(f"joint '{self.name}': the {kind} map must have one number per channel in each part")
+        if self.covariance is not None:
+            self._check_covariance(self.covariance)
         return self
+
+    def _check_covariance(self, covariance: tuple[tuple[float, ...], ...]) -> None:
+        count = len(self.channels)
+        if len(covariance) != count or any(len(row) != count for row in covariance):
+            raise ValueError(f"joint '{self.name}': the covariance must have {count} rows of {count} numbers")
+        if any(covariance[i][j] != covariance[j][i] for i in range(count) for j in range(i)):
+            raise ValueError(f"joint '{self.name}': the covariance must be symmetric")
+        if any(covariance[i][i] < 0.0 for i in range(count)):
+            raise ValueError(f"joint '{self.name}': the covariance has a variance below 0")
 
     @model_serializer(mode="wrap")
     def _without_defaults(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
@@ -232,6 +253,11 @@ class CalibrationProfile(Document):
     left_out: dict[str, str]  # channel name -> why it is not in the map
     low: Numbers  # (n_channels,) smallest value in the calibration
     high: Numbers  # (n_channels,) largest value in the calibration
+    # (n_channels,) standard deviation of each channel's noise in the calibration, signal units: a channel that shows
+    # much less of it is stuck. None in profiles from before it was stored.
+    noise: Annotated[tuple[Noise, ...], Field(max_length=MAX_CHANNELS)] | None = Field(
+        default=None, exclude_if=is_missing
+    )
     joints: Annotated[tuple[JointMap, ...], Field(min_length=1, max_length=MAX_JOINTS)]
     cross_talk: tuple[tuple[Finite, ...], ...] | None = None
     """Row: joint that was prompted; column: joint that answered, as a share of its activation when prompted itself.
@@ -244,6 +270,8 @@ class CalibrationProfile(Document):
         count = len(self.layout.channels)
         if not len(self.low) == len(self.high) == count:
             raise ValueError(f"low and high must have {count} numbers, one per channel of the layout")
+        if self.noise is not None and len(self.noise) != count:
+            raise ValueError(f"noise must have {count} numbers, one per channel of the layout")
         for joint in self.joints:
             if any(not 0 <= index < count for index in joint.channels):
                 raise ValueError(f"joint '{joint.name}' reads a channel that the layout does not have")

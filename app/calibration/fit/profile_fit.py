@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import app
+from app.calibration.fit.channel_statistics import channel_noise, movement_covariance
 from app.calibration.fit.gaps import bridge_gaps
 from app.calibration.fit.joint_evidence import cross_talk, signal_to_noise, with_lag
 from app.calibration.fit.joint_fit import FittedJoint, fit_joint
@@ -77,8 +78,12 @@ def fit_profile(
             f"that somebody moved in it"
         )
     matrix = _cross_talk(fitted, repetitions, sample_rate)
+    pieces = [moved, *(repetition.values for repetition in repetitions)]
     joints = tuple(
-        _joint_map(name, fitted, matrix, len(layout.channels_of_joint[name]), resting is not None) for name in fitted
+        _joint_map(name, fitted, matrix, len(layout.channels_of_joint[name]), resting is not None).model_copy(
+            update={"covariance": movement_covariance(channels[name], pieces)}
+        )
+        for name in fitted
     )
     return CalibrationProfile(
         created=utc_now().isoformat(timespec="seconds"),
@@ -88,6 +93,7 @@ def fit_profile(
         left_out=left_out,
         low=low,
         high=high,
+        noise=channel_noise(moved if resting is None else resting, sample_rate),
         joints=joints,
         cross_talk=None if matrix is None else tuple(tuple(map(float, row)) for row in matrix),
     )
