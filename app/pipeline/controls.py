@@ -1,11 +1,7 @@
 """From activations to u1, u2 and the stop gesture (signal-chain.md, section 4)."""
 
-from typing import Final
-
 from app.calibration.vocabulary import DriveParameters
-from app.pipeline.person_brakes import Brakes
-
-STOP_ACTIVATION: Final = 0.5  # of each gesture of the stop: well above the cross-talk of other movements
+from app.pipeline.person_brakes import STOP_ACTIVATION, Brakes
 
 
 class Controls:

@@ -2,11 +2,12 @@
 
 import itertools
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from app.calibration.vocabulary import DriveParameters, Feature, Gesture
 from app.geometry import STANDSTILL, Twist
 
+STOP_ACTIVATION: Final = 0.5  # of each gesture of a stop: well above the cross-talk of other movements
 LEAST_BRAKE = 0.1  # gain: a gesture with a smaller gain slows the chair too late to count as a brake
 REACH: dict[Feature, float] = {
     "rate": 10.0,  # FS/s: the whole movement within about a fifth of a second, with a smooth beginning and end
@@ -28,10 +29,13 @@ class _Push(NamedTuple):
         """Return whether the movement can change the speed towards `sign`, 1 or -1; False for 0."""
         return self.high > 0.0 if sign > 0 else sign < 0 and self.low < 0.0
 
+    def strength(self, sign: int) -> float:
+        """Return the largest sum of gains towards `sign`, 1 or -1."""
+        return self.high if sign > 0 else -self.low
+
     def brakes(self, sign: int) -> bool:
         """Return whether the movement slows a speed of this sign and never raises it."""
-        strength = -self.low if sign > 0 else self.high
-        return strength >= LEAST_BRAKE and not self.along(sign)
+        return self.strength(-sign) >= LEAST_BRAKE and not self.along(sign)
 
 
 _Signs = tuple[int, int]
@@ -92,11 +96,52 @@ class Brakes:
 
 def missing_brake(parameters: DriveParameters) -> str:
     """Return a sentence when the parameters allow motions that nobody could stop; empty when they do not."""
-    if Brakes(parameters).are_complete:
-        return ""
-    return (
-        "With these controls the chair would keep a speed that no movement can slow: on the Controls page, bind a "
-        "movement to the opposite direction or to Stop, or choose “Follows the movement”."
+    if not Brakes(parameters).are_complete:
+        return (
+            "With these controls the chair would keep a speed that no movement can slow: on the Controls page, bind a "
+            "movement to the opposite direction or to Stop, or choose “Follows the movement”."
+        )
+    if not all(_stops_although_stuck(parameters, i) for i in parameters.bound_gestures):
+        return (
+            "With these controls a sensor that sticks while a posture is held could drive the chair on, and no "
+            "movement could stop it: on the Controls page, bind movements of other joints to Stop, or choose “Moving” "
+            "in place of “Holding”."
+        )
+    return ""
+
+
+def _stops_although_stuck(parameters: DriveParameters, index: int) -> bool:
+    """Return whether the person can stop the chair while the sensors of a gesture's joint are stuck at any value.
+
+    The noise of a stuck sensor can be that of a good one, so that nothing else would stop a held posture that drives.
+    A stop gesture that the stuck gesture is part of works only from STOP_ACTIVATION on: below it, another movement must
+    outweigh what the stuck gesture can still do.
+    """
+    gesture = parameters.gestures[index]
+    pushes = list(zip(_pushes(parameters, "u1"), _pushes(parameters, "u2"), strict=True))
+    if gesture.feature == "rate" or pushes[index] == (_Push(), _Push()):
+        return True  # a stuck joint makes no movement, and what drives nothing may stay
+    others = [i for i, other in enumerate(parameters.gestures) if other.joint != gesture.joint]
+    stops = [stop for stop in _possible_stops(parameters) if set(stop) <= {index, *others}]
+    if any(index not in stop for stop in stops):
+        return True
+    brakes = [pushes[i] for i in others if _is_within_reach(parameters.gestures[i])]
+    return any(len(stop) > 1 for stop in stops) and all(
+        _outweighs(axis, pushes[index][axis], brakes) for axis in (0, 1)
+    )
+
+
+def _outweighs(axis: int, push: _Push, brakes: Sequence[tuple[_Push, _Push]]) -> bool:
+    """Return whether brakes that drive nothing else are stronger than STOP_ACTIVATION of a push, both ways."""
+    return all(
+        not push.along(sign)
+        or any(
+            brake[axis].strength(-sign) > STOP_ACTIVATION * push.strength(sign)
+            and brake[axis].brakes(sign)
+            and brake[1 - axis] == _Push()
+            for brake in brakes
+        )
+        for sign in (1, -1)
     )
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from app.calibration.fit.pieces import fill_forward
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.channel_health import ChannelHealth
-from app.pipeline.controls import STOP_ACTIVATION
+from app.pipeline.person_brakes import STOP_ACTIVATION
 from app.quantities import Count, Document, Fraction, Name
 from app.scoring.command_counts import onsets
 from app.scoring.joint_quality import Amount, Degrees, JointQuality, joint_quality

@@ -245,3 +245,50 @@ def test_a_brake_may_turn_a_chair_that_goes_straight_when_the_turn_can_be_stoppe
     back = Binding(control="u2-" if turn == "u2+" else "u2+", gestures=("right_shoulder",))
     assert brakes(bindings=(*bindings, back)).suffice(FORWARD, bad())
     assert not brakes(bindings=(*bindings, back)).suffice(FORWARD, bad(SLOWER))
+
+
+def held(bindings, joints=("right_elbow", "left_elbow", "right_shoulder"), **of_joint):
+    """Return a set of held postures in velocity mode, one per joint; `of_joint` has another feature by joint."""
+    gestures = tuple(
+        Gesture(name=joint, joint=joint, feature=of_joint.get(joint, "displacement"), dead_zone=0.2, full=0.8)
+        for joint in joints
+    )
+    bound = tuple(Binding(control=control, gestures=names, gain=gain) for control, names, gain in bindings)
+    return DriveParameters(
+        profile=make_profile(), gestures=gestures, bindings=bound, mode_u1="velocity", mode_u2="velocity"
+    )
+
+
+BOTH_ELBOWS = ("right_elbow", "left_elbow")
+FORTH, BACKWARD = ("u1+", ("right_elbow",), 1.0), ("u1-", ("left_elbow",), 1.0)
+
+
+@pytest.mark.parametrize(
+    ("bindings", "is_stoppable"),
+    [
+        ([FORTH], False),
+        ([FORTH, BACKWARD], False),  # held against each other: nothing ends that
+        ([FORTH, ("stop", ("right_shoulder",), 1.0)], True),
+        ([FORTH, ("stop", ("right_elbow",), 1.0)], False),
+        ([FORTH, ("stop", ("right_elbow", "right_shoulder"), 1.0)], False),  # stuck below half, nothing outweighs it
+        ([FORTH, BACKWARD, ("stop", BOTH_ELBOWS, 1.0)], True),
+        ([FORTH, ("u1-", ("left_elbow",), 0.51), ("stop", ("right_elbow", "right_shoulder"), 1.0)], True),
+        ([FORTH, ("u1-", ("left_elbow",), 0.5), ("stop", ("right_elbow", "right_shoulder"), 1.0)], False),
+        ([FORTH, BACKWARD, ("u2+", ("left_elbow",), 1.0), ("stop", BOTH_ELBOWS, 1.0)], False),  # it turns as it slows
+        ([("u1+", ("right_elbow",), 0.0)], True),  # it drives nothing
+    ],
+)
+def test_a_held_posture_needs_a_stop_that_works_while_its_sensors_are_stuck(bindings, is_stoppable):
+    assert (missing_brake(held(bindings)) == "") == is_stoppable
+
+
+def test_a_movement_whose_sensors_are_stuck_drives_nothing():
+    assert missing_brake(held([FORTH], right_elbow="rate")) == ""
+
+
+def test_a_held_posture_without_a_stop_says_what_to_do():
+    assert missing_brake(held([FORTH])) == (
+        "With these controls a sensor that sticks while a posture is held could drive the chair on, and no movement "
+        "could stop it: on the Controls page, bind movements of other joints to Stop, or choose “Moving” in place of "
+        "“Holding”."
+    )
