@@ -147,6 +147,7 @@ class Chain:
             decoder.quieten()
         activation = decoder.activation
         tick.score, tick.rate, tick.drive, tick.activation = decoder.score, decoder.rate, decoder.drive, activation
+        tick.estimated = decoder.estimated
         if decoder.is_active:
             tick.u1, tick.u2 = controls.step(activation)
             makes_stop = controls.is_stop(activation)

@@ -1,16 +1,22 @@
 """Which channels are bad, and whether too many frames are lost."""
 
 from collections import deque
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from app.calibration.profile import CalibrationProfile
 
-Frame = NDArray[np.float32] | NDArray[np.float64]
+Array = NDArray[np.float64]
+Frame = NDArray[np.float32] | Array
 
 FLAT_TIME: Final = 0.2  # s: a fabric sensor always shows noise; a signal constant for so long is a broken line
+STUCK_TIME: Final = 0.3  # s: real knit never was so quiet for so long, in 48 recordings by a factor of 1.3 at least
+FEWEST_STUCK: Final = 20  # frames: fewer of them can lie close together by chance
+STUCK_SHARE: Final = 0.7  # of the standard deviation of a channel's own noise: a smaller range is none of its own
+SAMPLES: Final = 5  # frames of a window whose range is looked at first
 RANGE_FACTOR: Final = 1.5  # of the calibrated half-range: a value beyond it is not from this body
 SMALLEST_HALF_RANGE: Final = 1e-9  # signal units, for a channel that did not change in the calibration
 LOSS_WINDOW: Final = 1.0  # s
@@ -18,7 +24,10 @@ LOSS_LIMIT: Final = 0.1  # share of frames
 
 
 class ChannelHealth:
-    """Checks channels for NaN, for values outside 1.5 x the calibrated range, and for constant values.
+    """Checks channels for NaN, for values outside 1.5 x the calibrated range, and for channels that are stuck.
+
+    A channel is stuck when it is constant, or its range is smaller than its own noise explains: a sensor that broke may
+    still show the noise of the converter.
 
     Whether a channel is constant is looked at every `flat_after // 2` frames only: a channel that has not been constant
     for at least the other half cannot become flat before the next look. While some channel could, all are counted frame
@@ -38,19 +47,33 @@ class ChannelHealth:
         self._flat_after = max(2, round(FLAT_TIME * sample_rate))
         self._look_every = self._flat_after // 2
         self._suspect_after = self._flat_after - self._look_every
+        noise = np.zeros(len(low)) if profile.noise is None else np.array(profile.noise)
+        # Signal units, -1 where no range is too small.
+        self._least_range = np.where(watched & (noise > 0.0), STUCK_SHARE * noise, -1.0)
+        self._has_noise = bool((self._least_range > 0.0).any())
+        self._stuck_after = max(FEWEST_STUCK, round(STUCK_TIME * sample_rate))
+        self._sample_step = max(1, self._stuck_after // 2 // SAMPLES)
         self.reset()
 
     def reset(self) -> None:
         """Forget for how long each channel was constant."""
-        self._recent: deque[Frame] = deque(maxlen=self._flat_after)
+        self._recent: deque[Frame] = deque(maxlen=max(self._flat_after, self._stuck_after))
         self._until_look = self._look_every + 1
         self._still: NDArray[np.int32] | None = None  # frames, while some channel is suspect
+        self._until_range = self._stuck_after // 2
+        self._window: Array | None = None  # (stuck_after, n_channels) the newest frames, while a range is suspect
+        self._oldest = 0  # row of the window
 
     @property
     def frame(self) -> NDArray[np.float64]:
         """The frame (n_channels,) of the last step; the next step overwrites it."""
         frame: NDArray[np.float64] = self._table[1]
         return frame
+
+    @property
+    def previous(self) -> Frame | None:
+        """The frame (n_channels,) before that of the last step; None when there was none."""
+        return self._recent[-2] if len(self._recent) > 1 else None
 
     def step(self, values: Frame) -> NDArray[np.bool_] | None:
         """Return which channels are bad in this frame (n_channels,), or None when none is.
@@ -65,16 +88,62 @@ class ChannelHealth:
         if not self._until_look:
             self._until_look = self._look_every
             self._look(values)
+        stuck = self._stuck(values) if self._has_noise else None
         self._table[1] = values
         np.less_equal(self._table[:2], self._table[1:], out=self._within)
         # Comparing bytes is the fastest test for "all true"; a NaN compares false and so takes the exact way below.
-        if self._still is None and self._within.tobytes() == self._all_within:
+        if self._still is None and stuck is None and self._within.tobytes() == self._all_within:
             return None
         wrong = ~self._within.all(axis=0)
         if self._still is not None:
             wrong |= self._still >= self._flat_after
+        if stuck is not None:
+            wrong |= stuck
         bad: NDArray[np.bool_] = wrong & self._watched
         return bad if bad.any() else None
+
+    def _stuck(self, values: Frame) -> NDArray[np.bool_] | None:
+        """Return which channels have a range that is too small for their noise (n_channels,), None when none may have.
+
+        Every half window a few frames are looked at: only when their range is too small, the whole window is, frame by
+        frame.
+        """
+        window = self._window
+        if window is not None:
+            window[self._oldest] = values
+            self._oldest = (self._oldest + 1) % len(window)
+        self._until_range -= 1
+        if not self._until_range:
+            self._until_range = self._stuck_after // 2
+            newest = np.array([self._recent[-1 - i * self._sample_step] for i in range(SAMPLES)])
+            if not self._too_small(newest).any():
+                self._window = window = None
+            elif window is None:
+                recent = np.array(self._recent, dtype=np.float64)[-self._stuck_after :]
+                window = np.full((self._stuck_after, len(values)), np.nan)  # no range is known before it is full
+                window[: len(recent)] = recent
+                self._window, self._oldest = window, len(recent) % self._stuck_after
+        return None if window is None else self._too_small(window)
+
+    def _too_small(self, frames: Frame) -> NDArray[np.bool_]:
+        """Return whether the range of each channel in frames (n, n_channels) is too small for its noise."""
+        small: NDArray[np.bool_] = frames.max(axis=0) <= frames.min(axis=0) + self._least_range
+        return small
+
+    def _stuck_in_block(self, known: NDArray[Any]) -> NDArray[np.bool_] | None:
+        """Return what `_stuck` does for each of many frames (n, n_channels), None when no range is too small."""
+        if not self._has_noise or len(known) < self._stuck_after:
+            return None
+        sampled = sliding_window_view(known[:: self._sample_step], SAMPLES, axis=0)
+        suspect = (sampled.max(axis=-1) <= sampled.min(axis=-1) + self._least_range).any(axis=0)
+        if not suspect.any():
+            return None
+        stuck = np.zeros(known.shape, dtype=np.bool_)
+        for channel in np.flatnonzero(suspect):
+            windows = sliding_window_view(known[:, channel], self._stuck_after)
+            small = windows.max(axis=-1) <= windows.min(axis=-1) + self._least_range[channel]
+            stuck[self._stuck_after - 1 :, channel] = small
+        return stuck
 
     def _look(self, values: Frame) -> None:
         """Begin or end to count frame by frame."""
@@ -115,6 +184,10 @@ class ChannelHealth:
             flat = rows - np.maximum.accumulate(np.where(changed, rows, 0), axis=0) >= self._flat_after
             flat = flat[len(known) - len(values) :]
             wrong = flat if wrong is None else wrong | flat
+        stuck = self._stuck_in_block(known)
+        if stuck is not None:
+            stuck = stuck[len(known) - len(values) :]
+            wrong = stuck if wrong is None else wrong | stuck
         if wrong is None:
             return None
         bad: NDArray[np.bool_] = wrong & self._watched
@@ -122,8 +195,8 @@ class ChannelHealth:
 
     @property
     def memory(self) -> int:
-        """How many earlier frames decide whether a channel is constant."""
-        return self._flat_after + 1
+        """How many earlier frames decide whether a channel is stuck."""
+        return max(self._flat_after, self._stuck_after) + 1
 
 
 class LossWindow:

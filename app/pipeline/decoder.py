@@ -9,35 +9,14 @@ from numpy.typing import NDArray
 from app.butterworth import low_pass
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.channel_health import ChannelHealth
+from app.pipeline.channel_substitution import ChannelSubstitution
 from app.pipeline.linear_rate import PARTS, GuidedRate, linear_projection
 from app.pipeline.low_pass import LowPass
 from app.pipeline.prior_rates import PriorRates
+from app.pipeline.projection import channels_used, projection
+from app.pipeline.return_doubt import BASELINE_TIME, ReturnDoubt
 
-BASELINE_TIME: Final = 30.0  # s: time constant of the baseline of a displacement gesture
 LONGEST_GAP: Final = 1.0  # s: a longer gap between two frames counts as this long
-
-
-def projection(parameters: DriveParameters) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return weights (n_gestures, n_channels) and offsets (n_gestures,): score = weights . values - offsets, in FS."""
-    profile = parameters.profile
-    joints = {joint.name: joint for joint in profile.joints}
-    weights = np.zeros((len(parameters.gestures), len(profile.layout.channels)))
-    offsets = np.zeros(len(parameters.gestures))
-    for row, gesture in enumerate(parameters.gestures):
-        joint = joints[gesture.joint]
-        scale = gesture.direction * joint.sign / joint.span
-        weights[row, list(joint.channels)] = scale * np.array(joint.weights)
-        offsets[row] = weights[row, list(joint.channels)] @ np.array(joint.mean)
-    return weights, offsets
-
-
-def channels_used(parameters: DriveParameters) -> NDArray[np.bool_]:
-    """Return which channels (n_gestures, n_channels) each gesture reads, by its score or by its linear map."""
-    uses = projection(parameters)[0] != 0.0
-    rows, places = linear_projection(parameters)
-    for gesture, place in places.items():
-        uses[gesture] |= (rows[place] != 0.0).any(axis=0)
-    return np.asarray(uses)
 
 
 def periods_between(time_step: float, sample_rate: float) -> float:
@@ -51,8 +30,8 @@ def periods_between(time_step: float, sample_rate: float) -> float:
 class Decoder:
     """Decodes frame by frame; `score`, `rate`, `drive` and `activation` hold one number per gesture.
 
-    A gesture that reads a bad channel keeps its last score and has activation 0 (safety S5). When the channel is good
-    again, the change of the score since then does not count as a movement.
+    A bad channel is replaced by what the joint's other channels say of it (safety S5). Where they do not say it exactly
+    enough, the gestures that read it are `bad` and have activation 0.
     """
 
     def __init__(self, parameters: DriveParameters, sample_rate: float) -> None:
@@ -61,8 +40,7 @@ class Decoder:
         guided = {i: place for i, place in places.items() if place.stop - place.start == PARTS}
         self._weights = np.concatenate((weights, *(rows[place] for place in guided.values())))
         self._offsets: list[float] = offsets.tolist()
-        self._uses = channels_used(parameters)
-        watched = np.asarray(self._uses.any(axis=0))
+        watched = np.asarray(channels_used(parameters).any(axis=0))
         self._sample_rate = sample_rate
         coefficients = low_pass(parameters.cutoff, sample_rate)
         count = len(parameters.gestures)
@@ -85,6 +63,8 @@ class Decoder:
         self._all_plain = all(self._is_plain)
         self._all_prior = len(self._by_prior) == count
         self._health = ChannelHealth(parameters.profile, watched, sample_rate)
+        self._substitution = ChannelSubstitution(parameters)
+        self._doubt = ReturnDoubt(parameters, sample_rate)
         self._indices = range(count)
         self._none_bad = [False] * count
         self.reset()
@@ -99,9 +79,13 @@ class Decoder:
         if self._prior is not None:
             self._prior.reset()
         self._health.reset()
+        self._substitution.reset()
+        self._doubt.reset()
+        self.estimated = 0
+        """Bit i: channel i is bad, and gestures that read it go on by what its neighbours tell."""
+        self._is_certain = True  # whether no gesture is bad, in doubt, or reads an estimate
         self._fresh = True
         self._smooth = [0.0] * count
-        self._unseen = [0.0] * count  # FS: change of the scores while their channels were bad
         self._baseline = [0.0] * count
         self.score = [0.0] * count
         self.rate = [0.0] * count
@@ -119,49 +103,59 @@ class Decoder:
 
     def step(self, values: NDArray[np.float32], periods: float) -> None:
         """Decode one frame (n_channels,), `periods` whole sample periods after the frame before."""
-        was_bad = self.bad
         bad_channels = self._health.step(values)
         frame = self._health.frame
-        if bad_channels is None:
-            self.bad = self._none_bad
-            trusted = frame
-        else:
-            self.bad = np.asarray((self._uses & bad_channels).any(axis=1)).tolist()
-            trusted = np.where(bad_channels | ~np.isfinite(frame), 0.0, frame)
-        if self._prior is not None:
-            if periods == 1.0 and self.bad == was_bad and self._prior.is_even:
-                products = self._prior.step(trusted)
-            else:
-                products = self._prior.step_slowly(
-                    trusted, [self.bad[i] for i in self._by_prior], [was_bad[i] for i in self._by_prior], periods
-                )
-        else:
-            products = self._weights.dot(trusted).tolist()
-            if not math.isfinite(sum(products)):  # a channel that no gesture reads is NaN or infinite
-                products = self._weights.dot(np.nan_to_num(trusted, posinf=0.0, neginf=0.0)).tolist()
         was_quiet = not self.is_active
+        if bad_channels is not None or self._substitution.is_active:
+            frame = self._replace_bad(frame, bad_channels, periods, was_quiet)
+        if self._prior is not None:
+            if periods == 1.0 and self._prior.is_even:
+                products = self._prior.step(frame)
+            else:
+                products = self._prior.step_slowly(frame, periods)
+        else:
+            products = self._weights.dot(frame).tolist()
+            if not math.isfinite(sum(products)):  # a channel that no gesture reads is NaN or infinite
+                products = self._weights.dot(np.nan_to_num(frame, posinf=0.0, neginf=0.0)).tolist()
         self.is_active = False
-        if self._all_plain and self.bad is was_bad is self._none_bad and not self._fresh:
-            self._step_plain(products, self._sample_rate / periods)
-            return
-        if self._all_prior and self.bad is was_bad is self._none_bad:
-            self._step_prior(products)
-            self._fresh = False
-            return
-        self._step_each(products, was_bad, periods, was_quiet)
+        if self._is_certain and not self._fresh:
+            if self._all_plain:
+                self._step_plain(products, self._sample_rate / periods)
+                return
+            if self._all_prior:
+                self._step_prior(products)
+                return
+        self._step_each(products, periods, was_quiet)
         self._fresh = False
 
-    def _step_each(self, products: list[float], was_bad: list[bool], periods: float, was_quiet: bool) -> None:
+    def _replace_bad(
+        self, frame: NDArray[np.float64], bad: NDArray[np.bool_] | None, periods: float, was_quiet: bool
+    ) -> NDArray[np.float64]:
+        """Return the frame with estimates in place of bad channels, and update which gestures are bad or in doubt."""
+        doubt = self._doubt
+        if doubt.exists:
+            doubt.fade(periods, was_quiet)
+        rows = None if bad is None else bad[np.newaxis]
+        filled, _, surprises = self._substitution.fill(frame[np.newaxis], rows, self._health.previous)
+        for surprise in surprises:
+            doubt.add(surprise.step)
+        lost = self._substitution.lost
+        if doubt.exists:
+            lost = [is_lost or too_large for is_lost, too_large in zip(lost, doubt.are_too_large(), strict=True)]
+        self.bad = lost if True in lost else self._none_bad
+        self.estimated = sum(1 << channel for channel in self._substitution.replaced)
+        self._is_certain = self.bad is self._none_bad and not doubt.exists and not self.estimated
+        replaced: NDArray[np.float64] = filled[0]
+        return replaced
+
+    def _step_each(self, products: list[float], periods: float, was_quiet: bool) -> None:
         """Decode a frame gesture by gesture, each in its own way."""
         per_second = self._sample_rate / periods
+        doubts, margins = self._doubt.of_gestures(), self._substitution.margins
         for i in self._indices:
-            if not self.bad[i]:  # a bad channel: the last score stays
-                score = products[i] - self._offsets[i]
-                if was_bad[i] and not self._is_displacement[i]:
-                    self._unseen[i] += score - self.score[i]
-                self.score[i] = score
+            self.score[i] = products[i] - self._offsets[i]
             if self._is_plain[i]:
-                smooth = self._filters[i].step(self.score[i] - self._unseen[i])
+                smooth = self._filters[i].step(self.score[i])
                 if self._fresh:
                     self._smooth[i] = smooth
                 strength = (smooth - self._smooth[i]) * per_second
@@ -170,11 +164,11 @@ class Decoder:
                 strength = self._displacement(i, per_second, was_quiet)
             elif i in self._guided:
                 guided, place = self._guided[i]
-                strength = guided.step(products[place], self.bad[i], was_bad[i], periods, self._sample_rate)
+                strength = guided.step(products[place], periods, self._sample_rate)
             else:
                 strength = products[self._prior_place[i]]
             self.rate[i] = strength
-            above = strength - self._dead_zone[i]
+            above = strength + doubts[i] - margins[i] - self._dead_zone[i]
             if above <= 0.0 or self.bad[i]:
                 self.drive[i] = self.activation[i] = 0.0
             else:
@@ -183,11 +177,11 @@ class Decoder:
                 self.is_active = True
 
     def _step_plain(self, products: list[float], per_second: float) -> None:
-        """Decode a frame without a bad channel, when every gesture is plain: the usual case, in the shortest way."""
+        """Decode a frame in which every gesture is certain and plain: the usual case, in the shortest way."""
         scores, rates, smooths, drives, activations = self.score, self.rate, self._smooth, self.drive, self.activation
         for i, low_pass_filter in enumerate(self._filters):
             scores[i] = score = products[i] - self._offsets[i]
-            smooth = low_pass_filter.step(score - self._unseen[i])
+            smooth = low_pass_filter.step(score)
             rates[i] = rate = (smooth - smooths[i]) * per_second
             smooths[i] = smooth
             above = rate - self._dead_zone[i]
@@ -200,7 +194,7 @@ class Decoder:
                 self.is_active = True
 
     def _step_prior(self, products: list[float]) -> None:
-        """Decode a frame without a bad channel, when other people's maps decode every gesture."""
+        """Decode a frame in which every gesture is certain, when other people's maps decode every gesture."""
         first = len(products) - len(self.score)
         for i in self._indices:
             self.score[i] = products[i] - self._offsets[i]
@@ -216,7 +210,7 @@ class Decoder:
 
     def _displacement(self, i: int, per_second: float, was_quiet: bool) -> float:
         """Return the displacement of the smoothed score from its baseline, FS."""
-        smooth = self._filters[i].step(self.score[i] - self._unseen[i])
+        smooth = self._filters[i].step(self.score[i])
         if self._fresh:
             self._baseline[i] = smooth
         if was_quiet:

@@ -43,7 +43,7 @@ def linear_projection(parameters: DriveParameters) -> tuple[NDArray[np.float64],
 
 
 class GuidedRate:
-    """The rate of one gesture; a change while a channel was bad does not count as a movement afterwards."""
+    """The rate of one gesture."""
 
     def __init__(self, coefficients: Coefficients, sample_rate: float) -> None:
         self._low_pass = LowPass(coefficients)
@@ -55,27 +55,17 @@ class GuidedRate:
         """Reset all state; the next frame settles the filters."""
         self._low_pass.reset()
         self._fresh = True
-        self._last = [0.0] * PARTS
-        self._unseen = [0.0] * PARTS
+        self._last = 0.0
         self._slow = [0.0] * len(AVERAGING_TIMES)
 
-    def step(self, products: list[float], bad: bool, was_bad: bool, periods: float, sample_rate: float) -> float:
-        """Return the rate in FS/s after the three projections of a frame, `periods` sample periods after the last.
-
-        The projections of a `bad` frame do not count; `was_bad`: the frame before was bad.
-        """
-        last, unseen, slow = self._last, self._unseen, self._slow
-        moved = 0.0
-        if not bad:
-            if was_bad:
-                for part in range(PARTS):
-                    unseen[part] += products[part] - last[part]
-            elif not self._fresh:
-                moved = products[0] - last[0]
-            self._last = last = products
+    def step(self, products: list[float], periods: float, sample_rate: float) -> float:
+        """Return the rate in FS/s after the three projections of a frame, `periods` sample periods after the last."""
+        slow = self._slow
+        moved = 0.0 if self._fresh else products[0] - self._last
+        self._last = products[0]
         levels = 0.0
         for i, usual in enumerate(self._usual):
-            level = last[i + 1] - unseen[i + 1]
+            level = products[i + 1]
             if self._fresh:
                 slow[i] = level
             share = usual if periods == 1.0 else 1.0 - math.exp(-periods * self._per_frame[i])

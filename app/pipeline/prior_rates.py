@@ -2,12 +2,10 @@
 
 A map reads 7 projections of a frame and their past. All of that is linear, so that the usual frame costs one matrix
 product for all gestures. Its input are the frame, earlier projections and the state; its output are the rates and the
-new state. A gesture with a bad channel reads nothing of the frame: its rows of the matrix have zeros there. Frames
-after a gap, and those in which a channel becomes bad or good again, take a longer way to the same numbers.
+new state. Frames after a gap take a longer way to the same numbers.
 """
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +21,7 @@ Array = NDArray[np.float64]
 
 
 class PriorRates:
-    """The rates of g gestures; a change while a channel was bad does not count as a movement afterwards.
+    """The rates of g gestures.
 
     Keeps a ring with one row per frame: the products of other weights, the rates, the state, the earlier projections.
 
@@ -69,48 +67,37 @@ class PriorRates:
         self._newest = 0
         self._even = 0  # frames since one was missing
         self.is_even = False
-        """Whether a frame without a gap may take the short way, `step`, when no channel became bad or good again."""
+        """Whether a frame without a gap may take the short way, `step`."""
         self._steps = [1.0] * self._size  # sample periods from the row before to each row of the ring
-        self._matrix = self._usual
 
     def step(self, frame: Array) -> list[float]:
         """Return the other products and the rates (FS/s) after a usual frame (n_channels,), one period after the last.
 
-        Usual is a frame with the bad channels of the frame before, each 0, when `is_even`.
+        Usual is every frame when `is_even`.
         """
         self._frame[:] = frame
         newest = self._newest + 1
         if newest == self._size:
             newest = 0
         row = self._rows[newest]
-        self._matrix.dot(self._input, row)
+        self._usual.dot(self._input, row)
         values: list[float] = self._heads[newest].tolist()
         if not math.isfinite(sum(values)):  # a channel that no gesture reads is NaN or infinite
             self._frame[:] = np.nan_to_num(frame, posinf=0.0, neginf=0.0)
-            self._matrix.dot(self._input, row)
+            self._usual.dot(self._input, row)
             values = self._heads[newest].tolist()
         self._flat.take(self._places[newest], None, self._memory, "clip")
         self._newest = newest
         self._steps[newest] = 1.0
         return values
 
-    def step_slowly(self, frame: Array, bad: Sequence[bool], was_bad: Sequence[bool], periods: float) -> list[float]:
-        """Return what `step` does after any frame, `periods` sample periods after the last.
-
-        `frame` (n_channels,) with 0 for bad channels. `bad` and `was_bad` (g,) tell whether a gesture reads a bad
-        channel now, and whether it did in the frame before: what it reads then does not count.
-        """
+    def step_slowly(self, frame: Array, periods: float) -> list[float]:
+        """Return what `step` does after any frame, `periods` sample periods after the last."""
         clean = np.nan_to_num(frame, posinf=0.0, neginf=0.0)
-        is_bad, was = np.array(bad, dtype=np.bool_), np.array(was_bad, dtype=np.bool_)
-        count = len(is_bad)
-        seen = np.where(is_bad[:, np.newaxis], 0.0, self._parts @ clean)
+        count = len(self._parts)
+        seen = self._parts @ clean
         if self._fresh:
             self._settle(seen)
-        elif (is_bad != was).any():
-            # While a channel is bad the past is as if the projections had ended at 0; afterwards, at what they are now.
-            ended = np.where((is_bad & ~was)[:, np.newaxis], self._parts @ self._frame, 0.0)
-            self._move_past(np.where((was & ~is_bad)[:, np.newaxis], seen, 0.0) - ended)
-        self._matrix = self._without_frame(is_bad)
         total, short, long, first, second = self._ring[self._newest, self._state].reshape(STATES, count)
         newest = (self._newest + 1) % self._size
         self._steps[newest] = periods
@@ -134,15 +121,6 @@ class PriorRates:
         values: list[float] = self._heads[newest].tolist()
         return values
 
-    def _without_frame(self, is_bad: NDArray[np.bool_]) -> Array:
-        """Return the matrix of usual frames in which the gestures that read a bad channel (g,) read nothing."""
-        if not is_bad.any():
-            return self._usual
-        matrix = self._usual.copy()
-        own = len(self._others) + np.flatnonzero(np.tile(is_bad, 1 + STATES + EARLIER))
-        matrix[own, : self._parts.shape[2]] = 0.0
-        return matrix
-
     def _settle(self, seen: Array) -> None:
         """Let the past be as if these projections (g, 7) had been seen for ever."""
         zero = np.zeros(len(seen))
@@ -150,13 +128,6 @@ class PriorRates:
         self._ring[:, self._state] = np.concatenate(past)
         self._ring[:, self._earlier] = seen[:, 1 : EARLIER + 1].T.ravel()
         self._even = self._size
-
-    def _move_past(self, change: Array) -> None:
-        """Shift the past by a change (g, 7) of the projections that must not count as a movement."""
-        zero = np.zeros(len(change))
-        moved = (change[:, : EARLIER + 1].sum(axis=1), change[:, SHORT], change[:, LONG], zero, zero)
-        self._ring[self._newest, self._state] += np.concatenate(moved)
-        self._ring[:, self._earlier] += change[:, 1 : EARLIER + 1].T.ravel()
 
     def _earlier_sum(self, seen: Array, newest: int) -> Array:
         """Return the sum (g,) of the projections as they were RATE_LAGS ago, each found by its time."""

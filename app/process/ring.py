@@ -132,6 +132,7 @@ class TickRing:
             tick.y,
             tick.theta,
             tick.scene_t,
+            tick.estimated,
             tick.frame_seq,
             lost,
             late,

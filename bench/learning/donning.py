@@ -18,7 +18,7 @@ from app.calibration.script import calibration_script
 from app.calibration.vocabulary import PAPER_VOCABULARY, standard_parameters
 from app.hardware.shirt.fabric import Fabric
 from app.pipeline.channel_health import ChannelHealth
-from app.pipeline.decoder import channels_used
+from app.pipeline.projection import channels_used
 from app.scoring.map_losses.losses import MOST_SILENT
 from app.study.experiment import SEEDS_APART
 from app.study.participant import Participant

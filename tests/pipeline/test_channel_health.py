@@ -1,4 +1,5 @@
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -67,6 +68,54 @@ def test_at_once_is_the_same_as_frame_by_frame(rows, chunk):
     for start in range(0, len(frames), chunk):
         before = frames[max(0, start - whole.memory) : start] if start else None
         blocks.append(whole.block(frames[start : start + chunk], before))
+    np.testing.assert_array_equal(np.concatenate(blocks), one_by_one)
+
+
+def quiet_health(sample_rate=100.0):
+    """Return the health of channels whose noise in the calibration was that of `trembling`."""
+    profile = make_profile(CHANNELS).model_copy(
+        update={"low": (-100.0,) * CHANNELS, "high": (100.0,) * CHANNELS, "noise": (1.0,) * CHANNELS}
+    )
+    return ChannelHealth(profile, EVERY, sample_rate)
+
+
+@pytest.mark.parametrize("value", [0.0, 40.0, -99.0])
+@pytest.mark.parametrize("noise", [0.0, 0.1, 0.6])
+def test_a_channel_that_is_stuck_with_less_than_its_own_noise_is_bad(value, noise):
+    frames, rng = trembling(200), np.random.default_rng(2)
+    frames[100:, 5] = value + noise * rng.integers(0, 2, 100)  # one bit
+    watch = quiet_health()
+    bad = np.array([watch.step(frame.copy()) is not None for frame in frames])
+    assert not bad[:100].any()
+    assert bad[130:].all()
+
+
+@pytest.mark.parametrize("sample_rate", [20.0, 60.0, 100.0, 1000.0])
+def test_a_channel_with_its_own_noise_is_never_stuck(sample_rate):
+    watch = quiet_health(sample_rate)
+    frames = trembling(20_000, seed=3)
+    assert watch.bad_in_block(frames, None) is None
+    assert all(watch.step(frame.copy()) is None for frame in frames[:3000])
+
+
+@given(
+    st.lists(st.tuples(st.integers(0, CHANNELS - 1), st.integers(0, 150), st.integers(1, 120)), max_size=4),
+    st.sampled_from([20.0, 45.0, 100.0]),
+    st.integers(1, 60),
+    st.floats(0.0, 0.8),
+)
+def test_stuck_at_once_is_the_same_as_frame_by_frame(stuck, sample_rate, chunk, noise):
+    frames, rng = trembling(200, seed=4), np.random.default_rng(5)
+    for channel, start, length in stuck:
+        stop = min(200, start + length)
+        frames[start:stop, channel] = 3.0 + noise * rng.random(stop - start)
+    watch, whole = quiet_health(sample_rate), quiet_health(sample_rate)
+    one_by_one = [watch.step(frame.copy()) for frame in frames]
+    one_by_one = [np.zeros(CHANNELS, dtype=bool) if bad is None else bad for bad in one_by_one]
+    blocks = [
+        whole.block(frames[i : i + chunk], frames[max(0, i - whole.memory) : i] if i else None)
+        for i in range(0, 200, chunk)
+    ]
     np.testing.assert_array_equal(np.concatenate(blocks), one_by_one)
 
 

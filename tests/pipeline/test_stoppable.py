@@ -1,7 +1,9 @@
 """Every motion can be stopped (safety S22): every mode, direction, kind of vocabulary and set of broken joints.
 
 A person makes one movement until the chair moves along one axis. Then sensors break. Either the gate stops the chair
-within 200 ms, or the person brings it to rest with the gestures that are left, long before any time-out could.
+within 200 ms, or the person brings it to rest with the gestures that are left, long before any time-out could. A
+sensor that is stuck at any value, with noise, is found a little later; with the noise of a good one it is not found,
+and only sets are armed in which the person can stop the chair all the same.
 """
 
 import copy
@@ -22,16 +24,19 @@ from app.calibration.vocabulary import (
     Feature,
     Gesture,
 )
-from app.faults import State
+from app.faults import Fault, State
 from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
 from app.messages import SensorFrame
 from app.pipeline.chain import Chain
+from app.pipeline.channel_health import STUCK_TIME
+from app.pipeline.person_brakes import missing_brake
 from app.pipeline.safety_gate import STOP_TIME, Conditions
 from building import make_profile
 
 RATE = 100.0
-PROFILE = make_profile(n_channels=8)  # two channels a joint
+TREMBLE = 1e-6  # signal units of noise, so that no channel is constant
+PROFILE = make_profile(n_channels=8).model_copy(update={"noise": (TREMBLE,) * 8})  # two channels a joint
 REST = np.zeros(8)
 for joint in PROFILE.joints:
     REST[list(joint.channels)] = joint.mean
@@ -40,7 +45,7 @@ DIRECTIONS = [control for control in get_args(Control) if control != "stop"]
 STOPPED_WITHIN = 0.2  # s
 BRAKING = 3.0  # s: from any speed that is reached here to rest
 NEVER = {"cruise_time": 30.0, "turn_cruise_time": 10.0}  # s: long enough that no time-out stops the chair
-TREMBLE = 1e-6  # signal units of noise, so that no channel is constant
+BIT = 0.1  # of the noise: what a stuck sensor still shows
 STROKE = 1.5  # FS/s, and FS for a displacement gesture: beyond `full`
 
 
@@ -96,6 +101,8 @@ class Person:
         self.gestures = {gesture.name: gesture for gesture in parameters.gestures}
         self.posture = dict.fromkeys((joint.name for joint in PROFILE.joints), 0.0)  # FS
         self.broken = frozenset()
+        self.stuck = {}  # joint -> posture in which all its sensors are stuck
+        self.noise = BIT  # of a stuck sensor, as a share of a good one's
         self.steps = 0
 
     def make(self, *names):
@@ -113,7 +120,11 @@ class Person:
     def _tick(self):
         values = REST + TREMBLE * (self.steps % 2)
         for joint in PROFILE.joints:
-            values[list(joint.channels)] += self.posture[joint.name] * joint.span * np.array(joint.weights)
+            channels, posture = list(joint.channels), self.posture[joint.name]
+            if joint.name in self.stuck:
+                posture = self.stuck[joint.name]
+                values[channels] = REST[channels] + self.noise * TREMBLE * (self.steps % 2)
+            values[channels] += posture * joint.span * np.array(joint.weights)
             if joint.name in self.broken:
                 values[joint.channels[0]] = math.nan
         t = self.steps / RATE
@@ -132,7 +143,7 @@ class Person:
 
     def sensed(self, names):
         """Return those of these gestures that the shirt senses."""
-        return tuple(name for name in names if self.gestures[name].joint not in self.broken)
+        return tuple(name for name in names if self.gestures[name].joint not in {*self.broken, *self.stuck})
 
     def rests_after(self, *names):
         """Return whether these gestures, of a copy of this person, bring the chair to rest or make the gate stop it."""
@@ -252,3 +263,83 @@ def test_a_broken_accelerator_leaves_the_brake_to_the_person():
     person.broken = frozenset({"right_elbow"})
     assert person.for_seconds(1.0).state is State.ARMED
     assert person.rests_after("left_elbow")
+
+
+STUCK_IN = ("paper", "paper, stop of other joints", "one joint both ways")
+
+
+@pytest.mark.parametrize("vocabulary", STUCK_IN)
+@pytest.mark.parametrize("feature", get_args(Feature))
+@pytest.mark.parametrize("modes", list(itertools.product(MODES, repeat=2)))
+def test_what_is_stuck_with_a_bit_of_noise_is_found_and_stopped(feature, vocabulary, modes):
+    bound = VOCABULARIES[vocabulary]
+    parameters = parameters_of(bound, feature, modes)
+    ways = {(), *bound.values()}
+    for direction in (control for control in DIRECTIONS if control in bound):
+        start = moving_along(direction, bound, parameters)
+        for joint in sorted({gesture.joint for gesture in parameters.gestures}) if start else ():
+            for posture in (start.posture[joint], 0.0, 0.7):
+                person = start.twin()
+                person.stuck = {joint: posture}
+                tick = person.for_seconds(STUCK_TIME + STOPPED_WITHIN)
+                if tick.state is State.FAULT:
+                    person.for_seconds(STOP_TIME)
+                    assert speeds(person.chain) == (0.0, 0.0)
+                else:
+                    assert any(person.rests_after(*person.sensed(way)) for way in ways), (direction, joint, posture)
+
+
+def test_a_brake_that_is_stuck_with_a_bit_of_noise_is_a_fault_and_not_a_brake():
+    """Nobody has to try three times: the chair stops because the only brake does not answer."""
+    parameters = parameters_of(VOCABULARIES["paper, no stop"], "rate", ("acceleration", "velocity"))
+    person = moving_along("u1+", VOCABULARIES["paper, no stop"], parameters)
+    person.stuck = {"left_elbow": 0.0}
+    tick = person.for_seconds(STUCK_TIME + STOPPED_WITHIN)
+    assert (tick.state, tick.fault) == (State.FAULT, Fault.BRAKE_BAD)
+
+
+def armed_although_stuck():
+    """Yield each set with held postures that is armed, and the name of each joint that could be stuck."""
+    for vocabulary, bound in VOCABULARIES.items():
+        for modes in itertools.product(MODES, repeat=2):
+            parameters = parameters_of(bound, "displacement", modes)
+            if not missing_brake(parameters):
+                for joint in sorted({gesture.joint for gesture in parameters.gestures}):
+                    yield vocabulary, parameters, joint
+
+
+def test_what_is_stuck_with_the_noise_of_a_good_sensor_is_stopped_by_the_person():
+    cases = 0
+    for vocabulary, parameters, joint in armed_although_stuck():
+        bound = VOCABULARIES[vocabulary]
+        directions = [control for control in DIRECTIONS if bound[control][0].startswith(joint)]
+        for direction, posture in itertools.product(directions, (0.3, 0.5, 0.7, STROKE)):
+            person = moving_along(direction, bound, parameters)
+            if person is None:
+                continue
+            person.stuck, person.noise = {joint: posture}, 1.0
+            assert person.for_seconds(1.0).state is State.ARMED, "nothing tells it from a good sensor"
+            stops = [way for way in bound.values() if joint not in str(way)] + [bound["stop"]]
+            others = [tuple(n for n in way if not n.startswith(joint)) for way in stops]
+            assert any(person.rests_after(*way) for way in others), (vocabulary, joint, posture)
+            cases += 1
+    assert cases >= 20
+
+
+@pytest.mark.parametrize(
+    ("vocabulary", "is_armed"),
+    [
+        ("paper", True),
+        ("paper, stop of other joints", True),
+        ("paper, no stop", False),
+        ("one joint both ways", False),
+        ("one joint both ways, stop", False),
+        ("no way back", False),
+    ],
+)
+@pytest.mark.parametrize("modes", list(itertools.product(MODES, repeat=2)))
+def test_held_postures_that_a_stuck_sensor_could_hold_for_ever_are_not_armed(vocabulary, is_armed, modes):
+    sentence = missing_brake(parameters_of(VOCABULARIES[vocabulary], "displacement", modes))
+    assert (sentence == "") == is_armed
+    if modes == ("velocity", "velocity") and not is_armed:
+        assert sentence.startswith("With these controls a sensor that sticks while a posture is held could drive")

@@ -16,7 +16,8 @@ LEAVES = "leaf"
 PURE_CHAIN = tuple(
     f"pipeline.{name}"
     for name in (
-        *("chain", "channel_health", "controls", "decoder", "low_pass", "linear_rate", "person_brakes", "prior_rates"),
+        *("chain", "channel_health", "channel_substitution", "controls", "decoder", "low_pass", "linear_rate"),
+        *("person_brakes", "prior_rates", "projection", "return_doubt"),
         *("ramp", "safety_gate", "shaping"),
         *("replay.batch", "replay.linear_batch"),
     )

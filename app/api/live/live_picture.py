@@ -102,8 +102,10 @@ class LivePicture:
         if layout is None:
             return {"quality": [], "noise": []}
         frames = self._frames(len(layout.channels))
+        tick = self._control.newest()
+        estimated = 0 if tick is None else int(tick["estimated"])
         return {
-            "quality": lamps(layout, frames, self._equipment.sample_rate, self._equipment.unused),
+            "quality": lamps(layout, frames, self._equipment.sample_rate, self._equipment.unused, estimated),
             "noise": [_number(noise, 5) for noise in noise_of(frames, len(layout.channels))],
         }
 
@@ -263,8 +265,13 @@ def fault_view(fault: Fault) -> dict[str, str] | None:
     }
 
 
-def lamps(layout: ShirtLayout, frames: NDArray[np.float64], sample_rate: float, unused: list[str]) -> list[str]:
-    """Return the condition of every channel, for its lamp, from the frames (n, n_channels) of the last second."""
+def lamps(
+    layout: ShirtLayout, frames: NDArray[np.float64], sample_rate: float, unused: list[str], estimated: int = 0
+) -> list[str]:
+    """Return the condition of every channel, for its lamp, from the frames (n, n_channels) of the last second.
+
+    `estimated` has bit i set when channel i is bad and its neighbours stand in for it.
+    """
     names = layout.channel_names
     if len(frames) < 4:
         conditions = ["silent"] * len(names)
@@ -276,6 +283,7 @@ def lamps(layout: ShirtLayout, frames: NDArray[np.float64], sample_rate: float, 
             "good" if quality.condition == "noisy" and not is_noisy[i] else quality.condition
             for i, quality in enumerate(channel_quality(frames, groups, sample_rate))
         ]
+        conditions = ["estimated" if estimated >> i & 1 else condition for i, condition in enumerate(conditions)]
     return ["unused" if name in unused else condition for name, condition in zip(names, conditions, strict=True)]
 
 

@@ -18,11 +18,14 @@ from app.faults import State
 from app.geometry import Twist
 from app.hardware.base import Chair
 from app.pipeline.channel_health import ChannelHealth, LossWindow
+from app.pipeline.channel_substitution import ChannelSubstitution, Surprise
 from app.pipeline.controls import Controls
-from app.pipeline.decoder import LONGEST_GAP, Decoder, channels_used, projection
+from app.pipeline.decoder import LONGEST_GAP, Decoder
 from app.pipeline.linear_rate import linear_projection
+from app.pipeline.projection import channels_used, projection
 from app.pipeline.ramp import Ramp
 from app.pipeline.replay.linear_batch import linear_rate
+from app.pipeline.return_doubt import ReturnDoubt
 from app.pipeline.safety_gate import (
     LARGEST_STEP,
     STOP_DECELERATION,
@@ -84,9 +87,8 @@ def decode_block(
         The chair to drive; without one, a unicycle that starts at the origin of a floor without walls.
     """
     device = t if t_device is None else t_device
-    projected, silent = _projected(parameters, sample_rate, values)
-    seen = projected - _unseen(projected, silent) if silent.any() else projected
-    score, silent = projected[:, : len(parameters.gestures)], silent[:, : len(parameters.gestures)]
+    projected, silent, margins, surprises = _projected(parameters, sample_rate, values)
+    score = projected[:, : len(parameters.gestures)]
     periods = _periods(device, sample_rate)
     silent |= _too_lossy(t, periods)[:, np.newaxis]
     if any(gesture.feature == "displacement" for gesture in parameters.gestures):
@@ -94,8 +96,11 @@ def decode_block(
     else:
         dead_zone = np.array([gesture.dead_zone for gesture in parameters.gestures])
         reach = np.array([gesture.full for gesture in parameters.gestures]) - dead_zone
-        rate = _rates(parameters, sample_rate, periods, seen)
-        drive = np.maximum(rate - dead_zone, 0.0)
+        rate = _rates(parameters, sample_rate, periods, projected)
+        doubt = ReturnDoubt(parameters, sample_rate)
+        doubts = _doubts(doubt, periods, surprises)
+        silent |= doubts < np.array(doubt.largest)
+        drive = np.maximum(rate + doubts - margins - dead_zone, 0.0)
         drive[silent] = 0.0
         activation = np.minimum(drive / reach, 1.0)
     u1, u2 = _controls(parameters, activation)
@@ -108,59 +113,65 @@ def decode_block(
 
 def _projected(
     parameters: DriveParameters, sample_rate: float, values: NDArray[np.float32]
-) -> tuple[Array, NDArray[np.bool_]]:
-    """Return the scores and the projections of linear maps, kept constant where a channel is bad, and where that is.
+) -> tuple[Array, NDArray[np.bool_], Array, list[Surprise]]:
+    """Return scores and projections of linear maps, which gestures are lost, their margins, and what returned.
 
-    Both (n, n_gestures + n_rows), where n_rows is that of `linear_projection`.
+    Projections (n, n_gestures + n_rows), where n_rows is that of `linear_projection`; lost gestures and margins
+    (n, n_gestures) as `ChannelSubstitution` has them.
     """
     weights, offsets = projection(parameters)
-    uses = channels_used(parameters)
-    rows, places = linear_projection(parameters)
+    rows, _ = linear_projection(parameters)
     weights = np.concatenate((weights, rows))
+    lost = np.zeros((len(values), len(offsets)), dtype=np.bool_)
+    margins = np.zeros((len(values), len(offsets)))
     offsets = np.concatenate((offsets, np.zeros(len(rows))))
-    uses = np.concatenate((uses, *(uses[[owner] * (place.stop - place.start)] for owner, place in places.items())))
-    health = ChannelHealth(parameters.profile, np.asarray(uses.any(axis=0)), sample_rate)
+    health = ChannelHealth(parameters.profile, np.asarray(channels_used(parameters).any(axis=0)), sample_rate)
+    substitution = ChannelSubstitution(parameters)
+    surprises: list[Surprise] = []
     score = np.empty((len(values), len(weights)))
-    bad = np.zeros(score.shape, dtype=np.bool_)
     for start in range(0, len(values), CHUNK):
         part = slice(start, start + CHUNK)
         wrong = health.bad_in_block(values[part], values[max(0, start - health.memory) : start] if start else None)
         frames = values[part].astype(np.float64)
-        if wrong is not None:
-            bad[part] = wrong.astype(np.float32) @ uses.T.astype(np.float32) > 0
-            frames[wrong] = 0.0
-        if not np.isfinite(frames.sum()):  # a channel that no gesture reads is NaN or infinite
+        if wrong is not None or substitution.is_active:
+            lost[part] = substitution.lost
+            margins[part] = substitution.margins
+            frames, changes, returned = substitution.fill(frames, wrong, values[start - 1] if start else None)
+            for change in changes:
+                lost[start + change.row : start + CHUNK] = change.lost
+                margins[start + change.row : start + CHUNK] = change.margins
+            surprises.extend(Surprise(start + row, step) for row, step in returned)
+        elif not np.isfinite(frames.sum()):  # a channel that no gesture reads is NaN or infinite
             frames[~np.isfinite(frames)] = 0.0
         score[part] = frames @ weights.T - offsets
-    for gesture in np.flatnonzero(bad.any(axis=0)):
-        good = np.where(bad[:, gesture], -1, np.arange(len(score)))
-        last_good = np.maximum.accumulate(good)
-        score[:, gesture] = np.where(last_good >= 0, score[np.maximum(last_good, 0), gesture], 0.0)
-    return score, bad
+    return score, lost, margins, surprises
 
 
-def _rates(parameters: DriveParameters, sample_rate: float, periods: Array, seen: Array) -> Array:
+def _doubts(doubt: ReturnDoubt, periods: Array, surprises: list[Surprise]) -> Array:
+    """Return the doubt of each gesture (n, n_gestures) about channels that returned; none reads a displacement."""
+    amounts = np.zeros((len(periods), len(doubt.largest)))
+    ends = [surprise.row for surprise in surprises[1:]] + [len(periods)]
+    for (row, step), end in zip(surprises, ends, strict=bool(surprises)):
+        doubt.add(step)
+        amounts[row:end] = doubt.over(periods[row + 1 : end])
+        doubt.fade(float(periods[row + 1 : end + 1].sum()), was_quiet=False)
+    return amounts
+
+
+def _rates(parameters: DriveParameters, sample_rate: float, periods: Array, projected: Array) -> Array:
     """Return the rates (n, n_gestures) in FS/s of all gestures, none of which reads a displacement."""
     count, places = len(parameters.gestures), linear_projection(parameters)[1]
     plain = [i for i in range(count) if i not in places]
-    rate = np.empty((len(seen), count))
+    rate = np.empty((len(projected), count))
     if plain:
-        smoothed = smooth(seen[:, plain], parameters.cutoff, sample_rate)
+        smoothed = smooth(projected[:, plain], parameters.cutoff, sample_rate)
         change = np.zeros_like(smoothed)
         np.subtract(smoothed[1:], smoothed[:-1], out=change[1:])
         rate[:, plain] = change * (sample_rate / periods)[:, np.newaxis]
     for i, place in places.items():
-        parts = seen[:, count + place.start : count + place.stop]
+        parts = projected[:, count + place.start : count + place.stop]
         rate[:, i] = linear_rate(parts, periods, parameters.cutoff, sample_rate)
     return rate
-
-
-def _unseen(score: Array, bad: NDArray[np.bool_]) -> Array:
-    """Return the change of each score while its channels were bad, summed up to each frame (n, n_gestures)."""
-    steps = np.zeros_like(score)
-    back = bad[:-1] & ~bad[1:]
-    steps[1:][back] = np.diff(score, axis=0)[back]
-    return np.cumsum(steps, axis=0)
 
 
 def _periods(device: Array, sample_rate: float) -> Array:

@@ -14,7 +14,7 @@ from app.calibration.adaptation.thresholds import dead_zone_for, least_dead_zone
 from app.calibration.fit.pieces import fill_forward
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.channel_health import ChannelHealth
-from app.pipeline.decoder import channels_used
+from app.pipeline.projection import channels_used
 from app.pipeline.replay.batch import decode_block
 from app.scoring.map_losses.map_blindness import blindness
 

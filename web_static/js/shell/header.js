@@ -76,8 +76,10 @@ export function header(app) {
       shirt.className = "lamp off";
       return write(shirt, t("lamp.shirt.none"));
     }
-    shirt.className = alive ? (good < all * 0.75 ? "lamp att" : "lamp") : "lamp att";
-    write(shirt, alive && all ? t("lamp.shirt", { good, all }) : t("lamp.shirt.silent"));
+    const estimated = app.live.quality.filter((quality) => quality === "estimated").length;
+    shirt.className = alive && !estimated && good >= all * 0.75 ? "lamp" : "lamp att";
+    const key = estimated ? "lamp.shirt.estimated" : "lamp.shirt";
+    write(shirt, alive && all ? t(key, { good, all, estimated }) : t("lamp.shirt.silent"));
   };
   const showChair = () => {
     const now = app.live.present;

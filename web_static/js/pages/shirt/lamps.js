@@ -23,6 +23,7 @@ export const QUALITIES = {
   flat: { shape: "square", sign: "–" },
   noisy: { shape: "triangle", sign: "~" },
   nan: { shape: "square", sign: "×" },
+  estimated: { shape: "triangle", sign: "≈" },
   unused: { shape: "circle", sign: "/" },
   silent: { shape: "circle", sign: "?" },
 };

@@ -23,6 +23,7 @@ export default {
   "busy.run.go": "Go to the calibration",
   "who.nobody": "No session is open",
   "lamp.shirt": "Shirt {good} of {all}",
+  "lamp.shirt.estimated": "Shirt {good} of {all}, {estimated} estimated",
   "lamp.shirt.silent": "Shirt silent",
   "lamp.shirt.unknown": "Shirt: not known",
   "lamp.shirt.none": "No shirt yet",
