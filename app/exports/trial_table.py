@@ -25,7 +25,8 @@ def verdict_words(material: ExportMaterial) -> dict[int, dict[str, str]]:
     for task in material.tasks:
         for row in task.rows:
             verdicts = trial_verdicts(task.rows, task.clinic, row["id"], None).verdicts
-            found[row["id"]] = {name: VERDICT_WORDS[verdict.word] for name, verdict in verdicts.items()}
+            told = {name: verdict.word for name, verdict in verdicts.items() if verdict.word != "number"}
+            found[row["id"]] = {name: VERDICT_WORDS[word] for name, word in told.items()}
     return found
 
 

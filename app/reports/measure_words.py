@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from typing import Any, Final
 
 from app.scoring.learning_words import MEASURES
+from app.scoring.verdict.leading_measures import leading_measures
 from app.scoring.verdict.measure_verdict import Verdict
 
 # In the order of the pages.
@@ -34,23 +35,15 @@ MEASURE_WORDS: Final[dict[str, str]] = {
     "ldlj": "Smoothness, another measure",
 }
 
-# What leads, by what a trial has: the first whose named measures are all there. The pages lead with the same.
-LEADING: Final[tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]] = (
-    (("stages_done",), ("stages_done", "time", "collisions")),
-    (("heading_error_deg",), ("heading_error_deg", "turn_drift", "time")),
-    (("follow_error_rms",), ("follow_error_rms", "follow_near", "e_diff")),
-    (("gaps", "gap_clearance"), ("gap_clearance", "e_diff", "time")),
-    (("cones_touched",), ("cones_touched", "e_diff", "time")),
-    ((), ("e_diff", "dist", "time")),
-)
+REACHED_WORDS: Final = "Goal reached"
 _FURTHER: Final = ("sparc", "collisions")  # beside those that lead, as far as there are four
 MOST_MEASURES: Final = 4
 
 
-def leading_measures(measures: Mapping[str, Any]) -> list[str]:
-    """Return the three or four measures that say most about a task, by what a trial of it has."""
-    names = next(large for has, large in LEADING if all(measures.get(name) is not None for name in has))
-    return [name for name in (*dict.fromkeys((*names, *_FURTHER)),) if measures.get(name) is not None][:MOST_MEASURES]
+def reported_measures(trial: Mapping[str, Any]) -> list[str]:
+    """Return the three measures that lead in a task, and a fourth one, by what a trial of it has."""
+    names = dict.fromkeys((*leading_measures(trial), *_FURTHER))
+    return [name for name in names if trial.get(name) is not None][:MOST_MEASURES]
 
 
 def with_unit(name: str, value: float | None) -> str:
@@ -58,8 +51,13 @@ def with_unit(name: str, value: float | None) -> str:
     return "" if value is None or not math.isfinite(value) else MEASURES[name].level(value)
 
 
+def share_words(share: float | None) -> str:
+    """Return a share in percent, in words; "" for None."""
+    return "" if share is None else f"{100 * share:.0f} %"
+
+
 def noise_words(name: str, verdict: Verdict) -> str:
-    """Return from where to where a level is within noise; "" for too few trials."""
+    """Return from where to where a level is within noise; "" for too few trials, or no word."""
     if verdict.low is None or verdict.high is None:
         return ""
     measure = MEASURES[name]

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 from app.number_words import amount
 from app.recording.recorded_trajectory import read_trajectory, thinned
@@ -10,18 +10,28 @@ from app.reports.band_drawing import band_drawing
 from app.reports.curve_drawing import CurvePoint, curve_drawing
 from app.reports.document import Drawing, MeasureRow, TaskReport, Tone
 from app.reports.material import Rows, TaskMaterial
-from app.reports.measure_words import MEASURE_WORDS, leading_measures, noise_words, with_unit
+from app.reports.measure_words import (
+    MEASURE_WORDS,
+    REACHED_WORDS,
+    noise_words,
+    reported_measures,
+    share_words,
+    with_unit,
+)
 from app.reports.trajectory_drawing import Points, trajectory_drawing
 from app.scoring.interruptions import interruption_words
 from app.scoring.learning import learning_curves
 from app.scoring.learning_words import MEASURES
 from app.scoring.verdict.measure_comparison import from_scale, value_of
 from app.scoring.verdict.measure_verdict import VERDICT_WORDS, Verdict, Word, series_of
+from app.scoring.verdict.reaching import REACHED
 from app.scoring.verdict.verdicts import SessionVerdicts, task_verdicts
 
 MOST_NAMED = 6  # interrupted trials
 MOST_OWN, MOST_PAST = 10, 30  # trajectories of the newest session and of earlier ones: more could not be told apart
-TONES: dict[Word, Tone] = {"better": "good", "worse": "bad", "within": "", "too few": ""}
+TONES: dict[Word, Tone] = {"better": "good", "worse": "bad", "within": "", "too few": "", "number": ""}
+
+NOTHING_BEFORE: Final = "nothing to compare with"
 
 
 def task_report(task: TaskMaterial, session: int | None, *, name_source: bool) -> TaskReport:
@@ -33,25 +43,25 @@ def task_report(task: TaskMaterial, session: int | None, *, name_source: bool) -
     """
     rows = task.rows
     newest = max(row["session"] for row in rows)
-    names = leading_measures(rows[-1])
+    names = reported_measures(rows[-1])
     main = names[0] if names else "time"
     found = task_verdicts(rows, task.clinic, [main])
     compared = _comparison(found.sessions, newest, course=session is None)
     trajectories, words = _trajectories(task, session, compared)
-    curve = learning_curves(rows, [main]).get(main)
+    curve = learning_curves(rows, [main], task.clinic).get(main)
     said = () if curve is None else (curve["text"], curve["sessions"])
     return TaskReport(
         title=task.title,
         lead=" ".join([f"{task.source}."] * name_source + [_trials_words(rows, session), _compared_words(compared)]),
         before="" if compared is None else f"Session {compared.earlier}",
-        measures=tuple(_measure(name, rows, newest, compared) for name in names),
+        measures=tuple(_measure(name, rows, newest, compared) for name in names) + _reaching(rows, newest, compared),
         trajectories=trajectories,
         trajectories_words=words,
         curve=None if curve is None else _curve(main, rows, newest, curve["fit"]),
         curve_words=f"{amount(len(rows), 'trial')}; session {newest} is orange. Rings: to get used to the task. "
         "S: a session begins.",
         curve_title=f"Learning curve: {MEASURE_WORDS[main].lower()} in every trial",
-        sentences=tuple(sentence for sentence in (found.deterioration.get(main), *said) if sentence),
+        sentences=tuple(sentence for sentence in (*found.deterioration.values(), *said) if sentence),
         statistics=() if curve is None else tuple(curve["details"]),
     )
 
@@ -67,12 +77,22 @@ def _measure(name: str, rows: Rows, newest: int, compared: SessionVerdicts | Non
     words = MEASURE_WORDS[name]
     if verdict is None:
         level = with_unit(name, _level(name, rows, newest))
-        return MeasureRow(words, level, "", "", "nothing to compare with", "", None)
+        return MeasureRow(words, level, "", "", NOTHING_BEFORE, "", None)
     tone = TONES[verdict.word]
     noise = noise_words(name, verdict)
     now, before = with_unit(name, verdict.later), with_unit(name, verdict.earlier)
     drawing = band_drawing(verdict, tone, f"{words}: {before}, now {now}; within noise from {noise}.")
     return MeasureRow(words, now, before, noise, VERDICT_WORDS[verdict.word], tone, drawing)
+
+
+def _reaching(rows: Rows, newest: int, compared: SessionVerdicts | None) -> tuple[MeasureRow, ...]:
+    """Return the row of how often the goal was reached."""
+    verdict: Verdict | None = None if compared is None else compared.verdicts.get(REACHED)
+    if verdict is None:
+        own = [bool(row.get("reached", True)) for row in rows if row["session"] == newest]
+        return (MeasureRow(REACHED_WORDS, share_words(sum(own) / len(own)), "", "", NOTHING_BEFORE, "", None),)
+    now, before = share_words(verdict.later), share_words(verdict.earlier)
+    return (MeasureRow(REACHED_WORDS, now, before, "", VERDICT_WORDS[verdict.word], TONES[verdict.word], None),)
 
 
 def _level(name: str, rows: Rows, session: int) -> float | None:

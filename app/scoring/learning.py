@@ -6,12 +6,19 @@ from typing import Any
 from app.scoring.learning_fit import Curve, LearningCurve, Numbers, fit_learning_curve
 from app.scoring.learning_words import MEASURES, details, plain_sessions, plain_words, session_details, too_few
 from app.scoring.retention import retention
+from app.scoring.verdict.course import course_change
+from app.scoring.verdict.leading_measures import leading_of_task
+from app.scoring.verdict.measure_verdict import ClinicSpreads
 
 LARGEST = 1e100  # larger values are left out: sums of squares would overflow
 
 
 def learning_curves(
-    trials: Sequence[Mapping[str, Any]], names: Iterable[str] = MEASURES, *, every_model: bool = False
+    trials: Sequence[Mapping[str, Any]],
+    names: Iterable[str] = MEASURES,
+    clinic: ClinicSpreads | None = None,
+    *,
+    every_model: bool = False,
 ) -> dict[str, dict[str, Any]]:
     """Return, for each measure that the trials have, sentences and the fitted curve, ready for JSON.
 
@@ -19,10 +26,12 @@ def learning_curves(
     ----------
     trials
         In the order driven; each has measures by name, and may have `number` (or `trial`), from 1, `session` (its
-        number) and `reached`. A trial that did not reach the goal is left out: its distance, area and time are those
-        of a part of the path.
+        number), `familiarisation` and `reached`. A trial that did not reach the goal is on no curve: its distance, area
+        and time are those of a part of the path. Whether there is a change is told with it (`app.scoring.verdict`).
     names
         The measures that are asked for; each takes some 10 ms.
+    clinic
+        The clinic's median spreads in this task; without them more sessions are needed to tell a change from noise.
     every_model
         Whether to return the curves that were not chosen, too.
 
@@ -35,6 +44,8 @@ def learning_curves(
     "others": [{"form", "aicc_more", "n", "value", "low", "high"}], the better first.
     """
     curves: dict[str, dict[str, Any]] = {}
+    leading = leading_of_task(trials)
+    driven = [_row(index, trial) for index, trial in enumerate(trials, start=1)]
     for name in names:
         if not any(name in trial for trial in trials):
             continue
@@ -51,14 +62,23 @@ def learning_curves(
         if learning is not None:
             are_known = len(sessions) == len(values)
             kept = retention(sessions, values) if are_known else None
-            curve["text"] = plain_words(name, learning, len(set(sessions)) if are_known else 0)
+            change = course_change(name, driven, leading, clinic or {})
+            curve["text"] = plain_words(name, learning, change, len(set(sessions)) if are_known else 0)
             curve["sessions"] = kept and plain_sessions(name, kept)
-            curve["details"] = [details(name, learning), *([] if kept is None else [session_details(name, kept)])]
+            curve["details"] = [
+                details(name, learning, change),
+                *([] if kept is None else [session_details(name, kept)]),
+            ]
             curve["fit"] = None if learning.curve.form == "level" else _curve_document(learning.n, learning.curve)
         if every_model:
             curve["form"] = learning and learning.curve.form
             curve["others"] = [] if learning is None else _others(learning)
     return curves
+
+
+def _row(index: int, trial: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Return a trial as verdicts need it; without a number of its session, all are of one."""
+    return {"id": index, "number": trial.get("trial", index), "session": 1, "familiarisation": False, **trial}
 
 
 def _curve_document(n: Numbers, curve: Curve) -> dict[str, list[float]]:

@@ -7,8 +7,6 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.scoring.trend import Trend, mann_kendall
-
 Numbers = NDArray[np.float64]
 Form = Literal["exponential", "power", "level"]
 
@@ -35,11 +33,10 @@ class Curve(NamedTuple):
 
 
 class LearningCurve(NamedTuple):
-    """One measure over trials, its trend and its fitted curves."""
+    """One measure over trials, and its fitted curves."""
 
     n: Numbers  # (n,) trial numbers, from 1
     values: Numbers  # (n,)
-    trend: Trend
     curves: tuple[Curve, ...]  # level line, exponential and power law, the one with the smallest AICc first
 
     @property
@@ -109,7 +106,7 @@ def fit_learning_curve(n: Sequence[float], values: Sequence[float]) -> LearningC
     series = np.asarray(values, dtype=np.float64)
     curves = [fit_level(series), fit_exponential(number, series), fit_power(number, series)]
     curves.sort(key=lambda curve: curve.aicc)
-    return LearningCurve(number, series, mann_kendall(values), tuple(curves))
+    return LearningCurve(number, series, tuple(curves))
 
 
 def _fit(form: Form, n: Numbers, values: Numbers, bounds: tuple[float, float]) -> Curve:

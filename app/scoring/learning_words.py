@@ -7,7 +7,8 @@ import numpy as np
 from app.number_words import amount, with_minus
 from app.scoring.learning_fit import MIN_TRIALS, MIN_TRIALS_FOR_CONSTANT, LearningCurve
 from app.scoring.retention import Change, Retention
-from app.scoring.trend import SIGNIFICANCE, theil_sen
+from app.scoring.trend import theil_sen
+from app.scoring.verdict.course import LEVEL, CourseChange
 from app.scoring.verdict.measure_comparison import COMPARISONS
 from app.scoring.verdict.measure_verdict import VERDICT_WORDS
 
@@ -70,7 +71,7 @@ def too_few(count: int) -> str:
     return f"Not enough trials for a learning curve: {count} of at least {MIN_TRIALS} that reached the goal."
 
 
-def plain_words(name: str, learning: LearningCurve, sessions: int) -> str:
+def plain_words(name: str, learning: LearningCurve, change: CourseChange, sessions: int) -> str:
     """Say what became of a measure, by how much, and where it levels off.
 
     `sessions` is the number of sessions that the trials were driven in; 0 where that is not known.
@@ -78,10 +79,12 @@ def plain_words(name: str, learning: LearningCurve, sessions: int) -> str:
     measure, count = MEASURES[name], len(learning.n)
     over = f"over {count} trials" + (f" in {amount(sessions, 'session')}" if sessions else "")
     what = f"{measure.words[0].lower()}{measure.words[1:]}"
-    if learning.trend.direction == "none":
-        said = f"Within noise {over}: {what} was about {measure.level(float(np.median(learning.values)))}."
+    if change.word not in ("better", "worse"):
+        head = (over if change.word == "number" else f"{VERDICT_WORDS[change.word]} {over}").capitalize()
+        said = f"{head}: {what} was about {measure.level(float(np.median(learning.values)))}."
     else:
-        said = f"{_verdict(name, learning)} {over}: {what} {_change(measure, learning)}.{_shape(measure, learning)}"
+        head = f"{VERDICT_WORDS[change.word].capitalize()} {over}"
+        said = f"{head}: {what} {_change(measure, learning, change)}.{_shape(measure, learning, change)}"
     few = f" {count} trials are few: this may yet change." if count < MIN_TRIALS_FOR_CONSTANT else ""
     return f"{said}{few}"
 
@@ -109,22 +112,27 @@ def plain_sessions(name: str, kept: Retention) -> str:
     return f"{said}: {what} was kept."
 
 
-def details(name: str, learning: LearningCurve) -> str:
-    """Return the statistics of the trend and of the curve of a measure."""
-    measure, count, trend = MEASURES[name], len(learning.n), learning.trend
+def details(name: str, learning: LearningCurve, change: CourseChange) -> str:
+    """Return the statistics of the change and of the curve of a measure."""
+    measure, count = MEASURES[name], len(learning.n)
     first, last = _ends(learning)
-    p = "p < 0.001" if trend.p < 0.001 else f"p = {trend.p:.2g}"
-    # A few unusual trials at an end may contradict the trend; the sentence must not.
-    went = {("falls", True): "fell", ("rises", False): "rose"}.get((trend.direction, last < first), "went")
-    change = (
-        f"{measure.words} {went} from {measure.level(first)} to {measure.level(last)} "
-        f"(medians of the first and the last {EDGE} of {count} trials; Mann-Kendall trend test: {p})."
+    # A few unusual trials at an end may contradict the change; the sentence must not.
+    went = {(True, True): "fell", (False, False): "rose"}.get((change.falls, last < first), "went")
+    said = (
+        f"{measure.words} {went if _is_change(change) else 'went'} from {measure.level(first)} to "
+        f"{measure.level(last)} (medians of the first and the last {EDGE} of {count} trials)."
     )
-    if trend.direction == "none":
-        change += f" That is within noise: a trend has p < {SIGNIFICANCE:g}."
-    else:
-        change += _slope(measure, learning)
-    return f"{change} {_form(measure, learning)}"
+    if change.p_value is not None:
+        p = "p < 0.001" if change.p_value < 0.001 else f"p = {change.p_value:.2g}"
+        said += (
+            f" The last third of the sessions against the first, beside this person's own noise: {p}; "
+            f"a change has p < {LEVEL:.2g}, so that three measures are wrong together in 5 % at most."
+        )
+    return f"{said}{_slope(measure, learning, change)} {_form(measure, learning)}"
+
+
+def _is_change(change: CourseChange) -> bool:
+    return change.word in ("better", "worse")
 
 
 def session_details(name: str, kept: Retention) -> str:
@@ -146,28 +154,20 @@ def _is_better(name: str, change: float) -> bool:
     return better is not None and (change < 0) == (better == "low")
 
 
-def _verdict(name: str, learning: LearningCurve) -> str:
-    if COMPARISONS[name].better is None:
-        return "More than noise"
-    is_better = _is_better(name, -1.0 if learning.trend.direction == "falls" else 1.0)
-    return VERDICT_WORDS["better" if is_better else "worse"].capitalize()
-
-
-def _change(measure: Measure, learning: LearningCurve) -> str:
-    """Say by how much a measure fell or rose; not where a few unusual trials at an end contradict the trend."""
+def _change(measure: Measure, learning: LearningCurve, change: CourseChange) -> str:
+    """Say by how much a measure fell or rose; not where a few unusual trials at an end contradict it."""
     first, last = _ends(learning)
-    falls = learning.trend.direction == "falls"
-    went = "fell" if falls else "rose"
-    if first == last or (last < first) != falls:
+    went = "fell" if change.falls else "rose"
+    if first == last or (last < first) != change.falls:
         return went
     amount = measure.level(abs(last - first))
     return f"{went} by about {amount}, from {measure.figure(first)} to {measure.level(last)}"
 
 
-def _shape(measure: Measure, learning: LearningCurve) -> str:
-    """Say where a measure levels off; nothing where a level line is best, or the curve contradicts the trend."""
+def _shape(measure: Measure, learning: LearningCurve, change: CourseChange) -> str:
+    """Say where a measure levels off; nothing where a level line is best, or the curve contradicts the change."""
     curve = learning.curve
-    if curve.form == "level" or (curve.b > 0) != (learning.trend.direction == "falls"):
+    if curve.form == "level" or (curve.b > 0) != change.falls:
         return ""
     if curve.form == "power":
         return " It goes on changing, in ever smaller steps."
@@ -191,17 +191,13 @@ def _interval(measure: Measure, change: Change) -> str:
     return f"{'fell' if change.mean < 0 else 'rose'} by {measure.level(abs(change.mean))} (95 %: {low} to {high})"
 
 
-def _slope(measure: Measure, learning: LearningCurve) -> str:
-    """Say how steep the trend is; nothing where the slope's interval contains 0, as for mostly equal counts."""
+def _slope(measure: Measure, learning: LearningCurve, change: CourseChange) -> str:
+    """Say how steep the course is; nothing where there is no change, or the slope contradicts it."""
     slope = theil_sen(learning.n.tolist(), learning.values.tolist())
-    if slope.low * slope.high <= 0:
+    if not _is_change(change) or slope == 0 or (slope < 0) != change.falls:
         return ""
-    steps = (abs(slope.median), *sorted((abs(slope.low), abs(slope.high))))
-    step, least, most = (with_minus(f"{step * measure.factor:.2g}") for step in steps)
-    return (
-        f" From trial to trial it {learning.trend.direction} by {measure.with_unit(step)} in the median "
-        f"(95 %: {least} to {most})."
-    )
+    step = with_minus(f"{abs(slope) * measure.factor:.2g}")
+    return f" From trial to trial it {'falls' if change.falls else 'rises'} by {measure.with_unit(step)} in the median."
 
 
 def _form(measure: Measure, learning: LearningCurve) -> str:

@@ -4,7 +4,8 @@ from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, Literal, NamedTuple
 
-from app.scoring.verdict.measure_verdict import ClinicSpreads, Rows, compare, series_of
+from app.scoring.verdict.measure_comparison import Rows
+from app.scoring.verdict.measure_verdict import ClinicSpreads, compare, series_of
 from app.source import SourceGroup
 from app.world.scene import DrivingPlace
 

@@ -23,14 +23,6 @@ class Trend(NamedTuple):
         return "falls" if self.s < 0 else "rises"
 
 
-class Slope(NamedTuple):
-    """A robust slope with its 95 % interval, in units of the measure per trial."""
-
-    median: float
-    low: float
-    high: float
-
-
 def mann_kendall(values: Sequence[float]) -> Trend:
     """Test `values` (n,), in the order of the trials, for a monotonic trend.
 
@@ -50,12 +42,11 @@ def mann_kendall(values: Sequence[float]) -> Trend:
     return Trend(s, float(outcome.statistic), float(outcome.pvalue))
 
 
-def theil_sen(n: Sequence[float], values: Sequence[float]) -> Slope:
+def theil_sen(n: Sequence[float], values: Sequence[float]) -> float:
     """Return the median of the slopes between all pairs of `values` (n,) over rising trial numbers `n` (n,).
 
     Source: Sen, Journal of the American Statistical Association 63 (1968).
     """
     from scipy.stats import theilslopes
 
-    outcome = theilslopes(values, n, alpha=0.95)
-    return Slope(float(outcome.slope), float(outcome.low_slope), float(outcome.high_slope))
+    return float(theilslopes(values, n).slope)

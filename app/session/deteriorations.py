@@ -13,7 +13,6 @@ from typing import NamedTuple
 from app.computing_process import ComputingProcess
 from app.refusals import Refusal
 from app.scoring.verdict.deterioration import deteriorations
-from app.scoring.verdict.measure_comparison import COMPARISONS
 from app.session.clinic_spread import ClinicSpread, Task
 from app.store.access.visible_patients import every_patient
 from app.store.database import Database
@@ -81,7 +80,5 @@ class Deteriorations:
             rows = [one.row() for one in trials]
             newest = trials[-1].trial.session_id if trials else 0
         spread = self._spread.of_others(Task(clinic_id, task.floorplan, task.path, task.group), task.patient_id)
-        worse: dict[str, str] = {}
-        for name in COMPARISONS:  # in short questions, between those of people who wait
-            worse |= self._computing.ask_last(deteriorations, rows, spread, (name,))
+        worse = self._computing.ask_last(deteriorations, rows, spread)
         return Deterioration(len(worse), newest, next(iter(worse.values()))) if worse else None

@@ -12,7 +12,8 @@ from app.source import SourceGroup, source_words
 from app.store.records.consents import has_consented
 from app.store.tables import Parameters, Patient, PatientSession, Profile, Run, Trial
 
-FAMILIARISATION = 3  # first trials of a task on a day, in which a person gets used to it
+FAMILIARISATION = 3  # first trials of a task on one of its first days, in which a person gets used to it
+FAMILIARISATION_DAYS = 2  # later days begin where the last one ended, as far as a verdict can tell
 SIMULATED: dict[SourceGroup, bool | None] = {"worn": False, "simulated": True, "unknown": None}
 MOST_TRIALS = 2000  # the newest, that the clinic's median is of
 
@@ -24,7 +25,7 @@ class CountedTrial(NamedTuple):
     session: int  # number of the session: 1, 2, 3 ... per patient
     profile_version: int
     origin: str  # of that version: calibration, adaptation, back
-    familiarisation: bool  # one of the first three of its task and source on its day
+    familiarisation: bool  # one of the first three of its task and source on one of the first two days
 
     @property
     def group(self) -> SourceGroup:
@@ -130,15 +131,22 @@ def _measured(clinic_id: int, floorplan: str, path: str) -> tuple[ColumnElement[
 
 
 def _familiarisation(trials: Sequence[tuple[int, datetime, SourceGroup]]) -> set[int]:
-    """Return the ids of the first three trials of each source on each day of this machine's calendar.
+    """Return the ids of the first three trials on each of the first two days of each source.
+
+    Days are those of this machine's calendar.
 
     `trials` are one person's on one path, in the order driven. A discarded trial counts: it was practice, too.
     """
+    days = [(group, started.astimezone().date()) for _, started, group in trials]
+    first_days = {
+        day
+        for group in {group for group, _ in days}
+        for day in sorted({one for one in days if one[0] == group})[:FAMILIARISATION_DAYS]
+    }
     driven: Counter[tuple[SourceGroup, date]] = Counter()
     found = set()
-    for own, started, group in trials:
-        day = (group, started.astimezone().date())
+    for (own, _, _), day in zip(trials, days, strict=True):
         driven[day] += 1
-        if driven[day] <= FAMILIARISATION:
+        if day in first_days and driven[day] <= FAMILIARISATION:
             found.add(own)
     return found

@@ -13,7 +13,6 @@ import numpy as np
 import typer
 from numpy.typing import NDArray
 
-from app.scoring.verdict.deterioration import worse_since
 from app.scoring.verdict.measure_comparison import least_spread
 from app.scoring.verdict.measure_verdict import clinic_spreads, compare, noise_of, people_variances, series_of
 from app.scoring.verdict.spread import Spread, own_spread, pool_spreads
@@ -181,31 +180,6 @@ def learners(people: int, seed: int = 1) -> Iterator[tuple[str, float]]:
     for name, said in words.items():
         for word in ("better", "worse"):
             yield f"{name}: {word}", said.count(word) / people
-
-
-COURSES = {
-    "steady": lambda session, number: 0.0 * session + 0.0 * number,
-    "learning": lambda session, number: np.log1p(2.0 * np.exp(-(number - 1) / 6.0)) + 0.0 * session,
-    "30 % worse from session 11 on": lambda session, number: math.log(1.3) * (session > 10) + 0.0 * number,
-    "60 % worse from session 11 on": lambda session, number: math.log(1.6) * (session > 10) + 0.0 * number,
-    "5 % worse with each session from 11 on": lambda session, number: (
-        math.log(1.05) * np.maximum(session - 10, 0) + 0.0 * number
-    ),
-}
-
-
-def alarms(course: str, people: int, seed: int = 1) -> tuple[float, float]:
-    """Return the shares of people who are called worse at any time in 20 sessions of 5, and at the end of them."""
-    rng = np.random.default_rng(seed)
-    offers, layout = clinics(rng), (5,) * 20
-    curve = COURSES[course](np.repeat(np.arange(1, 21), 5), np.arange(1, 101))
-    ever, at_end = 0, 0
-    for i in range(people):
-        series = series_of(drive(rng, draw_person(rng), layout, curve), MEASURE)[0]
-        upto = worse_since(series, offers[i % len(offers)], "low", 0.01)
-        ever += any(one is not None for one in upto)
-        at_end += upto[-1] is not None
-    return ever / people, at_end / people
 
 
 def main(

@@ -11,6 +11,7 @@ import { icon } from "./widgets/icons.js";
 import { followSystem } from "./shell/theme.js";
 import { comparable, MEASURES } from "./results/measures.js";
 import { storyParts } from "./results/story.js";
+import { REACHED } from "./results/verdict_words.js";
 
 const HERE = "/api/v1/shared";
 const main = /** @type {HTMLElement} */ (document.getElementById("main"));
@@ -103,7 +104,7 @@ function helpButton() {
 
 /** @param {TaskLearning} task */
 function taskCard(task) {
-  const words = Object.keys(MEASURES).filter((name) => task.words[name]);
+  const words = [REACHED, ...Object.keys(MEASURES)].filter((name) => task.words[name]);
   const areas = task.trials
     .filter((trial) => comparable("e_diff", trial))
     .map((trial) => ({ number: Number(trial.number), value: Number(trial.e_diff) }));

@@ -82,7 +82,7 @@ def learning(
         source=source,
         others=dict(Counter(one.group for one in every if one.group != source)),
         trials=[{**row, "started": one.trial.started.isoformat()} for row, one in zip(rows, counted, strict=True)],
-        curves=web.computing.ask(learning_curves, rows, names, every_model=True),
+        curves=web.computing.ask(learning_curves, rows, names, clinic, every_model=True),
         verdicts=web.computing.ask(task_verdicts, rows, clinic, names),
     )
 

@@ -6,6 +6,7 @@ from app.api.parts import WebParts
 from app.api.routes.review import MOST_TRAJECTORIES, TrialLine
 from app.quantities import Document
 from app.scoring.learning import learning_curves
+from app.scoring.learning_words import MEASURES
 from app.scoring.verdict.verdicts import task_verdicts
 from app.session.clinic_spread import Task
 from app.source import SourceGroup
@@ -53,6 +54,8 @@ def _learning(
     rows = [one.row() for one in shown]
     clinic = web.spread.of_others(task, patient_id)
     compared = web.computing.ask(task_verdicts, [one.row() for one in until], clinic, ()).sessions
+    verdicts = compared[0].verdicts if compared else {}
+    words = {name: verdict.word for name, verdict in verdicts.items() if verdict.word != "number"}
     newest = [one.trial for one in shown[-MOST_TRAJECTORIES:]]
     lines = web.trajectories.all([web.runs.folder_of(trial.run_id) for trial in newest])
     return TaskLearning(
@@ -61,8 +64,8 @@ def _learning(
         path_title=path_title(web.own_floorplans, task.floorplan, task.path),
         source=task.group,
         trials=rows,
-        curves=web.computing.ask(learning_curves, rows),
-        words={name: verdict.word for name, verdict in compared[0].verdicts.items()} if compared else {},
+        curves=web.computing.ask(learning_curves, rows, tuple(MEASURES), clinic),
+        words=words,
         path=[(x, y) for x, y in newest[-1].path_points],
         trajectories=[
             TrialLine(number=trial.number, x=line.x, y=line.y)

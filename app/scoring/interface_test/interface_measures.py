@@ -56,10 +56,10 @@ class InterfaceMeasures(Document):
 
 
 class Ways(NamedTuple):
-    """Ways to acquired targets at one distance."""
+    """Ways to the targets at one distance."""
 
-    distance: float  # mean way along the line from target to target, arms
-    time: float  # s, mean
+    distance: float  # mean way along the line from target to target, of the acquired targets, arms
+    time: float  # s, mean of all targets; a missed one counts with the time after which it was given up
 
 
 def index_of_difficulty(distance: float, width: float) -> float:
@@ -124,7 +124,7 @@ def interface_measures(task: CursorTask) -> InterfaceMeasures:
         entries=_mean([attempt.entries for attempt in acquired]),
         path_efficiency=_mean([path_efficiency(attempt) for attempt in acquired]),
         effective_width=width,
-        throughput=None if width is None else throughput(_ways(acquired), width),
+        throughput=None if width is None else throughput(_ways(attempts, plan.time_limit), width),
         directions={word: _direction(attempts, way) for way, word in WORDS_OF_DIRECTION.items()},
     )
 
@@ -139,13 +139,16 @@ def _along(attempt: Attempt, origin: tuple[float, float]) -> float:
     return (attempt.end[0] - origin[0]) * ahead + (attempt.end[1] - origin[1]) * left
 
 
-def _ways(acquired: Sequence[Attempt]) -> list[Ways]:
-    """Return the ways at each distance of the plan."""
+def _ways(attempts: Sequence[Attempt], time_limit: float) -> list[Ways]:
+    """Return the ways at each distance; where no target was acquired the distance is 0, and so is the throughput."""
     groups: dict[float, list[Attempt]] = defaultdict(list)
-    for attempt in acquired:
+    for attempt in attempts:
         groups[attempt.target.distance].append(attempt)
     return [
-        Ways(fmean(_along(one, one.start) for one in group), fmean(one.last_entry or 0.0 for one in group))
+        Ways(
+            _mean([_along(one, one.start) for one in group if one.acquired]) or 0.0,
+            fmean((one.last_entry or 0.0) if one.acquired else time_limit for one in group),
+        )
         for _, group in sorted(groups.items())
     ]
 

@@ -7,9 +7,11 @@ from typing import Any
 import numpy as np
 
 from app.quantities import Document
-from app.scoring.verdict.measure_comparison import INTERFACE_COMPARISONS, from_scale, least_spread, to_scale
-from app.scoring.verdict.measure_verdict import FEWEST, Verdict, noise_of, verdict_word
+from app.scoring.verdict.leading_measures import LEADING_OF_TESTS
+from app.scoring.verdict.measure_comparison import INTERFACE_COMPARISONS, least_spread, to_scale
+from app.scoring.verdict.measure_verdict import FEWEST, Difference, Verdict, variance_of, verdicts_on
 from app.scoring.verdict.spread import Series, Spread, Variance, own_spread
+from app.scoring.verdict.verdicts import LEVEL_OF_SESSIONS
 
 Tests = Sequence[Mapping[str, Any]]
 """In the order done; each has `number`, and measures by name."""
@@ -40,15 +42,17 @@ def verdicts_between(tests: Tests, earlier: int, later: int) -> InterfaceVerdict
 
 def _against(tests: Tests, place: int) -> InterfaceVerdicts:
     """Compare the newest test with that at `place`."""
+    found = {name: _difference(name, tests, place) for name in INTERFACE_COMPARISONS}
+    differences = {name: one for name, one in found.items() if one is not None}
     return InterfaceVerdicts(
         earlier=tests[place]["number"],
         later=tests[-1]["number"],
-        verdicts={name: found for name in INTERFACE_COMPARISONS if (found := _verdict(name, tests, place)) is not None},
+        verdicts=verdicts_on(differences, LEADING_OF_TESTS, together=LEVEL_OF_SESSIONS)[0],
     )
 
 
-def _verdict(name: str, tests: Tests, place: int) -> Verdict | None:
-    """Compare the newest test with that at `place`; None when one of them does not have the measure."""
+def _difference(name: str, tests: Tests, place: int) -> Difference | None:
+    """Return the difference of the newest test from that at `place`; None when one of them does not have the measure."""
     earlier, later = tests[place].get(name), tests[-1].get(name)
     if earlier is None or later is None:
         return None
@@ -56,16 +60,11 @@ def _verdict(name: str, tests: Tests, place: int) -> Verdict | None:
     numbers = np.array([number for number, _ in found], dtype=np.float64)
     values = to_scale(name, np.array([value for _, value in found], dtype=np.float64))
     then, now = to_scale(name, np.array([earlier, later], dtype=np.float64)).tolist()
-    # Each test stands for itself, as a session of one trial: what differs from test to test is the noise.
-    series = Series(numbers, np.arange(len(found)), values)
-    spread, _ = own_spread(series.where(series.session < len(found) - 1))
-    between = Variance(max(spread.session.value, least_spread(name, values) ** 2), spread.session.df)
-    noise = None
+    variance = None
     if len(found) >= FEWEST:
-        noise = noise_of(Spread(Variance(0.0, math.inf), between), 1, 1, same_session=False)
-    figures = {"earlier": earlier, "later": later, "trials": len(found)}
-    better = INTERFACE_COMPARISONS[name].better
-    if noise is None or better is None:
-        return Verdict(word="too few", low=None, high=None, **figures)
-    low, high = from_scale(name, then - noise.mdc), from_scale(name, then + noise.mdc)
-    return Verdict(word=verdict_word(now - then, noise.mdc, better), low=low, high=high, **figures)
+        # Each test stands for itself, as a session of one trial: what differs from test to test is the noise.
+        series = Series(numbers, np.arange(len(found)), values)
+        spread, _ = own_spread(series.where(series.session < len(found) - 1))
+        between = Variance(max(spread.session.value, least_spread(name, values) ** 2), spread.session.df)
+        variance = variance_of(Spread(Variance(0.0, math.inf), between), (1, 1), (1, 1))
+    return Difference(then, now, len(found), variance)

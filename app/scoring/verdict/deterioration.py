@@ -1,59 +1,84 @@
-"""Whether a person's sessions have become worse than their learning curve foretells: a cumulative sum (CUSUM)."""
+"""Whether a person's sessions have become worse than their learning curve foretells."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 
 import numpy as np
 
-from app.scoring.verdict.cusum import LIMIT, next_sum, normal_score
-from app.scoring.verdict.measure_comparison import COMPARISONS, least_spread
-from app.scoring.verdict.measure_verdict import Rows, series_of
+from app.scoring.verdict.cusum import normal_score
+from app.scoring.verdict.leading_measures import leading_of_task
+from app.scoring.verdict.measure_comparison import COMPARISONS, Rows, least_spread
+from app.scoring.verdict.measure_verdict import series_of
+from app.scoring.verdict.reaching import REACHED, Counts, counts_of, fewer_than_foretold
 from app.scoring.verdict.spread import Series, Spread, fit_curve, own_spread, pool_spreads, weighted_sum
 
-EARLIER_SESSIONS = 2  # before the first session that is judged
+EARLIER_SESSIONS = 2  # before the sessions that are judged
 EARLIER_TRIALS = 5
+LATER_SESSIONS = 2  # that are judged together at least: one bad day is no deterioration
+# Standard deviations; chosen so that in three measures and in reaching together at most one steady person in twenty is
+# called worse at any time within twenty sessions (docs/learning/verdicts.md).
+LIMIT = 3.3
 
+WORSE = "Worse than this person's own noise"
 ADVICE = (
     "What to do: check the fit of the shirt and the warnings of control quality, ask about pain, sleep and medication, "
     "and calibrate again. If the next two sessions are as bad, talk to the physician."
 )
 
 
-def worse_since(series: Series, clinic: Spread | None, better: str, least: float = 0.0) -> list[int | None]:
-    """Return, for each session, the first session of a deterioration that goes on in it; None when there is none.
+def worse_since(series: Series, clinic: Spread | None, better: str, least: float = 0.0) -> int | None:
+    """Return the session since which a measure is worse, up to the newest session; None: it is not.
 
-    Each session's mean is compared with the end of the learning curve of the sessions before. The difference is divided
-    by its standard deviation, as Student's t, and expressed as a standard normal one. These are added up (Page,
-    Biometrika 41 (1954); self-starting: Hawkins, The Statistician 36 (1987)). From the session in which the sum passes
-    the limit until it is 0 again, the sessions that made it rise do not count for the learning curve: a lasting
-    deterioration does not become the person's normal level.
+    For every session from which on it may have become worse, the mean of the sessions from there is compared with the
+    end of the learning curve of the sessions before. The difference is divided by its standard deviation, as Student's
+    t, and expressed as a standard normal score. The largest score counts.
     """
-    total, since, is_worse = 0.0, None, False
-    found: list[int | None] = []
-    for session in np.unique(series.session).tolist():
-        before = series.where(series.session < (since if is_worse and since is not None else session))
-        worse = _surprise(before, series.where(series.session == session), clinic, least)
-        if worse is not None:
-            worse = worse if better == "low" else -worse
-            total = next_sum(total, worse, most=2 * LIMIT)
-            since = None if total == 0.0 else since or session
-            is_worse = total > LIMIT or (is_worse and total > 0.0)
-        found.append(since if is_worse else None)
-    return found
+    sign = 1.0 if better == "low" else -1.0
+
+    def score(first: int) -> float | None:
+        before, judged = series.where(series.session < first), series.where(series.session >= first)
+        if len(before.value) < EARLIER_TRIALS:
+            return None
+        worse = _score(before, judged, clinic, least)
+        return None if worse is None else sign * worse
+
+    return _since(np.unique(series.session).tolist(), score)
 
 
-def _surprise(before: Series, session: Series, clinic: Spread | None, least: float) -> float | None:
-    """Return how far a session lies above what was foretold, in standard deviations; None with too few trials."""
-    earlier = len(np.unique(before.session))
-    if earlier < EARLIER_SESSIONS or len(before.value) < EARLIER_TRIALS:
-        return None
-    own, share = own_spread(before, session, least)
+def missed_since(counts: Counts) -> int | None:
+    """Return the same for how often the goal was reached, from the counts of sessions."""
+
+    def score(first: int) -> float | None:
+        before, judged = counts.where(counts.session < first), counts.where(counts.session >= first)
+        if before.trials.sum() < EARLIER_TRIALS:
+            return None
+        return fewer_than_foretold(before, int(judged.trials.sum()), int(judged.reached.sum()))
+
+    return _since(counts.session.tolist(), score)
+
+
+def _since(sessions: Sequence[int], score: Callable[[int], float | None]) -> int | None:
+    """Return the session with the largest score of "worse since then", when it passes the limit.
+
+    That is the generalised likelihood ratio of a change at an unknown time (Siegmund and Venkatraman, The Annals of
+    Statistics 23 (1995)).
+    """
+    found = {first: score(first) for first in sessions[EARLIER_SESSIONS : len(sessions) - LATER_SESSIONS + 1]}
+    scores = {first: one for first, one in found.items() if one is not None}
+    since = max(scores, key=lambda first: scores[first], default=None)
+    return since if since is not None and scores[since] > LIMIT else None
+
+
+def _score(before: Series, judged: Series, clinic: Spread | None, least: float) -> float | None:
+    """Return how far the mean of `judged` lies above the end of the curve of `before`, as a standard normal score."""
+    own, share = own_spread(before, judged, least)
     spread = pool_spreads(own, share, clinic)
     foretold, parameters = fit_curve(before.number, before.value, before.number[-1:])
+    earlier, later = (len(np.unique(one.session)) for one in (before, judged))
     total = weighted_sum(
-        (1 / len(session.value) + parameters / len(before.value), spread.trial),
-        (1 + parameters / earlier, spread.session),
+        (1 / len(judged.value) + parameters / len(before.value), spread.trial),
+        (1 / later + parameters / earlier, spread.session),
     )
-    return normal_score(float(session.value.mean() - foretold[0]), total)
+    return normal_score(float(judged.value.mean() - foretold[0]), total)
 
 
 def deteriorations(rows: Rows, clinic: Mapping[str, Spread], names: Collection[str] = COMPARISONS) -> dict[str, str]:
@@ -62,13 +87,16 @@ def deteriorations(rows: Rows, clinic: Mapping[str, Spread], names: Collection[s
     `rows` are a person's trials in one task, `clinic` the median spread of each measure.
     """
     found = {}
-    for name, measure in COMPARISONS.items():
-        if name not in names or measure.better is None:
-            continue
+    for name in leading_of_task(rows):
+        better = COMPARISONS[name].better
         series, _ = series_of(rows, name)
-        if not len(series.value):
-            continue
-        *_, since = worse_since(series, clinic.get(name), measure.better, least_spread(name, series.value))
-        if since is not None:
-            found[name] = f"Worse than this person's own noise since session {since}. {ADVICE}"
-    return found
+        if name in names and better is not None and len(series.value):
+            found[name] = worse_since(series, clinic.get(name), better, least_spread(name, series.value))
+    counts = counts_of(rows)
+    found[REACHED] = missed_since(counts)
+    return {name: _sentence(name, since) for name, since in found.items() if since is not None}
+
+
+def _sentence(name: str, since: int) -> str:
+    what = "The goal is missed more often than by this person's own noise" if name == REACHED else WORSE
+    return f"{what} since session {since}. {ADVICE}"

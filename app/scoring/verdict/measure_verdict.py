@@ -2,17 +2,27 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any, Final, Literal, NamedTuple
+from typing import Final, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.quantities import Document
-from app.scoring.verdict.measure_comparison import COMPARISONS, from_scale, least_spread, to_scale, value_of
+from app.scoring.verdict.measure_comparison import (
+    COMPARISONS,
+    Rows,
+    comparison_of,
+    from_scale,
+    least_spread,
+    to_scale,
+    value_of,
+    with_missed,
+)
 from app.scoring.verdict.spread import (
     PersonVariances,
     Series,
     Spread,
+    Variance,
     median_spread,
     own_spread,
     person_variances,
@@ -24,14 +34,14 @@ FEWEST = 5  # trials up to and with the later ones
 LEAST_DF = 2.0  # degrees of freedom that a spread needs; without a clinic's median, one session has none
 CONFIDENCE = 0.95
 
-Word = Literal["better", "within", "worse", "too few"]
+Word = Literal["better", "within", "worse", "too few", "number"]
 VERDICT_WORDS: Final[dict[Word, str]] = {
     "better": "better than noise",
     "within": "within noise",
     "worse": "worse than noise",
     "too few": "too few trials",
+    "number": "–",
 }
-Rows = Sequence[Mapping[str, Any]]
 ClinicSpreads = Mapping[str, Spread]
 PeopleVariances = dict[str, dict[int, PersonVariances]]
 
@@ -39,10 +49,10 @@ PeopleVariances = dict[str, dict[int, PersonVariances]]
 class Verdict(Document):
     """The verdict on one measure, with what it comes from; numbers in the unit of the measure."""
 
-    word: Word  # better than noise, within noise, worse than noise, too few trials
+    word: Word  # better than noise, within noise, worse than noise, too few trials; number: does not lead, no word
     earlier: float | None  # mean of the earlier trials, on the measure's scale and back
     later: float | None
-    low: float | None  # from here to `high`, a later mean is within noise; None: too few trials
+    low: float | None  # from here to `high`, a later mean is within noise; None: too few trials, or no word
     high: float | None
     trials: int  # up to and with the later ones that were compared
 
@@ -54,44 +64,81 @@ class Noise(NamedTuple):
     df: float  # degrees of freedom of the variance behind it
 
 
+class Difference(NamedTuple):
+    """The difference between two sets of a person's trials in one measure, on its scale."""
+
+    earlier: float  # mean
+    later: float
+    trials: int  # up to and with the later ones that were compared
+    variance: Variance | None  # of the difference without a change; None: too few trials
+
+    @property
+    def p_value(self) -> float | None:
+        """The two-sided probability of such a difference without a change; None with too few trials."""
+        from scipy.special import stdtr
+
+        if self.variance is None:
+            return None
+        ratio = abs(self.later - self.earlier) / math.sqrt(max(self.variance.value, 1e-300))
+        return float(2 * stdtr(self.variance.df, -ratio))
+
+
+def variance_of(spread: Spread, trials: tuple[int, int], sessions: tuple[int, int] | None) -> Variance | None:
+    """Return the variance of the difference between the means of two sets of trials; None with few degrees of freedom.
+
+    It is s_session^2 (1 / m1 + 1 / m2) + s_trial^2 (1 / k1 + 1 / k2) for sets of `trials` k1, k2 and `sessions` m1, m2;
+    without the first term where both are of one session (None).
+    """
+    parts = [(1 / trials[0] + 1 / trials[1], spread.trial)]
+    if sessions is not None:
+        parts.append((1 / sessions[0] + 1 / sessions[1], spread.session))
+    total = weighted_sum(*parts)
+    return None if total.df < LEAST_DF else total
+
+
 def noise_of(spread: Spread, earlier: int, later: int, *, same_session: bool) -> Noise | None:
-    """Return the minimal detectable change (95 %) between means of `earlier` and of `later` trials.
+    """Return the minimal detectable change (95 %) between means of `earlier` and of `later` trials of a session each.
 
     It is t sqrt(2 s_session^2 + s_trial^2 (1 / earlier + 1 / later)), without the first term within one session. t is
     the quantile of Student's t at the degrees of freedom of the sum. None where these are fewer than 2.
     """
+    total = variance_of(spread, (earlier, later), None if same_session else (1, 1))
+    return None if total is None else Noise(_mdc(total, 1 - CONFIDENCE), total.df)
+
+
+def _mdc(variance: Variance, level: float) -> float:
     from scipy.special import stdtrit
 
-    parts = [(1 / earlier + 1 / later, spread.trial)]
-    if not same_session:
-        parts.append((2.0, spread.session))
-    total = weighted_sum(*parts)
-    if total.df < LEAST_DF:
-        return None
-    return Noise(float(stdtrit(total.df, (1 + CONFIDENCE) / 2)) * math.sqrt(total.value), total.df)
+    return float(stdtrit(variance.df, 1 - level / 2)) * math.sqrt(variance.value)
 
 
 def series_of(rows: Rows, name: str) -> tuple[Series, NDArray[np.int64]]:
     """Return one measure of the trials that are compared, on its scale, and the trials' ids.
 
     `rows` are in the order driven; each has `id`, `number`, `session`, `familiarisation` and its measures by name.
-    Trials for getting used to the task are left out.
+    Trials for getting used to the task are left out. A trial that missed the goal is in a measure of the whole task
+    with a bound (`with_missed`), and left out before the first trial that reached it.
     """
+    needs_goal = COMPARISONS[name].needs_goal
     compared = [(row, value_of(row, name)) for row in rows if not row["familiarisation"]]
-    found = [(row, value) for row, value in compared if value is not None]
-    value = np.array([value for _, value in found], dtype=np.float64)
+    is_missed = [needs_goal and not row.get("reached", True) for row, _ in compared]
+    known = [value is not None or missed for (_, value), missed in zip(compared, is_missed, strict=True)]
+    found = [row for (row, _), one in zip(compared, known, strict=True) if one]
+    value = np.array([0.0 if value is None else value for _, value in compared], dtype=np.float64)[known]
+    scaled = with_missed(name, to_scale(name, value), np.array(is_missed, dtype=np.bool_)[known])
     series = Series(
-        np.array([row["number"] for row, _ in found], dtype=np.float64),
-        np.array([row["session"] for row, _ in found], dtype=np.int64),
-        to_scale(name, value),
+        np.array([row["number"] for row in found], dtype=np.float64),
+        np.array([row["session"] for row in found], dtype=np.int64),
+        scaled,
     )
-    return series, np.array([row["id"] for row, _ in found], dtype=np.int64)
+    is_known = np.isfinite(scaled)
+    return series.where(is_known), np.array([row["id"] for row in found], dtype=np.int64)[is_known]
 
 
-def compare(
+def difference_of(
     name: str, series: Series, earlier: NDArray[np.bool_], later: NDArray[np.bool_], clinic: Spread | None
-) -> Verdict | None:
-    """Compare two sets of a person's trials in one measure; None where a set is empty or neither way is better.
+) -> Difference | None:
+    """Return the difference between two sets of a person's trials; None where a set is empty or neither way is better.
 
     Parameters
     ----------
@@ -101,28 +148,79 @@ def compare(
         All trials of the person in this task, in the order driven. What was driven after the later set is not used, so
         that a verdict stays what it was on its day.
     earlier, later
-        (n,) the trials of the two sets; each set is of one session, and `later` after `earlier`.
+        (n,) the trials of the two sets, each of one session or of several, `later` after `earlier`.
     clinic
         The clinic's median spread in this task.
     """
-    direction = COMPARISONS[name].better
-    if direction is None or not earlier.any() or not later.any():
+    if COMPARISONS[name].better is None or not earlier.any() or not later.any():
         return None
     before = np.arange(len(later)) < np.flatnonzero(later)[0]
     first, second = series.where(earlier), series.where(later)
-    then, now = float(first.value.mean()), float(second.value.mean())
     count = int((before | later).sum())
-    figures = {"earlier": from_scale(name, then), "later": from_scale(name, now), "trials": count}
-    noise = None
+    variance = None
     if count >= FEWEST:
         own, share = own_spread(series.where(before), second, least_spread(name, series.value[before | later]))
         spread = pool_spreads(own, share, clinic)
-        same = first.session[0] == second.session[0]
-        noise = noise_of(spread, len(first.value), len(second.value), same_session=bool(same))
-    if noise is None:
-        return Verdict(word="too few", low=None, high=None, **figures)
-    low, high = from_scale(name, then - noise.mdc), from_scale(name, then + noise.mdc)
-    return Verdict(word=verdict_word(now - then, noise.mdc, direction), low=low, high=high, **figures)
+        sets = [np.unique(one.session) for one in (first, second)]
+        same = len(sets[0]) == len(sets[1]) == 1 and sets[0][0] == sets[1][0]
+        trials, sessions = (len(first.value), len(second.value)), (len(sets[0]), len(sets[1]))
+        variance = variance_of(spread, trials, None if same else sessions)
+    return Difference(float(first.value.mean()), float(second.value.mean()), count, variance)
+
+
+def holm_levels(p_values: Sequence[float], together: float) -> list[float]:
+    """Return the level that each of several tests is held against, so that all err with probability `together` at most.
+
+    The smallest of m p-values is held against together / m, the next one against together / (m - 1), until one is above
+    its level: that level holds for the remaining ones. Source: Holm, Scandinavian Journal of Statistics 6 (1979).
+    """
+    levels = [0.0] * len(p_values)
+    level, passed = 0.0, True
+    for rank, place in enumerate(sorted(range(len(p_values)), key=lambda one: p_values[one])):
+        if passed:
+            level = together / (len(p_values) - rank)
+            passed = p_values[place] <= level
+        levels[place] = level
+    return levels
+
+
+def verdicts_on(
+    differences: Mapping[str, Difference],
+    leading: Sequence[str],
+    others: Mapping[str, float] | None = None,
+    together: float = 1 - CONFIDENCE,
+) -> tuple[dict[str, Verdict], dict[str, float]]:
+    """Return the verdicts on differences, and the levels of `others`, p-values that are judged together with them.
+
+    The measures of `leading` have a word, and one of them is wrong with probability `together` at most; the remaining
+    ones are numbers only.
+    """
+    p_values = {name: differences[name].p_value for name in leading if name in differences}
+    tests = {name: one for name, one in p_values.items() if one is not None} | dict(others or {})
+    levels = dict(zip(tests, holm_levels(list(tests.values()), together), strict=True))
+    found = {name: _verdict(name, one, levels.get(name), name in leading) for name, one in differences.items()}
+    return found, levels
+
+
+def _verdict(name: str, found: Difference, level: float | None, is_leading: bool) -> Verdict:
+    figures = {"earlier": from_scale(name, found.earlier), "later": from_scale(name, found.later)}
+    if level is None or found.variance is None:
+        word: Word = "too few" if is_leading else "number"
+        return Verdict(word=word, low=None, high=None, trials=found.trials, **figures)
+    direction = comparison_of(name).better
+    assert direction is not None
+    mdc = _mdc(found.variance, level)
+    low, high = from_scale(name, found.earlier - mdc), from_scale(name, found.earlier + mdc)
+    word = verdict_word(found.later - found.earlier, mdc, direction)
+    return Verdict(word=word, low=low, high=high, trials=found.trials, **figures)
+
+
+def compare(
+    name: str, series: Series, earlier: NDArray[np.bool_], later: NDArray[np.bool_], clinic: Spread | None
+) -> Verdict | None:
+    """Compare two sets of a person's trials in one measure alone; parameters as for `difference_of`."""
+    found = difference_of(name, series, earlier, later, clinic)
+    return None if found is None else verdicts_on({name: found}, [name])[0][name]
 
 
 def verdict_word(change: float, mdc: float, better: Literal["low", "high"]) -> Word:

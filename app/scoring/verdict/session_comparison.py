@@ -1,13 +1,14 @@
 """Two sessions of a person in one task, side by side: the median of each measure with its spread, and the verdict."""
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
 from app.quantities import Document
-from app.scoring.verdict.measure_comparison import COMPARISONS, from_scale
-from app.scoring.verdict.measure_verdict import ClinicSpreads, Rows, Verdict, compare, series_of
+from app.scoring.verdict.measure_comparison import COMPARISONS, Rows, from_scale, to_scale, value_of
+from app.scoring.verdict.measure_verdict import ClinicSpreads, Verdict, series_of
+from app.scoring.verdict.reaching import REACHED
+from app.scoring.verdict.verdicts import session_verdicts
 
 
 class Quartiles(Document):
@@ -33,16 +34,16 @@ def compare_sessions(rows: Rows, clinic: ClinicSpreads, earlier: int, later: int
     `rows` and `clinic` as for `trial_verdicts`. Trials for getting used to the task are in no
     summary, as in no verdict.
     """
+    all_series = {name: series_of(rows, name)[0] for name in COMPARISONS}
+    driven = {row["session"] for row in rows if not row["familiarisation"]}
+    verdicts = session_verdicts(rows, all_series, clinic, earlier, later) if {earlier, later} <= driven else {}
     found = {}
     for name in COMPARISONS:
-        series, _ = series_of(rows, name)
-        first, second = series.session == earlier, series.session == later
-        if first.any() or second.any():
-            found[name] = MeasureOfSessions(
-                earlier=_summary(name, series.value[first]),
-                later=_summary(name, series.value[second]),
-                verdict=compare(name, series, first, second, clinic.get(name)),
-            )
+        first, second = (_summary(name, rows, session) for session in (earlier, later))
+        if first is not None or second is not None or name in verdicts:
+            found[name] = MeasureOfSessions(earlier=first, later=second, verdict=verdicts.get(name))
+    if REACHED in verdicts:
+        found = {REACHED: MeasureOfSessions(earlier=None, later=None, verdict=verdicts[REACHED])} | found
     return found
 
 
@@ -53,9 +54,12 @@ def compare_tasks(
     return [compare_sessions(rows, clinic, earlier, later) for rows, clinic in tasks]
 
 
-def _summary(name: str, values: Any) -> Quartiles | None:
-    """Return the quartiles of values on the measure's scale, in the unit of the measure; None where there are none."""
+def _summary(name: str, rows: Rows, session: int) -> Quartiles | None:
+    """Return the quartiles of a session's compared trials that reached the goal; None where there are none."""
+    own = [row for row in rows if row["session"] == session and not row["familiarisation"]]
+    values = np.array([value for row in own if (value := value_of(row, name)) is not None], dtype=np.float64)
     if not len(values):
         return None
-    low, median, high = (from_scale(name, float(one)) for one in np.percentile(values, (25, 50, 75)))
+    quartiles = np.percentile(to_scale(name, values), (25, 50, 75))
+    low, median, high = (from_scale(name, float(one)) for one in quartiles)
     return Quartiles(median=median, low=low, high=high, trials=len(values))

@@ -1,11 +1,19 @@
 """The verdicts of a person's trials in one task: one trial against an earlier one, a session against earlier ones."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
+from typing import Final
 
 from app.quantities import Document
 from app.scoring.verdict.deterioration import deteriorations
-from app.scoring.verdict.measure_comparison import COMPARISONS, value_of
-from app.scoring.verdict.measure_verdict import FEWEST, ClinicSpreads, Rows, Verdict, compare, series_of
+from app.scoring.verdict.leading_measures import leading_of_task
+from app.scoring.verdict.measure_comparison import COMPARISONS, Rows, value_of
+from app.scoring.verdict.measure_verdict import FEWEST, ClinicSpreads, Verdict, difference_of, series_of, verdicts_on
+from app.scoring.verdict.reaching import REACHED, counts_of, family_of, reaching_difference, reaching_verdict
+from app.scoring.verdict.spread import Series
+
+LEVEL_OF_SESSIONS: Final = (
+    0.025  # of all words on two sessions: pages compare the newest with the one before, and the first
+)
 
 
 class TrialVerdicts(Document):
@@ -13,7 +21,7 @@ class TrialVerdicts(Document):
 
     earlier: int | None  # id of the earlier trial; None: there is none that counts
     familiarisation: list[int]  # ids of those of the two in which the person got used to the task: not compared
-    verdicts: dict[str, Verdict]  # measure -> verdict; without the measures that cannot be compared
+    verdicts: dict[str, Verdict]  # measure -> verdict; without the measures that cannot be compared, words for three
     best: dict[str, float]  # measure -> the best before the trial, of the trials that are compared
 
 
@@ -23,7 +31,7 @@ class SessionVerdicts(Document):
     earlier: int  # number of the session
     later: int
     trials: tuple[int, int]  # of the two sessions, that reached the goal and are compared
-    verdicts: dict[str, Verdict]
+    verdicts: dict[str, Verdict]  # measure -> verdict; "reached": the share of trials that reached the goal
 
 
 class TaskVerdicts(Document):
@@ -48,12 +56,15 @@ def trial_verdicts(rows: Rows, clinic: ClinicSpreads, later: int, earlier: int |
     if earlier is None and later in ids:
         before = [one for one in ids[: ids.index(later)] if one not in warming]
         earlier = before[-1] if before and later not in warming else None
-    verdicts = {}
+    pair_rows = [row for row in rows if row["id"] in (earlier, later)]
+    differences = {}
     for name in COMPARISONS:
-        series, driven = series_of(rows, name)
-        verdict = compare(name, series, driven == earlier, driven == later, clinic.get(name))
-        if verdict is not None:
-            verdicts[name] = verdict
+        if all(value_of(row, name) is not None for row in pair_rows):
+            series, driven = series_of(rows, name)
+            found = difference_of(name, series, driven == earlier, driven == later, clinic.get(name))
+            if found is not None:
+                differences[name] = found
+    verdicts, _ = verdicts_on(differences, leading_of_task(rows))
     pair = [one for one in (earlier, later) if one in warming]
     before_it = rows[: ids.index(later)] if later in ids else []
     return TrialVerdicts(earlier=earlier, familiarisation=pair, verdicts=verdicts, best=_best(before_it))
@@ -82,15 +93,25 @@ def task_verdicts(rows: Rows, clinic: ClinicSpreads, names: Collection[str] = CO
     all_series = {name: series_of(rows, name)[0] for name in COMPARISONS}
     compared = []
     for earlier in dict.fromkeys((sessions[-2], sessions[0])):
-        verdicts = {}
-        for name, series in all_series.items():
-            first, second = series.session == earlier, series.session == sessions[-1]
-            verdict = compare(name, series, first, second, clinic.get(name))
-            if verdict is not None:
-                verdicts[name] = verdict
         pair = _count(rows, earlier), _count(rows, sessions[-1])
+        verdicts = session_verdicts(rows, all_series, clinic, earlier, sessions[-1])
         compared.append(SessionVerdicts(earlier=earlier, later=sessions[-1], trials=pair, verdicts=verdicts))
     return TaskVerdicts(sessions=compared, deterioration=deteriorations(rows, clinic, names))
+
+
+def session_verdicts(
+    rows: Rows, all_series: Mapping[str, Series], clinic: ClinicSpreads, earlier: int, later: int
+) -> dict[str, Verdict]:
+    """Compare two sessions in every measure that both have, and in how often the goal was reached."""
+    differences = {}
+    for name, series in all_series.items():
+        first, second = series.session == earlier, series.session == later
+        found = difference_of(name, series, first, second, clinic.get(name))
+        if found is not None:
+            differences[name] = found
+    reaching = reaching_difference(counts_of(rows), earlier, later)
+    verdicts, levels = verdicts_on(differences, leading_of_task(rows), family_of(reaching), LEVEL_OF_SESSIONS)
+    return {REACHED: reaching_verdict(reaching, levels.get(REACHED)), **verdicts}
 
 
 def _count(rows: Rows, session: int) -> int:

@@ -5,10 +5,14 @@
  */
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
+import { number } from "../widgets/format.js";
 import { figure, joined, MEASURES, signedWithUnit } from "./measures.js";
 
 /** @type {Record<Verdict["word"], VerdictWords["tone"]>} */
-const TONES = { better: "good", within: "", worse: "bad", "too few": "" };
+const TONES = { better: "good", within: "", worse: "bad", "too few": "", number: "" };
+
+/** How often the goal was reached: it has a verdict between sessions, beside the measures of a trial. */
+export const REACHED = "reached";
 
 /**
  * A change within noise has neither an arrow nor an amount: there is nothing to be seen in it.
@@ -23,7 +27,7 @@ export function verdictWords(name, verdict) {
   return {
     words: t(`verdict.${word}`),
     arrow: isChange ? (difference < 0 ? "↓" : "↑") : "",
-    amount: isChange ? signedWithUnit(name, difference) : "",
+    amount: isChange && name !== REACHED ? signedWithUnit(name, difference) : "",
     noise: low === null ? "–" : joined(t("verdict.range", { low: figure(name, low), high: figure(name, high) }), MEASURES[name].unit),
     tone: TONES[word],
   };
@@ -34,6 +38,11 @@ export function verdictLine({ arrow, amount, words }) {
   return [arrow, amount, words].filter(Boolean).join(" ");
 }
 
+/** A share of trials. @param {number | null} share */
+export function shareWords(share) {
+  return joined(number(100 * (share ?? NaN), 0), "%");
+}
+
 /** Whether a person got used to the task in this trial. @param {TrialVerdicts | null} found @param {number} trial id */
 export function isFamiliarisation(found, trial) {
   return !!found?.familiarisation.includes(trial);
@@ -41,6 +50,6 @@ export function isFamiliarisation(found, trial) {
 
 /** What noise is, and that nobody has published a limit for it. */
 export function noiseNote() {
-  const sentences = ["means", "chance", "unpublished"].map((name) => t(`verdict.${name}`));
+  const sentences = ["means", "chance", "missed", "unpublished"].map((name) => t(`verdict.${name}`));
   return h("p", { class: "quiet small noise-note" }, sentences.join(" "));
 }

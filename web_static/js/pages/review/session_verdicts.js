@@ -6,7 +6,7 @@
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { MEASURES, withUnit } from "../../results/measures.js";
-import { noiseNote, verdictLine, verdictWords } from "../../results/verdict_words.js";
+import { noiseNote, REACHED, shareWords, verdictLine, verdictWords } from "../../results/verdict_words.js";
 import { day } from "../../widgets/format.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 
@@ -15,13 +15,13 @@ import { scrollTable } from "../../widgets/scroll_table.js";
  * @param {{id: number, sessions: number}} patient
  */
 export function sessionVerdicts({ trials, verdicts: { sessions, deterioration, needed } }, measure, patient) {
-  const worse = deterioration[measure];
+  const worse = [deterioration[measure], deterioration[REACHED]].filter(Boolean);
   const days = new Map(trials.map(({ session, started }) => [session, day(started)]));
   return h(
     "section",
     { class: "card session-verdicts" },
     h("h2", {}, t("verdict.title")),
-    worse && h("p", { class: "problem" }, worse),
+    worse.map((words) => h("p", { class: "problem" }, words)),
     sessions.length === 0 && h("p", {}, countWords(trials), " ", t("verdict.needed", { count: needed })),
     sessions.map((one) => comparison(one, measure, needed, days)),
     sessions.length > 0 && noiseNote(),
@@ -31,7 +31,7 @@ export function sessionVerdicts({ trials, verdicts: { sessions, deterioration, n
 
 /** How many trials of the task count towards a verdict. @param {Learning["trials"]} trials */
 export function countWords(trials) {
-  const count = trials.filter(({ familiarisation, reached }) => !familiarisation && reached !== false).length;
+  const count = trials.filter(({ familiarisation }) => !familiarisation).length;
   return t(count ? "verdict.counts" : "verdict.counts.none", { count, all: trials.length });
 }
 
@@ -56,10 +56,22 @@ function comparison(compared, measure, needed, days) {
         "p",
         {},
         `${t(`measure.${measure}`)}: ${withUnit(measure, verdicts[measure].earlier)} → ${withUnit(measure, verdicts[measure].later)} `,
-        h("b", { class: `change ${verdict.tone}` }, verdictLine(verdict)),
+        verdicts[measure].word !== "number" && h("b", { class: `change ${verdict.tone}` }, verdictLine(verdict)),
         ` ${lackWords(verdicts[measure], needed)}`,
       ),
+    verdicts[REACHED] && reachedLine(verdicts[REACHED]),
     Object.keys(verdicts).length > 0 && h("details", {}, h("summary", {}, t("verdict.all")), table(compared, title)),
+  );
+}
+
+/** How often the goal was reached in the two sessions. @param {Verdict} verdict */
+function reachedLine(verdict) {
+  const said = verdictWords(REACHED, verdict);
+  return h(
+    "p",
+    {},
+    `${t(`measure.${REACHED}`)}: ${shareWords(verdict.earlier)} → ${shareWords(verdict.later)} `,
+    said && h("b", { class: `change ${said.tone}` }, verdictLine(said)),
   );
 }
 

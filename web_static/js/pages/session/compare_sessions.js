@@ -6,7 +6,7 @@ import { differenceWords } from "../chair/difference_words.js";
 import { comparedTests } from "../../interface_test/test_table.js";
 import { figure, joined, MEASURES } from "../../results/measures.js";
 import { groupMark } from "../../results/source_group.js";
-import { noiseNote, verdictWords } from "../../results/verdict_words.js";
+import { noiseNote, REACHED, shareWords, verdictWords } from "../../results/verdict_words.js";
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { moment } from "../../widgets/format.js";
@@ -47,7 +47,7 @@ export async function show(app, root, { signal, rest: [, first, second] }) {
 /** @param {SessionComparison} found @param {TaskComparison} task */
 function taskCard({ earlier, later }, { floorplan_title: plan, path_title: path, source, trials, counted, measures }) {
   const title = t("record.compare.task", { plan, path });
-  const names = Object.keys(MEASURES).filter((name) => measures[name]);
+  const names = [REACHED, ...Object.keys(MEASURES)].filter((name) => measures[name]);
   const compared = /** @type {const} */ (["earlier", "later"]).map((when) => Math.max(0, ...names.map((name) => measures[name][when]?.trials ?? 0)));
   /** @param {string} name */
   const row = (name) => {
@@ -58,8 +58,8 @@ function taskCard({ earlier, later }, { floorplan_title: plan, path_title: path,
       {},
       h("th", { scope: "row" }, t(`measure.${name}`)),
       h("td", { class: `change ${inWords?.tone ?? ""}` }, inWords ? `${inWords.arrow} ${inWords.words}` : "–"),
-      h("td", {}, summaryWords(name, before)),
-      h("td", { class: "own" }, summaryWords(name, now)),
+      h("td", {}, name === REACHED ? shareWords(verdict?.earlier ?? null) : summaryWords(name, before)),
+      h("td", { class: "own" }, name === REACHED ? shareWords(verdict?.later ?? null) : summaryWords(name, now)),
     );
   };
   const sessions = [earlier, later].map((one) => t("verdict.session", { number: one.number }));

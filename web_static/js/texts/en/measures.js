@@ -21,6 +21,7 @@ export default {
   "measure.door_contacts": "Contacts with door or gap",
   "measure.heading_error_deg": "Angle off the mark",
   "measure.turn_drift": "Moved off the spot",
+  "measure.reached": "Goal reached",
   "measure.stages_done": "Stages done",
   "measure.of": "of {count}",
   "measure.details": "Details: what these are called in publications",

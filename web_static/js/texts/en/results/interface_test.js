@@ -52,6 +52,7 @@ export default {
   "test.verdict.within": "within noise",
   "test.verdict.worse": "worse than noise",
   "test.verdict.too few": "too few tests",
+  "test.verdict.number": "–",
   "test.noise":
     "Noise is how much this person's own tests differ without a change; a word needs five complete tests. Simulated and worn shirts are never compared.",
   "test.workload": "How demanding was it?",
