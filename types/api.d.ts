@@ -7421,7 +7421,7 @@ export interface components {
         };
         Verdict: {
             /** @enum {string} */
-            word: "better" | "within" | "worse" | "too few";
+            word: "better" | "within" | "worse" | "too few" | "number";
             earlier: number | null;
             later: number | null;
             low: number | null;

@@ -33,7 +33,7 @@ VERDICTS: Final = {
     "within": "within noise",
     "worse": "worse than noise",
     "too few": "too few tests",
-    "number": "",
+    "number": "–",
 }
 ENDS: Final = {
     "by hand": "ended early: does not count",

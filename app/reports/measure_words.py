@@ -1,11 +1,9 @@
 """The words of the measures on a report, and which lead; equal to those on the pages (texts/en/measures.js)."""
 
 import math
-from collections.abc import Mapping
-from typing import Any, Final
+from typing import Final
 
 from app.scoring.learning_words import MEASURES
-from app.scoring.verdict.leading_measures import leading_measures
 from app.scoring.verdict.measure_verdict import Verdict
 
 # In the order of the pages.
@@ -36,14 +34,6 @@ MEASURE_WORDS: Final[dict[str, str]] = {
 }
 
 REACHED_WORDS: Final = "Goal reached"
-_FURTHER: Final = ("sparc", "collisions")  # beside those that lead, as far as there are four
-MOST_MEASURES: Final = 4
-
-
-def reported_measures(trial: Mapping[str, Any]) -> list[str]:
-    """Return the three measures that lead in a task, and a fourth one, by what a trial of it has."""
-    names = dict.fromkeys((*leading_measures(trial), *_FURTHER))
-    return [name for name in names if trial.get(name) is not None][:MOST_MEASURES]
 
 
 def with_unit(name: str, value: float | None) -> str:

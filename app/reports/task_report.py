@@ -14,7 +14,6 @@ from app.reports.measure_words import (
     MEASURE_WORDS,
     REACHED_WORDS,
     noise_words,
-    reported_measures,
     share_words,
     with_unit,
 )
@@ -22,6 +21,7 @@ from app.reports.trajectory_drawing import Points, trajectory_drawing
 from app.scoring.interruptions import interruption_words
 from app.scoring.learning import learning_curves
 from app.scoring.learning_words import MEASURES
+from app.scoring.verdict.leading_measures import leading_of_task
 from app.scoring.verdict.measure_comparison import from_scale, value_of
 from app.scoring.verdict.measure_verdict import VERDICT_WORDS, Verdict, Word, series_of
 from app.scoring.verdict.reaching import REACHED
@@ -43,7 +43,7 @@ def task_report(task: TaskMaterial, session: int | None, *, name_source: bool) -
     """
     rows = task.rows
     newest = max(row["session"] for row in rows)
-    names = reported_measures(rows[-1])
+    names = leading_of_task(rows)
     main = names[0] if names else "time"
     found = task_verdicts(rows, task.clinic, [main])
     compared = _comparison(found.sessions, newest, course=session is None)

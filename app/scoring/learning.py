@@ -6,7 +6,7 @@ from typing import Any
 from app.scoring.learning_fit import Curve, LearningCurve, Numbers, fit_learning_curve
 from app.scoring.learning_words import MEASURES, details, plain_sessions, plain_words, session_details, too_few
 from app.scoring.retention import retention
-from app.scoring.verdict.course import course_change
+from app.scoring.verdict.change_over_sessions import course_change
 from app.scoring.verdict.leading_measures import leading_of_task
 from app.scoring.verdict.measure_verdict import ClinicSpreads
 

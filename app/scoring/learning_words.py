@@ -8,7 +8,7 @@ from app.number_words import amount, with_minus
 from app.scoring.learning_fit import MIN_TRIALS, MIN_TRIALS_FOR_CONSTANT, LearningCurve
 from app.scoring.retention import Change, Retention
 from app.scoring.trend import theil_sen
-from app.scoring.verdict.course import LEVEL, CourseChange
+from app.scoring.verdict.change_over_sessions import LEVEL, CourseChange
 from app.scoring.verdict.measure_comparison import COMPARISONS
 from app.scoring.verdict.measure_verdict import VERDICT_WORDS
 
@@ -80,7 +80,8 @@ def plain_words(name: str, learning: LearningCurve, change: CourseChange, sessio
     over = f"over {count} trials" + (f" in {amount(sessions, 'session')}" if sessions else "")
     what = f"{measure.words[0].lower()}{measure.words[1:]}"
     if change.word not in ("better", "worse"):
-        head = (over if change.word == "number" else f"{VERDICT_WORDS[change.word]} {over}").capitalize()
+        begin = {"within": f"Within noise {over}", "too few": f"Too few sessions to tell a change from noise, {over}"}
+        head = begin.get(change.word, over.capitalize())
         said = f"{head}: {what} was about {measure.level(float(np.median(learning.values)))}."
     else:
         head = f"{VERDICT_WORDS[change.word].capitalize()} {over}"
@@ -126,7 +127,7 @@ def details(name: str, learning: LearningCurve, change: CourseChange) -> str:
         p = "p < 0.001" if change.p_value < 0.001 else f"p = {change.p_value:.2g}"
         said += (
             f" The last third of the sessions against the first, beside this person's own noise: {p}; "
-            f"a change has p < {LEVEL:.2g}, so that three measures are wrong together in 5 % at most."
+            f"a change has p < {LEVEL:.2g}."
         )
     return f"{said}{_slope(measure, learning, change)} {_form(measure, learning)}"
 

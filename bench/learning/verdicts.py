@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from app.scoring.verdict.measure_comparison import least_spread
 from app.scoring.verdict.measure_verdict import clinic_spreads, compare, noise_of, people_variances, series_of
 from app.scoring.verdict.spread import Spread, own_spread, pool_spreads
+from bench.learning.words_told import print_pages
 
 MEASURE = "e_diff"
 LEVEL = 3.0  # m2
@@ -191,11 +192,7 @@ def main(
     typer.echo("")
     for words, share in learners(people):
         typer.echo(f"learning people, {words}: {share:.1%}")
-    typer.echo("\n| course over 20 sessions of 5, a fifth of the people | called worse at any time | at the end |")
-    typer.echo("|---|---|---|")
-    for course in COURSES:
-        ever, at_end = alarms(course, max(people // 5, 20))
-        typer.echo(f"| {course} | {ever:.0%} | {at_end:.0%} |")
+    print_pages(max(people // 5, 20), clinics(np.random.default_rng(1)))
 
 
 if __name__ == "__main__":

@@ -2,8 +2,9 @@
 
 import re
 
-from app.reports.measure_words import LEADING, MEASURE_WORDS, leading_measures, with_unit
+from app.reports.measure_words import MEASURE_WORDS, REACHED_WORDS, with_unit
 from app.scoring.learning_words import MEASURES
+from app.scoring.verdict.leading_measures import LEADING, leading_measures, leading_of_task
 from app.scoring.verdict.measure_verdict import VERDICT_WORDS
 from folders import ROOT
 
@@ -14,6 +15,7 @@ def test_every_measure_has_the_words_and_digits_of_the_pages():
     texts = (TEXTS / "texts" / "en" / "measures.js").read_text()
     shown = (TEXTS / "results" / "measures.js").read_text()
     assert set(MEASURE_WORDS) == set(MEASURES)
+    assert f'"measure.reached": "{REACHED_WORDS}",' in texts
     for name, words in MEASURE_WORDS.items():
         assert f'"measure.{name}": "{words}",' in texts
         found = re.search(rf'  {name}: {{ unit: "(.*?)", digits: (\d)(?:, factor: (\d+))?', shown)
@@ -35,13 +37,14 @@ def test_measures_stand_in_the_order_of_the_pages():
 
 
 def test_the_measures_of_a_task_are_chosen_by_what_it_has():
-    assert leading_measures({"e_diff": 1, "dist": 2, "time": 3, "sparc": -4, "collisions": 0}) == [
-        *("e_diff", "dist", "time", "sparc"),
-    ]
-    assert leading_measures({"heading_error_deg": 3, "turn_drift": 0.1, "time": 9, "collisions": 1})[:2] == [
-        *("heading_error_deg", "turn_drift"),
-    ]
-    assert leading_measures({}) == []
+    trial = {"e_diff": 1, "dist": 2, "time": 3, "sparc": -4, "collisions": 0}
+    assert leading_measures(trial) == ("e_diff", "dist", "time")
+    turn = {"heading_error_deg": 3, "turn_drift": 0.1, "time": 9, "collisions": 1}
+    assert leading_measures(turn) == ("heading_error_deg", "turn_drift", "time")
+    assert leading_measures({"sparc": -4, "mean_speed": 0.3}) == ("sparc",)
+    assert leading_measures({}) == ()
+    missed = {"gaps": 2, "gap_clearance": None, "e_diff": 1, "time": 3}
+    assert leading_of_task([missed, missed | {"gap_clearance": 0.1}]) == ("gap_clearance", "e_diff", "time")
 
 
 def test_levels_have_their_unit():

@@ -160,12 +160,12 @@ def test_the_curves_that_were_not_chosen_cost_more_and_come_on_demand() -> None:
 
 
 def test_one_unusual_trial_at_the_end_does_not_contradict_the_trend() -> None:
-    values = np.linspace(6, 2, 22)
-    values[-1] = 40.0
+    values = np.linspace(6, 2, 60)
+    values[-1] = 7.0
     curve = learning_curves(trials_of(values))["e_diff"]
-    assert "fell from 5.81 m² to 2.38 m²" in curve["details"][0]
-    assert "falls by 0.19 m² in the median" in curve["details"][0]
-    values[-3:] = 40.0
+    assert "fell from 5.93 m² to 2.14 m²" in curve["details"][0]
+    assert "falls by 0.068 m² in the median" in curve["details"][0]
+    values[-3:] = 7.0
     assert ": the area off the path fell." in learning_curves(trials_of(values))["e_diff"]["text"]
 
 
@@ -218,11 +218,11 @@ def test_the_robust_slope_tolerates_a_third_of_outliers() -> None:
     values = np.arange(1.0, 22.0) * -0.5
     values[::4] += 30.0
     slope = theil_sen(list(range(1, 22)), list(values))
-    assert slope.median == pytest.approx(-0.5)
-    assert slope.low <= -0.5 <= slope.high
+    assert slope == pytest.approx(-0.5)
 
 
 def test_a_count_that_is_mostly_the_same_has_a_trend_but_no_step() -> None:
-    curve = learning_curves(trials_of(np.array([3.0] * 4 + [0.0] * 18), "collisions"))["collisions"]
+    trials = trials_of(np.array([3.0] * 12 + [0.0] * 20), "collisions")
+    curve = learning_curves([{**one, "session": 1 + place // 4} for place, one in enumerate(trials)])["collisions"]
     assert "fell by about 3, from 3 to 0." in curve["text"]
     assert "From trial to trial" not in curve["details"][0]

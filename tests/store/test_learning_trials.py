@@ -98,7 +98,7 @@ def test_only_measured_and_kept_trials_of_this_path_count(
     assert counted_trials(db, patient.clinic_id + 1, patient.id, "clinic", "corridor") == []
 
 
-def test_the_first_three_of_a_day_and_source_are_for_getting_used_to_the_task(
+def test_the_first_three_on_the_first_two_days_of_a_source_are_for_getting_used_to_the_task(
     db: Session, patient: Patient, profile: CalibrationProfile
 ) -> None:
     session = add_session(db, patient, 1)
@@ -106,10 +106,10 @@ def test_the_first_three_of_a_day_and_source_are_for_getting_used_to_the_task(
     worn = Source(shirt="udp", body=None, chair="virtual", simulated=False)
     noon = utc_now().astimezone().replace(hour=12)
     ids = []
-    for place in range(10):
+    for place in range(14):
         source = worn if place == 2 else UNKNOWN_SOURCE
         trial = db.get_one(Trial, drive(db, patient, session, f"run{place}", {"dist": 10.0}, source))
-        trial.started = noon - timedelta(days=1 if place < 6 else 0)
+        trial.started = noon - timedelta(days=2 if place < 6 else 1 if place < 10 else 0)
         ids.append(trial.id)
     keep_trial(db, patient.clinic_id, ids[0], "tired")  # it was practice all the same
     found = counted_trials(db, patient.clinic_id, patient.id, "clinic", "corridor")

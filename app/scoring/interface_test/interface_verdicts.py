@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 
@@ -11,8 +11,8 @@ from app.scoring.verdict.leading_measures import LEADING_OF_TESTS
 from app.scoring.verdict.measure_comparison import INTERFACE_COMPARISONS, least_spread, to_scale
 from app.scoring.verdict.measure_verdict import FEWEST, Difference, Verdict, variance_of, verdicts_on
 from app.scoring.verdict.spread import Series, Spread, Variance, own_spread
-from app.scoring.verdict.verdicts import LEVEL_OF_SESSIONS
 
+LEVEL: Final = 0.025  # of all words on two tests; a page compares the newest with the one before and with the first
 Tests = Sequence[Mapping[str, Any]]
 """In the order done; each has `number`, and measures by name."""
 
@@ -47,12 +47,12 @@ def _against(tests: Tests, place: int) -> InterfaceVerdicts:
     return InterfaceVerdicts(
         earlier=tests[place]["number"],
         later=tests[-1]["number"],
-        verdicts=verdicts_on(differences, LEADING_OF_TESTS, together=LEVEL_OF_SESSIONS)[0],
+        verdicts=verdicts_on(differences, LEADING_OF_TESTS, together=LEVEL)[0],
     )
 
 
 def _difference(name: str, tests: Tests, place: int) -> Difference | None:
-    """Return the difference of the newest test from that at `place`; None when one of them does not have the measure."""
+    """Return the difference of the newest test from that at `place`; None when one of them has no such measure."""
     earlier, later = tests[place].get(name), tests[-1].get(name)
     if earlier is None or later is None:
         return None

@@ -1,6 +1,8 @@
 """Whether a person's sessions have become worse than their learning curve foretells."""
 
+import math
 from collections.abc import Callable, Collection, Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -16,13 +18,20 @@ EARLIER_TRIALS = 5
 LATER_SESSIONS = 2  # that are judged together at least: one bad day is no deterioration
 # Standard deviations; chosen so that in three measures and in reaching together at most one steady person in twenty is
 # called worse at any time within twenty sessions (docs/learning/verdicts.md).
-LIMIT = 3.3
+LIMIT = 3.4
 
 WORSE = "Worse than this person's own noise"
 ADVICE = (
     "What to do: check the fit of the shirt and the warnings of control quality, ask about pain, sleep and medication, "
     "and calibrate again. If the next two sessions are as bad, talk to the physician."
 )
+
+
+class Score(NamedTuple):
+    """How much worse the sessions from one on are than those before."""
+
+    normal: float  # a standard normal score
+    fit: float  # as large as a change there fits best, whatever the spread that was estimated before it
 
 
 def worse_since(series: Series, clinic: Spread | None, better: str, least: float = 0.0) -> int | None:
@@ -34,12 +43,11 @@ def worse_since(series: Series, clinic: Spread | None, better: str, least: float
     """
     sign = 1.0 if better == "low" else -1.0
 
-    def score(first: int) -> float | None:
+    def score(first: int) -> Score | None:
         before, judged = series.where(series.session < first), series.where(series.session >= first)
         if len(before.value) < EARLIER_TRIALS:
             return None
-        worse = _score(before, judged, clinic, least)
-        return None if worse is None else sign * worse
+        return _score(before, judged, clinic, least, sign)
 
     return _since(np.unique(series.session).tolist(), score)
 
@@ -47,29 +55,31 @@ def worse_since(series: Series, clinic: Spread | None, better: str, least: float
 def missed_since(counts: Counts) -> int | None:
     """Return the same for how often the goal was reached, from the counts of sessions."""
 
-    def score(first: int) -> float | None:
+    def score(first: int) -> Score | None:
         before, judged = counts.where(counts.session < first), counts.where(counts.session >= first)
         if before.trials.sum() < EARLIER_TRIALS:
             return None
-        return fewer_than_foretold(before, int(judged.trials.sum()), int(judged.reached.sum()))
+        fewer = fewer_than_foretold(before, int(judged.trials.sum()), int(judged.reached.sum()))
+        return Score(fewer, fewer)
 
     return _since(counts.session.tolist(), score)
 
 
-def _since(sessions: Sequence[int], score: Callable[[int], float | None]) -> int | None:
-    """Return the session with the largest score of "worse since then", when it passes the limit.
+def _since(sessions: Sequence[int], score: Callable[[int], Score | None]) -> int | None:
+    """Return the session with the best fit of "worse since then", when the largest score passes the limit.
 
     That is the generalised likelihood ratio of a change at an unknown time (Siegmund and Venkatraman, The Annals of
     Statistics 23 (1995)).
     """
     found = {first: score(first) for first in sessions[EARLIER_SESSIONS : len(sessions) - LATER_SESSIONS + 1]}
     scores = {first: one for first, one in found.items() if one is not None}
-    since = max(scores, key=lambda first: scores[first], default=None)
-    return since if since is not None and scores[since] > LIMIT else None
+    if max((one.normal for one in scores.values()), default=0.0) <= LIMIT:
+        return None
+    return max(scores, key=lambda first: scores[first].fit)
 
 
-def _score(before: Series, judged: Series, clinic: Spread | None, least: float) -> float | None:
-    """Return how far the mean of `judged` lies above the end of the curve of `before`, as a standard normal score."""
+def _score(before: Series, judged: Series, clinic: Spread | None, least: float, sign: float) -> Score | None:
+    """Return how far the mean of `judged` lies above the end of the curve of `before`; below it with a sign of -1."""
     own, share = own_spread(before, judged, least)
     spread = pool_spreads(own, share, clinic)
     foretold, parameters = fit_curve(before.number, before.value, before.number[-1:])
@@ -78,7 +88,9 @@ def _score(before: Series, judged: Series, clinic: Spread | None, least: float) 
         (1 / len(judged.value) + parameters / len(before.value), spread.trial),
         (1 / later + parameters / earlier, spread.session),
     )
-    return normal_score(float(judged.value.mean() - foretold[0]), total)
+    difference = sign * float(judged.value.mean() - foretold[0])
+    normal = normal_score(difference, total)
+    return None if normal is None else Score(normal, difference / math.sqrt(1 / earlier + 1 / later))
 
 
 def deteriorations(rows: Rows, clinic: Mapping[str, Spread], names: Collection[str] = COMPARISONS) -> dict[str, str]:

@@ -128,6 +128,18 @@ def own_spread(before: Series, later: Series | None = None, least: float = 0.0) 
     return Spread(trial, between), share
 
 
+def course_spread(series: Series, least: float = 0.0) -> tuple[Spread, float]:
+    """Return the spread of all of a person's trials around their learning curve, and the mean of 1 / trials as above.
+
+    Of the curve's three parameters, level and size are counted among those of the session means; how fast it falls is
+    told by the trials within the sessions.
+    """
+    own, _ = own_spread(series, None, least)
+    residual, parameters = _residuals(series)
+    between, share = _between_sessions(series.session, residual, min(parameters, 2))
+    return Spread(own.trial, between), share
+
+
 def _residuals(series: Series) -> tuple[Numbers, int]:
     """Return the values less the learning curve (n,), and how many parameters the curve has."""
     if not len(series.value):

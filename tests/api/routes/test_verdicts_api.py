@@ -59,9 +59,9 @@ def test_the_newest_session_is_better_than_noise_and_the_first_trials_of_a_day_d
     answer = task(course)
     days = [date.fromisoformat(row["started"][:10]) for row in answer["trials"]]
     assert [(day - days[0]).days for day in days] == [7 * session for session in range(4) for _ in range(7)]
-    assert [row["familiarisation"] for row in answer["trials"]] == ([True] * 3 + [False] * 4) * 4
+    assert [row["familiarisation"] for row in answer["trials"]] == ([True] * 3 + [False] * 4) * 2 + [False] * 14
     before, first = answer["verdicts"]["sessions"]
-    assert (before["earlier"], first["earlier"], before["later"], before["trials"]) == (3, 1, 4, [4, 4])
+    assert (before["earlier"], first["earlier"], before["later"], before["trials"]) == (3, 1, 4, [7, 7])
     assert before["verdicts"]["e_diff"]["word"] == first["verdicts"]["e_diff"]["word"] == "better"
     assert before["verdicts"]["time"]["word"] == "within"
     assert answer["verdicts"]["deterioration"] == {}
@@ -85,15 +85,15 @@ def test_a_trial_has_its_verdict_against_the_one_before_and_against_a_chosen_one
     assert (plain["earlier"], plain["verdicts"]["e_diff"]["word"]) == (ids[-2], "within")
     chosen = course.good("GET", f"/trials/{ids[-1]}/verdicts", params={"against": ids[-8]})
     assert (chosen["earlier"], chosen["verdicts"]["e_diff"]["word"]) == (ids[-8], "better")
-    used = course.good("GET", f"/trials/{ids[-7]}/verdicts")
-    assert (used["earlier"], used["familiarisation"], used["verdicts"]) == (None, [ids[-7]], {})
+    used = course.good("GET", f"/trials/{ids[7]}/verdicts")  # the first one of the second day
+    assert (used["earlier"], used["familiarisation"], used["verdicts"]) == (None, [ids[7]], {})
 
 
 def test_a_discarded_trial_has_no_verdict_and_the_others_keep_their_place_on_the_day(course: Any) -> None:
     ids = course.course
-    course.good("POST", f"/trials/{ids[-7]}/discard", json={"reason": "practice"})
-    assert course.good("GET", f"/trials/{ids[-7]}/verdicts")["verdicts"] == {}
-    assert course.good("GET", f"/trials/{ids[-4]}/verdicts")["familiarisation"] == []
+    course.good("POST", f"/trials/{ids[7]}/discard", json={"reason": "practice"})
+    assert course.good("GET", f"/trials/{ids[7]}/verdicts")["verdicts"] == {}
+    assert course.good("GET", f"/trials/{ids[10]}/verdicts")["familiarisation"] == []
 
 
 def test_trials_of_different_people_or_sources_are_refused_in_one_sentence(course: Any) -> None:

@@ -123,6 +123,29 @@ def test_an_exact_and_a_trembling_hand_differ_in_throughput():
     assert exact.throughput > 1.2 * rough.throughput
 
 
+def test_a_missed_target_counts_with_its_time_in_the_throughput():
+    """Of ten targets, of which two were missed, throughput was that of the eight alone."""
+
+    def attempt(distance, acquired, place):
+        target = Target(distance, 0.0, distance, (1.0, 0.0))
+        end = (distance + 0.02 * (place % 3 - 1), 0.0)
+        entry = 2.0 if acquired else None
+        return Attempt(target, (0.0, 0.0), end, acquired, 0.0, entry, entry, int(acquired), distance, end)
+
+    def measured(attempts):
+        task = CursorTask(PLAN)
+        task.attempts.extend(attempts)
+        return interface_measures(task)
+
+    eight = [attempt(0.8, True, place) for place in range(8)]
+    alone = measured(eight)
+    missed = measured([*eight, attempt(0.8, False, 8), attempt(0.8, False, 9)])
+    assert missed.throughput == pytest.approx(alone.throughput * 2.0 / ((8 * 2.0 + 2 * PLAN.time_limit) / 10))
+    assert (missed.effective_width, missed.first_entry) == (alone.effective_width, alone.first_entry)
+    far = measured([*eight, attempt(0.4, False, 8)])  # of this distance no target was reached: its throughput is 0
+    assert far.throughput == pytest.approx(alone.throughput / 2)
+
+
 def test_an_early_end_is_no_complete_test():
     task = CursorTask(PLAN)
     assert interface_measures(task).acquisitions_per_minute is None  # it has not begun

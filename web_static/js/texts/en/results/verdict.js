@@ -14,7 +14,7 @@ export default {
   "verdict.means":
     "Noise is how much this person's own trials of this task differ without a change. A verdict needs five trials of the task in all, and from one session to the next also earlier sessions, or three other people of the clinic who did the task.",
   "verdict.chance":
-    "Only the three measures that lead in a task and how often the goal was reached have a verdict: where nothing changed, fewer than one page in twenty says better or worse by chance.",
+    "Only the three measures that lead in a task and how often the goal was reached have a verdict: where nothing changed, about one page in twenty says better or worse by chance.",
   "verdict.missed":
     "Between sessions, a trial that missed the goal counts as no better than the worst tenth of those before it that reached it.",
   "verdict.unpublished":

@@ -7,11 +7,18 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from app.scoring.verdict.leading_measures import MOST_LEADING
-from app.scoring.verdict.measure_comparison import COMPARISONS, Rows
-from app.scoring.verdict.measure_verdict import CONFIDENCE, ClinicSpreads, Difference, Word, difference_of, series_of
-from app.scoring.verdict.spread import Series, Spread, Variance
+from app.scoring.verdict.measure_comparison import COMPARISONS, Rows, least_spread
+from app.scoring.verdict.measure_verdict import (
+    FEWEST,
+    ClinicSpreads,
+    Difference,
+    Word,
+    series_of,
+    variance_of,
+)
+from app.scoring.verdict.spread import Series, Spread, Variance, course_spread, pool_spreads
 
-LEVEL: Final = (1 - CONFIDENCE) / MOST_LEADING  # of each of the three measures that lead (Bonferroni)
+LEVEL: Final = 0.02 / MOST_LEADING  # of each of the three measures that lead (Bonferroni)
 INFLATION: Final = 3.0  # (1 + r) / (1 - r) of the variance of a mean, with r = 0.5 between successive trials
 PARTS: Final = 3
 
@@ -30,10 +37,17 @@ def course_difference(name: str, series: Series, clinic: Spread | None) -> Diffe
     if len(units) < 2:
         return None
     earlier, later = unit <= units[count - 1], unit >= units[-count]
-    found = difference_of(name, series, earlier, later, clinic)
-    if found is None or found.variance is None or len(sessions) > 1:
-        return found
-    return found._replace(variance=Variance(INFLATION * found.variance.value, found.variance.df))
+    driven = len(series.value)
+    first, second = series.where(earlier), series.where(later)
+    variance = None
+    if driven >= FEWEST:
+        spread = pool_spreads(*course_spread(series, least_spread(name, series.value)), clinic)
+        trials, part = (len(first.value), len(second.value)), (count, count)
+        if len(sessions) > 1:
+            variance = variance_of(spread, trials, part)
+        elif (within := variance_of(spread, trials, None)) is not None:
+            variance = Variance(INFLATION * within.value, within.df)
+    return Difference(float(first.value.mean()), float(second.value.mean()), driven, variance)
 
 
 class CourseChange(NamedTuple):
