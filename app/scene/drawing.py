@@ -1,9 +1,11 @@
 """The drawing of a floor plan: its building, its 3D objects, its movers."""
 
 import logging
+from contextlib import closing
 from pathlib import Path
 from typing import Final
 
+from app.computing_process import ComputingProcess
 from app.scene.meshes.building import building_parts
 from app.scene.meshes.movers import mover_parts
 from app.scene.models.objects import Model, stored_model
@@ -11,8 +13,25 @@ from app.scene.world_view import Drawing
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 NOTHING: Final = Drawing({}, ())
+LARGE: Final = 300  # points of walls, and obstacles
 
 logger = logging.getLogger(__name__)
+
+
+def prepared_drawing(plan: FloorPlan | None, path: PrescribedPath | None, models: Path | None) -> Drawing:
+    """Return `drawing_of` a plan; that of a large plan is made in a process of its own.
+
+    It takes seconds, in which the web process would keep its other threads waiting, Stop among them.
+
+    Raises
+    ------
+    Unavailable
+        In one sentence, when the process ended or gave no answer.
+    """
+    if plan is None or sum(len(wall) for wall in plan.walls) + len(plan.obstacles) <= LARGE:
+        return drawing_of(plan, path, models)
+    with closing(ComputingProcess()) as computing:
+        return computing.ask(drawing_of, plan, path, models)
 
 
 def drawing_of(plan: FloorPlan | None, path: PrescribedPath | None, models: Path | None) -> Drawing:

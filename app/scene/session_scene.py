@@ -9,7 +9,7 @@ import numpy as np
 
 from app.geometry import Pose
 from app.scene.cameras import EyeSettings, Orbit, View
-from app.scene.drawing import NOTHING, drawing_of
+from app.scene.drawing import NOTHING, prepared_drawing
 from app.scene.head_view import NO_HEAD, Angles
 from app.scene.plots import Plots
 from app.scene.role_servers import ROLES, Role, RoleServers
@@ -81,7 +81,7 @@ class Scene:
             When the plan has no path of this name; the scene is not changed.
         """
         path = None if plan is None or path_name is None else plan.path_named(path_name)
-        drawing = self._drawing if plan == self._plan else drawing_of(plan, path, self._models)
+        drawing = self._drawing if plan == self._plan else prepared_drawing(plan, path, self._models)
         with self._lock:
             self._plan, self._drawing, self._state = plan, drawing, SceneState(plan, path)
             for view in self._views.values():

@@ -22,9 +22,9 @@ from app.world.path import Path
 from app.world.scenery import Cone, Gap, Ground, Lights
 from app.world.tasks import Back, Course, FollowLeader, FollowPath, Task, Turn
 
-MAX_WALLS = 5000
+MAX_WALLS = 5000  # pieces of all walls: each of them is drawn, and looked at when the chair moves
+MAX_LINE_POINTS = 2000  # points of all paths and movers: each piece of them is compared with every wall
 MAX_BYTES = 8_000_000  # a document larger than this is not a floor plan
-MOST_PAIRS = 20_000_000  # pieces of paths times pieces of walls: the distance of every pair is computed
 
 # FailFast reports the first error only: collecting a million errors would block the process for seconds.
 Polyline = Annotated[tuple[Point, ...], Field(min_length=2, max_length=MAX_WALLS), FailFast()]
@@ -106,6 +106,21 @@ class FloorPlan(Document):
         return self
 
     @model_validator(mode="after")
+    def _is_small_enough(self) -> Self:
+        pieces = sum(len(wall) - 1 for wall in self.walls)
+        if pieces > MAX_WALLS:
+            raise ValueError(
+                f"its walls have {pieces:,} pieces, and at most {MAX_WALLS:,} are taken: draw fewer of them"
+            )
+        points = sum(len(line) for _, line, _ in self._lines())
+        if points > MAX_LINE_POINTS:
+            raise ValueError(
+                f"its paths and movers have too many points ({points:,}, and at most {MAX_LINE_POINTS:,} are taken): "
+                "draw them with fewer"
+            )
+        return self
+
+    @model_validator(mode="after")
     def _movers_are_known(self) -> Self:
         names = [mover.name for mover in self.movers]
         for name in names:
@@ -126,10 +141,7 @@ class FloorPlan(Document):
         ]
         things = [*self.obstacles, *cones]
         clearance = Clearance(self.walls, self.wall_thickness, things)
-        lines = list(self._lines())
-        if sum(len(points) for _, points, _ in lines) * (sum(map(len, self.walls)) + len(things)) > MOST_PAIRS:
-            raise ValueError("its paths have too many points for so many walls: draw them with fewer")
-        for what, points, radius in lines:
+        for what, points, radius in self._lines():
             try:
                 line = Path(points).points if len(points) > 1 else (points[0], points[0])
             except ValueError as error:

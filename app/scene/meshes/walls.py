@@ -25,6 +25,7 @@ FOOT: Final = 0.72  # share of the light at the foot of a wall
 UNDER_CEILING: Final = 0.7
 BREAKS: Final = (0.0, 0.35 * REACH, REACH)  # m from a corner at which a wall's shade is computed
 MOST_PIECES: Final = 1000  # of wall; a plan with more is drawn without dark corners of its walls
+MOST_CONTACTS: Final = 20  # other pieces that end at one; beside more of them a piece is drawn without dark corners
 TOP, AHEAD, BEHIND, LEFT, RIGHT = 0, 2, 3, 4, 5  # numbers of a box's faces
 
 
@@ -128,7 +129,7 @@ def _corner_shades(pieces: Pieces, number: int, side: int, half: float) -> tuple
     stands_out = off.max(axis=1) > 2 * surface + 0.05
     near = stands_out & (off.min(axis=1) < REACH)
     near &= (far.min(axis=1) < half + REACH + surface) & (far.max(axis=1) > -half - REACH - surface)
-    if not near.any():
+    if not 0 < np.count_nonzero(near) <= MOST_CONTACTS:
         return whole, np.ones(2)
     contacts = far[near, np.argmin(off[near], axis=1)]
     breaks = np.array([sign * (surface + each) for each in BREAKS for sign in (-1, 1)])
