@@ -16,9 +16,18 @@ import uvicorn
 from app.api.app import WebApp, create_app, say_goodbye
 from app.api.assembly import StartProcess
 from app.api.failed_start import KeepsFailure
+from app.api.nearby import parsed_address
 from app.api.tablet_page import TabletPage
 from app.api.view.view_keeper import ServedScene
 from app.cli.errors import InputError
+from app.cli.host.connections import (
+    ACCEPTED_AT_ONCE,
+    WAITING,
+    Connections,
+    EncryptedListener,
+    limited,
+    most_connections,
+)
 from app.cli.host.lan import Lan
 from app.cli.port import PING_LIMIT
 from app.computing_process import ComputingProcess
@@ -39,9 +48,17 @@ LOOK_EVERY = 5.0  # s until a changed address of this machine is noticed
 class WebServer(uvicorn.Server):
     """uvicorn on a socket that is bound already; ends in order on Ctrl-C and SIGTERM, without output of its own."""
 
-    def __init__(self, app: WebApp, listening: socket.socket, words: str, lan: Lan | None = None) -> None:
+    def __init__(
+        self,
+        app: WebApp,
+        listening: socket.socket,
+        words: str,
+        lan: Lan | None = None,
+        connections: Connections | None = None,
+    ) -> None:
         self._kept = KeepsFailure(app)
-        super().__init__(_config(self._kept, "on"))
+        self._connections = connections or Connections(most_connections())  # of all its sockets together
+        super().__init__(_config(self._kept, "on", self._connections))
         self._app = app
         self._listening = listening
         self._words = words
@@ -74,9 +91,10 @@ class WebServer(uvicorn.Server):
         """Start, open the sockets for other machines, then print the address."""
         await super().startup(sockets)
         if self.started:
+            self._listening.listen(WAITING)
             if self._lan is not None:
                 await self._open(self.config, self._lan.https, self._lan.certificate.context)
-                await self._open(_config(TabletPage(self._lan.service), "off"), self._lan.page, None)
+                await self._open(_config(TabletPage(self._lan.service), "off", self._connections), self._lan.page, None)
                 self._following = asyncio.create_task(self._follow(self._lan))
             # Collecting all loaded objects would take 0.2 s, in which no Stop would be handled, so they are frozen.
             collect_garbage()
@@ -101,8 +119,14 @@ class WebServer(uvicorn.Server):
         begin, end = (None, None) if tls is None else (HANDSHAKE, TLS_END)
         for opened in sockets:
             server = await loop.create_server(
-                protocol, sock=opened, ssl=tls, ssl_handshake_timeout=begin, ssl_shutdown_timeout=end
+                protocol,
+                sock=opened if tls is None else EncryptedListener(opened, self._connections),
+                ssl=tls,
+                backlog=ACCEPTED_AT_ONCE,
+                ssl_handshake_timeout=begin,
+                ssl_shutdown_timeout=end,
             )
+            opened.listen(WAITING)
             self.servers.append(server)
 
     async def _follow(self, lan: Lan) -> None:
@@ -125,9 +149,11 @@ class WebServer(uvicorn.Server):
             self.should_exit = True
 
 
-def _config(app: KeepsFailure | TabletPage, lifespan: Literal["on", "off"]) -> uvicorn.Config:
+def _config(app: KeepsFailure | TabletPage, lifespan: Literal["on", "off"], connections: Connections) -> uvicorn.Config:
     return uvicorn.Config(
         app,
+        http=limited(connections),
+        backlog=ACCEPTED_AT_ONCE,
         interface="asgi3",
         log_config=None,
         access_log=False,
@@ -156,9 +182,20 @@ def run_clinic(
     settings.runs.mkdir(parents=True, exist_ok=True)
     scene = partial(ServedScene, models=settings.models)
     app = create_app(settings, _starts(launch), ComputingProcess(), scene)
-    server = WebServer(app, listening, words, lan)
+    server = WebServer(app, listening, words, lan, _connections(settings))
     if not asyncio.run(server.run_until_signal()):
         raise InputError(why_not_started(server.failure))
+
+
+def _connections(settings: Settings) -> Connections:
+    """Return the limits of connections; the address of a proxy stands for everybody behind it."""
+    proxy = settings.proxy
+
+    def is_shared(address: str) -> bool:
+        sender = parsed_address(address)
+        return proxy is not None and sender is not None and sender in proxy
+
+    return Connections(most_connections(), is_shared)
 
 
 def _starts(launch: Launch) -> StartProcess:

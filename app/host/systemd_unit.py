@@ -28,6 +28,7 @@ KillSignal=SIGTERM
 TimeoutStopSec=30
 UMask=0077
 NoNewPrivileges=yes
+LimitNOFILE=16384
 {rights}
 [Install]
 WantedBy={target}

@@ -40,6 +40,7 @@ def test_print_changes_nothing(bodydrive, systemctl, tmp_path):
     code, out, errors = bodydrive("service", "install", "--print", "--state", tmp_path / "my clinic")
     assert (code, errors) == (0, "")
     service = parsed(out)["Service"]
+    assert service["LimitNOFILE"] == "16384"
     assert shlex.split(service["ExecStart"]) == [
         *(sys.executable, "-m", "app.cli.main", "serve", "--lan", "--state"),
         str(tmp_path / "my clinic"),

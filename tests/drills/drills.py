@@ -3,6 +3,7 @@
 import asyncio
 import random
 
+from drills.connections import silent_connections, uploads_of_nobody
 from drills.flood import sign_ins
 from drills.machine import disk_full, wall_clock
 from drills.network_cuts import cuts
@@ -41,6 +42,8 @@ DRILLS = {
     "names": (odd_names, 20, 1),
     "second-sender": (second_sender, 20, 1),
     "uploads": (upload_bombs, 34, 2),
+    "connections": (silent_connections, 15, 3),
+    "nobody": (uploads_of_nobody, 5, 1),
 }
 """Name of a drill: the drill, its number of runs in full, its number of runs in the short form."""
 

@@ -1,0 +1,210 @@
+"""Limits of the connections to the pages, so that the descriptors of this process are never used up.
+
+Without them a thousand silent connections leave no descriptor for a new one, and nobody who is not connected already
+can stop the chair. A connection that does nothing gives way to a new one; Stop is always such a new one.
+"""
+
+import asyncio
+import os
+import resource
+import socket
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any, Protocol
+
+from uvicorn.config import Config
+from uvicorn.protocols.http.h11_impl import H11Protocol
+
+RESERVE = 200  # descriptors that are no connection of a page: database, recordings, other processes, uploads
+EACH = 2  # descriptors for each connection: a websocket of the 3D view needs further ones
+MOST = 4096  # connections in all, however many descriptors there are
+SHARE = 0.75  # of all connections: the most of one address
+HANDSHAKES = 0.25  # of all connections: the most whose encryption is being agreed upon
+REQUEST = 10.0  # s in which a connection has to send a request, from its beginning or from the request's first byte
+ACCEPTED_AT_ONCE = 16  # new connections in one turn of the event loop, before the limits see them
+WAITING = 1024  # new connections that wait in the kernel for their turn
+
+
+class Connection(Protocol):
+    """An open connection of a browser."""
+
+    transport: asyncio.Transport
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether no request is under way and no websocket is open."""
+        ...
+
+    @property
+    def is_awaited(self) -> bool:
+        """Whether the rest of a request is awaited."""
+        ...
+
+
+def most_connections() -> int:
+    """Return how many connections the descriptors of this process allow."""
+    soft, _ = resource.getrlimit(resource.RLIMIT_NOFILE)
+    return MOST if soft == resource.RLIM_INFINITY else max(EACH, min(MOST, (soft - RESERVE) // EACH))
+
+
+class Connections:
+    """All open connections, in the order in which they were opened or last did something.
+
+    Parameters
+    ----------
+    most : int
+        Connections in all.
+    is_shared : function
+        Whether an address stands for many people, as that of a reverse proxy: only the limit of all holds for it.
+    """
+
+    def __init__(self, most: int, is_shared: Callable[[str], bool] = lambda _address: False) -> None:
+        self._most = most
+        self._most_of_one = max(1, int(SHARE * most))
+        self._is_shared = is_shared
+        self._open: dict[str, dict[Connection, None]] = {}  # address: its connections, the least recent first
+        self._count = 0
+        self._handshakes: dict[int, socket.socket] = {}  # descriptor: a connection that is not encrypted yet
+
+    def __len__(self) -> int:
+        return self._count
+
+    def add(self, connection: Connection, address: str) -> bool:
+        """Add a new connection, and close another where there are too many; False when none gives way."""
+        mine = self._open.get(address, {})
+        if len(mine) >= self._most_of_one and not self._is_shared(address) and not self._make_room_of(address):
+            return False
+        if self._count >= self._most and not self._make_room():
+            return False
+        self._open.setdefault(address, {})[connection] = None
+        self._count += 1
+        return True
+
+    def acted(self, connection: Connection, address: str) -> None:
+        """Note that something came over a connection."""
+        mine = self._open.get(address, {})
+        if connection in mine:
+            mine[connection] = mine.pop(connection)
+
+    def remove(self, connection: Connection, address: str) -> None:
+        """Forget a connection that is closed; one that was removed already does no harm."""
+        mine = self._open.get(address, {})
+        if connection in mine:
+            del mine[connection]
+            self._count -= 1
+            if not mine:
+                del self._open[address]
+
+    def begin_handshake(self, accepted: socket.socket) -> None:
+        """Note a connection that is not encrypted yet; end the oldest one where there are too many."""
+        self._handshakes = {number: one for number, one in self._handshakes.items() if one.fileno() == number}
+        self._handshakes[accepted.fileno()] = accepted
+        if len(self._handshakes) > max(1, int(HANDSHAKES * self._most)):
+            oldest = next(iter(self._handshakes))
+            with suppress(OSError):  # it has ended by itself
+                self._handshakes.pop(oldest).shutdown(socket.SHUT_RDWR)
+
+    def end_handshake(self, number: int) -> None:
+        """Note that the connection with this descriptor is encrypted now, or needs no encryption."""
+        self._handshakes.pop(number, None)
+
+    def _make_room(self) -> bool:
+        """Close a connection of the address that has most; of the next one where none of its own gives way."""
+        by_number = sorted(self._open, key=lambda address: len(self._open[address]), reverse=True)
+        return any(self._make_room_of(address) for address in by_number)
+
+    def _make_room_of(self, address: str) -> bool:
+        """Close the connection of an address that did nothing for longest; False when all of them are in use."""
+        mine = self._open.get(address, {})
+        idle = next((one for one in mine if one.is_idle), None) or next((one for one in mine if one.is_awaited), None)
+        if idle is None:
+            return False
+        self.remove(idle, address)
+        idle.transport.abort()
+        return True
+
+
+class EncryptedListener(socket.socket):
+    """Accepts connections over https; the limits see them before their handshake, which may take 10 s."""
+
+    def __init__(self, opened: socket.socket, connections: Connections) -> None:
+        super().__init__(fileno=os.dup(opened.fileno()))
+        self._connections = connections
+
+    def accept(self) -> tuple[socket.socket, Any]:
+        """Accept a connection."""
+        accepted, address = super().accept()
+        self._connections.begin_handshake(accepted)
+        return accepted, address
+
+
+def limited(connections: Connections) -> type[H11Protocol]:
+    """Return uvicorn's class for connections, with the limits."""
+
+    class LimitedConnection(H11Protocol):
+        """A connection, which is closed when it sends no request, and gives way while it has none."""
+
+        def __init__(self, config: Config, *given: Any, **named: Any) -> None:
+            super().__init__(config, *given, **named)
+            self._silence: asyncio.TimerHandle | None = None
+            self._is_websocket = False
+
+        @property
+        def is_idle(self) -> bool:
+            return not self._is_websocket and (self.cycle is None or self.cycle.response_complete)
+
+        @property
+        def is_awaited(self) -> bool:
+            return not self._is_websocket and not self.is_idle and self.cycle.more_body
+
+        def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+            super().connection_made(transport)
+            connections.end_handshake(transport.get_extra_info("socket").fileno())
+            if connections.add(self, self._address):
+                self._await_request()
+            else:
+                transport.abort()
+
+        def data_received(self, data: bytes) -> None:
+            connections.acted(self, self._address)
+            super().data_received(data)
+            self._await_request()
+
+        def handle_websocket_upgrade(self, event: Any) -> None:
+            self._is_websocket = True
+            super().handle_websocket_upgrade(event)
+            websocket = self.transport.get_protocol()
+            lost = websocket.connection_lost
+
+            def connection_lost(exc: Exception | None) -> None:
+                self._end()
+                lost(exc)
+
+            websocket.connection_lost = connection_lost  # type: ignore[method-assign]
+
+        def connection_lost(self, exc: Exception | None) -> None:
+            self._end()
+            super().connection_lost(exc)
+
+        @property
+        def _address(self) -> str:
+            return "" if self.client is None else self.client[0]
+
+        def _await_request(self) -> None:
+            """Give the other side REQUEST seconds for a whole request, however many pieces it sends of it."""
+            if self._silence is None and self.is_idle:
+                self._silence = self.loop.call_later(REQUEST, self._close_silent)
+            elif self._silence is not None and not self.is_idle:
+                self._silence.cancel()
+                self._silence = None
+
+        def _end(self) -> None:
+            connections.remove(self, self._address)
+            if self._silence is not None:
+                self._silence.cancel()
+
+        def _close_silent(self) -> None:
+            if self.is_idle:
+                self.transport.abort()
+
+    return LimitedConnection
