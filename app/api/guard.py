@@ -2,10 +2,11 @@
 
 from fastapi import HTTPException
 from fastapi.responses import JSONResponse
-from starlette.datastructures import Headers, MutableHeaders
+from starlette.datastructures import MutableHeaders
 from starlette.requests import HTTPConnection
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from app.api.bodies import Bodies
 from app.api.origin import host_is_ours, may_pass
 from app.api.sign_in.cookies import is_encrypted
 from app.settings import Settings
@@ -39,17 +40,6 @@ HEADERS = {
 NOT_OURS = "This address does not belong to this program: open the link that it printed."
 NOT_OUR_PAGE = "This request does not come from our own page: open the page and try again."
 
-TOO_LARGE = "This is too large: send at most {limit} MB here."
-BODY_LIMIT = 2_000_000  # bytes
-# Bytes by the beginning of the path: the largest file, plus the parts of its form.
-LIMITS = {
-    "/api/v1/equipment/files": 65_000_000,
-    "/api/v1/floorplans/import": 41_000_000,  # a ROS map and its image
-    "/api/v1/floorplans": 8_100_000,
-    "/api/v1/models": 21_000_000,
-    "/api/v1/archives": 8_000_000_000,  # a hundred hours of recordings
-}
-
 
 class Guard:
     """Checks host, origin and size of a request, and adds the headers of its answer."""
@@ -57,6 +47,7 @@ class Guard:
     def __init__(self, app: ASGIApp, settings: Settings) -> None:
         self._app = app
         self._settings = settings
+        self._bodies = Bodies()
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Check and answer a request; websockets are checked by their own routes before they are accepted."""
@@ -83,37 +74,16 @@ class Guard:
             answer = JSONResponse({"detail": NOT_OURS}, 421)
         elif not may_pass(scope["method"], path, connection):
             answer = JSONResponse({"detail": NOT_OUR_PAGE}, 403)
-        elif _content_length(headers) > _limit(path):
-            answer = JSONResponse({"detail": _too_large(_limit(path))}, 413)
         else:
-            await self._app(scope, _limited(receive, _limit(path)), with_headers)
-            return
+            body = self._bodies.of(connection, receive)
+            try:
+                await body.begin()
+            except HTTPException as refused:
+                answer = JSONResponse({"detail": refused.detail}, refused.status_code)
+            else:
+                try:
+                    await self._app(scope, body.receive, with_headers)
+                finally:
+                    body.end()
+                return
         await answer(scope, receive, with_headers)
-
-
-def _content_length(headers: Headers) -> int:
-    length = headers.get("content-length", "0")
-    return int(length) if length.isdecimal() else 0
-
-
-def _limit(path: str) -> int:
-    return next((limit for start, limit in LIMITS.items() if path.startswith(start)), BODY_LIMIT)
-
-
-def _too_large(limit: int) -> str:
-    return TOO_LARGE.format(limit=limit // 1_000_000)
-
-
-def _limited(receive: Receive, limit: int) -> Receive:
-    """Return `receive` with a limit: raise 413 when the body is larger than `limit` bytes."""
-    received = 0
-
-    async def counted() -> Message:
-        nonlocal received
-        message = await receive()
-        received += len(message.get("body", b""))
-        if received > limit:
-            raise HTTPException(413, _too_large(limit))
-        return message
-
-    return counted

@@ -1,0 +1,103 @@
+"""Bodies of requests: who may send a large one is decided before it is read; size, time and number are limited.
+
+The framework reads a form, onto the disk from 1 MB on, before it asks who sends it.
+"""
+
+import asyncio
+import math
+from collections.abc import Callable
+
+from fastapi import HTTPException
+from starlette.requests import HTTPConnection
+from starlette.types import Message, Receive
+
+from app.api.deps import anyone_signed_in, clinician
+from app.api.sign_in.identity import find_sign_in
+from app.clock import monotonic
+
+SMALL = 64_000  # bytes: whatever a page sends but files, floor plans and controls; anybody may send so much
+BODY_LIMIT = 2_000_000  # bytes
+# Bytes by the beginning of the path: the largest file, plus the parts of its form.
+LIMITS = {
+    "/api/v1/equipment/files": 65_000_000,
+    "/api/v1/floorplans/import": 41_000_000,  # a ROS map and its image
+    "/api/v1/floorplans": 8_100_000,
+    "/api/v1/models": 21_000_000,
+    "/api/v1/archives": 8_000_000_000,  # a hundred hours of recordings
+}
+MOST_AT_ONCE = 4  # large bodies, which together need 260 MB of temporary disk; archives look for room themselves
+FIRST, SLOWEST = 20.0, 100_000.0  # s, and bytes/s: a body takes FIRST, and longer by its length over SLOWEST
+
+TOO_LARGE = "This is too large: send at most {limit} MB here."
+TOO_MANY = "Other files are arriving at the moment: wait until they are here, then try again."
+TOO_SLOW = "This arrives too slowly, so it was given up: bring this device nearer to the network, then try again."
+
+
+class Bodies:
+    """Passes on the bodies of requests; counts the large ones that are being read."""
+
+    def __init__(self, now: Callable[[], float] = monotonic) -> None:
+        self._now = now
+        self._large: set[Body] = set()
+
+    def of(self, connection: HTTPConnection, receive: Receive) -> "Body":
+        """Return the body of a request; the caller ends it when the request has been answered."""
+        return Body(connection, receive, self._large, self._now)
+
+
+class Body:
+    """The body of a request, which raises HTTPException in place of what may not be read."""
+
+    def __init__(
+        self, connection: HTTPConnection, receive: Receive, large: "set[Body]", now: Callable[[], float]
+    ) -> None:
+        self._connection = connection
+        self._receive = receive
+        self._large = large
+        self._now = now
+        self._limit = _limit(connection.scope["path"])
+        announced = connection.headers.get("content-length", "")
+        self._length = int(announced) if announced.isdecimal() else None
+        self._received = 0
+        self._is_read = False
+        self._until = math.inf  # monotonic s
+
+    async def begin(self) -> None:
+        """Refuse what its own announcement says to be too large, or of nobody who may send as much."""
+        if self._length is not None:
+            await self._judge(self._length)
+        expected = self._limit if self._length is None else self._length
+        self._until = self._now() + FIRST + (expected - min(expected, SMALL)) / SLOWEST
+
+    async def receive(self) -> Message:
+        """Return the next message of the request."""
+        if self._is_read:
+            return await self._receive()  # waits until the browser has gone
+        try:
+            async with asyncio.timeout(self._until - self._now()):
+                message = await self._receive()
+        except TimeoutError as error:
+            raise HTTPException(408, TOO_SLOW) from error
+        self._received += len(message.get("body", b""))
+        self._is_read = not message.get("more_body", False)
+        await self._judge(self._received)
+        return message
+
+    def end(self) -> None:
+        """Give room to the next large body."""
+        self._large.discard(self)
+
+    async def _judge(self, size: int) -> None:
+        if size > self._limit:
+            raise HTTPException(413, TOO_LARGE.format(limit=self._limit // 1_000_000))
+        if size <= SMALL or self in self._large:
+            return
+        database = self._connection.app.state.people.database
+        await clinician(await anyone_signed_in(await asyncio.to_thread(find_sign_in, database, self._connection)))
+        if len(self._large) >= MOST_AT_ONCE:
+            raise HTTPException(503, TOO_MANY)
+        self._large.add(self)
+
+
+def _limit(path: str) -> int:
+    return next((limit for start, limit in LIMITS.items() if path.startswith(start)), BODY_LIMIT)
