@@ -16,6 +16,7 @@ from app.clock import monotonic
 EVERY = 0.05  # s
 NOTHING = "{}"
 SEND_LIMIT = 3.0  # s: a page that does not take a message within this time is disconnected
+AT_ONCE = 4  # pages that get a picture in one turn of the event loop: a Stop waits for no more of them
 
 logger = logging.getLogger("bodydrive")
 
@@ -31,20 +32,23 @@ class Viewer:
     websocket: WebSocket
     may_see: Callable[[], bool] = lambda: True
     events: dict[str, None] = field(default_factory=dict)  # names of changes that were not sent yet, in order
+    fresh: asyncio.Event = field(default_factory=asyncio.Event)  # set when there is a newer picture
 
 
 class LiveHub:
-    """Sends the newest picture to every viewer; a slow viewer misses pictures but no event."""
+    """Sends the newest picture to every viewer; a slow viewer misses pictures but no event.
+
+    The viewers get it one after another, a few in each turn of the event loop. To two hundred at once it would take
+    longer than a Stop may wait, which needs several turns.
+    """
 
     def __init__(self, picture: Picture, quality: Quality, without_patient: Reduce = lambda picture: picture) -> None:
         self._picture = picture
         self._quality = quality
         self._without_patient = without_patient
         self._viewers: set[Viewer] = set()
-        self._fresh = asyncio.Condition()
         self._text = ""
         self._bare_text = ""  # for those who may not see the patient
-        self._number = 0
         self._task: asyncio.Task[None] | None = None
 
     def start(self) -> None:
@@ -65,12 +69,12 @@ class LiveHub:
     async def serve(self, viewer: Viewer) -> None:
         """Send pictures to one page until it disconnects or does not take them within SEND_LIMIT."""
         self._viewers.add(viewer)
-        sent = self._number  # a picture of before may be old, and of another patient
+        viewer.fresh.clear()  # a picture of before may be old, and of another patient
         try:
             while viewer.websocket.application_state is WebSocketState.CONNECTED:
-                async with self._fresh:
-                    await self._fresh.wait_for(lambda: self._number > sent)  # noqa: B023
-                    text, sent = self._text if viewer.may_see() else self._bare_text, self._number
+                await viewer.fresh.wait()
+                viewer.fresh.clear()
+                text = self._text if viewer.may_see() else self._bare_text
                 if text == NOTHING:
                     continue  # the page may see nothing since just now: the next picture is made for it
                 if viewer.events:
@@ -78,7 +82,8 @@ class LiveHub:
                     del viewer.events[event]
                     text = f'{text[:-1]},"event":{json.dumps(event)}}}'
                 with suppress(RuntimeError):
-                    await asyncio.wait_for(viewer.websocket.send_text(text), SEND_LIMIT)
+                    async with asyncio.timeout(SEND_LIMIT):
+                        await viewer.websocket.send_text(text)
         except TimeoutError:
             with suppress(RuntimeError, TimeoutError):
                 await asyncio.wait_for(viewer.websocket.close(1013), 0.5)
@@ -97,11 +102,16 @@ class LiveHub:
                 texts = self._messages(with_quality=turn % round(1 / EVERY) == 0)
                 turn += 1
                 if texts is not None:
-                    async with self._fresh:
-                        self._text, self._bare_text = texts
-                        self._number += 1
-                        self._fresh.notify_all()
+                    self._text, self._bare_text = texts
+                    await self._wake()
             await asyncio.sleep(max(deadline - monotonic(), 0.0))
+
+    async def _wake(self) -> None:
+        """Let the viewers send the newest picture; one that still sends an earlier picture sends it afterwards."""
+        for number, viewer in enumerate(list(self._viewers), 1):
+            viewer.fresh.set()
+            if number % AT_ONCE == 0:
+                await asyncio.sleep(0)
 
     def _messages(self, with_quality: bool) -> tuple[str, str] | None:
         """Return the current picture as JSON, whole and without the patient.

@@ -21,6 +21,7 @@ MOST = 4096  # connections in all, however many descriptors there are
 SHARE = 0.75  # of all connections: the most of one address
 HANDSHAKES = 0.25  # of all connections: the most whose encryption is being agreed upon
 REQUEST = 10.0  # s in which a connection has to send a request, from its beginning or from the request's first byte
+SEND_BUFFER = 131_072  # bytes that wait in the kernel for a websocket: of a page that reads too slowly it is full soon
 ACCEPTED_AT_ONCE = 16  # new connections in one turn of the event loop, before the limits see them
 WAITING = 1024  # new connections that wait in the kernel for their turn
 
@@ -172,6 +173,7 @@ def limited(connections: Connections) -> type[H11Protocol]:
 
         def handle_websocket_upgrade(self, event: Any) -> None:
             self._is_websocket = True
+            self.transport.get_extra_info("socket").setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, SEND_BUFFER)
             super().handle_websocket_upgrade(event)
             websocket = self.transport.get_protocol()
             lost = websocket.connection_lost

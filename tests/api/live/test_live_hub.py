@@ -58,3 +58,31 @@ def test_a_page_that_comes_after_a_pause_gets_no_picture_of_before(monkeypatch: 
     asyncio.run(story())
     assert set(first.sent) == {'{"v":0.0}'}
     assert set(second.sent) == {'{"v":1.0}'}
+
+
+def test_many_pages_leave_every_turn_of_the_event_loop_to_a_stop(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With 200 slow pages beside 20 others a Stop took 102.6 ms (p99), because a picture went to all in one turn."""
+    monkeypatch.setattr(hub_module, "EVERY", 0.001)
+    pages = [Page() for _ in range(220)]
+    most = 0
+
+    async def watch() -> None:
+        nonlocal most
+        before = 0
+        while True:
+            await asyncio.sleep(0)
+            sent = sum(len(page.sent) for page in pages)
+            most, before = max(most, sent - before), sent
+
+    async def story() -> None:
+        hub = LiveHub(lambda: {"v": 0.0}, dict)
+        watching = asyncio.create_task(watch())
+        hub.start()
+        async with asyncio.timeout(60):
+            await asyncio.gather(*(hub.serve(Viewer(page)) for page in pages))  # type: ignore[arg-type]
+        watching.cancel()
+        await hub.close()
+
+    asyncio.run(story())
+    assert all(len(page.sent) == 2 for page in pages)
+    assert most <= 2 * hub_module.AT_ONCE
