@@ -6,8 +6,8 @@ from starlette.datastructures import MutableHeaders
 from starlette.requests import HTTPConnection
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from app.api.bodies import Bodies
 from app.api.origin import host_is_ours, may_pass
+from app.api.request_bodies import Bodies
 from app.api.sign_in.cookies import is_encrypted
 from app.settings import Settings
 
@@ -36,6 +36,9 @@ HEADERS = {
     "Cross-Origin-Resource-Policy": "same-origin",
     "X-Frame-Options": "SAMEORIGIN",
 }
+
+# A browser that was here over https asks for no page of this name over http for 30 days (decisions/0041).
+ONLY_HTTPS = "max-age=2592000"
 
 NOT_OURS = "This address does not belong to this program: open the link that it printed."
 NOT_OUR_PAGE = "This request does not come from our own page: open the page and try again."
@@ -66,6 +69,8 @@ class Guard:
                 host = headers.get("host", "")
                 sockets = f"{'wss' if is_encrypted(connection) else 'ws'}://{host}" if ours else ""
                 given.setdefault("Content-Security-Policy", PAGE_POLICY.format(sockets=sockets))
+                if is_encrypted(connection):
+                    given.setdefault("Strict-Transport-Security", ONLY_HTTPS)
                 if path.startswith("/api/"):
                     given["Cache-Control"] = "no-store"
             await send(message)

@@ -40,8 +40,10 @@ def origin_is_ours(connection: HTTPConnection) -> bool:
 def may_pass(method: str, path: str, connection: HTTPConnection) -> bool:
     """Return whether the origin of a request permits it.
 
-    A stop may also come from a program that sends no origin: it can only make things safer.
+    A stop may also come from a program that sends no origin, such as a button on the wall: it can only make things
+    safer. A page of another site is no such program, also in a browser that leaves the origin out.
     """
     if method in READING or origin_is_ours(connection):
         return True
-    return path == STOP and "origin" not in connection.headers
+    from_a_program = connection.headers.get("sec-fetch-site", "none") in {"none", "same-origin"}
+    return path == STOP and "origin" not in connection.headers and from_a_program

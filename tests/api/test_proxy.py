@@ -95,6 +95,18 @@ def behind(settings: Settings, new_state: Path) -> Iterator[Clinic]:
     yield from running(replace(settings, proxy=PROXY, public_name=NAME))
 
 
+PATHS = ("/", "/api/v1/equipment/practice", "/api/v1/patients")
+
+
+def test_over_https_a_browser_is_told_to_come_by_https_again(behind: Clinic) -> None:
+    told = [behind.client.get(path, headers=HEADERS).headers.get("strict-transport-security") for path in PATHS]
+    assert told == ["max-age=2592000"] * len(PATHS)
+
+
+def test_over_http_a_browser_is_told_nothing_of_https(clinic: Clinic) -> None:
+    assert not any("strict-transport-security" in clinic.client.get(path).headers for path in PATHS)
+
+
 def test_a_page_signs_in_by_the_name_of_the_proxy(behind: Clinic) -> None:
     def enter(**changed: str) -> Any:
         return behind.client.post("/api/v1/auth/demo", json=CODE, headers={**PAGE, **changed})

@@ -3,6 +3,7 @@
 import asyncio
 import math
 from collections.abc import Callable
+from typing import Any
 
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step, calibration_script
@@ -18,8 +19,8 @@ from app.session.equipment.shirt import Equipment
 from app.session.recordings import check_recording
 from app.session.runs import SessionRuns
 from app.store.calibrations import begin_calibration, calibration_steps, set_step
-from app.store.database import Database
-from app.store.tables import PatientSession
+from app.store.database import Database, Transaction
+from app.store.tables import CalibrationStep, PatientSession
 
 LOOK_EVERY = 0.05  # s
 STANDSTILL_LIMIT = 3.0  # s without progress of the run's time, after which the step fails
@@ -57,7 +58,7 @@ class CalibrationFlow:
         return self._running is not None
 
     async def progress(self, session_id: int) -> Progress:
-        """Return the state of the session's calibration; begin one when there is none."""
+        """Return the state of the session's calibration; before its first step that of one in the shirt in use."""
         return await asyncio.to_thread(self._progress, session_id)
 
     async def start(self, session_id: int, step_id: str) -> None:
@@ -171,6 +172,7 @@ class CalibrationFlow:
 
         def _write() -> None:
             with self._database.transaction(closing=True) as db:
+                self._begin_new(db, session_id)
                 db.get_one(PatientSession, session_id).current_step = step_id
 
         await asyncio.to_thread(_write)
@@ -265,36 +267,58 @@ class CalibrationFlow:
             session = db.get_one(PatientSession, session_id)
             rows = calibration_steps(db, session_id)
             script, current, result = session.script, session.current_step, session.result
-            untouched = all(row.status == "waiting" for row in rows.values())
-        in_use = self._equipment.layout
-        if untouched and in_use is not None and (script is None or script["layout"] != in_use.model_dump(mode="json")):
-            self._begin(session_id, in_use)
-            return self._progress(session_id)
+            accepted = session.accepted
+            status = {step: (row.status, row.words) for step, row in rows.items()}
+            new = self._new_layout(session, rows)
+        if new is not None:
+            script, current, result, accepted = _script(new), None, None, False
+            status = dict.fromkeys(_step_ids(new), ("waiting", ""))
         layout = None if script is None else ShirtLayout.model_validate(script["layout"])
         steps = () if layout is None else calibration_script(layout)
         return Progress(
             layout=layout,
             steps=steps,
             current=current or (steps[0].id if steps else RESULT),
-            status={step: (row.status, row.words) for step, row in rows.items()},
+            status=status,
             running=running,
             started_run=started_run,
             profile=None if result is None else CalibrationProfile.model_validate(result),
-            accepted=session.accepted,
+            accepted=accepted,
             others=0 if layout is None else self._prior.people(session_id, garment(layout, self._equipment)),
             earlier=None if layout is None or result is not None else self._fit.earlier(session_id, layout),
         )
 
+    def _new_layout(self, session: PatientSession, rows: dict[str, CalibrationStep]) -> ShirtLayout | None:
+        """Return the layout in which a calibration has to begin; None when one is under way, or without a shirt."""
+        in_use = self._equipment.layout
+        if in_use is None or any(row.status != "waiting" for row in rows.values()):
+            return None
+        return None if session.script == _script(in_use) else in_use
+
+    def _begin_new(self, db: Transaction, session_id: int) -> None:
+        """Begin a calibration in the shirt in use unless one is under way."""
+        session = db.get_one(PatientSession, session_id)
+        layout = self._new_layout(session, calibration_steps(db, session_id))
+        if layout is not None:
+            begin_calibration(db, session, _script(layout), _step_ids(layout))
+
     def _begin(self, session_id: int, layout: ShirtLayout) -> None:
-        script = {"layout": layout.model_dump(mode="json")}
-        steps = [step.id for step in calibration_script(layout)] + [RESULT]
         with self._database.transaction() as db:
-            begin_calibration(db, db.get_one(PatientSession, session_id), script, steps)
+            begin_calibration(db, db.get_one(PatientSession, session_id), _script(layout), _step_ids(layout))
 
     def _set(
         self, session_id: int, step: str, status: str, words: str, run_id: str | None, current: str | None
     ) -> None:
         with self._database.transaction(closing=True) as db:
+            self._begin_new(db, session_id)
             set_step(db, session_id, step, status, words, run_id)
             if current is not None:
                 db.get_one(PatientSession, session_id).current_step = current
+
+
+def _script(layout: ShirtLayout) -> dict[str, Any]:
+    return {"layout": layout.model_dump(mode="json")}
+
+
+def _step_ids(layout: ShirtLayout) -> list[str]:
+    return [step.id for step in calibration_script(layout)] + [RESULT]

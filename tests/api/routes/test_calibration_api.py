@@ -11,6 +11,7 @@ from running_app import running
 
 from app.session.calibration import calibration_flow
 from app.settings import Settings
+from app.store.tables import CalibrationStep, PatientSession
 
 
 def test_without_a_patient_there_is_nothing_to_calibrate(signed_in: Any) -> None:
@@ -24,6 +25,26 @@ def test_without_a_patient_there_is_nothing_to_calibrate(signed_in: Any) -> None
     answer = signed_in("GET", "/calibration")
     assert answer.status_code == 409
     assert "choose a patient" in answer.json()["detail"]
+
+
+def test_to_look_at_the_calibration_begins_none(in_session: Any) -> None:
+    """GET wrote the script of a session and a row for each step."""
+    database = in_session.client.app.state.people.database
+    session_id = in_session.good("GET", "/session")["session"]["id"]
+
+    def stored() -> Any:
+        with database.transaction() as db:
+            session = db.get_one(PatientSession, session_id)
+            return session.script, session.current_step, len(db.query(CalibrationStep).all())
+
+    before = stored()
+    shown = in_session.good("GET", "/calibration")
+    assert {step["status"] for step in shown["steps"]} == {"waiting"}
+    assert shown["current"] == shown["steps"][0]["id"]
+    assert stored() == before == (None, None, 0)
+    in_session.good("POST", "/calibration/go", json={"step": shown["steps"][1]["id"]})
+    assert in_session.good("GET", "/calibration")["current"] == shown["steps"][1]["id"]
+    assert stored()[2] == len(shown["steps"])
 
 
 def test_the_wizard_goes_from_rest_to_a_saved_profile(signed_in: Any) -> None:

@@ -105,6 +105,24 @@ def test_what_does_not_come_from_our_page_changes_nothing(signed_in: Any, origin
     assert signed_in.good("GET", "/patients") == []
 
 
+@pytest.mark.parametrize(
+    ("headers", "status"),
+    [
+        ({}, 200),
+        ({"Sec-Fetch-Site": "none"}, 200),
+        ({"Sec-Fetch-Site": "same-origin"}, 200),
+        ({"Sec-Fetch-Site": "cross-site"}, 403),
+        ({"Sec-Fetch-Site": "same-site"}, 403),
+        ({"Origin": "null"}, 403),
+        ({"Origin": "https://elsewhere.example"}, 403),
+    ],
+)
+def test_a_program_without_an_origin_may_stop_and_a_page_of_another_site_may_not(
+    clinic: Any, headers: dict[str, str], status: int
+) -> None:
+    assert clinic.client.post("/api/v1/control/stop", headers=headers).status_code == status
+
+
 def test_a_foreign_name_that_points_here_is_not_served(signed_in: Any) -> None:
     headers = {"Host": "evil.example:8080", "Origin": "http://evil.example:8080"}
     assert signed_in.client.get("/api/v1/patients", headers=headers).status_code == 421

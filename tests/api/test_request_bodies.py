@@ -9,9 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from starlette.requests import HTTPConnection
 
-from app.api import bodies as module
-from app.api.bodies import BODY_LIMIT, FIRST, LIMITS, MOST_AT_ONCE, SLOWEST, SMALL, Bodies
+from app.api import request_bodies as module
 from app.api.deps import NOBODY
+from app.api.request_bodies import BODY_LIMIT, FIRST, LIMITS, MOST_AT_ONCE, SLOWEST, SMALL, Bodies
 
 PIECE = 10_000  # bytes
 FILES = "/api/v1/equipment/files"
