@@ -11,6 +11,7 @@ from drills.network_faults import forgeries, recorded_switch, weather
 from drills.odd_names import odd_names
 from drills.processes import hold_control, kill_control, kill_receiver, kill_web, web_silent
 from drills.results import Result
+from drills.schedules import schedules
 from drills.second_sender import second_sender
 from drills.second_socket import second_socket
 from drills.session_end import session_end
@@ -38,6 +39,7 @@ DRILLS = {
     "weather": (weather, 60, 1),
     "forgeries": (forgeries, 20, 1),
     "recorded-switch": (recorded_switch, 10, 2),
+    "schedules": (schedules, 500, 3),
     "clock": (wall_clock, 20, 1),
     "names": (odd_names, 20, 1),
     "second-sender": (second_sender, 20, 1),
