@@ -60,7 +60,7 @@ class ChannelHealth:
         self._recent: deque[Frame] = deque(maxlen=max(self._flat_after, self._stuck_after))
         self._until_look = self._look_every + 1
         self._still: NDArray[np.int32] | None = None  # frames, while some channel is suspect
-        self._until_range = self._stuck_after // 2
+        self._until_range = self._stuck_after // 2 if self._has_noise else -1
         self._window: Array | None = None  # (stuck_after, n_channels) the newest frames, while a range is suspect
         self._oldest = 0  # row of the window
 
@@ -88,7 +88,10 @@ class ChannelHealth:
         if not self._until_look:
             self._until_look = self._look_every
             self._look(values)
-        stuck = self._stuck(values) if self._has_noise else None
+        stuck = None
+        self._until_range -= 1
+        if not self._until_range or self._window is not None:
+            stuck = self._stuck(values)
         self._table[1] = values
         np.less_equal(self._table[:2], self._table[1:], out=self._within)
         # Comparing bytes is the fastest test for "all true"; a NaN compares false and so takes the exact way below.
@@ -112,7 +115,6 @@ class ChannelHealth:
         if window is not None:
             window[self._oldest] = values
             self._oldest = (self._oldest + 1) % len(window)
-        self._until_range -= 1
         if not self._until_range:
             self._until_range = self._stuck_after // 2
             newest = np.array([self._recent[-1 - i * self._sample_step] for i in range(SAMPLES)])
