@@ -13,8 +13,15 @@ import pytest
 from app.calibration.prior.documents import OwnPrior
 from app.calibration.prior.map_prior import MapPrior
 from app.calibration.vocabulary import DriveParameters, standard_parameters
+from app.faults import State
+from app.geometry import Pose
+from app.hardware.chair.simulator import VirtualChair
+from app.messages import NO_CUE, SensorFrame
+from app.pipeline.chain import Chain
 from app.pipeline.decoder import Decoder
 from app.pipeline.replay.batch import decode_block
+from app.pipeline.safety_gate import Conditions
+from app.process.ring import TickRing
 from bench.prior.__main__ import calibrated, entries_of
 from bench.prior.knit import FOLDER, knit_people
 from bench.prior.simulated import simulated_people
@@ -203,3 +210,21 @@ def test_estimated_channels_are_named(simulated):
         seen.append(decoder.estimated)
     assert set(seen[:200] + seen[300:]) == {0}
     assert set(seen[200:300]) == {1 << weakest}
+
+
+def test_the_tick_says_which_channels_are_estimated_and_the_chair_goes_on(simulated):
+    parameters = simulated[0].parameters["pca"]
+    values = simulated[0].wearer.values[:300].astype(np.float32)
+    weakest = simulated[0].channels[int(np.abs(parameters.profile.joints[0].weights).argmin())]
+    values[:, weakest] = np.nan  # dead from the start
+    chain = Chain(100.0, parameters.model_copy(update={"mode_u1": "velocity"}), VirtualChair(None, Pose(0.0, 0.0, 0.0)))
+    ring = TickRing.create("test_estimated")
+    try:
+        assert chain.arm()
+        for i, frame in enumerate(values):
+            tick = chain.step(SensorFrame(i, i / 100.0, i / 100.0, frame), i / 100.0, Conditions())
+        ring.write(tick, 0, 0.0, NO_CUE, 0, 0)
+        assert int(ring.newest()["estimated"]) == 1 << weakest
+        assert tick.state is State.ARMED
+    finally:
+        ring.unlink()
