@@ -16,7 +16,7 @@ from app.scoring.verdict.spread import Series, Spread, fit_curve, own_spread, po
 EARLIER_SESSIONS = 2  # before the sessions that are judged
 EARLIER_TRIALS = 5
 LATER_SESSIONS = 2  # that are judged together at least: one bad day is no deterioration
-# Standard deviations; chosen so that in three measures and in reaching together at most one steady person in twenty is
+# Standard deviations; chosen so that in three measures and in reaching together few steady people are
 # called worse at any time within twenty sessions (docs/learning/verdicts.md).
 LIMIT = 3.4
 
