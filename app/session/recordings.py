@@ -24,7 +24,7 @@ from app.recording.recorded_trajectory import since_armed
 from app.scoring.control_quality import ControlQuality, control_quality
 from app.scoring.interface_test.interface_measures import interface_measures, replay_task
 from app.scoring.task_measures import task_measures
-from app.session.calibration.step_check import check_frames
+from app.session.calibration.step_check import advice_of, check_frames
 from app.world.cursor_task import CursorPlan
 from app.world.floorplan import FloorPlan, PrescribedPath
 
@@ -71,6 +71,22 @@ def fit_recordings(
     if prior is None:
         return profile
     return with_best_maps(with_prior_maps(profile, prior, pieces.free, pieces.stretches, as_worn).profile)
+
+
+def judge_step(layout: ShirtLayout, recorded: list[tuple[Step, Path]], unused: list[str], step: Step) -> str:
+    """Return why a step has to be repeated, in the words of the result; an empty string when it need not be.
+
+    It is fitted with the rest and the free movement alone; nothing is said before both are recorded.
+    """
+    kinds = {one.kind for one, _ in recorded}
+    if step.kind == "rest" or not {"rest", "free"} <= kinds:
+        return ""
+    pieces = _pieces([(one, folder) for one, folder in recorded if one.kind != "prompt" or one.id == step.id])
+    try:
+        profile = fit_profile(layout, pieces.sample_rate, pieces.free, pieces.rest, pieces.repetitions, unused)
+    except ValueError as error:
+        return str(error)
+    return advice_of(profile, step)
 
 
 def fit_recordings_to_donning(

@@ -31,6 +31,7 @@ from app.session.recordings import (
     entry_of_recordings,
     fit_recordings,
     fit_recordings_to_donning,
+    judge_step,
     measure_recording,
     quality_of_recording,
 )
@@ -49,6 +50,7 @@ class RunningApp:
             check_recording: lambda _folder, _duration: self._answers["judge"],
             fit_recordings: self._fit,
             entry_of_recordings: self._entry,
+            judge_step: lambda _layout, _recorded, _unused, step: self._answers.get("advice", {}).get(step.id, ""),
             fit_recordings_to_donning: self._fit_to_donning,
             measure_recording: lambda _folder, _plan, _path: self._answers["measures"],
             read_trajectory: lambda _folder: RecordedTrajectory(*(np.array(column) for column in line)),

@@ -15,7 +15,7 @@ from app.messages import Tick
 from app.process.ring import TickRing
 from app.recording.recorded_trajectory import read_trajectory
 from app.recording.writer import RunWriter
-from app.session.recordings import check_recording, fit_recordings, measure_recording
+from app.session.recordings import check_recording, fit_recordings, judge_step, measure_recording
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 RATE = 100.0
@@ -65,6 +65,43 @@ def step_ticks(step, seed=0):
 def recorded(tmp_path):
     steps = calibration_script(LAYOUT)
     return [(step, record(tmp_path / step.id, step_ticks(step), step.cues)) for step in steps]
+
+
+def unrelated_ticks(step, seed):
+    """Return ticks of signals that sway on their own, whatever the cue says."""
+    random = np.random.default_rng(seed)
+    starts = random.uniform(0, 6.28, 8)
+    for number in range(round(step.duration * RATE) + 1):
+        t = number / RATE
+        slow = [math.sin((3.0 + 0.6 * i) * t + starts[i]) for i in range(4)]
+        values = np.array(slow) + random.normal(0, 0.002, 4)
+        yield Tick(t=t, t_device=t, frame_seq=number, values=values.astype(np.float32))
+
+
+def test_steps_that_follow_the_cue_need_no_words(recorded):
+    for at in range(len(recorded)):
+        assert judge_step(LAYOUT, recorded[: at + 1], [], recorded[at][0]) == ""
+
+
+def test_signals_that_have_nothing_to_do_with_the_cue_are_told_when_each_step_ends(tmp_path):
+    recorded = []
+    for seed, step in enumerate(calibration_script(LAYOUT)):
+        recorded.append((step, record(tmp_path / step.id, unrelated_ticks(step, seed), step.cues)))
+        words = judge_step(LAYOUT, recorded, [], step)
+        assert bool(words) is (step.kind != "rest"), step.id  # how still a rest was is known once something moved
+    profile = fit_recordings(LAYOUT, recorded, [], None)
+    for step, _ in recorded:
+        if step.kind == "prompt":  # the words of the result
+            joint = next(joint for joint in profile.joints if joint.name == step.joint)
+            assert joint.has_to_be_repeated
+            assert judge_step(LAYOUT, recorded, [], step) == joint.reason
+
+
+def test_a_joint_without_a_usable_sensor_is_told_when_its_step_ends(recorded):
+    unused = ["left_elbow_1", "left_elbow_2"]
+    step = next(step for step, _ in recorded if step.joint == "left_elbow")
+    assert "None of its sensors can be used" in judge_step(LAYOUT, recorded, unused, step)
+    assert judge_step(LAYOUT, recorded[2:], [], step) == ""  # rest and free movement are not there yet
 
 
 def test_a_calibration_is_fitted_from_its_recordings_alone(recorded):

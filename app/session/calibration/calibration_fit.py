@@ -12,10 +12,11 @@ from app.refusals import Conflict
 from app.session.calibration.calibration_progress import EarlierCalibration, Progress
 from app.session.calibration.clinic_prior import ClinicPrior, Garment
 from app.session.calibration.sitting import rings_as_worn
+from app.session.calibration.step_check import advice_of
 from app.session.equipment.shirt import Equipment
-from app.session.recordings import entry_of_recordings, fit_recordings, fit_recordings_to_donning
+from app.session.recordings import entry_of_recordings, fit_recordings, fit_recordings_to_donning, judge_step
 from app.session.runs import SessionRuns
-from app.store.calibrations import is_calibration_simulated, recordings_of
+from app.store.calibrations import is_calibration_simulated, recordings_of, set_step
 from app.store.database import Database
 from app.store.log import write_log
 from app.store.map_versions import calibration_behind, save_adapted
@@ -50,6 +51,17 @@ class CalibrationFit:
         with self._database.transaction() as db:
             session = db.get_one(PatientSession, session_id)
             session.result, session.accepted = profile.model_dump(mode="json"), False
+            for step, _ in recorded:
+                if step.kind == "prompt":
+                    set_step(db, session_id, step.id, "done", advice_of(profile, step))
+
+    def judge(self, session_id: int, progress: Progress, step: Step) -> str:
+        """Store why a done step has to be repeated, in the words of the result, and return it; empty if it need not."""
+        layout, recorded = self._recorded(session_id, progress)
+        words = self._computing.ask(judge_step, layout, recorded, self._equipment.unused, step)
+        with self._database.transaction() as db:
+            set_step(db, session_id, step.id, "done", words)
+        return words
 
     def earlier(self, session_id: int, layout: ShirtLayout) -> EarlierCalibration | None:
         """Return the calibration that the patient drives with, None without one in this kind of shirt."""

@@ -209,9 +209,17 @@ class CalibrationFlow:
                 self._ended()
         if status == "done":
             try:
-                await self._go_on(session_id, step.id if stays else None)
+                is_good = await self._is_good(session_id, step)
+                await self._go_on(session_id, None if is_good and not stays else step.id, is_new=not stays)
             finally:
                 self._ended()
+
+    async def _is_good(self, session_id: int, step: Step) -> bool:
+        """Judge a done step; its words say why it has to be repeated. What cannot be judged yet is left to the fit."""
+        try:
+            return not await asyncio.to_thread(self._fit.judge, session_id, await self.progress(session_id), step)
+        except (Refusal, ValueError, OSError):
+            return True
 
     def _refuse_while_running(self) -> None:
         if self._running is not None:
@@ -238,10 +246,14 @@ class CalibrationFlow:
             if monotonic() - moved_at > STANDSTILL_LIMIT:
                 return "Nothing was recorded for three seconds: look at the Shirt page, then repeat this step."
 
-    async def _go_on(self, session_id: int, stay: str | None = None) -> None:
-        """After a step, show the next unfinished one or the one to stay at, or fit the map when all are finished."""
+    async def _go_on(self, session_id: int, stay: str | None = None, *, is_new: bool = False) -> None:
+        """After a step, show the next unfinished one or the one to stay at, and fit the map when all are finished.
+
+        The result is shown then, unless the step was recorded for the first time and has to be repeated.
+        """
         missing = (await self.progress(session_id)).missing
-        await self.go(session_id, (stay or missing[0]) if missing else RESULT)
+        shown = stay if missing or is_new else None
+        await self.go(session_id, shown or (missing[0] if missing else RESULT))
         if not missing:
             await self._fit_now(session_id)
 

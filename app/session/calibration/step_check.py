@@ -1,7 +1,12 @@
-"""Check whether a step's recording can be used: enough frames, no long gap."""
+"""Check whether a step's recording can be used: enough frames, no long gap; and whether it has to be repeated."""
 
 import numpy as np
 from numpy.typing import NDArray
+
+from app.calibration.fit.profile_fit import joints_without_map
+from app.calibration.grades import UNPROMPTED
+from app.calibration.profile import CalibrationProfile
+from app.calibration.script import Step
 
 ENOUGH = 0.9  # share of the frames that should have come at the shirt's sample rate
 LONGEST_GAP = 0.25  # s; a movement of a second is not recognised across a longer one
@@ -31,3 +36,21 @@ def check_frames(run_t: NDArray[np.float64], duration: float, sample_rate: float
     if gap > LONGEST_GAP:
         return f"The shirt was silent for {gap:.1f} seconds: check its transmitter, then repeat this step."
     return None
+
+
+def advice_of(profile: CalibrationProfile, step: Step) -> str:
+    """Return why a step has to be repeated, in the words of the profile; an empty string when it need not be.
+
+    A prompted movement is judged by its joint. The free movement has to be repeated when every joint would have to be.
+    """
+    joints = {joint.name: joint for joint in profile.joints}
+    if step.kind == "prompt":
+        joint = joints.get(str(step.joint))
+        if joint is None:
+            return joints_without_map(profile)[str(step.joint)]
+        return joint.reason if joint.has_to_be_repeated else ""
+    if step.kind == "rest" or not all(joint.has_to_be_repeated for joint in profile.joints):
+        return ""
+    first = profile.joints[0]
+    label = next(joint.label for joint in profile.layout.joints if joint.name == first.name)
+    return f"No joint moves clearly enough. {label}: {first.reason.replace(UNPROMPTED, '').strip()}"

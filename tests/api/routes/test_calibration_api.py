@@ -6,7 +6,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
-from fake_clinic import JOINTS, WORD, Clinic
+from fake_clinic import JOINTS, WORD, Clinic, profile_for
 from running_app import running
 
 from app.session.calibration import calibration_flow
@@ -75,6 +75,55 @@ def test_the_wizard_goes_from_rest_to_a_saved_profile(signed_in: Any) -> None:
     assert signed_in.good("GET", "/session")["has_profile"] is True
     assert signed_in.process.parameters["profile"]["joints"][0]["name"] == "right_elbow"
     assert signed_in("POST", "/calibration/accept").status_code == 409
+
+
+def test_a_step_whose_signals_do_not_follow_the_cue_is_judged_as_it_ends(signed_in: Any) -> None:
+    advice = "The prompted movements point both ways (51 % of them one way): repeat them in time with the cue."
+    signed_in.begin_session()
+    signed_in.readings["advice"] = {"prompt-right_elbow": advice}
+    for step in ("rest", "free", "prompt-right_elbow"):
+        signed_in.good("POST", f"/calibration/steps/{step}/start")
+        signed_in.process.run_t += 1000.0
+        signed_in.until("/calibration", lambda c: c["running"] is None)
+    wizard = signed_in.good("GET", "/calibration")
+    judged = next(one for one in wizard["steps"] if one["id"] == "prompt-right_elbow")
+    assert (judged["status"], judged["words"]) == ("done", advice)
+    assert wizard["current"] == "prompt-right_elbow"  # nobody is made to move on
+    signed_in.readings["advice"] = {}
+    signed_in.good("POST", "/calibration/steps/prompt-right_elbow/start")
+    signed_in.process.run_t += 1000.0
+    wizard = signed_in.until("/calibration", lambda c: c["running"] is None)
+    judged = next(one for one in wizard["steps"] if one["id"] == "prompt-right_elbow")
+    assert (judged["status"], judged["words"]) == ("done", "")
+
+
+def test_the_words_of_the_steps_are_those_of_the_result(signed_in: Any) -> None:
+    def profile(layout: Any) -> Any:
+        found = profile_for(layout)
+        joints = tuple(
+            joint.model_copy(update={"grade": "repeat", "reason": "Repeat it larger."} if not number else {})
+            for number, joint in enumerate(found.joints)
+        )
+        return found.model_copy(update={"joints": joints})
+
+    signed_in.begin_session()
+    signed_in.readings["profile"] = profile
+    wizard = signed_in.calibrate()
+    said = {step["joint"]: step["words"] for step in wizard["steps"] if step["kind"] == "prompt"}
+    assert said == {joint: "Repeat it larger." if joint == JOINTS[0] else "" for joint in JOINTS}
+
+
+def test_the_last_step_stays_shown_when_it_has_to_be_repeated_and_the_result_is_there(signed_in: Any) -> None:
+    signed_in.begin_session()
+    steps = [step["id"] for step in signed_in.good("GET", "/calibration")["steps"][:-1]]
+    signed_in.readings["advice"] = {steps[-1]: "Repeat it larger."}
+    for step in steps:
+        signed_in.good("POST", f"/calibration/steps/{step}/start")
+        signed_in.process.run_t += 1000.0
+        signed_in.until("/calibration", lambda c: c["running"] is None)
+    wizard = signed_in.good("GET", "/calibration")
+    assert wizard["current"] == steps[-1]
+    assert wizard["result"] is not None
 
 
 def test_a_step_can_be_cancelled_repeated_and_fail_in_words(signed_in: Any) -> None:

@@ -77,7 +77,8 @@ export async function show(app, root, { signal }) {
   const start = (id) => call(() => api.post(`/calibration/steps/${id}/start`));
   /** @param {string} id */
   const afterStep = (id) => {
-    const isGood = calibration.steps.find((step) => step.id === id)?.status === "done" && runningStep === id;
+    const ended = calibration.steps.find((step) => step.id === id);
+    const isGood = ended?.status === "done" && !ended.words && runningStep === id;
     runningStep = null;
     const next = calibration.steps.find((step) => step.id === calibration.current);
     if (!isGood || !actions.isAuto || !next || next.kind === "result" || next.status === "done" || next.status === "skipped") return;

@@ -92,7 +92,7 @@ function card(lead, go, run) {
 /** @param {CalibrationStep} step @param {EquipmentView} equipment @param {Actions} actions */
 function idleWords(step, equipment, { isGoingOn }) {
   if (isGoingOn) return t("calibrate.going-on");
-  if (step.status === "done") return t("calibrate.done");
+  if (step.status === "done") return t(step.words ? "calibrate.poor" : "calibrate.done");
   const who = READY[String(equipment.body?.kind)] ?? "patient";
   return t(`calibrate.ready.${who}`, { button: t(startWords(step)) });
 }
@@ -115,10 +115,11 @@ function foot(steps, at, isRunning, isBusy, isReady, actions) {
   if (isRunning)
     return [button(t("calibrate.cancel"), () => actions.cancel(step.id)), h("span", { class: "grow" }), auto(actions)];
   const isDone = step.status === "done";
-  const tone = isReady ? "" : "go";
+  const isPoor = isDone && step.words !== ""; // then repeating is the main thing to do
+  const tone = isReady || isPoor ? "" : "go";
   return [
     at > 0 && button(t("back"), () => actions.go(steps[at - 1].id), "", isBusy),
-    isDone && button(t("calibrate.again"), () => actions.start(step.id), "", isBusy),
+    isDone && button(t("calibrate.again"), () => actions.start(step.id), isPoor ? "go" : "", isBusy),
     h("span", { class: "grow" }),
     auto(actions),
     !isDone && step.kind === "prompt" && button(t("calibrate.skip"), () => actions.skip(step.id), "", isBusy),

@@ -11,10 +11,11 @@ export function stepBar(steps, current, onGo, onRestart) {
     "ol",
     { class: "steps", "aria-label": t("calibrate.steps") },
     steps.map((step, index) => {
-      const label = `${step.label}: ${t(`calibrate.step.${step.status}`)}`;
+      const status = step.status === "done" && step.kind !== "result" && step.words ? "failed" : step.status; // it can be used, but has to be repeated
+      const label = `${step.label}: ${t(`calibrate.step.${status}`)}`;
       /** @type {Record<string, Node | string>} */
       const marks = { done: icon("tick", 16), failed: icon("undo", 16), skipped: "–" };
-      const mark = marks[step.status] ?? String(index + 1);
+      const mark = marks[status] ?? String(index + 1);
       return h(
         "li",
         {},
@@ -22,7 +23,7 @@ export function stepBar(steps, current, onGo, onRestart) {
           "button",
           {
             type: "button",
-            class: step.status,
+            class: status,
             "aria-label": typeof mark === "string" ? `${mark} ${label}` : label, // what is written is a part of the name
             title: step.title,
             "aria-current": step.id === current ? "step" : null,

@@ -21,6 +21,7 @@ export default {
   "calibrate.ready.visitor": "You are the body: hold the pads or keys as the circle says. Tap {button}.",
   "calibrate.ready.patient": "When the patient is ready, tap {button}.",
   "calibrate.done": "Done. Go on, or repeat it.",
+  "calibrate.poor": "Recorded, but it would not drive well: repeat it, or go on as it is.",
   "calibrate.going-on": "Well done. Going on in a moment…",
   "calibrate.now": "Ready to drive",
   "calibrate.now.lead":
