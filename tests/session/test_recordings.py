@@ -3,6 +3,7 @@
 import itertools
 import math
 import uuid
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -95,6 +96,19 @@ def test_signals_that_have_nothing_to_do_with_the_cue_are_told_when_each_step_en
             joint = next(joint for joint in profile.joints if joint.name == step.joint)
             assert joint.has_to_be_repeated
             assert judge_step(LAYOUT, recorded, [], step) == joint.reason
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_free_movement_without_any_movement_is_told_also_where_noise_rises_by_chance(tmp_path, seed):
+    def still(step, seed):
+        for tick in unrelated_ticks(step, seed):
+            noise = np.random.default_rng((seed, tick.frame_seq)).normal(0, 0.002, 4).astype(np.float32)
+            yield replace(tick, values=noise)
+
+    steps = calibration_script(LAYOUT)[:2]
+    recorded = [(step, record(tmp_path / step.id, still(step, seed), step.cues)) for step in steps]
+    unused = ["right_elbow_1", "left_elbow_1"]  # the main movement of a single sensor is always clear
+    assert "No joint moves clearly enough." in judge_step(LAYOUT, recorded, unused, steps[1])
 
 
 def test_a_joint_without_a_usable_sensor_is_told_when_its_step_ends(recorded):

@@ -4,8 +4,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.fit.profile_fit import joints_without_map
-from app.calibration.grades import UNPROMPTED
-from app.calibration.profile import CalibrationProfile
+from app.calibration.grades import SIGNAL_TO_NOISE_LIMITS, UNPROMPTED
+from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.script import Step
 
 ENOUGH = 0.9  # share of the frames that should have come at the shirt's sample rate
@@ -41,7 +41,8 @@ def check_frames(run_t: NDArray[np.float64], duration: float, sample_rate: float
 def advice_of(profile: CalibrationProfile, step: Step) -> str:
     """Return why a step has to be repeated, in the words of the profile; an empty string when it need not be.
 
-    A prompted movement is judged by its joint. The free movement has to be repeated when every joint would have to be.
+    A prompted movement is judged by its joint. The free movement has to be repeated when no joint moves clearly: each
+    would have to be repeated, or has a weak signal, which the noise of a shirt at rest can have by chance.
     """
     joints = {joint.name: joint for joint in profile.joints}
     if step.kind == "prompt":
@@ -49,8 +50,14 @@ def advice_of(profile: CalibrationProfile, step: Step) -> str:
         if joint is None:
             return joints_without_map(profile)[str(step.joint)]
         return joint.reason if joint.has_to_be_repeated else ""
-    if step.kind == "rest" or not all(joint.has_to_be_repeated for joint in profile.joints):
+    weak = [joint for joint in profile.joints if joint.has_to_be_repeated]
+    unclear = sum(joint.has_to_be_repeated or _is_weak(joint) for joint in profile.joints)
+    if step.kind == "rest" or not weak or unclear < len(profile.joints):
         return ""
-    first = profile.joints[0]
+    first = weak[0]
     label = next(joint.label for joint in profile.layout.joints if joint.name == first.name)
     return f"No joint moves clearly enough. {label}: {first.reason.replace(UNPROMPTED, '').strip()}"
+
+
+def _is_weak(joint: JointMap) -> bool:
+    return (joint.signal_to_noise or 0.0) < SIGNAL_TO_NOISE_LIMITS[0]
