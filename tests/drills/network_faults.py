@@ -111,8 +111,9 @@ async def recorded_switch(runs, dice):
             await made.start_control(switch=False)
             made.relay.cut = True
             await asyncio.sleep(0.4)  # until another nonce than the newest is taken
-            made.relay.tell(pressed)
-            await tick_with(made.control, lambda tick: tick["stop_input"] == 1)
+            while made.control.newest()["stop_input"] != 1:  # again: on a busy machine the silence may begin later
+                made.relay.tell(pressed)
+                await asyncio.sleep(0.1)
             made.relay.cut = False
             await tick_with(made.control, lambda tick: tick["stop_input"] == 0 and tick["chair_state"] == 0)
             number, began = int(made.control.newest()["number"]), monotonic()
