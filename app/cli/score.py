@@ -15,6 +15,10 @@ EXTRAS = ("in_contact", "contacts", "u1", "u2")  # optional columns of the traje
 LARGEST_RADIUS = 1000.0  # m
 FARTHEST = 1e8  # m: map coordinates are smaller
 LONGEST = 86_400.0  # s between the first row and the last
+SLOWEST_ROWS = 2.0  # s, the usual time between two rows of a recording; more means that t is not in seconds
+RECORDING = 20  # rows; fewer may be written by hand, with any time between them
+FASTEST = 10.0  # m/s, mean speed; more means that x and y are not in metres, or t not in seconds
+FOLLOWING = ("dist_ratio", "e_diff", "cross_track_rms", "cross_track_max", "cross_track_mean")  # how well it followed
 
 WORDS = {
     "dist": ("distance driven", "m"),
@@ -43,7 +47,10 @@ def score(
     goal_radius: Annotated[float, typer.Option(help="How near the path's end counts as reached, m.")] = 0.5,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
 ) -> None:
-    """Score a driven trajectory against a prescribed path; s and m."""
+    """Score a driven trajectory against a prescribed path; s and m.
+
+    A drive that ends no further along the path than it began, and not at its goal, has no measures of following.
+    """
     if not 0 < goal_radius <= LARGEST_RADIUS:
         raise InputError(f"--goal-radius {goal_radius:g}: give metres above 0 and at most {LARGEST_RADIUS:g}")
     measures = score_files(trajectory, path, goal_radius)
@@ -76,9 +83,25 @@ def score_files(trajectory: Path, path: Path, goal_radius: float) -> "Measures":
     except ValueError as error:
         raise InputError(f"{path}: {error}") from error
     try:
-        return path_measures(t, x, y, points, goal_radius, **extras)
+        measures = path_measures(t, x, y, points, goal_radius, **extras)
     except ValueError as error:
         raise InputError(f"{trajectory}: {error}") from error
+    _check_units(trajectory, float(np.median(np.diff(t))) if len(t) >= RECORDING else 0.0, measures)
+    line = Line(points.tolist())
+    ahead = line.project(float(x[-1]), float(y[-1]))[0] > line.project(float(x[0]), float(y[0]))[0]
+    if not measures["reached"] and not ahead:
+        # Against its direction a path can be followed exactly: such a drive has no measure of how well it followed.
+        measures |= dict.fromkeys(FOLLOWING)
+    return measures
+
+
+def _check_units(trajectory: Path, rows: float, measures: "Measures") -> None:
+    """Refuse units that cannot be those of a chair: `rows` is the usual time between two rows (s)."""
+    if rows > SLOWEST_ROWS:
+        raise InputError(f"{trajectory}: its rows are usually {rows:g} s apart: give t in seconds, not in milliseconds")
+    speed = measures["mean_speed"]
+    if speed is not None and speed > FASTEST:
+        raise InputError(f"{trajectory}: its mean speed is {speed:g} m/s: give x and y in metres, and t in seconds")
 
 
 def _table(measures: "Measures") -> str:

@@ -17,7 +17,7 @@ def area_between(trajectory: Points, path: Points) -> float:
 
     The trajectory, followed by the path backwards, makes one closed ring. Each face that the ring encloses is counted
     as often as the ring winds around it: a loop driven twice counts twice, and areas on the two sides of the path do
-    not cancel each other.
+    not cancel each other. Two loops around the same place in opposite directions do: the ring does not wind around it.
     """
     import shapely
 
