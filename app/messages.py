@@ -62,7 +62,7 @@ class Tick:
     y: float = 0.0  # m
     theta: float = 0.0  # rad
     state: State = State.DISARMED
-    fault: Fault = Fault.NONE
+    fault: Fault = Fault.NONE  # why motion is not permitted; with another state than FAULT: why the drive is paused
     in_contact: bool = False
     contacts: int = 0  # since the start of the run
     stops: int = 0  # number of latched stops and faults so far, including those during another one

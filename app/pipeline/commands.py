@@ -110,7 +110,7 @@ class Commands:
         self._loop.last_heartbeat = self._clock.now()
         age = math.inf if fields.screen_age is None else fields.screen_age
         self._loop.last_screen_report = self._clock.now() - age
-        self._loop.conditions.screen = SCREEN_FAULTS[fields.screen]
+        self._loop.screen = SCREEN_FAULTS[fields.screen]
         return {}
 
     def _shirt(self, fields: command_fields.Device, command_id: int) -> None:
@@ -208,7 +208,7 @@ class Commands:
 
     def _begin_neutral_check(self) -> None:
         # The screen counts as in view until the next heartbeat says otherwise: the last one was sent before arming.
-        self._loop.last_screen_report, self._loop.conditions.screen = self._clock.now(), Fault.NONE
+        self._loop.last_screen_report, self._loop.screen = self._clock.now(), Fault.NONE
         self._loop.send_to_chair()  # the state before the arming, so that the chair sees a new arming after it
         self._setup.chain.arm()
         if self._loop.run is not None:

@@ -3,7 +3,7 @@
 import math
 
 from app.clock import Clock
-from app.faults import State
+from app.faults import Fault, State
 from app.geometry import Pose
 from app.hardware.base import BodyView, Chair, LeaderView, Shirt
 from app.hardware.body.cursor_view import CursorView
@@ -11,6 +11,7 @@ from app.hardware.chair.report import ChairReport
 from app.messages import ALIVE, NO_CUE, SensorFrame, Tick
 from app.pipeline.open_run import OpenRun
 from app.pipeline.safety_gate import ChairCondition, Conditions
+from app.pipeline.screen_pause import ScreenPause
 from app.pipeline.setup import Setup
 from app.process.ring import TickRing
 
@@ -29,7 +30,9 @@ class ControlLoop:
     last_heartbeat : float
         When the newest heartbeat of the web process came (monotonic s); -inf before the first.
     last_screen_report : float
-        When the screen that armed the chair last reported (monotonic s); `conditions.screen` holds the report.
+        When the screen that armed the chair last reported (monotonic s).
+    screen : Fault
+        What is wrong with it by that report.
     """
 
     def __init__(self, setup: Setup, ring: TickRing, report: ChairReport | None, clock: Clock) -> None:
@@ -39,6 +42,8 @@ class ControlLoop:
         self.late = 0
         self.last_heartbeat = -math.inf
         self.last_screen_report = -math.inf
+        self.screen = Fault.NONE
+        self.pause = ScreenPause()
         self.conditions = Conditions()
         self._delayed_since = math.inf  # since when a due command waits for newer frames (monotonic s)
         self._report = report
@@ -115,10 +120,13 @@ class ControlLoop:
         setup, conditions, run = self.setup, self.conditions, self.run
         chair = setup.chair
         conditions.supervisor_age = t - self.last_heartbeat
-        conditions.screen_age = t - self.last_screen_report
+        conditions.screen_age, conditions.screen = t - self.last_screen_report, self.screen
         conditions.recording = not run.writer.damage if run is not None else not chair.is_real
         conditions.chair, conditions.chair_age = chair_condition(chair), chair.age(t)
+        self._pause_for_screen(t)
         tick = setup.chain.step(frame, t, conditions)
+        if tick.fault is Fault.NONE:
+            tick.fault = self.pause.reason
         state = chair.state
         tick.driven_v, tick.driven_omega, tick.dial = state.v, state.omega, setup.chain.dial
         self.send_to_chair()  # first: nothing that is only shown or recorded may delay a stop
@@ -137,6 +145,14 @@ class ControlLoop:
             self.ring.write(tick, run.number, run_t, cue, lost, self.late)
         if setup.simulated_shirt is not None:
             self._show(setup.simulated_shirt.view, tick, cue, run_t)
+
+    def _pause_for_screen(self, t: float) -> None:
+        """Let a late screen pause an armed trial on the virtual chair; for anything else it stays a fault."""
+        run, setup = self.run, self.setup
+        if setup.chair.is_real or run is None or run.kind != "drive" or not run.was_armed:
+            self.pause.end()
+        elif self.pause.decide(t, setup.chain.gate, self.conditions):
+            setup.chain.arm()
 
     def _show(self, view: BodyView, tick: Tick, cue: int, run_t: float) -> None:
         """Update what the simulated body sees."""

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from app.clock import monotonic
-from app.faults import Fault
+from app.faults import Fault, is_pause
 from app.session.control_link import ControlLink, ControlState
 from app.store.database import Database
 from app.store.log import write_log
@@ -18,7 +18,7 @@ logger = logging.getLogger("bodydrive")
 
 
 class FaultLog:
-    """Watches the newest tick and logs each new latched fault; a stop while it is latched already is no new row."""
+    """Watches the newest tick and logs each pause and each new latched fault; a stop during a latched one is no row."""
 
     def __init__(self, database: Database, control: ControlLink, during: Callable[[], dict[str, int]]) -> None:
         """`during` returns the id of the running trial or drive, to be logged with the fault."""
@@ -56,17 +56,17 @@ class FaultLog:
             await asyncio.sleep(LOOK_EVERY)
             tick = self._control.newest()
             if tick is not None:
-                await self._note(Fault(int(tick["fault"])))
+                await self._note(Fault(int(tick["fault"])), is_pause=is_pause(tick["state"], tick["fault"]))
 
     async def _changed(self, state: ControlState) -> None:
         if state == "lost":
             await self._note(Fault.CONTROL_LOST)
 
-    async def _note(self, fault: Fault) -> None:
+    async def _note(self, fault: Fault, *, is_pause: bool = False) -> None:
         before, self._latched = self._latched, fault
         if fault in {before, Fault.NONE}:
             return
-        what = "stop" if fault.name.startswith("STOP_") else "fault"
+        what = "pause" if is_pause else "stop" if fault.name.startswith("STOP_") else "fault"
         try:
             await asyncio.to_thread(self._write, what, None, fault=fault.name.lower(), **self._during())
         except Exception:  # keep watching: a full database may have room again later

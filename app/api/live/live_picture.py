@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from app.calibration.channel_quality import channel_quality
 from app.clock import monotonic
-from app.faults import EXPLANATIONS, Fault, State
+from app.faults import EXPLANATIONS, Fault, State, is_pause
 from app.layout import ShirtLayout
 from app.messages import ALIVE, NO_CUE
 from app.session.control_link import ControlLink
@@ -68,7 +68,7 @@ class LivePicture:
             "tick": int(tick["number"]),
             "t": _number(tick["t"], 4),
             "state": State(int(tick["state"])).name.lower(),
-            "fault": fault_view(Fault(int(tick["fault"]))),
+            "fault": None if is_pause(tick["state"], tick["fault"]) else fault_view(Fault(int(tick["fault"]))),
             "control": "alive",
             **{name: _number(tick[name], 4) for name in ("u1", "u2", "v", "omega")},
             "pose": self._pose,
@@ -90,7 +90,7 @@ class LivePicture:
             "dial": _number(tick["dial"], 3),
             "chair": self._chair(tick),
             "run": self._run(tick),
-            "trial": self._trial(),
+            "trial": self._trial(Fault(int(tick["fault"]))),
             "drive": self._real_drive(),
             "test": self._test(),
             **self._session_and_practice(),
@@ -148,7 +148,7 @@ class LivePicture:
         cue = int(tick["cue"])
         return {"kind": run.kind, "t": _number(tick["run_t"], 3), "cue": None if cue == NO_CUE else cue}
 
-    def _trial(self) -> dict[str, Any] | None:
+    def _trial(self, fault: Fault) -> dict[str, Any] | None:
         trial = self._trials.current
         if trial is None:
             return None
@@ -157,6 +157,8 @@ class LivePicture:
         return {
             "id": trial.id,
             "waits": _waits(trial.watch.halt),
+            "paused": fault_view(fault) if trial.watch.paused else None,
+            "pauses": trial.watch.pauses,
             "measuring": self._trials.measuring,
             **{name: None if (v := getattr(place, name)) is None else _number(v, 3) for name in names},
             "movers": [[_number(value, 3) for value in pose] for pose in trial.watch.movers(self._scene_t)],
@@ -230,7 +232,7 @@ class LivePicture:
             if self._chairs.chosen is None
             else closed_chair_report("The control process is being restarted."),
             "run": None,
-            "trial": self._trial(),
+            "trial": self._trial(Fault.CONTROL_LOST),
             "drive": self._real_drive(),
             "test": self._test(),
             **self._session_and_practice(),

@@ -32,7 +32,9 @@ const SIGNED_OUT = 4401; // close code
 /**
  * @typedef {object} TrialMoment what a running trial is doing
  * @property {number} id
- * @property {number | null} waits s for which a halted trial waits for Continue; null: it is not halted
+ * @property {number | null} waits s for which a halted or paused trial still waits; null: it is neither
+ * @property {FaultWords | null} paused why it is paused, and goes on by itself
+ * @property {number} pauses so far
  * @property {boolean} measuring whether it is over and is being measured
  * @property {number | null} t
  * @property {number | null} done m driven along the path

@@ -46,7 +46,7 @@ export function stopButton(app) {
 export function stopOnSpace(app, where, signal) {
   /** @param {KeyboardEvent} event */
   const stops = (event) =>
-    event.code === "Space" && hasStop(app) && MOVING.has(app.live.latest?.state ?? "") && !isWriting(event.target);
+    event.code === "Space" && hasStop(app) && mayMove(app) && !isWriting(event.target);
   /** @param {KeyboardEvent} event */
   const down = (event) => {
     if (!stops(event)) return;
@@ -61,6 +61,11 @@ export function stopOnSpace(app, where, signal) {
     (event) => event.code === "Space" && isDriven(app) && !isWriting(event.target) && event.preventDefault(),
     { capture: true, signal },
   );
+}
+
+/** Armed, being checked, or paused: then it goes on by itself. @param {import("../main.js").App} app */
+function mayMove({ live: { latest } }) {
+  return MOVING.has(latest?.state ?? "") || Boolean(latest?.trial?.paused);
 }
 
 /** @param {import("../main.js").App} app */

@@ -22,6 +22,7 @@ const GO_SHOWN = 1600; // ms
 export function trialCue(app, picture, onEnd, onPlan) {
   const element = h("div", { class: "over-view", "aria-live": "polite" });
   const waits = waitWords("trial.paused");
+  const pauseWaits = waitWords("trial.pause.left");
   const measuring = measuringCard();
   let shown = "";
   /** @type {ReturnType<typeof overView> | null} */
@@ -47,10 +48,11 @@ export function trialCue(app, picture, onEnd, onPlan) {
   /** @param {LiveMessage} now */
   const show = (now) => {
     waits.show(now.trial?.waits);
+    pauseWaits.show(now.trial?.waits);
     const isOver = isEnding || !!now.trial?.measuring; // then nothing can be continued or ended any more
     measuring.count(isOver);
     const halt = now.control === "alive" && !isOver ? app.halt(now.fault, now.stops) : null;
-    const key = now.control !== "alive" ? "control" : isOver ? "measuring" : (halt?.key ?? now.state);
+    const key = now.control !== "alive" ? "control" : isOver ? "measuring" : (halt?.key ?? pauseKey(now));
     if (key === shown) return haltCard?.setMissing(missing());
     shown = key;
     set(element, { "aria-live": urgency(halt) });
@@ -59,6 +61,10 @@ export function trialCue(app, picture, onEnd, onPlan) {
       clearTimeout(timer);
       put(element, haltCard.element);
       return haltCard.setMissing(missing());
+    }
+    if (now.trial?.paused && !isOver) {
+      clearTimeout(timer);
+      return put(element, pauseCard(now.trial.paused.happened, pauseWaits.element));
     }
     if (key === "disarmed" && !isBegun) return; // the trial has not begun: keep the card of `prepare`
     clearTimeout(timer);
@@ -77,6 +83,16 @@ export function trialCue(app, picture, onEnd, onPlan) {
   };
   prepare();
   return { element, show, prepare, setEnding };
+}
+
+/** @param {LiveMessage} now */
+function pauseKey({ state, trial }) {
+  return trial?.paused ? `pause ${trial.paused.name}` : state;
+}
+
+/** While the trial is paused for a slow screen: nobody has to do anything. @param {string} happened @param {Node} waits */
+function pauseCard(happened, waits) {
+  return h("div", { class: "hud fault-card pause-card" }, h("h2", {}, t("trial.pause")), h("p", {}, happened), h("p", {}, t("trial.pause.why")), waits);
 }
 
 /** While a trial that is over is being measured: that, and for how long. */

@@ -17,6 +17,7 @@ import { placeCard } from "./place_card.js";
 import { trialCue } from "../../widgets/trial_cue.js";
 import { chosenView, viewBar } from "../../view/view_bar.js";
 
+const PAUSES = 3; // in one trial, after which the drawn plan is offered
 const WIDE = matchMedia("(min-width: 1000px)"); // narrower, the plots would be drawn at the cost of the picture
 
 /**
@@ -39,6 +40,7 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
     view.setPlots(isOpen);
   };
   const views = viewBar(app, view.surface, (which) => picture.choose(which));
+  const offer = planOffer(picture, views.choosePlan);
   const cue = trialCue(app, picture, end.run, views.choosePlan);
   end.tell(cue.setEnding);
   const bar = bottomBar(app, path, [views.element, end.element], onPlots, signal);
@@ -49,6 +51,7 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
     cue.show(now);
     if (now.trial?.id !== trial.id) return;
     place.show(now.trial, now.contacts);
+    offer.show(now.trial.pauses);
     mini.show(now.pose, now.trial);
     drawn.show({ ...now.trial, pose: now.pose });
     bar.show(now);
@@ -77,6 +80,7 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
       h(
         "div",
         { class: "above-bar" },
+        offer.element,
         h("div", { class: "hud dial-card" }, h("b", { class: "small" }, t("dial.title")), speedDial(app, signal)),
         views.pad,
         drawn.pad,
@@ -97,6 +101,22 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
     place.name(words);
   };
   return { picture, begin };
+}
+
+/**
+ * The drawn plan by one button, once the 3D view has paused the trial too often.
+ * @param {DrivePicture} picture @param {() => void} onPlan
+ */
+function planOffer(picture, onPlan) {
+  const element = h(
+    "div",
+    { class: "hud plan-offer", hidden: true },
+    h("p", {}, t("trial.pause.often")),
+    h("button", { type: "button", class: "btn go", onclick: onPlan }, t("picture.plan.show")),
+  );
+  /** @param {number} pauses of this trial */
+  const show = (pauses) => (element.hidden = pauses < PAUSES || picture.shows === "plan");
+  return { element, show };
 }
 
 /**

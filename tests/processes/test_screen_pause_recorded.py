@@ -1,0 +1,75 @@
+"""A slow screen pauses a real control process, which goes on by itself; its recording tells the pause from driving."""
+
+import asyncio
+
+import numpy as np
+import pytest
+from processes.running_control import ROOM, armed, tick_with
+from processes.udp_shirt import UdpShirtSender, free_port, shirt_config
+
+from app.faults import Fault, State
+from app.pipeline.replay.exact_rerun import Rerun, replay_run
+from app.process.supervisor import ControlProcess
+from app.recording.reader import read_run
+from app.session.recordings import measure_again
+from building import make_parameters
+
+
+class Screen:
+    """What the heartbeat says of the screen."""
+
+    says = "in view"
+
+    async def beat(self, control):
+        while True:
+            control.tell("heartbeat", screen_age=0.0, screen=self.says)
+            await asyncio.sleep(0.05)
+
+
+def test_a_slow_screen_pauses_the_drive_and_the_recording_says_so(tmp_path):
+    parameters, folder, screen = make_parameters(), tmp_path / "run", Screen()
+
+    async def story():
+        port = free_port()
+        control = await ControlProcess.start()
+        heart = asyncio.create_task(screen.beat(control))
+        shirt = UdpShirtSender(parameters, port)
+        try:
+            await control.call("shirt", config=shirt_config(parameters, port))
+            digest = (await control.call("parameters", parameters=parameters.model_dump(mode="json")))["hash"]
+            await control.call("world", floorplan=ROOM, path="ahead")
+            await tick_with(control, lambda tick: tick["has_frame"])
+            await control.call("run", run_id="d", folder=str(folder), kind="drive", cues=[], meta={})
+            await armed(control, digest)
+            shirt.stroke()
+            await tick_with(control, lambda tick: tick["x"] > 1.3)
+            screen.says = "slow"
+            paused = await tick_with(control, lambda tick: tick["v"] == 0.0)
+            assert (paused["state"], paused["fault"]) == (State.DISARMED, Fault.SCREEN_SLOW)
+            await asyncio.sleep(1.0)
+            screen.says = "in view"
+            await tick_with(control, lambda tick: tick["state"] == State.ARMED)
+            shirt.stroke()
+            await tick_with(control, lambda tick: tick["x"] > paused["x"] + 0.2)
+            await control.call("end_run")
+            return int(paused["stops"]), int(control.newest()["stops"])
+        finally:
+            shirt.close()
+            heart.cancel()
+            await asyncio.gather(heart, return_exceptions=True)
+            await control.close()
+
+    before, after = asyncio.run(story())
+    run = read_run(folder)
+    measures = measure_again(folder)
+    rows = run.columns
+    driven = rows["t"][np.flatnonzero(rows["state"] == State.ARMED)[-1]] - rows["t"][rows["state"] == State.ARMED][0]
+    if before == after:  # a busy machine may have stopped the chair besides
+        assert (measures["halts"], measures["person_stops"]) == (0, 0)
+    assert measures["pauses"] >= 1
+    assert measures["pause_time"] >= 1.0 + 1.0 + 0.5  # slow, then punctual for a second, then at rest
+    lost = measures["pause_time"] + measures["halt_time"] + measures["person_stop_time"]
+    assert measures["time"] == pytest.approx(driven - lost, abs=0.05)
+    exact = replay_run(run, parameters)
+    for name in Rerun.__slots__:
+        np.testing.assert_array_equal(rows[name], getattr(exact, name), err_msg=name)
