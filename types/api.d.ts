@@ -5940,6 +5940,7 @@ export interface components {
              * @constant
              */
             reason?: "by hand";
+            stops?: number | null;
         };
         EquipmentView: {
             shirt: {

@@ -106,16 +106,20 @@ class FakeProcess:
             self.parameters = fields["parameters"]
         if do == "run":
             self.runs += 1
-            self.run, self.run_t, self.state = self.runs, 0.0, State.DISARMED
+            self.run, self.run_t = self.runs, 0.0
+            self._disarm()
             simulated = SHIRTS[self.shirt].simulated
             source = {"shirt": self.shirt, "body": self.body, "chair": self.chair, "simulated": simulated}
             return {"run": self.run, "source": source}
         if do == "end_run":
-            self.run, self.state = 0, State.DISARMED
+            self.run = 0
+            self._disarm()
             return {"rows": 500, "dropped": 0}
         if do == "arm":
             if self.parameters is None:
                 raise LinkRefused("Nothing is loaded.")
+            if self.state is State.FAULT:
+                raise LinkRefused("There was a stop. Take the stop back, then start again.")
             self.state = State.ARMED
         if do == "chair":
             self.chair = fields["config"]["kind"]
@@ -148,6 +152,10 @@ class FakeProcess:
                 "dial": self.dial,
             }
         return {}
+
+    def _disarm(self) -> None:
+        if self.state is not State.FAULT:  # a latched stop outlives the run
+            self.state = State.DISARMED
 
     def tell(self, do: str, **fields: Any) -> None:
         if self.dead.is_set():

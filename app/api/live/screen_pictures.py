@@ -17,6 +17,9 @@ NO_PICTURE = (
 NO_PICTURE_FOR_PATIENT = (
     "The patient's screen has no picture, and nobody drives blind: wait until it has one, or unpair that screen."
 )
+PATIENTS_SCREEN_AWAY = (
+    "The patient's screen, which this trial uses, is out of reach: bring it back, or unpair it, then tap Continue."
+)
 
 
 class ScreenPictures:
@@ -30,6 +33,7 @@ class ScreenPictures:
         self._trials = trials
         self._screens: dict[object, tuple[Screen, Picture]] = {}
         self._patients: dict[object, tuple[int, Picture]] = {}
+        self._away: dict[int, int] = {}  # the patient's screens that are out of reach -> the trial that lost them
 
     def of_screen(self, screen: Screen, picture: Picture, socket: object) -> None:
         """Store the report of the screen of a person who is signed in; one socket at a time reports for a screen."""
@@ -41,6 +45,7 @@ class ScreenPictures:
     def of_patient(self, screen_id: int, picture: Picture, socket: object) -> bool:
         """Store the report of one of the patient's screens; return whether it differs from the last one."""
         is_news = self._patients.get(socket) != (screen_id, picture)
+        self._away.pop(screen_id, None)
         self._patients[socket] = (screen_id, picture)
         self._halt_if_blind()
         return is_news
@@ -48,8 +53,18 @@ class ScreenPictures:
     def forget(self, socket: object) -> None:
         """Forget the screen of a socket that has ended; a lost screen of the patient halts the trial."""
         self._screens.pop(socket, None)
-        if self._patients.pop(socket, None) is not None and self._trials.current is not None:
+        lost, trial = self._patients.pop(socket, None), self._trials.current
+        if lost is not None and trial is not None:
+            screen_id = lost[0]
+            if screen_id not in self.patients():  # no other socket reports for it
+                self._away[screen_id] = trial.id
             self._halt()
+
+    def unpair(self, screen_id: int) -> None:
+        """Forget one of the patient's screens for good: no trial waits for it."""
+        for socket in [one for one, (known, _) in self._patients.items() if known == screen_id]:
+            self.forget(socket)
+        self._away.pop(screen_id, None)
 
     def patients(self) -> dict[int, Picture]:
         """Return the picture of each of the patient's screens by its id."""
@@ -59,7 +74,10 @@ class ScreenPictures:
         """Return why nobody may drive from this screen, in a sentence; empty when there is a picture."""
         if (screen, "none") in self._screens.values():
             return NO_PICTURE
-        return NO_PICTURE_FOR_PATIENT if "none" in self.patients().values() else ""
+        if "none" in self.patients().values():
+            return NO_PICTURE_FOR_PATIENT
+        trial = self._trials.current
+        return PATIENTS_SCREEN_AWAY if trial is not None and trial.id in self._away.values() else ""
 
     def _halt_if_blind(self) -> None:
         # Checked with every report, not only with a changed one: a trial may begin, or go on, between two reports.

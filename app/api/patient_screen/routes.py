@@ -176,6 +176,7 @@ async def unpair(screen_id: RowId, who: Clinician, parts: PeopleParts, web: Web)
             unpair_screen(db, who.clinic_id, screen_id, who.name)
 
     await run_in_threadpool(_unpair)
+    web.pictures.unpair(screen_id)
     await parts.sockets.close_ended_screens()
     web.live.tell("screens")
     return await _view(parts, web, who)

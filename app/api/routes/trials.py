@@ -1,6 +1,7 @@
 """Trials along the paths of floor plans."""
 
 import asyncio
+from contextlib import suppress
 from typing import Annotated, Any, Literal
 
 from fastapi import APIRouter, Query
@@ -17,8 +18,8 @@ from app.api.parts import Web, WebParts
 from app.api.records.origin_view import OriginView
 from app.api.routes.source_view import SourceView
 from app.api.sign_in.identity import SignedInPerson
-from app.quantities import Document, Line, Name
-from app.refusals import Conflict, NotFound
+from app.quantities import Count, Document, Line, Name
+from app.refusals import Conflict, NotFound, Unavailable
 from app.scoring.control_quality import ControlQuality
 from app.session.run_watch import Starter
 from app.store.database import Transaction
@@ -42,9 +43,13 @@ class NewTrial(Document):
 
 
 class EndTrial(Document):
-    """Why a person ends a trial."""
+    """Why a person ends a trial.
+
+    `stops`: the count of stops that they had seen in a halted trial. The stop ends with the trial; a further one stays.
+    """
 
     reason: Literal["by hand"] = "by hand"
+    stops: Count | None = None
 
 
 class Discard(Document):
@@ -143,10 +148,14 @@ def _from(origin: PatientImport | Origin | None, view: TrialView) -> TrialView:
 
 
 @router.post("/trials/current/end")
-async def end_trial(_body: EndTrial, who: Clinician, parts: PeopleParts, web: Web) -> TrialView:
+async def end_trial(body: EndTrial, who: Clinician, parts: PeopleParts, web: Web) -> TrialView:
     """End the trial by hand; answered when it has been measured."""
     require_controller(web, who)
     trial_id = await web.trials.end()
+    if body.stops is not None:
+        # After the run: within it, clearing a stop would begin the check for rest. A stop that stays is in the picture.
+        with suppress(Conflict, Unavailable):
+            await web.control.call("clear", stops=body.stops)
     return await asyncio.to_thread(_one, parts, who.clinic_id, trial_id)
 
 

@@ -127,7 +127,38 @@ def test_the_patients_screen_tells_the_clinicians_page_and_halts_too(ready: Any)
             pass
         ready.good("POST", "/control/clear", json={"stops": ready.process.stops})
     assert until_state(ready, "fault") == "PICTURE_LOST"  # it is gone, and the patient sees nothing any more
+    refused = ready("POST", "/control/clear", json={"stops": ready.process.stops})
+    assert (refused.status_code, "out of reach" in refused.json()["detail"]) == (409, True)
+    assert ready.process.state.name == "FAULT"
+    with ready.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
+        socket.send_json({"picture": "view"})
+        while shown() != "view":
+            pass
+        assert ready.good("POST", "/control/clear", json={"stops": ready.process.stops})["state"] == "armed"
+
+
+def test_a_screen_that_was_unpaired_or_left_in_an_earlier_trial_holds_nothing(ready: Any) -> None:
+    screen = ready.good("GET", "/patient-screen")["screens"][0]["id"]
+
+    def loses_screen() -> Any:
+        ready.good("POST", "/trials", json=ready.where)
+        with ready.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
+            socket.send_json({"picture": "view"})
+            while ready.web.pictures.patients() != {screen: "view"}:
+                time.sleep(0.002)
+        assert until_state(ready, "fault") == "PICTURE_LOST"
+        return {"stops": ready.process.stops}
+
+    seen = loses_screen()
+    ready.good("POST", "/trials/current/end", json={"reason": "by hand", **seen})
+    ready.good("POST", "/trials", json=ready.where)  # without that screen
+    ready.good("POST", "/control/stop")
     assert ready.good("POST", "/control/clear", json={"stops": ready.process.stops})["state"] == "armed"
+    ready.good("POST", "/trials/current/end", json={"reason": "by hand"})
+    seen = loses_screen()
+    assert ready("POST", "/control/clear", json=seen).status_code == 409
+    ready.good("DELETE", f"/patient-screen/{screen}")
+    assert ready.good("POST", "/control/clear", json=seen)["state"] == "armed"
 
 
 def test_a_patients_screen_that_falls_silent_halts_the_trial(ready: Any, monkeypatch: pytest.MonkeyPatch) -> None:

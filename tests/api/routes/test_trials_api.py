@@ -111,6 +111,26 @@ def test_stop_is_for_anyone_and_twice_and_clear_is_not(ready: Any) -> None:
     assert [do for do, _ in ready.process.calls].count("stop") == 3
 
 
+def test_the_end_of_a_halted_trial_ends_the_stop_that_was_seen_and_no_other(ready: Any) -> None:
+    ready.good("POST", "/trials", json=ready.where)
+    ready.good("POST", "/control/stop")
+    ready.good("POST", "/trials/current/end", json={"reason": "by hand", "stops": 1})
+    assert ready.process.state.name == "DISARMED"
+    assert [do for do, _ in ready.process.calls[-2:]] == ["end_run", "clear"]  # within the run it would move the chair
+    ready.good("POST", "/trials", json=ready.where)  # with one tap
+
+    ready.good("POST", "/control/stop")
+    ready.good("POST", "/control/stop")  # nobody has seen it when End is tapped
+    ready.good("POST", "/trials/current/end", json={"reason": "by hand", "stops": 2})
+    assert ready.process.state.name == "FAULT"
+    held = ready("POST", "/trials", json=ready.where)
+    assert (held.status_code, "Take the stop back" in held.json()["detail"]) == (409, True)
+    ready.good("POST", "/control/clear", json={"stops": 3})
+    ready.good("POST", "/trials", json=ready.where)
+    ready.good("POST", "/trials/current/end", json={"reason": "by hand", "stops": 3})  # nothing halted it
+    assert ready("POST", "/trials/current/end", json={"reason": "by hand", "stops": -1}).status_code == 422
+
+
 def test_stop_waits_for_no_thread(ready: Any) -> None:
     """Stop must not wait for a thread: all may hang in a slow file or a locked database."""
     ready.good("POST", "/trials", json=ready.where)

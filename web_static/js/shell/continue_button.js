@@ -14,10 +14,14 @@ export const mayGoOn = (app) => app.me?.role !== "reviewer";
  * It clears the stops that had come when it could first be pressed, and none that came later. In its first second, and in
  * the first after `setBlocked(false)`, it takes no tap and looks so.
  * @param {App} app @param {string} [words]
- * @returns {{element: HTMLButtonElement, setBlocked: (is: boolean) => void}}
+ * @returns {{element: HTMLButtonElement, setBlocked: (is: boolean) => void, seen: () => number | null}} `seen`: the count of
+ * stops that the person has had time to see; null before
  */
 export function continueButton(app, words = t("note.fault.continue")) {
   let [stops, timer, isBlocked] = [0, 0, false];
+  /** @type {number | null} */
+  let seen = null;
+  setTimeout(() => (seen = app.live.latest?.stops ?? null), TAPS_AFTER);
   /** @param {boolean} off */
   const setOff = (off) => element.setAttribute("aria-disabled", String(off));
   const element = h("button", { type: "button", class: "btn go continue", hidden: !mayGoOn(app) }, words);
@@ -39,5 +43,5 @@ export function continueButton(app, words = t("note.fault.continue")) {
     setBlocked(isBlocked);
   });
   setBlocked(false);
-  return { element, setBlocked };
+  return { element, setBlocked, seen: () => seen };
 }

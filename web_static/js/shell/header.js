@@ -3,6 +3,7 @@ import { t } from "../texts.js";
 import { chairState } from "../widgets/chair_card.js";
 import { h, set, write } from "../widgets/dom.js";
 import { icon } from "../widgets/icons.js";
+import { screenLamp } from "./screen_lamp.js";
 import { practiceMark } from "./practice_mark.js";
 import { stopButton } from "./stop.js";
 import { subjectPlace } from "./subject.js";
@@ -19,7 +20,8 @@ export function header(app) {
   const practice = practiceMark();
   const shirt = h("span", { class: "lamp" });
   const chair = h("span", { class: "lamp" });
-  const lamps = h("div", { class: "lamps" }, shirt, chair);
+  const screen = screenLamp(app);
+  const lamps = h("div", { class: "lamps" }, shirt, chair, screen);
   const theme = themeButton(app);
   /** @type {HTMLButtonElement} */
   const help = h(

@@ -82,7 +82,7 @@ export function trialCue(app, picture, onEnd, onPlan) {
     if (app.live.latest) show(app.live.latest);
   };
   prepare();
-  return { element, show, prepare, setEnding };
+  return { element, show, prepare, setEnding, seenStops: () => haltCard?.seen() ?? null };
 }
 
 /** @param {LiveMessage} now */
@@ -141,7 +141,7 @@ function overView(app, halt, waits, onEnd, onPlan) {
     below.remove();
     if (isFocused) go.element.focus();
   };
-  return { element, setMissing };
+  return { element, setMissing, seen: go.seen };
 }
 
 /** The card while there is no picture to drive by. @param {string} why @param {() => void} onPlan */

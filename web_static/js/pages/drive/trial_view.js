@@ -43,6 +43,7 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
   const offer = planOffer(picture, views.choosePlan);
   const cue = trialCue(app, picture, end.run, views.choosePlan);
   end.tell(cue.setEnding);
+  end.setStops(cue.seenStops);
   const bar = bottomBar(app, path, [views.element, end.element], onPlots, signal);
   const title = h("h1", { class: "unseen", tabindex: "-1" }, plan.title);
   /** @param {CustomEvent<LiveMessage>} event */
@@ -189,17 +190,20 @@ function bottomBar(app, path, [views, endElement], onPlots, signal) {
 function endButton(app) {
   const element = h("button", { type: "button", class: "btn end", disabled: true }, t("trial.end"));
   let onEnding = /** @param {boolean} _is */ (_is) => {};
+  /** The stop of a halted trial ends with it, when the person has seen it. @type {() => number | null} */
+  let stopsSeen = () => null;
   /** @param {boolean} is whether the trial is over and being measured */
   const setMeasuring = (is) => {
     element.disabled = is;
     write(element, t(is ? "trial.ending" : "trial.end"));
   };
   const run = async () => {
+    const stops = stopsSeen();
     setMeasuring(true);
     onEnding(true);
     const trial = await app.toasts.attempt(async () => {
       try {
-        return await app.api.post("/trials/current/end", { reason: "by hand" });
+        return await app.api.post("/trials/current/end", { reason: "by hand", stops });
       } catch (error) {
         if (!app.live.latest?.trial?.measuring) throw error;
       }
@@ -209,5 +213,9 @@ function endButton(app) {
     setMeasuring(!!app.live.latest?.trial?.measuring);
   };
   element.addEventListener("click", run);
-  return { element, run, setMeasuring, tell: (/** @type {typeof onEnding} */ listener) => (onEnding = listener) };
+  /** @param {typeof onEnding} listener */
+  const tell = (listener) => void (onEnding = listener);
+  /** @param {typeof stopsSeen} seen */
+  const setStops = (seen) => void (stopsSeen = seen);
+  return { element, run, setMeasuring, tell, setStops };
 }

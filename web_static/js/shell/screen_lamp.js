@@ -1,0 +1,21 @@
+/** The lamp of the patient's screens in the header: there is one while a screen is paired. */
+import { screenState } from "../pages/drive/screen_words.js";
+import { t } from "../texts.js";
+import { h, write } from "../widgets/dom.js";
+
+/** @param {import("../main.js").App} app */
+export function screenLamp(app) {
+  const lamp = h("span", { class: "lamp screen-lamp", hidden: true });
+  const refresh = async () => {
+    const mayAsk = app.live.connected && app.me?.signed_in && app.me.role !== "reviewer" && app.session?.patient && !app.lock.isLocked;
+    const screens = mayAsk ? (await app.api.get("/patient-screen").catch(() => null))?.screens ?? [] : [];
+    const state = screenState(screens);
+    lamp.hidden = state === ".none";
+    lamp.className = `lamp screen-lamp${state ? " att" : " wide"}`; // on a small screen only what is not right
+    write(lamp, lamp.hidden ? "" : t(`lamp.screen${state}`, { count: screens.length }));
+  };
+  for (const event of /** @type {const} */ (["me", "session"])) app.addEventListener(event, refresh);
+  app.live.addEventListener("changed", ({ detail }) => ["screens", "everything"].includes(detail) && refresh());
+  app.live.addEventListener("connection", refresh);
+  return lamp;
+}
