@@ -93,7 +93,10 @@ class WebParts:
         if going_on is None:
             return ScreenSign()
         limit = VIRTUAL_SILENCE_LIMIT if drive is None else SILENCE_LIMIT
-        return self.screens.sign(Screen(going_on.person_id, going_on.screen), monotonic(), limit)
+        screen = Screen(going_on.person_id, going_on.screen)
+        sign = self.screens.sign(screen, monotonic(), limit)
+        is_late = drive is None and sign.view == "in view" and self.pictures.is_late(screen)
+        return ScreenSign(sign.age, "slow") if is_late else sign
 
     def take_sign(self, screen: Screen, sign: PageSign) -> bool:
         """Store the report of a screen, unless another socket reports for that screen; return whether it was stored.

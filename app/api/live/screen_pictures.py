@@ -8,6 +8,7 @@ from app.session.control_link import ControlLink
 from app.session.trial import TrialFlow
 
 Picture = Literal["view", "plan", "none"]
+ScreenPicture = Picture | Literal["late"]  # late: older than what can be driven by; it pauses a trial (S7)
 
 MAY_MOVE = frozenset({State.CHECKING, State.ARMED})
 NO_PICTURE = (
@@ -31,15 +32,17 @@ class ScreenPictures:
     def __init__(self, control: ControlLink, trials: TrialFlow) -> None:
         self._control = control
         self._trials = trials
-        self._screens: dict[object, tuple[Screen, Picture]] = {}
+        self._screens: dict[object, tuple[Screen, ScreenPicture]] = {}
+        self._late: frozenset[Screen] = frozenset()  # replaced as a whole: the heartbeat's thread reads it
         self._patients: dict[object, tuple[int, Picture]] = {}
         self._away: dict[int, int] = {}  # the patient's screens that are out of reach -> the trial that lost them
 
-    def of_screen(self, screen: Screen, picture: Picture, socket: object) -> None:
+    def of_screen(self, screen: Screen, picture: ScreenPicture, socket: object) -> None:
         """Store the report of the screen of a person who is signed in; one socket at a time reports for a screen."""
         for other in [one for one, (known, _) in self._screens.items() if known == screen and one is not socket]:
             del self._screens[other]  # a dead socket that was never closed: its last report is outdated
         self._screens[socket] = (screen, picture)
+        self._note_late()
         self._halt_if_blind()
 
     def of_patient(self, screen_id: int, picture: Picture, socket: object) -> bool:
@@ -53,6 +56,7 @@ class ScreenPictures:
     def forget(self, socket: object) -> None:
         """Forget the screen of a socket that has ended; a lost screen of the patient halts the trial."""
         self._screens.pop(socket, None)
+        self._note_late()
         lost, trial = self._patients.pop(socket, None), self._trials.current
         if lost is not None and trial is not None:
             screen_id = lost[0]
@@ -70,8 +74,18 @@ class ScreenPictures:
         """Return the picture of each of the patient's screens by its id."""
         return dict(self._patients.values())
 
+    def is_late(self, screen: Screen) -> bool:
+        """Return whether this screen's picture is late; from any thread."""
+        return screen in self._late
+
+    def _note_late(self) -> None:
+        self._late = frozenset(screen for screen, picture in self._screens.values() if picture == "late")
+
     def refusal(self, screen: Screen) -> str:
         """Return why nobody may drive from this screen, in a sentence; empty when there is a picture."""
+        return NO_PICTURE if self.is_late(screen) else self._blindness(screen)
+
+    def _blindness(self, screen: Screen) -> str:
         if (screen, "none") in self._screens.values():
             return NO_PICTURE
         if "none" in self.patients().values():
@@ -82,7 +96,7 @@ class ScreenPictures:
     def _halt_if_blind(self) -> None:
         # Checked with every report, not only with a changed one: a trial may begin, or go on, between two reports.
         trial = self._trials.current
-        if trial is not None and self.refusal(Screen(trial.person_id, trial.screen)):
+        if trial is not None and self._blindness(Screen(trial.person_id, trial.screen)):
             self._halt()
 
     def _halt(self) -> None:

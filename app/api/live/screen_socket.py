@@ -7,7 +7,7 @@ from fastapi import APIRouter, WebSocket
 from pydantic import Field, ValidationError
 from starlette.websockets import WebSocketDisconnect
 
-from app.api.live.screen_pictures import Picture
+from app.api.live.screen_pictures import ScreenPicture
 from app.api.live.screens import PageSign, Screen
 from app.api.parts import WebParts
 from app.clock import monotonic
@@ -26,13 +26,13 @@ class ScreenMessage(Document):
     """A report of a screen.
 
     `silence` is the time (s) for which the page's main thread has sent nothing to the worker; `picture` is what the
-    page shows to drive by, None: not reported.
+    page shows to drive by, "late" when it is too old for that; None: not reported.
     """
 
     screen: ScreenWord
     visible: bool
     silence: Seconds
-    picture: Picture | None = None
+    picture: ScreenPicture | None = None
 
 
 @router.websocket("/screen")

@@ -93,6 +93,29 @@ def test_a_picture_lost_in_a_trial_halts_it_until_there_is_one_again(ready: Any)
         assert ready.good("POST", "/control/clear", json={"stops": stops})["state"] == "armed"
 
 
+def test_a_late_picture_halts_nothing_and_is_told_as_a_slow_screen(ready: Any) -> None:
+    with ready.screen() as socket:
+        says(socket, "view")
+        ready.good("POST", "/trials", json=ready.where)
+        assert ready.web.driving_sign().view == "in view"
+        says(socket, "late")
+        while ready.web.driving_sign().view != "slow":
+            time.sleep(0.002)
+        assert ready.process.state.name == "ARMED"  # the control process pauses it
+        ready.good("POST", "/control/stop")
+        refused = ready("POST", "/control/clear", json={"stops": ready.process.stops})
+        assert (refused.status_code, "no picture" in refused.json()["detail"]) == (409, True)
+        says(socket, "view")
+        while ready.web.driving_sign().view != "in view":
+            time.sleep(0.002)
+        assert ready.good("POST", "/control/clear", json={"stops": ready.process.stops})["state"] == "armed"
+        ready.good("POST", "/trials/current/end", json={"reason": "by hand"})
+        says(socket, "late")
+        while not ready.web.pictures.is_late(Screen(1, WORD)):
+            time.sleep(0.002)
+        assert ready("POST", "/trials", json=ready.where).status_code == 409
+
+
 def test_going_on_between_two_words_of_a_screen_halts_again(ready: Any) -> None:
     with ready.screen() as socket:
         ready.good("POST", "/trials", json=ready.where)

@@ -13,8 +13,8 @@ const REFUSAL_LIMIT = 5000;
 const ACCEPTED_AFTER = 500; // ms after which an open socket counts as accepted
 
 /**
- * What a page shows to drive by: the 3D view, the drawn plan, or nothing.
- * @typedef {"view" | "plan" | "none"} Picture
+ * What a page shows to drive by: the 3D view, the drawn plan, nothing, or a picture that is too old to drive by.
+ * @typedef {"view" | "plan" | "none" | "late"} Picture
  * @typedef {{screen: string, visible: boolean, picture: Picture, isWanted: boolean}} ScreenReport from the page to this
  *   worker; screen: the page's word; isWanted: whether heartbeats are sent at all
  */

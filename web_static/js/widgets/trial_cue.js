@@ -64,7 +64,7 @@ export function trialCue(app, picture, onEnd, onPlan) {
     }
     if (now.trial?.paused && !isOver) {
       clearTimeout(timer);
-      return put(element, pauseCard(now.trial.paused.happened, pauseWaits.element));
+      return put(element, pauseCard(now.trial.paused.name, pauseWaits.element));
     }
     if (key === "disarmed" && !isBegun) return; // the trial has not begun: keep the card of `prepare`
     clearTimeout(timer);
@@ -90,9 +90,9 @@ function pauseKey({ state, trial }) {
   return trial?.paused ? `pause ${trial.paused.name}` : state;
 }
 
-/** While the trial is paused for a slow screen: nobody has to do anything. @param {string} happened @param {Node} waits */
-function pauseCard(happened, waits) {
-  return h("div", { class: "hud fault-card pause-card" }, h("h2", {}, t("trial.pause")), h("p", {}, happened), h("p", {}, t("trial.pause.why")), waits);
+/** While the trial is paused for a slow screen: nobody has to do anything. @param {string} name of the fault @param {Node} waits */
+function pauseCard(name, waits) {
+  return h("div", { class: "hud fault-card pause-card" }, h("h2", {}, t("trial.pause")), h("p", {}, t(`trial.pause.${name}`)), h("p", {}, t("trial.pause.why")), waits);
 }
 
 /** While a trial that is over is being measured: that, and for how long. */

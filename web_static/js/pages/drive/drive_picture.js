@@ -49,6 +49,11 @@ export class DrivePicture extends TypedEvents {
     this.choose(chosen);
   }
 
+  /** What this screen reports: a picture that is only too old pauses a trial. @returns {import("../../live/screen_worker.js").Picture} */
+  get reported() {
+    return this.why === "stale" ? "late" : this.shows;
+  }
+
   /** Show the drawn plan, or the 3D view as soon as there is one. @param {"view" | "plan"} which */
   choose(which) {
     this.#chosen = which;

@@ -59,7 +59,7 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
     if (now.trial.measuring) end.setMeasuring(true);
   };
   const tell = () => {
-    app.screen.show(picture.shows);
+    app.screen.show(picture.reported);
     bar.setPicture(picture.shows);
     if (!trial) cue.prepare();
     else if (app.live.latest) cue.show(app.live.latest);
