@@ -6,15 +6,19 @@ import { h, write } from "../widgets/dom.js";
 /** @param {import("../main.js").App} app */
 export function screenLamp(app) {
   const lamp = h("span", { class: "lamp screen-lamp", hidden: true });
+  /** The id of the open session; without one nothing is paired. @type {number | null} */
+  let session = null;
   const refresh = async () => {
-    const mayAsk = app.live.connected && app.me?.signed_in && app.me.role !== "reviewer" && app.session?.patient && !app.lock.isLocked;
+    session = app.live.connected ? (app.live.latest?.session ?? null) : null;
+    const mayAsk = session !== null && app.me?.signed_in && app.me.role !== "reviewer" && !app.lock.isLocked;
     const screens = mayAsk ? (await app.api.get("/patient-screen").catch(() => null))?.screens ?? [] : [];
     const state = screenState(screens);
     lamp.hidden = state === ".none";
     lamp.className = `lamp screen-lamp${state ? " att" : " wide"}`; // on a small screen only what is not right
     write(lamp, lamp.hidden ? "" : t(`lamp.screen${state}`, { count: screens.length }));
   };
-  for (const event of /** @type {const} */ (["me", "session"])) app.addEventListener(event, refresh);
+  app.addEventListener("me", refresh);
+  app.live.addEventListener("tick", ({ detail }) => (detail.session ?? null) !== session && refresh());
   app.live.addEventListener("changed", ({ detail }) => ["screens", "everything"].includes(detail) && refresh());
   app.live.addEventListener("connection", refresh);
   return lamp;
