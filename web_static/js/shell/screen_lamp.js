@@ -3,6 +3,8 @@ import { screenState } from "../pages/drive/screen_words.js";
 import { t } from "../texts.js";
 import { h, write } from "../widgets/dom.js";
 
+const SETTLES = 300; // ms: the end of a session unpairs its screens before the live picture says that it has ended
+
 /** @param {import("../main.js").App} app */
 export function screenLamp(app) {
   const lamp = h("span", { class: "lamp screen-lamp", hidden: true });
@@ -19,7 +21,9 @@ export function screenLamp(app) {
   };
   app.addEventListener("me", refresh);
   app.live.addEventListener("tick", ({ detail }) => (detail.session ?? null) !== session && refresh());
-  app.live.addEventListener("changed", ({ detail }) => ["screens", "everything"].includes(detail) && refresh());
+  app.live.addEventListener("changed", ({ detail }) => {
+    if (["screens", "everything"].includes(detail)) setTimeout(refresh, SETTLES);
+  });
   app.live.addEventListener("connection", refresh);
   return lamp;
 }
