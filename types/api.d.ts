@@ -5557,6 +5557,7 @@ export interface components {
             };
             low: number[];
             high: number[];
+            noise: number[] | null;
             joints: components["schemas"]["JointMap"][];
             cross_talk: number[][] | null;
         };

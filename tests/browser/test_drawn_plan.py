@@ -219,5 +219,9 @@ def test_the_patients_screen_falls_back_on_the_drawn_plan_once_the_chair_stands(
     patient.goto("about:blank")
     expect(page.get_by_role("button", name="Continue")).to_be_visible()
     expect(card).to_contain_text(re.compile("lost the picture|sent nothing"))
+    page.wait_for_timeout(1500)  # Continue takes no tap that was meant for what stood there before
     page.get_by_role("button", name="Continue").click()
+    expect(page.get_by_text("which this trial uses, is out of reach")).to_be_visible()
+    patient.goto(f"{base}/patient.html")
+    expect(page.locator(".head .screen-lamp")).to_have_text("Patient’s screen")
     drives_for(page, 1)

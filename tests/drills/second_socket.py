@@ -71,7 +71,9 @@ def _second_socket(runs, dice):
         plan = demo.client.get("/floorplans/apartment").json()
         where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
         refusals = sum(_run(demo, where, result, dice, watcher) for _ in range(runs))
-    result.remark = f"the virtual chair of a whole demonstration; {refusals} sockets refused; a pause, which ends by itself"
+    result.remark = (
+        f"the virtual chair of a whole demonstration; {refusals} sockets refused; a pause, which ends by itself"
+    )
     return result
 
 
@@ -93,7 +95,7 @@ def _run(demo, where, result, dice, watcher):
         until(live, lambda message: shown.append(message) or monotonic() > silent + LOOK_ON)
         late = watcher.late(silent, silent + LOOK_ON)
         stopped = [message for message in shown if message["state"] == "disarmed"]
-        if not stopped or stopped != shown[-len(stopped) :] or stopped[0]["trial"]["paused"]["name"] != "screen_lost":
+        if not stopped or stopped != shown[-len(stopped) :] or stopped[-1]["trial"]["paused"]["name"] != "screen_lost":
             result.violations.append(f"run {result.runs + 1}: the chair went on, or stopped for another reason")
         result.add(stopped[0]["t"] - silent if stopped else None, late=late)
         _until_driving(demo, live)  # by itself: the second socket now reports for the screen
