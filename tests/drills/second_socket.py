@@ -71,9 +71,7 @@ def _second_socket(runs, dice):
         plan = demo.client.get("/floorplans/apartment").json()
         where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
         refusals = sum(_run(demo, where, result, dice, watcher) for _ in range(runs))
-    result.remark = (
-        f"the virtual chair of a whole demonstration; {refusals} sockets refused; a pause, which ends by itself"
-    )
+    result.remark = f"the virtual chair of a whole demonstration; {refusals} sockets refused; ends by itself"
     return result
 
 
