@@ -16,6 +16,7 @@ from app.api.sign_in.cookies import read_cookie, set_cookie
 from app.api.sign_in.identity import SCREEN_COOKIE, SignedInPerson
 from app.api.sign_in.sign_in_limits import address_of
 from app.quantities import Document
+from app.refusals import Conflict
 from app.store.patient_screens import (
     PAIRED_FOR,
     ScreenSettings,
@@ -99,8 +100,11 @@ async def _view(parts: People, web: WebParts, who: SignedInPerson) -> ScreensVie
 
 @router.get("")
 async def look(who: Clinician, parts: PeopleParts, web: Web) -> ScreensView:
-    """Return the screens of this session."""
-    return await _view(parts, web, who)
+    """Return the screens of this session; none without a session."""
+    try:
+        return await _view(parts, web, who)
+    except Conflict:
+        return ScreensView(screens=[], settings=ScreenSettings())
 
 
 @router.post("/pairing", status_code=201)
