@@ -6220,9 +6220,6 @@ export interface components {
             pca_check: components["schemas"]["MapCheck"];
             guided_check: components["schemas"]["MapCheck"];
         };
-        HTTPValidationError: {
-            detail?: components["schemas"]["ValidationError"][];
-        };
         HeadTrackerChoice: {
             config: (components["schemas"]["OpentrackConfig"] | components["schemas"]["FreepieConfig"] | components["schemas"]["FlockOfBirdsConfig"] | components["schemas"]["SimulatedHeadConfig"] | components["schemas"]["RecordedHeadConfig"] | components["schemas"]["TabletHeadConfig"]) | null;
         };
@@ -6542,6 +6539,10 @@ export interface components {
             x: (number | null)[];
             y: (number | null)[];
             theta: (number | null)[];
+        };
+        NameChoice: {
+            proposed: string;
+            may_replace: boolean;
         };
         NamedGesture: {
             joint: string;
@@ -6868,6 +6869,10 @@ export interface components {
             file: string;
             /** @default true */
             loop?: boolean;
+        };
+        Refused: {
+            detail: string;
+            choice?: components["schemas"]["NameChoice"] | null;
         };
         ReplacedView: {
             /** @enum {string} */
@@ -7414,13 +7419,6 @@ export interface components {
             version: number;
             origin: string;
         };
-        ValidationError: {
-            loc: (string | number)[];
-            msg: string;
-            type: string;
-            input?: unknown;
-            ctx?: Record<string, never>;
-        };
         Verdict: {
             /** @enum {string} */
             word: "better" | "within" | "worse" | "too few" | "number";
@@ -7553,7 +7551,6 @@ export type GivenConsent = components['schemas']['GivenConsent'];
 export type Goal = components['schemas']['Goal'];
 export type Ground = components['schemas']['Ground'];
 export type GuidedMap = components['schemas']['GuidedMap'];
-export type HttpValidationError = components['schemas']['HTTPValidationError'];
 export type HeadTrackerChoice = components['schemas']['HeadTrackerChoice'];
 export type HeadView = components['schemas']['HeadView'];
 export type HitCheck = components['schemas']['HitCheck'];
@@ -7593,6 +7590,7 @@ export type MeasureOfSessions = components['schemas']['MeasureOfSessions'];
 export type ModelView = components['schemas']['ModelView'];
 export type Mover = components['schemas']['Mover'];
 export type MoverLine = components['schemas']['MoverLine'];
+export type NameChoice = components['schemas']['NameChoice'];
 export type NamedGesture = components['schemas']['NamedGesture'];
 export type NewChair = components['schemas']['NewChair'];
 export type NewComment = components['schemas']['NewComment'];
@@ -7640,6 +7638,7 @@ export type Quartiles = components['schemas']['Quartiles'];
 export type RecordTime = components['schemas']['RecordTime'];
 export type RecordedConfig = components['schemas']['RecordedConfig'];
 export type RecordedHeadConfig = components['schemas']['RecordedHeadConfig'];
+export type Refused = components['schemas']['Refused'];
 export type ReplacedView = components['schemas']['ReplacedView'];
 export type ReplayConfig = components['schemas']['ReplayConfig'];
 export type ReplayMoment = components['schemas']['ReplayMoment'];
@@ -7706,7 +7705,6 @@ export type UdpConfig = components['schemas']['UdpConfig'];
 export type Unlock = components['schemas']['Unlock'];
 export type UnusedChannels = components['schemas']['UnusedChannels'];
 export type UsedSetView = components['schemas']['UsedSetView'];
-export type ValidationError = components['schemas']['ValidationError'];
 export type Verdict = components['schemas']['Verdict'];
 export type ViewState = components['schemas']['ViewState'];
 export type VisitorConfig = components['schemas']['VisitorConfig'];

@@ -31,7 +31,7 @@ from app.api.patient_screen import routes as patient_screen
 from app.api.prior import prior_switch
 from app.api.proxy import BehindProxy
 from app.api.records import patient_consents, session_comparisons, session_records, sign_offs
-from app.api.refusals import install_refusals
+from app.api.refusals import REFUSALS, install_refusals
 from app.api.replay import replay_view, trial_replay
 from app.api.reports import report_file
 from app.api.routes import (
@@ -210,7 +210,7 @@ def _opened(settings: Settings) -> Database:
 
 def _api(routers: Iterable[APIRouter]) -> APIRouter:
     """Return a router that serves these below the prefix; each change has to name the open session."""
-    api = APIRouter(prefix=PREFIX, dependencies=[SessionRequired])
+    api = APIRouter(prefix=PREFIX, dependencies=[SessionRequired], responses=REFUSALS)
     for router in routers:
         api.include_router(router)
     return api

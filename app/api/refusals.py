@@ -2,6 +2,7 @@
 
 import errno
 import logging
+from typing import Any, Final
 
 from fastapi import FastAPI, Request
 from fastapi.concurrency import run_in_threadpool
@@ -11,6 +12,7 @@ from starlette.exceptions import HTTPException
 
 from app.api.deps import People
 from app.api.sign_in.identity import find_sign_in
+from app.quantities import Document
 from app.refusals import NO_ROOM, Conflict, DiskFull, NotFound, OtherClinicRow, Refusal, Unavailable
 from app.sentences import sentence_of
 from app.store.files.taken_names import NameTaken
@@ -23,6 +25,28 @@ STATUS: dict[type[Exception], int] = {
     Unavailable: 503,
     DiskFull: 507,
 }
+
+
+class NameChoice(Document):
+    """What can be done about a name that is taken."""
+
+    proposed: str  # a free name
+    may_replace: bool
+
+
+class Refused(Document):
+    """Every answer that is no success: one sentence, and a choice where a name is taken."""
+
+    detail: str
+    choice: NameChoice | None = None
+
+
+REFUSALS: Final[dict[int | str, dict[str, Any]]] = {
+    "4XX": {"model": Refused, "description": "Refused, with what is wrong and what to do"},
+    "5XX": {"model": Refused, "description": "Something is out of reach, or went wrong inside the program"},
+}
+"""The answers of every route that FastAPI does not know of; the handlers below write them."""
+
 WHERE = {"body": "What was sent", "query": "The address", "path": "The address", "header": "A header"}
 WORDS = {
     404: "There is nothing at this address: check it.",
