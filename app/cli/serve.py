@@ -15,6 +15,7 @@ from app.cli.errors import InputError
 from app.cli.port import bind, bind_here, proxy_network, public_name
 from app.files import write_atomically
 from app.network import link
+from app.python_release import python_warning
 from app.realtime import collect_seldom
 from app.refusals import Refusal
 from app.settings import Settings, new_code, state_folder
@@ -151,7 +152,8 @@ def _run(
 ) -> None:
     from app.cli.server import run_clinic
 
-    run_clinic(settings, launch, listening, "\n".join(words), others)
+    warning = python_warning(sys.version_info[:3])
+    run_clinic(settings, launch, listening, "\n".join([*words, *filter(None, [warning])]), others)
 
 
 def _leave() -> None:
