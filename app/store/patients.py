@@ -10,6 +10,7 @@ from sqlalchemy.orm import Session
 from app import __version__
 from app.clock import utc_now
 from app.refusals import Conflict, NotFound
+from app.similar_names import require_distinct
 from app.store.access.visible_patients import WITH_DELETED, look_for_deleted
 from app.store.keeping.record_time import require_reason
 from app.store.own_rows import own_row
@@ -35,6 +36,9 @@ def add_patient(db: Session, clinic_id: int, code: str, pseudonym: str, note: st
             f"The code '{code}' belongs to a deleted patient: choose another code, "
             f"or undo the deletion of patient {same.id}."
         )
+    codes = select(Patient.code).where(Patient.clinic_id == clinic_id)
+    require_distinct(code, db.scalars(codes, execution_options=WITH_DELETED), "a patient of the code")
+    require_distinct(pseudonym, (), "")
     patient = Patient(
         clinic_id=clinic_id,
         code=code,

@@ -9,6 +9,7 @@ from sqlalchemy.orm import Session
 
 from app.clock import utc_now
 from app.refusals import Conflict, NotFound
+from app.similar_names import require_distinct
 from app.store.access.person_tables import Person, SignIn
 from app.store.log import write_log
 from app.store.tables import Clinic
@@ -58,6 +59,7 @@ def add_person(
     """
     if find_person(db, name) is not None:
         raise Conflict(f"There is already somebody called '{name}': choose another name to sign in with.")
+    require_distinct(name, db.scalars(select(Person.name)), "somebody called")
     person = Person(
         clinic_id=clinic.id,
         name=name,

@@ -6,6 +6,7 @@ from pathlib import PurePath
 from typing import Literal
 
 from app.refusals import Conflict
+from app.similar_names import require_distinct
 
 LONGEST_NAME = 64
 
@@ -31,11 +32,15 @@ def name_for(name: str, taken: Collection[str], same_name: SameName, *, may_repl
 
     Raises
     ------
+    Conflict
+        When the name looks like another one, and nobody said that both are to be kept.
     NameTaken
         When the name is taken and nobody chose, or when the file of this name cannot be replaced.
     """
     standing = next((one for one in sorted(taken) if one.lower() == name.lower()), None)
     if standing is None:
+        if same_name == "ask":
+            require_distinct(name, taken, "a file or plan")
         return name
     proposed = free_name(name, taken)
     if same_name == "keep-both":

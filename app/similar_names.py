@@ -1,0 +1,49 @@
+"""Names that look alike: one must not be taken for another, whether by mistake or on purpose."""
+
+import re
+import unicodedata
+from collections.abc import Iterable
+from typing import Final
+
+from app.refusals import Conflict
+
+# Characters that look like a Latin letter or a digit (the common ones of Unicode's list of confusables).
+PAIRS: Final = (
+    "АA ВB ЕE ЅS ІI ЈJ КK МM НH ОO РP СC ТT УY ХX аa еe іi јj оo рp сc уy хx ѕs һh ԁd ԛq ԝw ӏl ӀI "
+    "ΑA ΒB ΕE ΖZ ΗH ΙI ΚK ΜM ΝN ΟO ΡP ΤT ΥY ΧX οo ρp νv υu αa ɡg ıi ɑa"
+)
+LOOKS: Final = str.maketrans({pair[0]: pair[1] for pair in PAIRS.split()})
+SAME: Final = str.maketrans({"l": "1", "I": "1", "|": "1", "O": "0", "o": "0"})
+TOGETHER: Final = {"HIRAGANA", "KATAKANA", "KATAKANA-HIRAGANA", "CJK", "BOPOMOFO", "HANGUL"}  # written in one word
+WORD: Final = re.compile(r"[^\W\d_]+")
+
+
+def skeleton(name: str) -> str:
+    """Return what is equal for names that look alike: P-1 and P-l, Latin and Cyrillic letters of the same shape."""
+    return " ".join(unicodedata.normalize("NFKC", name).translate(LOOKS).translate(SAME).split())
+
+
+def look_alike(name: str, others: Iterable[str]) -> str | None:
+    """Return the first of other names that looks like this one; equal names look alike."""
+    own = skeleton(name)
+    return next((other for other in others if skeleton(other) == own), None)
+
+
+def mixed_word(name: str) -> str | None:
+    """Return the first word of a name whose letters are of two scripts, such as Latin and Cyrillic."""
+    return next((word for word in WORD.findall(name) if len(_scripts(word)) > 1), None)
+
+
+def require_distinct(name: str, others: Iterable[str], what: str) -> None:
+    """Raise Conflict when a word of a name is of two scripts, or the name looks like one of the others."""
+    word = mixed_word(name)
+    if word is not None:
+        raise Conflict(f"In '{word}' letters of two scripts stand together: type it in one script.")
+    other = look_alike(name, others)
+    if other is not None:
+        raise Conflict(f"There is {what} '{other}' already, and '{name}' looks the same: choose another name.")
+
+
+def _scripts(word: str) -> set[str]:
+    named = (unicodedata.name(letter, "").partition(" ")[0] for letter in word if unicodedata.category(letter) != "Lm")
+    return {"together" if name in TOGETHER else name for name in named if name not in {"", "MODIFIER", "COMBINING"}}
