@@ -61,8 +61,12 @@ def wrong_answer(operation: dict[str, Any], answer: Any, document: dict[str, Any
         return [f"{code} is not declared"]
     kind = answer.headers.get("content-type", "").partition(";")[0]
     content = known.get("content", {})
-    if not content:
-        return [f"{code} has a content, and none is declared"] if answer.content else []
+    if not content:  # nothing, or a file, whose content the document does not describe
+        return (
+            [f"{code} has a JSON content, and none is declared"]
+            if kind == "application/json" and answer.content
+            else []
+        )
     if kind != "application/json":
         schema = next(iter(content.values()), {}).get("schema", {})
         fits = not answer.content or schema == {} or kind in content
