@@ -38,6 +38,8 @@ class Fault(IntEnum):
     SCREEN_HIDDEN = 19
     SCREEN_SLOW = 20
     PICTURE_LOST = 21
+    NO_MOVEMENT = 22
+    SHIRT_RATE = 23
 
 
 def is_pause(state: int, fault: int) -> bool:
@@ -130,6 +132,14 @@ EXPLANATIONS: dict[Fault, Explanation] = {
     Fault.CHAIR_NOT_READY: Explanation(
         "The chair did not become ready within 5 seconds.",
         "See on the Chair page what it says, then tap Continue.",
+    ),
+    Fault.SHIRT_RATE: Explanation(
+        "The shirt sends more or fewer signals per second than is set for it.",
+        "Set its true rate on the Shirt page and calibrate again.",
+    ),
+    Fault.NO_MOVEMENT: Explanation(
+        "The signals changed as no body moves: by jumps, as evenly as a machine, or in all joints alike.",
+        "See that the shirt's plugs are firm and its cable hangs free, let the patient rest, then tap Continue.",
     ),
     Fault.BRAKE_BAD: Explanation(
         "A sensor of the movement that brakes or stops gave impossible values.",

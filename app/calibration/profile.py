@@ -162,6 +162,7 @@ class JointMap(Document):
     rest_rate: Threshold  # FS/s, standard deviation of the rate at rest
     dead_zone: Threshold  # FS/s, suggested
     full: Threshold  # FS/s, suggested
+    step: Threshold | None = None  # FS: a larger change from one rest to another at once is no movement; None: unknown
     grade: Grade
     reason: str
     map: MapKind = "pca"  # the map that gives the rate; the score is always that of PC1
@@ -202,9 +203,9 @@ class JointMap(Document):
         document: dict[str, Any] = handler(self)
         if document.get("map") == "pca":
             del document["map"]
-        for kind in ("guided", "prior"):
-            if document.get(kind, ...) is None:
-                del document[kind]
+        for name in ("guided", "prior", "step"):
+            if document.get(name, ...) is None:
+                del document[name]
         return document
 
     @property

@@ -10,6 +10,8 @@ from app.messages import SensorFrame, Tick
 from app.pipeline.channel_health import LossWindow
 from app.pipeline.controls import Controls
 from app.pipeline.decoder import Decoder, periods_between
+from app.pipeline.frame_rate import FrameRate
+from app.pipeline.movement_check import MovementCheck
 from app.pipeline.safety_gate import (
     ARMED,
     CHECKING,
@@ -36,6 +38,7 @@ class Chain:
         self.dial = 1.0  # the speed dial: share of the speeds to drive at
         self.gate = SafetyGate(self._limits(self.clinic, self.dial), sample_rate)
         self._decoder = Decoder(parameters, sample_rate) if parameters else None
+        self._check = MovementCheck(parameters, sample_rate) if parameters else None
         self._controls = Controls(parameters) if parameters else None
         self._shaper = Shaper(parameters) if parameters else None
         if self._shaper:
@@ -43,6 +46,7 @@ class Chain:
         self._sample_rate = sample_rate
         self._stale, self._silent = shirt_limits(sample_rate)
         self._loss = LossWindow()
+        self._frame_rate = FrameRate(sample_rate)
         self._tick = Tick()
         self.reset()
 
@@ -81,12 +85,15 @@ class Chain:
         """Disarm and reset all state: the next frame begins a new run. A latched fault stays."""
         self.gate.disarm()
         self.gate.stand()
-        if self._decoder and self._shaper:
+        if self._decoder and self._check and self._shaper:
             self._decoder.reset()
+            self._check.reset()
             self._shaper.reset()
         self._at_rest = True  # whether every bound gesture was at rest in the newest tick
         self._makes_stop = False  # whether it has the stop gesture; while a stop is latched, only its beginning counts
         self._loss.reset()
+        self._frame_rate.reset()
+        self._until_look = 0  # frames until the next look at movement and rate
         self._lossy_since: float | None = None
         self._t: float | None = None
         self._frame_t: float | None = None
@@ -113,8 +120,8 @@ class Chain:
             tick.values = frame.values
             tick.frame_seq = frame.seq
             tick.t_device = frame.t_device
-        if self._decoder and self._controls and self._shaper:
-            twist = self._decide(self._decoder, self._controls, self._shaper, frame, t, pause, dt, conditions)
+        if self._decoder and self._check and self._controls and self._shaper:
+            twist = self._decide(self._decoder, self._check, self._controls, self._shaper, frame, pause, dt, conditions)
         else:
             twist = STANDSTILL
         state = self.chair.drive(twist, dt, self.gate.state is ARMED)
@@ -127,17 +134,18 @@ class Chain:
     def _decide(
         self,
         decoder: Decoder,
+        check: MovementCheck,
         controls: Controls,
         shaper: Shaper,
         frame: SensorFrame | None,
-        t: float,
         pause: float,
         dt: float,
         conditions: Conditions,
     ) -> Twist:
         tick, gate = self._tick, self.gate
+        t = tick.t
         if frame is not None:
-            self._decode(decoder, frame)
+            self._decode(decoder, check, frame)
         elif self._frame_t is None:
             self._frame_t = t  # the age of the missing first frame counts from here
         frame_age = t - self._frame_t if self._frame_t is not None else math.inf
@@ -158,17 +166,18 @@ class Chain:
         else:
             tick.u1 = tick.u2 = 0.0
             self._at_rest = not unseen  # unseen is not at rest
-        permitted = gate.decide(t, pause, self._at_rest, self._bad(decoder, controls), frame_age, conditions)
+        permitted = gate.decide(t, pause, self._at_rest, self._bad(decoder, check, controls), frame_age, conditions)
         if permitted is not ARMED:
             shaper.reset()
             return gate.limit(STANDSTILL, dt)
         return gate.limit(shaper.step(tick.u1, tick.u2, gate.last, gate.rates, dt), dt)
 
-    def _bad(self, decoder: Decoder, controls: Controls) -> BadGestures:
-        if controls.brakes.are_complete and True not in decoder.bad:
+    def _bad(self, decoder: Decoder, check: MovementCheck, controls: Controls) -> BadGestures:
+        if controls.brakes.are_complete and not check.doubts and True not in decoder.bad:
             return NONE_BAD
         bad_count = sum(decoder.bad[i] for i in controls.bound)
-        return BadGestures(bad_count, not controls.brakes.suffice(self.gate.last, decoder.bad))
+        brakes_lost = not controls.brakes.suffice(self.gate.last, decoder.bad)
+        return BadGestures(bad_count, brakes_lost, check.doubts, check.disbelieves)
 
     def _follow_losses(self, t: float, controls: Controls) -> None:
         """Stop when frames go on being lost: gestures count as neutral then, so a gesture cannot brake.
@@ -179,12 +188,17 @@ class Chain:
             self._lossy_since = None
         elif self._lossy_since is None:
             self._lossy_since = t
-        elif self.gate.state is CHECKING or self.gate.state is ARMED:
+        elif self._may_move:
             limit = self._silent if controls.brakes.are_needed(self.gate.last) else LOSSY_LIMIT
             if t - self._lossy_since > limit:
                 self.gate.stop(Fault.SHIRT_LOSSY)
 
-    def _decode(self, decoder: Decoder, frame: SensorFrame) -> None:
+    @property
+    def _may_move(self) -> bool:
+        """Whether the gate permits motion, or is about to."""
+        return self.gate.state is CHECKING or self.gate.state is ARMED
+
+    def _decode(self, decoder: Decoder, check: MovementCheck, frame: SensorFrame) -> None:
         time_step = frame.t_device - self._t_device
         if not 0.0 < time_step < math.inf:  # the first frame, or the device was restarted
             time_step = 1.0 / self._sample_rate
@@ -193,3 +207,10 @@ class Chain:
         periods = periods_between(time_step, self._sample_rate)
         decoder.step(frame.values, periods)
         self._loss.step(frame.t, int(periods) - 1)
+        self._until_look -= 1
+        if self._until_look <= 0 or periods > 1.0:
+            self._until_look = check.every
+            check.look(frame.values, decoder.bad, decoder.estimated, decoder.rate, decoder.is_active, periods)
+            self._frame_rate.step(frame.seq, frame.t_device, frame.t)
+            if self._frame_rate.differs and self._may_move:
+                self.gate.stop(Fault.SHIRT_RATE)

@@ -62,10 +62,12 @@ class Conditions:
 
 
 class BadGestures(NamedTuple):
-    """Bound gestures that read bad channels."""
+    """Bound gestures that read bad channels, and signals that no movement makes."""
 
     bound: int = 0  # how many
     brakes: bool = False  # whether the other gestures cannot stop the motion (app/pipeline/person_brakes.py)
+    doubts: bool = False  # whether something within the last 2 s was no movement (app/pipeline/movement_check.py)
+    disbelieves: bool = False  # whether it would have driven
 
 
 def shirt_limits(sample_rate: float) -> tuple[float, float]:
@@ -167,7 +169,7 @@ class SafetyGate:
             if fault is not NO_FAULT:
                 self.stop(fault)
             elif self.state is CHECKING:
-                self._check_neutral(t, neutral and not bad.bound, bad, conditions.chair)
+                self._check_neutral(t, neutral and not bad.bound and not bad.doubts, bad, conditions.chair)
         return self.state
 
     def limit(self, asked: Twist, dt: float) -> Twist:
@@ -216,6 +218,8 @@ class SafetyGate:
             return Fault.SHIRT_SILENT
         if bad.bound >= BAD_GESTURES:
             return Fault.CHANNELS_BAD
+        if bad.disbelieves and self.state is ARMED:
+            return Fault.NO_MOVEMENT
         return Fault.BRAKE_BAD if bad.brakes else NO_FAULT
 
     def _check_neutral(self, t: float, neutral: bool, bad: BadGestures, chair: ChairCondition) -> None:
@@ -231,4 +235,7 @@ class SafetyGate:
             elif t - self._checking_since > NEUTRAL_PATIENCE:
                 self.stop(Fault.CHAIR_NOT_READY)
         elif t - self._checking_since > NEUTRAL_PATIENCE:
-            self.stop(Fault.CHANNELS_BAD if bad.bound else Fault.NOT_NEUTRAL)
+            if bad.bound:
+                self.stop(Fault.CHANNELS_BAD)
+            else:
+                self.stop(Fault.NO_MOVEMENT if bad.doubts else Fault.NOT_NEUTRAL)

@@ -173,7 +173,9 @@ def test_losses_that_go_on_stop_and_a_chair_that_cruises_sooner(mode, limit):
     for frame in bend(parameters, 60, 0.8):
         tick = ride.feed(frame)
     assert tick.v > 0.1
-    frames = make_signals(parameters, 300, strokes=False)
+    frames = make_signals(parameters, 300, strokes=False) + (
+        bend(parameters, 60, 0.8)[-1] - bend(parameters, 60, 0)[-1]
+    )
     seen = [(ride.feed(frame if i % 2 else None).fault, ride.chain._loss.too_lossy) for i, frame in enumerate(frames)]
     silenced = [lossy for _, lossy in seen].index(True)
     stopped = [fault for fault, _ in seen].index(Fault.SHIRT_LOSSY)

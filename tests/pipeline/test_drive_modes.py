@@ -40,11 +40,12 @@ class Ride:
         self.chain = Chain(RATE, self.parameters, chair(None, Pose(0.0, 0.0, 0.0)))
         self.gate = self.chain.gate
         self.steps = 0
+        self.held = np.float32(0.0)  # (n_channels,) what a movement left in the signals: no limb jumps back
 
     def feed(self, frame, **conditions):
         t = self.steps / RATE
         self.steps += 1
-        sensed = None if frame is None else SensorFrame(self.steps, t, t, frame)
+        sensed = None if frame is None else SensorFrame(self.steps, t, t, frame + self.held)
         return self.chain.step(sensed, t, Conditions(**conditions))
 
     def rest(self, seconds, seed=0):
@@ -73,6 +74,7 @@ class Ride:
             tick = self.feed(frame)
         assert tick.v > 0.1
         assert tick.omega > 0.1
+        self.held = frame - self.bend()[-1]
         return self
 
 

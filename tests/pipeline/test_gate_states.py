@@ -139,6 +139,19 @@ def test_the_last_brake_that_breaks_stops_at_once():
     assert gate.fault is Fault.BRAKE_BAD
 
 
+def test_signals_that_no_movement_makes_stop_at_once_and_are_not_at_rest():
+    gate = moving_gate()
+    assert decide(gate, 1.0, bad=BadGestures(doubts=True)) is State.ARMED
+    assert decide(gate, 1.0, bad=BadGestures(doubts=True, disbelieves=True)) is State.FAULT
+    assert gate.fault is Fault.NO_MOVEMENT
+    gate = SafetyGate(SPEEDS, 100.0)
+    gate.arm()
+    for i in range(501):
+        assert decide(gate, i * DT, bad=BadGestures(doubts=True, disbelieves=i % 2 == 0)) is State.CHECKING
+    decide(gate, 5.02, bad=BadGestures(doubts=True))
+    assert gate.fault is Fault.NO_MOVEMENT
+
+
 def test_each_stop_counts_and_only_who_saw_the_last_clears():
     gate = armed_gate()
     gate.stop(Fault.STOP_TABLET)

@@ -123,8 +123,8 @@ def test_the_same_frames_give_the_same_command_log_on_both_chairs(make_drive, ch
     times = np.sort(np.array(frame_times(20.0)) + rng.uniform(0.0, 0.008, 2000))
     times = times[rng.random(2000) > 0.02]
     parameters = make_parameters()
-    signals = make_signals(parameters, len(times), seed=1)
-    signals[:250] = make_signals(parameters, 250, strokes=False)
+    rest, strokes = make_signals(parameters, 250, strokes=False), make_signals(parameters, len(times) - 250, seed=1)
+    signals = np.concatenate((rest, strokes))
     logs = []
     for which in (None, chair):
         drive = make_drive(times, signals, which)
@@ -161,8 +161,7 @@ def test_commands_go_out_at_50_hz_whatever_the_shirt_s_rate(make_drive, chair, r
 
 def test_of_frames_that_waited_only_the_newest_is_told(make_drive, chair):
     parameters = make_parameters()
-    signals = make_signals(parameters, 800, seed=1)
-    signals[:250] = make_signals(parameters, 250, strokes=False)
+    signals = np.concatenate((make_signals(parameters, 250, strokes=False), make_signals(parameters, 550, seed=1)))
     drive = make_drive(frame_times(8.0), signals, chair)
     drive.arm()
     while abs(drive.gate.last.v) < 0.1:  # until a stroke has begun

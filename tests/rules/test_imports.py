@@ -18,6 +18,7 @@ PURE_CHAIN = tuple(
     for name in (
         *("chain", "channel_health", "channel_substitution", "controls", "decoder", "low_pass", "linear_rate"),
         *("person_brakes", "prior_rates", "projection", "return_doubt"),
+        *("frame_rate", "movement_check"),
         *("ramp", "safety_gate", "shaping"),
         *("replay.batch", "replay.linear_batch"),
     )

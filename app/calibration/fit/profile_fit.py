@@ -170,6 +170,7 @@ def _joint_map(
         rest_rate=joint.rest_rate,
         dead_zone=joint.dead_zone,
         full=joint.full,
+        step=joint.step,
         grade=letter,
         reason=reason,
     )

@@ -32,6 +32,8 @@ _HAPPENED: dict[Fault, str] = {
     Fault.SHIRT_LOSSY: "Signals of the shirt were lost.",
     Fault.CHANNELS_BAD: "Some sensors of the shirt need a look.",
     Fault.BRAKE_BAD: "Some sensors of the shirt need a look.",
+    Fault.NO_MOVEMENT: "The signals did not come from your movement: let your arms hang.",
+    Fault.SHIRT_RATE: "The shirt has to be set anew.",
     Fault.WEB_SILENT: "The program was interrupted.",
     Fault.SCREEN_LOST: "Your clinician's screen was out of reach.",
     Fault.SCREEN_HIDDEN: "Your clinician's page was out of view.",

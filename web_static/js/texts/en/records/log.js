@@ -85,6 +85,8 @@ export default {
   "log.value.fault.screen_hidden": "the screen was hidden",
   "log.value.fault.screen_slow": "the screen was too slow",
   "log.value.fault.picture_lost": "the picture was lost",
+  "log.value.fault.no_movement": "the signals changed as no body moves",
+  "log.value.fault.shirt_rate": "the shirt sent at another rate than is set",
   "log.value.fault.bad_number": "a command was not a number",
   "log.value.fault.loop_late": "the control loop was late",
   "log.value.fault.recording_lost": "the recording could not be written",
