@@ -3,9 +3,8 @@
 import math
 from typing import Final
 
-TOLERANCE: Final = (
-    0.25  # of the rate: a chain that is wrong by less takes a movement for one a quarter faster or slower
-)
+# Of the rate: a chain whose rate is wrong by less takes a movement for one a quarter faster or slower.
+TOLERANCE: Final = 0.25
 DEVICE_WINDOW: Final = 0.5  # s by the shirt's own clock
 ARRIVAL_WINDOW: Final = 2.0  # s by our clock: frames come in bursts, and later than they were sent
 
@@ -26,9 +25,8 @@ class _Window:
         if 0.0 <= passed < self._size:
             return
         count = seq - self._seq
-        if (
-            self._size <= passed < 2.0 * self._size and count > 0
-        ):  # else: the first frame, a pause, or the shirt began anew
+        # Otherwise: the first frame, a pause, or the shirt began anew.
+        if self._size <= passed < 2.0 * self._size and count > 0:
             self.differs = abs(count / passed - self._rate) > TOLERANCE * self._rate
         self._seq, self._begin = seq, t
 
