@@ -27,7 +27,7 @@ START_AGAIN_AFTER = 0.5  # s; doubled with each start that fails, up to ...
 LONGEST_PAUSE = 8.0  # s
 
 ControlState = Literal["alive", "starting", "lost"]
-StopReason = Literal["tablet", "picture"]
+StopReason = Literal["tablet", "key", "picture"]
 LoadCommand = Literal["limits", "dial", "chair", "shirt", "body", "head", "parameters"]
 
 
@@ -137,9 +137,9 @@ class ControlLink:
         finally:
             self._opening -= opening
 
-    async def stop(self) -> bool:
+    async def stop(self, by: StopReason = "tablet") -> bool:
         """Stop the chair; return within STOP_LIMIT whether the control process confirmed it; if not, it is replaced."""
-        stopping = self.begin_stop("tablet")
+        stopping = self.begin_stop(by)
         await asyncio.wait({stopping}, timeout=STOP_LIMIT)
         return stopping.done() and not stopping.cancelled() and stopping.exception() is None
 

@@ -203,7 +203,7 @@ def stops_by_key_and_by_touch(page, keep, bend):
     page.get_by_role("button", name="Speed dial, share of the speeds −").click()
     expect(page.locator(".dial output")).to_have_text("90 %")
     until_driving(page)
-    stops(page, "Stop was pressed on the screen", lambda: page.keyboard.press("Space"))
+    stops(page, "Stop was pressed on the keyboard", lambda: page.keyboard.press("Space"))
     expect(speed).to_contain_text("0.00")
     expect(told_by_chair(page)).to_contain_text("Disarmed")
     keep("chair-stopped")

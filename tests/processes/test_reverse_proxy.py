@@ -218,7 +218,8 @@ def walk_through(browser: Browser, code: str) -> None:
     refused = browser.post("/archives", content=bytes(LARGE))  # the proxy passes it on, and bodydrive reads it
     assert (refused.status_code, "This is no archive" in refused.text) == (422, True), refused.text
     patient = browser.post("/patients", json={"code": "P-2", "pseudonym": "Otter"}).json()
-    begun = browser.post("/session", json={"patient_id": patient["id"]})
+    now = browser.get("/session").json()["session"]
+    begun = browser.post("/session", json={"patient_id": patient["id"], "ends": now and now["id"]})
     assert begun.status_code == 200, begun.text
     assert browser.get(f"{browser.headers['Origin']}/view/clinician/").status_code == 200
     assert first_picture(browser, "/view/clinician")

@@ -16,7 +16,8 @@ export const FORBIDDEN = 403;
 const LOCKED = 423;
 const CONFLICT = 409;
 const STOP = "/control/stop";
-const ALWAYS = new Set([STOP, "/auth/sign-out"]);
+const STOP_BY_KEY = `${STOP}?by=key`;
+const ALWAYS = new Set([STOP, STOP_BY_KEY, "/auth/sign-out"]);
 
 /** A refusal, or no answer; the message is for people. */
 export class ApiError extends Error {
@@ -37,7 +38,7 @@ export function failureWords(error) {
 }
 
 /** Whether a path belongs to no sign-in. @param {string} path */
-const isForEveryone = (path) => path === STOP || path.startsWith("/auth/");
+const isForEveryone = (path) => path.startsWith(STOP) || path.startsWith("/auth/");
 
 let signIns = 0; // counts up with each sign-in that ends, for the calls of every page
 
@@ -144,7 +145,7 @@ export class Api {
         headers,
         body: body === undefined || isFile ? body : JSON.stringify(body),
         // A stop must leave even when the page is being closed.
-        keepalive: path === STOP,
+        keepalive: path.startsWith(STOP),
       });
     } catch {
       throw new ApiError(t("error.no-answer"), 0);

@@ -2,7 +2,7 @@
 
 import asyncio
 import json
-from typing import Annotated
+from typing import Annotated, Literal
 
 from fastapi import APIRouter, WebSocket
 from pydantic import Field, ValidationError
@@ -30,7 +30,7 @@ class HeadDirection(Document):
 
 
 class PageMessage(Document):
-    """A message of a page: targets of the simulated body's joints, the direction of a tablet, or Stop.
+    """A message of a page: targets of the simulated body's joints, the direction of a tablet, or Stop, by the button or by a key.
 
     `acted`: the person has just touched the page or pressed a key; otherwise the sign-in is locked after a while.
     `pictures`: how many pictures a second the page draws, when the event "graphics" asked for it.
@@ -39,6 +39,7 @@ class PageMessage(Document):
     move: Annotated[dict[Name, Fraction], Field(max_length=MAX_JOINTS)] | None = None
     look: HeadDirection | None = None
     stop: bool = False
+    by: Literal["tablet", "key"] = "tablet"
     acted: bool = False
     pictures: PicturesPerSecond | None = None
 
@@ -80,7 +81,7 @@ async def _take(text: str, websocket: WebSocket, web: WebParts) -> None:
     try:
         content = json.loads(text)
         if isinstance(content, dict) and content.get("stop") is True:
-            await web.control.stop()
+            await web.control.stop("key" if content.get("by") == "key" else "tablet")
         message = PageMessage.model_validate(content)
     except (ValidationError, ValueError, RecursionError):
         return

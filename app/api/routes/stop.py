@@ -54,13 +54,14 @@ def _view(control: ControlLink) -> ControlView:
 
 @router.post("/stop", dependencies=[ForEveryone])
 async def stop(request: Request, afterwards: BackgroundTasks, parts: PeopleParts, web: Web) -> ControlView:
-    """Stop the chair: latched, overrides every motion; for anyone, signed in or not.
+    """Stop the chair: latched, overrides every motion; for anyone, signed in or not. `by=key`: by the keyboard.
 
     Who asked is found and logged after the answer: a stop waits for no database.
     """
     afterwards.add_task(_note_who, request, parts, web)
-    if await web.control.stop():
-        return ControlView(state="fault", fault=Fault.STOP_TABLET.name.lower())
+    is_key = request.query_params.get("by") == "key"  # whatever else the address says, the chair is stopped
+    if await web.control.stop("key" if is_key else "tablet"):
+        return ControlView(state="fault", fault=(Fault.STOP_KEY if is_key else Fault.STOP_TABLET).name.lower())
     return ControlView(state="fault", fault=Fault.CONTROL_LOST.name.lower())  # it has ended, or is being replaced
 
 

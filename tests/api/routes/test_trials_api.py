@@ -111,6 +111,13 @@ def test_stop_is_for_anyone_and_twice_and_clear_is_not(ready: Any) -> None:
     assert [do for do, _ in ready.process.calls].count("stop") == 3
 
 
+def test_a_stop_says_whether_it_was_made_by_a_key_and_whatever_the_address_says_it_stops(ready: Any) -> None:
+    for by, fault in (("key", "stop_key"), ("tablet", "stop_tablet"), ("picture", "stop_tablet"), ("", "stop_tablet")):
+        assert ready.good("POST", f"/control/stop?by={by}") == {"state": "fault", "fault": fault}
+    stops = [fields["by"] for do, fields in ready.process.calls if do == "stop"]
+    assert stops == ["key", "tablet", "tablet", "tablet"]
+
+
 def test_the_end_of_a_halted_trial_ends_the_stop_that_was_seen_and_no_other(ready: Any) -> None:
     ready.good("POST", "/trials", json=ready.where)
     ready.good("POST", "/control/stop")

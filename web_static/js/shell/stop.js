@@ -5,11 +5,11 @@ import { h } from "../widgets/dom.js";
 const SHOWN_FOR = 600; // ms that the button shows it was hit
 const MOVING = new Set(["armed", "checking"]);
 
-/** Send a stop over the socket and by HTTP; either is enough. @param {import("../main.js").App} app */
-async function stopNow(app) {
-  app.live.send({ stop: true });
+/** Send a stop over the socket and by HTTP; either is enough. @param {import("../main.js").App} app @param {"tablet" | "key"} by */
+async function stopNow(app, by) {
+  app.live.send({ stop: true, by });
   try {
-    await app.api.post("/control/stop");
+    await app.api.post(by === "key" ? "/control/stop?by=key" : "/control/stop");
     app.toasts.announce(t("stop.sent"), true);
   } catch {
     if (!app.live.connected || app.live.age > 1) app.toasts.show(t("stop.not-sent"));
@@ -29,7 +29,7 @@ export function stopButton(app) {
   const hit = () => {
     button.classList.add("sent");
     setTimeout(() => button.classList.remove("sent"), SHOWN_FOR);
-    stopNow(app);
+    stopNow(app, "tablet");
   };
   button.addEventListener("pointerdown", hit);
   app.addEventListener("me", () => (button.hidden = !hasStop(app)));
@@ -52,7 +52,7 @@ export function stopOnSpace(app, where, signal) {
     if (!stops(event)) return;
     event.preventDefault();
     event.stopImmediatePropagation();
-    if (!event.repeat) stopNow(app);
+    if (!event.repeat) stopNow(app, "key");
   };
   where.addEventListener("keydown", down, { capture: true, signal });
   // The button under the focus would be pressed when the key comes up.
