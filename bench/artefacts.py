@@ -191,9 +191,10 @@ def _added(profile: CalibrationProfile, sample_rate: float, artefact: Artefact) 
     return np.asarray(np.outer(course, size), dtype=np.float64)
 
 
-def worst(subjects: Sequence[Subject], artefact: Artefact, mode: ControlMode, feature: Feature) -> Outcome:
-    """Return the outcome of the subject whose chair became fastest."""
-    return max(outcome(in_mode(one, mode, feature), artefact) for one in subjects)
+def worst(subjects: Sequence[Subject], artefact: Artefact, mode: ControlMode, feature: Feature) -> tuple[float, float]:
+    """Return the largest speed (m/s) and the longest way (m) that an artefact gives the chair of any subject."""
+    each = [outcome(in_mode(one, mode, feature), artefact) for one in subjects]
+    return max(one.speed for one in each), max(one.way for one in each)
 
 
 def main() -> None:
@@ -208,7 +209,7 @@ def main() -> None:
     sys.stdout.write("|---|" + "---|" * len(kinds) + "\n")
     for artefact, judged in rows:
         each = [worst(judged, artefact, mode, feature) for mode, feature in kinds]
-        cells = (f"{one.speed:.2f} m/s, {one.way:.2f} m" for one in each)
+        cells = (f"{speed:.2f} m/s, {way:.2f} m" for speed, way in each)
         sys.stdout.write(f"| {artefact.words} | " + " | ".join(cells) + " |\n")
         sys.stdout.flush()
 

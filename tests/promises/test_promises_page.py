@@ -11,7 +11,7 @@ from folders import ROOT
 
 # Numbers that were never given are left out.
 IDS = {
-    "S": [number for number in range(1, 30) if number != 19],
+    "S": [number for number in range(1, 32) if number != 19],
     "C": [number for number in range(1, 29) if number not in {11, 13, 21}],
     "D": [number for number in range(1, 19) if number not in {2, 8}],
 }
