@@ -26,6 +26,7 @@ from app.store.sharing.share_links import add_share
 # Whole numbers that are no ids.
 NUMBERS = {
     "stops",
+    "ends",  # compared with the id of the open session, and never looked up
     "port",
     "seed",
     "baud",

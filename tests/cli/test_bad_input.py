@@ -38,7 +38,7 @@ def parsed(answer):
 def test_every_json_is_one_object(bodydrive, shirt, tmp_path):
     (tmp_path / "trial.csv").write_text("t,x,y\n0,0,0\n1,1,0\n2,3,0\n")
     (tmp_path / "path.csv").write_text("x,y\n0,0\n3,0\n")
-    (tmp_path / "hall.pgm").write_bytes(b"P5 100 60 255\n" + b"\xfe" * 6000)
+    (tmp_path / "hall.pgm").write_bytes(b"P5 100 60 255\n" + b"\0" * 100 + (b"\0" + b"\xfe" * 98 + b"\0") * 58 + b"\0" * 100)
     (tmp_path / "hall.yaml").write_text("image: hall.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n")
     for words, key in (
         ((*CALIBRATE, "--prompts", "prompts.csv"), "joints"),
@@ -191,7 +191,7 @@ def test_score_refuses_what_no_chair_drives(bodydrive, tmp_path, trial, path, wo
 @pytest.mark.parametrize(
     ("document", "image", "words"),
     [
-        ("made: 2020-02-31\n", b"", "hall.yaml: this is not a YAML document"),
+        ("made: [2020, 2\n", b"", "hall.yaml: this is not a YAML document"),
         ("", b"P5\n4", "hall.pgm: this image cannot be read"),
         ("", b"P2\n4 4\n255\nabc", "hall.pgm: this image cannot be read"),
         ("", b"P5 9000 9000 255\n", "hall.pgm: this image has more than 40,000,000 pixels"),

@@ -309,7 +309,7 @@ def armed_although_stuck():
 
 
 def test_what_is_stuck_with_the_noise_of_a_good_sensor_is_stopped_by_the_person():
-    cases = 0
+    cases = stopped = 0
     for vocabulary, parameters, joint in armed_although_stuck():
         bound = VOCABULARIES[vocabulary]
         directions = [control for control in DIRECTIONS if bound[control][0].startswith(joint)]
@@ -318,12 +318,17 @@ def test_what_is_stuck_with_the_noise_of_a_good_sensor_is_stopped_by_the_person(
             if person is None:
                 continue
             person.stuck, person.noise = {joint: posture}, 1.0
-            assert person.for_seconds(1.0).state is State.ARMED, "nothing tells it from a good sensor"
+            tick = person.for_seconds(1.0)
+            if tick.state is State.FAULT:  # the posture in which it stuck was reached by a jump
+                assert tick.fault is Fault.NO_MOVEMENT
+                stopped += 1
+                continue
             stops = [way for way in bound.values() if joint not in str(way)] + [bound["stop"]]
             others = [tuple(n for n in way if not n.startswith(joint)) for way in stops]
             assert any(person.rests_after(*way) for way in others), (vocabulary, joint, posture)
             cases += 1
-    assert cases >= 20
+    assert cases + stopped >= 20
+    assert cases >= 5
 
 
 @pytest.mark.parametrize(
