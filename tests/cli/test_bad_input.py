@@ -38,7 +38,8 @@ def parsed(answer):
 def test_every_json_is_one_object(bodydrive, shirt, tmp_path):
     (tmp_path / "trial.csv").write_text("t,x,y\n0,0,0\n1,1,0\n2,3,0\n")
     (tmp_path / "path.csv").write_text("x,y\n0,0\n3,0\n")
-    (tmp_path / "hall.pgm").write_bytes(b"P5 100 60 255\n" + b"\0" * 100 + (b"\0" + b"\xfe" * 98 + b"\0") * 58 + b"\0" * 100)
+    wall, row = b"\0" * 100, b"\0" + b"\xfe" * 98 + b"\0"
+    (tmp_path / "hall.pgm").write_bytes(b"P5 100 60 255\n" + wall + row * 58 + wall)
     (tmp_path / "hall.yaml").write_text("image: hall.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n")
     for words, key in (
         ((*CALIBRATE, "--prompts", "prompts.csv"), "joints"),

@@ -39,29 +39,35 @@ class UdpShirtSender:
         self._key = key_file and read_key(key_file)
         self._profile = parameters.profile
         self._address = ("127.0.0.1", port)
-        self._stroke_at = None
+        self._stroke_at = self._back_at = None
         self._ended = threading.Event()
         self._frames = 0
         self._thread = threading.Thread(target=self._send)
         self._thread.start()
 
     def stroke(self):
-        """Bend the right elbow: forward, at about half speed."""
-        self._stroke_at = self._frames
+        """Bend the right elbow: forward, at about half speed. An elbow that is bent is first brought back."""
+        self._back_at, self._stroke_at = self._stroke_at and self._frames, self._frames
+        if self._back_at is not None:
+            self._stroke_at += round(STROKE_TIME * RATE)
 
     def close(self):
         self._ended.set()
         self._thread.join()
+
+    def _done(self, since):
+        """Return the share of a smooth movement that began at a frame; 0 before it, or without one."""
+        share = 0.0 if since is None else min(1.0, max(0.0, (self._frames - since) / RATE / STROKE_TIME))
+        return share * share * (3 - 2 * share)
 
     def _values(self):
         elbow = next(joint for joint in self._profile.joints if joint.name == "right_elbow")
         values = np.zeros(len(self._profile.layout.channels), dtype=np.float32)
         for joint in self._profile.joints:
             values[list(joint.channels)] += np.array(joint.mean, dtype=np.float32)
-        done = 0.0
-        if self._stroke_at is not None:
-            done = min(1.0, (self._frames - self._stroke_at) / RATE / STROKE_TIME)
-        posture = 0.6 * done * done * (3 - 2 * done)
+        posture = 0.6 * (
+            self._done(self._stroke_at) + (0.0 if self._back_at is None else 1.0 - self._done(self._back_at))
+        )
         values[list(elbow.channels)] += (posture * elbow.span * np.array(elbow.weights)).astype(np.float32)
         # a constant channel would count as broken
         return values + np.float32(1e-3) * np.random.default_rng(self._frames).standard_normal(len(values), np.float32)

@@ -30,8 +30,9 @@ class HeadDirection(Document):
 
 
 class PageMessage(Document):
-    """A message of a page: targets of the simulated body's joints, the direction of a tablet, or Stop, by the button or by a key.
+    """A message of a page: targets of the simulated body's joints, the direction of a tablet, or Stop.
 
+    `by`: whether the button of the page or a key made the stop.
     `acted`: the person has just touched the page or pressed a key; otherwise the sign-in is locked after a while.
     `pictures`: how many pictures a second the page draws, when the event "graphics" asked for it.
     """
