@@ -6,7 +6,8 @@
 
 import { GROUPS, groupOf } from "../../results/source_group.js";
 
-const GETTING_USED = 3; // trials of a day that are not compared
+const GETTING_USED = 3; // first trials of a day that are not compared,
+const FIRST_DAYS = 2; // on the first days of a task
 const NEEDED = 5; // compared trials without which a verdict is “too few trials”
 
 /** Which path a trial was driven on. @param {{floorplan: string, path: string}} trial */
@@ -49,16 +50,16 @@ export function firstPath(paths, trials) {
   );
 }
 
-/** How many trials can be compared of each day that has such trials. @param {TrialView[]} trials */
+/**
+ * How many trials can be compared of each day that has such trials. A discarded trial was practice, too.
+ * @param {TrialView[]} trials of one task and source, in the order driven
+ */
 function comparedDays(trials) {
-  /** @type {Map<string, number>} */
-  const days = new Map();
-  for (const { kept, measures, started } of trials) {
-    if (!kept || measures?.reached === false) continue;
-    const day = new Date(started).toDateString();
-    days.set(day, (days.get(day) ?? 0) + 1);
-  }
-  return [...days.values()].map((count) => count - GETTING_USED).filter((count) => count > 0);
+  const measured = trials.filter(({ measures }) => measures);
+  const days = Map.groupBy(measured, ({ started }) => new Date(started).toDateString());
+  return [...days.values()]
+    .map((one, place) => one.slice(place < FIRST_DAYS ? GETTING_USED : 0).filter(({ kept }) => kept).length)
+    .filter((count) => count > 0);
 }
 
 /** Sort by place and level as on the Drive page, then by task; paths that no longer exist come last. @param {PathChoice[]} paths @param {FloorPlanView[]} plans */
