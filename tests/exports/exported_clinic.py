@@ -5,6 +5,7 @@ from pathlib import Path
 from recorded_trial import plan_of, record_trial, store_trial
 
 from app.clock import utc_now
+from app.session.recordings import MEASURES_VERSION
 from app.settings import Settings
 from app.source import Source
 from app.store.database import Database
@@ -18,7 +19,15 @@ from building import make_parameters
 CODE = "=P-1"
 RUN = "0123456789abcdef0123456789abcdef"
 SIMULATED = Source(shirt="simulator", body="person", chair="virtual", simulated=True)
-MEASURES = {"reached": True, "dist": 6.25, "e_diff": 0.1 + 0.2, "time": 12.5, "stops": 1, "sparc": -1.625}
+MEASURES = {
+    "reached": True,
+    "dist": 6.25,
+    "e_diff": 0.1 + 0.2,
+    "time": 12.5,
+    "stops": 1,
+    "sparc": -1.625,
+    "measures_version": MEASURES_VERSION,  # else a program that starts measures the trial again from its recording
+}
 
 
 def make_clinic(state: Path, *, consent: bool = True) -> Settings:
