@@ -16,9 +16,10 @@ from app.scoring.verdict.spread import Series, Spread, fit_curve, own_spread, po
 EARLIER_SESSIONS = 2  # before the sessions that are judged
 EARLIER_TRIALS = 5
 LATER_SESSIONS = 2  # that are judged together at least: one bad day is no deterioration
-# Standard deviations; chosen so that in three measures and in reaching together few steady people are
-# called worse at any time within twenty sessions (docs/learning/verdicts.md).
-LIMIT = 3.4
+# Standard deviations; chosen so that in three measures and in reaching together at most 8 % of steady people are called
+# worse at any time within twenty sessions (docs/learning/verdicts.md).
+LIMIT = 3.3
+LIMIT_OF_REACHING = 3.6  # the dispersion of a person's counts is known less well than the spread of their measures
 
 WORSE = "Worse than this person's own noise"
 ADVICE = (
@@ -49,7 +50,7 @@ def worse_since(series: Series, clinic: Spread | None, better: str, least: float
             return None
         return _score(before, judged, clinic, least, sign)
 
-    return _since(np.unique(series.session).tolist(), score)
+    return _since(np.unique(series.session).tolist(), score, LIMIT)
 
 
 def missed_since(counts: Counts) -> int | None:
@@ -62,18 +63,18 @@ def missed_since(counts: Counts) -> int | None:
         fewer = fewer_than_foretold(before, int(judged.trials.sum()), int(judged.reached.sum()))
         return Score(fewer, fewer)
 
-    return _since(counts.session.tolist(), score)
+    return _since(counts.session.tolist(), score, LIMIT_OF_REACHING)
 
 
-def _since(sessions: Sequence[int], score: Callable[[int], Score | None]) -> int | None:
-    """Return the session with the best fit of "worse since then", when the largest score passes the limit.
+def _since(sessions: Sequence[int], score: Callable[[int], Score | None], limit: float) -> int | None:
+    """Return the session with the best fit of "worse since then", when the largest score passes `limit`.
 
     That is the generalised likelihood ratio of a change at an unknown time (Siegmund and Venkatraman, The Annals of
     Statistics 23 (1995)).
     """
     found = {first: score(first) for first in sessions[EARLIER_SESSIONS : len(sessions) - LATER_SESSIONS + 1]}
     scores = {first: one for first, one in found.items() if one is not None}
-    if max((one.normal for one in scores.values()), default=0.0) <= LIMIT:
+    if max((one.normal for one in scores.values()), default=0.0) <= limit:
         return None
     return max(scores, key=lambda first: scores[first].fit)
 

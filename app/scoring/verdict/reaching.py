@@ -10,7 +10,7 @@ from app.scoring.verdict.measure_comparison import Rows
 from app.scoring.verdict.measure_verdict import FEWEST, Verdict, Word
 
 REACHED: Final = "reached"  # its name beside those of the measures
-USUAL_DISPERSION: Final = 2.0  # variance of a session's count over the binomial one, where nothing is known of a person
+USUAL_DISPERSION: Final = 1.5  # variance of a session's count over the binomial one, where nothing is known of a person
 USUAL_WEIGHT: Final = 4.0  # sessions that this counts for
 LEAST_EXCESS: Final = 1.001  # of the variance of a count over the binomial one
 MOST_EXCESS: Final = 0.999  # of the same, as a share of the number of trials

@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy.stats import binom
 
 from app.scoring.verdict.measure_verdict import holm_levels
 from app.scoring.verdict.reaching import (
@@ -23,6 +24,8 @@ from bench.learning.words_told import AREA, CHANGED, LONG, UNCHANGED, People, al
 
 CLINIC = [Spread(Variance(0.06, 2.0), Variance(0.015, 2.0))]
 """The medians of a clinic whose people are drawn as the simulated ones are."""
+
+PEOPLE = 100
 
 
 def told_at_the_end(course: Course, count: int) -> float:
@@ -45,8 +48,11 @@ def alarm_words(one: tuple[list[Row], dict[str, Spread]]) -> list[str]:
     ids=["none missed", "a quarter missed", "half missed", "8 in 10 missed"],
 )
 def test_a_decline_is_told_however_many_goals_are_missed(course: Course) -> None:
-    """Of 60 % worse with the goal missed beyond 1.3 times the level, one in ten was told."""
-    assert told_at_the_end(course, 60) >= 0.85
+    """Of 60 % worse with the goal missed beyond 1.3 times the level, one in ten was told.
+
+    At least 85 % are to be told. Of so few people as many as in 95 of 100 such groups suffice, were it 85 %.
+    """
+    assert told_at_the_end(course, PEOPLE) * PEOPLE >= binom.ppf(0.05, PEOPLE, 0.85)
 
 
 def test_who_misses_as_many_goals_as_ever_is_left_alone() -> None:
