@@ -48,6 +48,7 @@ def test_patients(page, clinic):
     page.keyboard.press("Tab")
     page.keyboard.type("Wren")
     page.keyboard.press("Enter")
+    press(page, "End it and start P-9")  # the session of another patient is open
     heading(page, "Rest").to_be_visible()  # in a shirt that nobody wears there is nothing to look at
     clinic.be_here()
     go(page, clinic, "patients")
