@@ -166,15 +166,15 @@ class Chain:
         else:
             tick.u1 = tick.u2 = 0.0
             self._at_rest = not unseen  # unseen is not at rest
-        permitted = gate.decide(t, pause, self._at_rest, self._bad(decoder, check, controls), frame_age, conditions)
+        is_good = not check.doubts and decoder.bad is decoder.none_bad and controls.brakes.are_complete
+        bad = NONE_BAD if is_good else self._bad(decoder, check, controls)
+        permitted = gate.decide(t, pause, self._at_rest, bad, frame_age, conditions)
         if permitted is not ARMED:
             shaper.reset()
             return gate.limit(STANDSTILL, dt)
         return gate.limit(shaper.step(tick.u1, tick.u2, gate.last, gate.rates, dt), dt)
 
     def _bad(self, decoder: Decoder, check: MovementCheck, controls: Controls) -> BadGestures:
-        if controls.brakes.are_complete and not check.doubts and True not in decoder.bad:
-            return NONE_BAD
         bad_count = sum(decoder.bad[i] for i in controls.bound)
         brakes_lost = not controls.brakes.suffice(self.gate.last, decoder.bad)
         return BadGestures(bad_count, brakes_lost, check.doubts, check.disbelieves)

@@ -16,7 +16,7 @@ FLAT_TIME: Final = 0.2  # s: a fabric sensor always shows noise; a signal consta
 STUCK_TIME: Final = 0.3  # s: real knit never was so quiet for so long, in 48 recordings by a factor of 1.3 at least
 FEWEST_STUCK: Final = 20  # frames: fewer of them can lie close together by chance
 STUCK_SHARE: Final = 0.7  # of the standard deviation of a channel's own noise: a smaller range is none of its own
-SAMPLES: Final = 5  # frames of a window whose range is looked at first
+SAMPLES: Final = 12  # frames of half a window whose range is looked at first: of 12, noise seldom has so small a range
 RANGE_FACTOR: Final = 1.5  # of the calibrated half-range: a value beyond it is not from this body
 SMALLEST_HALF_RANGE: Final = 1e-9  # signal units, for a channel that did not change in the calibration
 LOSS_WINDOW: Final = 1.0  # s
@@ -52,7 +52,8 @@ class ChannelHealth:
         self._least_range = np.where(watched & (noise > 0.0), STUCK_SHARE * noise, -1.0)
         self._has_noise = bool((self._least_range > 0.0).any())
         self._stuck_after = max(FEWEST_STUCK, round(STUCK_TIME * sample_rate))
-        self._sample_step = max(1, self._stuck_after // 2 // SAMPLES)
+        self._samples = min(SAMPLES, self._stuck_after // 2)
+        self._sample_step = self._stuck_after // 2 // self._samples
         self.reset()
 
     def reset(self) -> None:
@@ -117,7 +118,7 @@ class ChannelHealth:
             self._oldest = (self._oldest + 1) % len(window)
         if not self._until_range:
             self._until_range = self._stuck_after // 2
-            newest = np.array([self._recent[-1 - i * self._sample_step] for i in range(SAMPLES)])
+            newest = np.array([self._recent[-1 - i * self._sample_step] for i in range(self._samples)])
             if not self._too_small(newest).any():
                 self._window = window = None
             elif window is None:
@@ -136,7 +137,7 @@ class ChannelHealth:
         """Return what `_stuck` does for each of many frames (n, n_channels), None when no range is too small."""
         if not self._has_noise or len(known) < self._stuck_after:
             return None
-        sampled = sliding_window_view(known[:: self._sample_step], SAMPLES, axis=0)
+        sampled = sliding_window_view(known[:: self._sample_step], self._samples, axis=0)
         suspect = (sampled.max(axis=-1) <= sampled.min(axis=-1) + self._least_range).any(axis=0)
         if not suspect.any():
             return None

@@ -66,7 +66,8 @@ class Decoder:
         self._substitution = ChannelSubstitution(parameters)
         self._doubt = ReturnDoubt(parameters, sample_rate)
         self._indices = range(count)
-        self._none_bad = [False] * count
+        self.none_bad = [False] * count
+        """`bad` while no gesture is."""
         self.reset()
 
     def reset(self) -> None:
@@ -93,7 +94,7 @@ class Decoder:
         self.activation = [0.0] * count
         self.is_active = False
         """Whether any activation is above 0."""
-        self.bad = self._none_bad
+        self.bad = self.none_bad
 
     def quieten(self) -> None:
         """Set every activation to 0, as is right without frames."""
@@ -142,9 +143,9 @@ class Decoder:
         lost = self._substitution.lost
         if doubt.exists:
             lost = [is_lost or too_large for is_lost, too_large in zip(lost, doubt.are_too_large(), strict=True)]
-        self.bad = lost if True in lost else self._none_bad
+        self.bad = lost if True in lost else self.none_bad
         self.estimated = sum(1 << channel for channel in self._substitution.replaced)
-        self._is_certain = self.bad is self._none_bad and not doubt.exists and not self.estimated
+        self._is_certain = self.bad is self.none_bad and not doubt.exists and not self.estimated
         replaced: NDArray[np.float64] = filled[0]
         return replaced
 
