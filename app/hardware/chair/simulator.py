@@ -33,7 +33,8 @@ class VirtualChair:
     stands = True
     inhibited = False
     silent = False
-    switch_seen = switch_reported = False
+    switch_seen = False
+    switch_reported = False
     due = math.inf
 
     __slots__ = (

@@ -166,10 +166,10 @@ class EyesClinic(ServedClinic):
         self, step: str, change: Callable[[CalibrationProfile], CalibrationProfile] = lambda profile: profile
     ) -> None:
         """Let the open session's calibration be at a step; at "result" every step is done, and there is one."""
-        self.good("POST", "/calibration/restart")  # it has begun
         session_id = self.good("GET", "/session")["session"]["id"]
         database = Database(self._settings.database)
         with database.transaction() as db:
+            self.app.state.web.calibration._begin_new(db, session_id)
             session = db.get_one(PatientSession, session_id)
             session.current_step, session.accepted = step, False
             for row in calibration_steps(db, session_id).values():
