@@ -10,13 +10,13 @@ LIMIT = 3.0  # standard deviations, added up: beyond it there is a change
 MOST_OF_ONE = 3.0  # standard deviations that one value adds at most: one outlier is no change
 
 
-def next_sum(total: float, surprise: float, most: float = math.inf) -> float:
-    """Return the sum after one more value: max(0, total + min(surprise, MOST_OF_ONE) - ALLOWANCE), at most `most`.
+def next_sum(total: float, surprise: float) -> float:
+    """Return the sum after one more value: max(0, total + min(surprise, MOST_OF_ONE) - ALLOWANCE).
 
     `surprise` is the value's deviation in the direction that is looked for, in standard deviations. Source: Page,
     Biometrika 41 (1954); the bound of a single value is ours.
     """
-    return min(max(0.0, total + min(surprise, MOST_OF_ONE) - ALLOWANCE), most)
+    return max(0.0, total + min(surprise, MOST_OF_ONE) - ALLOWANCE)
 
 
 def cumulative_sum(surprises: Sequence[float]) -> float:
