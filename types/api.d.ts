@@ -6615,6 +6615,17 @@ export interface components {
             id: number;
             revisions: components["schemas"]["RevisionView"][];
         };
+        ObjectScale: {
+            metres_per_unit: number;
+            size: [
+                number,
+                number,
+                number
+            ];
+        };
+        ObjectScales: {
+            scales: components["schemas"]["ObjectScale"][];
+        };
         ObstacleView: {
             words: string;
             /** @enum {string} */
@@ -6872,7 +6883,7 @@ export interface components {
         };
         Refused: {
             detail: string;
-            choice?: components["schemas"]["NameChoice"] | null;
+            choice?: components["schemas"]["NameChoice"] | components["schemas"]["ObjectScales"] | null;
         };
         ReplacedView: {
             /** @enum {string} */
@@ -7606,6 +7617,8 @@ export type NewTrial = components['schemas']['NewTrial'];
 export type NextTaskView = components['schemas']['NextTaskView'];
 export type NoteText = components['schemas']['NoteText'];
 export type NoteView = components['schemas']['NoteView'];
+export type ObjectScale = components['schemas']['ObjectScale'];
+export type ObjectScales = components['schemas']['ObjectScales'];
 export type ObstacleView = components['schemas']['ObstacleView'];
 export type OfferView = components['schemas']['OfferView'];
 export type OpenShare = components['schemas']['OpenShare'];

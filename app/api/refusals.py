@@ -14,6 +14,7 @@ from app.api.deps import People
 from app.api.sign_in.identity import find_sign_in
 from app.quantities import Document
 from app.refusals import NO_ROOM, Conflict, DiskFull, NotFound, OtherClinicRow, Refusal, Unavailable
+from app.scene.models.object_scale import ScaleAsked
 from app.sentences import sentence_of
 from app.store.files.taken_names import NameTaken
 from app.store.log import write_log
@@ -34,11 +35,24 @@ class NameChoice(Document):
     may_replace: bool
 
 
+class ObjectScale(Document):
+    """A length that one unit of a 3D object may have, and the object's size with it."""
+
+    metres_per_unit: float
+    size: tuple[float, float, float]  # m: length, width, height
+
+
+class ObjectScales(Document):
+    """The lengths that one unit of a 3D object may have whose size is improbable in metres."""
+
+    scales: list[ObjectScale]
+
+
 class Refused(Document):
-    """Every answer that is no success: one sentence, and a choice where a name is taken."""
+    """Every answer that is no success: one sentence, and a choice where a name is taken or a size improbable."""
 
     detail: str
-    choice: NameChoice | None = None
+    choice: NameChoice | ObjectScales | None = None
 
 
 REFUSALS: Final[dict[int | str, dict[str, Any]]] = {
@@ -84,6 +98,11 @@ def install_refusals(app: FastAPI) -> None:
     async def _taken(_request: Request, error: NameTaken) -> JSONResponse:
         choice = {"proposed": error.proposed, "may_replace": error.may_replace}
         return JSONResponse({"detail": str(error), "choice": choice}, 409)
+
+    @app.exception_handler(ScaleAsked)
+    async def _asked(_request: Request, error: ScaleAsked) -> JSONResponse:
+        scales = [{"metres_per_unit": scale, "size": size} for scale, size in error.scales.items()]
+        return JSONResponse({"detail": str(error), "choice": {"scales": scales}}, 422)
 
     @app.exception_handler(Refusal)
     async def _refused(request: Request, error: Refusal) -> JSONResponse:

@@ -6,6 +6,7 @@ import re
 
 import ezdxf
 import pytest
+import trimesh
 from browser.driving import go_on_until
 from browser.tablets import headers_of
 from playwright.sync_api import expect
@@ -191,6 +192,37 @@ def test_what_is_wrong_is_shown_where_it_is(tablet):
     page.get_by_role("button", name="Throw it away").tap()
     expect(page.get_by_role("heading", name="Floor plans", exact=True)).to_be_visible()
     assert page.evaluate(f"() => {DRAFT}") is None
+
+
+def test_an_object_of_an_improbable_size_is_asked_about(tablet, request):
+    page, keep, log = tablet
+    page.get_by_role("button", name="New plan").tap()
+    expect(page.locator(".sheet")).to_be_visible()
+    tool(page, "Box")
+    Sheet(page).tap((5, 4), (6, 4.6))
+    name = f"bed-{request.node.callspec.params['tablet']}"
+    content = trimesh.creation.box((1000, 2000, 3000)).export(file_type="glb")  # mm: left, up and ahead
+    file = {"name": f"{name}.glb", "mimeType": "model/gltf-binary", "buffer": content}
+    objects = page.locator("input[type=file][accept^='.glb']")
+    question = page.get_by_role("alertdialog").filter(has_text="3,000 x 1,000 x 2,000 m large as it says")
+    objects.set_input_files(file)
+    expect(question.get_by_role("button")).to_have_text(["3 × 1 × 2 m", "3000 × 1000 × 2000 m, as it says", "Cancel"])
+    buttons_are_large_enough(page)
+    keep("object-size")
+    page.keyboard.press("Escape")
+    expect(question).to_be_hidden()
+    expect(page.get_by_label("Drawn as").locator("option", has_text=name)).to_have_count(0)
+    objects.set_input_files(file)
+    question.get_by_role("button", name="3 × 1 × 2 m", exact=True).tap()
+    expect(page.get_by_text(f"{name}.glb was added")).to_be_visible()
+    page.get_by_label("Drawn as").select_option(f"{name} (3.00 × 1.00 × 2.00 m)")
+    page.get_by_role("button", name="As large as the object").tap()
+    box = document(page)["obstacles"][0]
+    assert (box["size"], box["height"]) == ([3, 1], 2)
+    assert all("422" in error for error in log.errors)  # the browser's own words about the question
+    log.errors.clear()
+    page.get_by_role("link", name="All plans").tap()
+    page.get_by_role("button", name="Throw it away").tap()
 
 
 def drawing_file():

@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 from app.scene.models import glb_document
-from app.scene.models.glb_import import read_model
+from app.scene.models.glb_import import answer, read_model
+from app.scene.models.glb_scale import scaled_glb
+from app.scene.models.objects import THINNEST
 from folders import SHARED
 
 CASES = SHARED / "data" / "cases"
@@ -74,7 +76,10 @@ class Writer:
 
 @pytest.fixture
 def box(tmp_path):
-    """Return a function that writes the box with a document of one's own, and reads its size: ahead, left, up."""
+    """Return a function that writes the box with a document of one's own, and reads its size: ahead, left, up.
+
+    Each such file is read a second time, half as large.
+    """
     writer = Writer()
 
     def size(position=None, mesh=(), primitive=(), **document):
@@ -83,7 +88,12 @@ def box(tmp_path):
         indices = writer.add(FACES.ravel(), "<u2", "SCALAR")
         parts = {"attributes": {"POSITION": position}, "indices": indices} | dict(primitive)
         meshes = [{"primitives": [parts]} | dict(mesh)]
-        return read_model(writer.write(tmp_path / "box.glb", {"meshes": meshes} | document)).size
+        file = writer.write(tmp_path / "box.glb", {"meshes": meshes} | document)
+        found = read_model(file).size
+        half = tmp_path / "half.glb"
+        half.write_bytes(scaled_glb(file.read_bytes(), 0.5))
+        assert read_model(half).size == pytest.approx(np.array(found) / 2, abs=THINNEST)
+        return found
 
     size.writer = writer
     return size
@@ -182,6 +192,22 @@ def test_a_skin_moves_points_by_its_joints(box, inverse):
         skins=[skin],
     )
     assert size == pytest.approx((3, 1, 5 if inverse else 7))
+
+
+def test_a_size_that_does_not_follow_the_scale_is_refused(box, tmp_path):
+    writer = box.writer
+    joints = writer.add(np.zeros((8, 4)), "<u1", "VEC4")
+    weights = writer.add(np.tile([255, 0, 0, 0], (8, 1)), "<u1", "VEC4", normalized=True)
+    position, faces = writer.add(CORNERS, "<f4", "VEC3"), writer.add(FACES.ravel(), "<u2", "SCALAR")
+    attributes = {"POSITION": position, "JOINTS_0": joints, "WEIGHTS_0": weights}
+    document = {
+        "meshes": [{"primitives": [{"attributes": attributes, "indices": faces}]}],
+        "nodes": [{"mesh": 0, "skin": 0}, {}],  # the joint is in no scene
+        "skins": [{"joints": [1]}],
+    }
+    file = writer.write(tmp_path / "body.glb", document)
+    with pytest.raises(ValueError, match=r"body\.glb: the size of this object cannot be changed"):
+        answer({"file": str(file), "readings": str(tmp_path / "readings"), "metres_per_unit": 0.01})
 
 
 @pytest.mark.parametrize(

@@ -4,8 +4,9 @@ import shutil
 import tempfile
 from functools import lru_cache
 from pathlib import Path
+from typing import Annotated
 
-from fastapi import APIRouter, HTTPException, UploadFile
+from fastapi import APIRouter, HTTPException, Query, UploadFile
 
 from app.api.deps import Clinician, People, PeopleParts
 from app.api.foreign_files import refusal
@@ -48,7 +49,9 @@ def _list(folder: Path) -> list[ModelView]:
     return found
 
 
-def _keep(folder: Path, shelf: ReplacedFiles, file: UploadFile, same_name: SameName) -> str:
+def _keep(
+    folder: Path, shelf: ReplacedFiles, file: UploadFile, same_name: SameName, metres_per_unit: float | None
+) -> str:
     """Store an object atomically, and return its name."""
     safe = harmless_name(file.filename or "")
     if Path(safe).suffix != SUFFIX:
@@ -63,7 +66,7 @@ def _keep(folder: Path, shelf: ReplacedFiles, file: UploadFile, same_name: SameN
         with tried.open("wb") as opened:
             shutil.copyfileobj(file.file, opened)
         try:
-            read_isolated_into(folder, tried)
+            read_isolated_into(folder, tried, metres_per_unit)
         except ValueError as error:
             raise refusal(error) from error
         return Path(shelf.put("model", safe, tried.read_bytes(), same_name)).stem
@@ -77,12 +80,20 @@ def list_models(_who: Clinician, parts: PeopleParts) -> list[ModelView]:
 
 @router.post("", status_code=201)
 async def bring_model(
-    file: UploadFile, who: Clinician, parts: PeopleParts, same_name: SameName = "ask"
+    file: UploadFile,
+    who: Clinician,
+    parts: PeopleParts,
+    same_name: SameName = "ask",
+    metres_per_unit: Annotated[float | None, Query(ge=1e-6, le=1000, allow_inf_nan=False)] = None,
 ) -> list[ModelView]:
-    """Store an object and return the list of all; `same_name`: what to do when its name is taken."""
+    """Store an object and return the list of all; `same_name`: what to do when its name is taken.
+
+    An improbable size is asked about unless `metres_per_unit` says how long one unit of the file is; the object is
+    stored in metres.
+    """
 
     def keep() -> list[ModelView]:
-        name = _keep(parts.settings.models, parts.replaced, file, same_name)
+        name = _keep(parts.settings.models, parts.replaced, file, same_name, metres_per_unit)
         _log(parts, who.name, name, same_name)
         return _list(parts.settings.models)
 

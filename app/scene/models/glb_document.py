@@ -1,5 +1,6 @@
 """The parts of a glTF 2.0 document that are read, and the chunks of a GLB file."""
 
+import json
 import struct
 from typing import Annotated, Any, Final
 
@@ -154,6 +155,14 @@ def chunks(content: bytes) -> tuple[bytes, bytes]:
     if end + 8 + length > len(content):
         raise ValueError("it is cut off or damaged: export it again")
     return content[20:end], content[end + 8 : end + 8 + length] if kind == BIN_CHUNK else b""
+
+
+def packed(document: dict[str, Any], body: bytes) -> bytes:
+    """Return the GLB file of a JSON document and a binary chunk."""
+    words = json.dumps(document).encode()
+    words += b" " * (-len(words) % 4)
+    parts = struct.pack("<2I", len(words), JSON_CHUNK) + words + struct.pack("<2I", len(body), BIN_CHUNK) + body
+    return MAGIC + struct.pack("<2I", 2, 12 + len(parts)) + parts
 
 
 def read_document(content: bytes) -> Document:

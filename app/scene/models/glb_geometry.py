@@ -7,7 +7,6 @@ KHR_mesh_quantization; KHR_node_visibility.
 import base64
 import binascii
 import json
-import struct
 from collections.abc import Iterator
 from typing import Any, Final
 
@@ -15,11 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.scene.models.glb_document import (
-    BIN_CHUNK,
     COMPONENTS,
     FAN,
-    JSON_CHUNK,
-    MAGIC,
     STRIP,
     TRIANGLES,
     Accessor,
@@ -29,6 +25,7 @@ from app.scene.models.glb_document import (
     Primitive,
     Skin,
     chunks,
+    packed,
 )
 
 Numbers = NDArray[np.float64]
@@ -99,7 +96,7 @@ class _Plain:
             "buffers": [{"byteLength": len(self._body)}],
         }
         corners = np.concatenate(self._corners) if self._corners else np.zeros((0, 3))
-        return _packed(plain, bytes(self._body)), corners
+        return packed(plain, bytes(self._body)), corners
 
     def _nodes(self) -> Iterator[tuple[Node, Numbers]]:
         """Yield the visible nodes of the scene with their global matrices (4, 4)."""
@@ -278,10 +275,3 @@ def _from_uri(uri: str) -> bytes:
         return base64.b64decode(uri.partition(",")[2], validate=True)
     except binascii.Error as error:
         raise UnreadableError("it is damaged: export it again") from error
-
-
-def _packed(document: dict[str, Any], body: bytes) -> bytes:
-    words = json.dumps(document).encode()
-    words += b" " * (-len(words) % 4)
-    packed = struct.pack("<2I", len(words), JSON_CHUNK) + words + struct.pack("<2I", len(body), BIN_CHUNK) + body
-    return MAGIC + struct.pack("<2I", 2, 12 + len(packed)) + packed

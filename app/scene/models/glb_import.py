@@ -17,22 +17,40 @@ from app.scene.meshes.palette import Colour
 from app.scene.models.glb import MOST_FACES, check
 from app.scene.models.glb_document import Document
 from app.scene.models.glb_geometry import UnreadableError, plain_glb
-from app.scene.models.objects import MOST_BYTES, THINNEST, Model, write_reading
+from app.scene.models.glb_scale import scaled_glb
+from app.scene.models.object_scale import is_probable, scaled
+from app.scene.models.objects import AS_IT_SAYS, MOST_BYTES, THINNEST, Model, reading_of, write_reading
 
 MOST_COLOURS: Final = 12  # each needs a draw call
 COARSE: Final = 5  # of the 8 bits of a colour; colours that differ only in these lower bits are joined
 
 
 def answer(question: dict[str, Any]) -> dict[str, Any]:
-    """Read the object in the file `question["file"]`, and write its meshes to the file `question["reading"]`.
+    """Read the object in the file `question["file"]`, write its meshes into `question["readings"]`, return its size.
+
+    One unit of the file is `question["metres_per_unit"]` long: the file is written anew in metres when that is not 1.
+    When it is null, the meshes of an object of an improbable size are not written.
 
     Raises
     ------
     ValueError
         One sentence: the file, what is wrong, what to do.
     """
-    write_reading(read_model(Path(question["file"])), Path(question["reading"]))
-    return {}
+    file, scale = Path(question["file"]), question["metres_per_unit"]
+    model = read_model(file) if scale in {None, AS_IT_SAYS} else _in_metres(file, scale)
+    if scale is not None or is_probable(model.size):
+        write_reading(model, reading_of(file, Path(question["readings"])))
+    return {"size": model.size}
+
+
+def _in_metres(file: Path, scale: float) -> Model:
+    """Write an object anew, `scale` times as large, and read it."""
+    size = scaled(read_model(file).size, scale)
+    file.write_bytes(scaled_glb(file.read_bytes(), scale))
+    model = read_model(file)
+    if not np.allclose(model.size, size, rtol=1e-4, atol=THINNEST * max(1.0, scale)):
+        raise ValueError(f"{file.name}: the size of this object cannot be changed for certain, export it in metres")
+    return model
 
 
 def read_model(file: Path) -> Model:

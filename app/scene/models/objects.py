@@ -13,12 +13,14 @@ import numpy as np
 from app.files import write_atomically
 from app.isolated_reader import ReadingTimeoutError, read_isolated
 from app.scene.meshes.bodies import Mesh, Part, Vector
+from app.scene.models.object_scale import ScaleAsked, is_probable
 
 MOST_BYTES: Final = 20_000_000
 THINNEST: Final = 1e-6  # m
 READINGS: Final = ".readings"  # folder beside the objects, with one file for each content
 READER: Final = "app.scene.models.glb_import"
 MOST_IN_MEMORY: Final = 4  # objects in memory, at most 10 MB each
+AS_IT_SAYS: Final = 1.0  # m that one unit of a GLB file is, as glTF has it
 REFUSAL_SUFFIX: Final = ".refused"
 READING_SUFFIX: Final = ".2.npz"  # the number changes when the same file is read otherwise: it is then read again
 NO_READING: Final = (OSError, ValueError, KeyError, EOFError, BadZipFile)  # the reading is missing or damaged
@@ -58,14 +60,14 @@ def stored_model(file: Path) -> Model:
 
 @lru_cache(maxsize=MOST_IN_MEMORY)
 def _stored(file: Path, _changed_at: int) -> Model:
-    reading = _reading_of(file, file.parent / READINGS)
+    reading = reading_of(file, file.parent / READINGS)
     with suppress(*NO_READING):
         return _read_reading(reading)
     refused = reading.with_suffix(REFUSAL_SUFFIX)
     if refused.exists():
         raise ValueError(refused.read_text(encoding="utf-8"))
     try:
-        read_isolated(READER, {"file": str(file), "reading": str(reading)})
+        _read_apart(file, file.parent / READINGS, AS_IT_SAYS)
     except ReadingTimeoutError:
         raise
     except ValueError as error:
@@ -74,17 +76,27 @@ def _stored(file: Path, _changed_at: int) -> Model:
     return _read_reading(reading)
 
 
-def read_isolated_into(folder: Path, file: Path) -> None:
+def read_isolated_into(folder: Path, file: Path, metres_per_unit: float | None = None) -> None:
     """Read an object before it is stored in `folder`, and store its reading; a refused object leaves nothing there.
+
+    The file is written anew in metres when one of its units is given as another length (m).
 
     Raises
     ------
     ValueError
         One sentence: the file, what is wrong, what to do.
+    ScaleAsked
+        When no unit is given, and the object's size in metres is improbable.
     """
-    reading = _reading_of(file, folder / READINGS)
-    if not reading.exists():
-        read_isolated(READER, {"file": str(file), "reading": str(reading)})
+    size = _read_apart(file, folder / READINGS, metres_per_unit)
+    if metres_per_unit is None and not is_probable(size):
+        raise ScaleAsked(file.name, size)
+
+
+def _read_apart(file: Path, readings: Path, metres_per_unit: float | None) -> Vector:
+    question = {"file": str(file), "readings": str(readings), "metres_per_unit": metres_per_unit}
+    length, width, height = read_isolated(READER, question)["size"]
+    return length, width, height
 
 
 def write_reading(model: Model, file: Path) -> None:
@@ -107,7 +119,7 @@ def _read_reading(file: Path) -> Model:
     return Model(tuple(parts), (length, width, height))
 
 
-def _reading_of(file: Path, readings: Path) -> Path:
+def reading_of(file: Path, readings: Path) -> Path:
     """Return the path of a file's reading, by the file's content: files may be replaced, renamed or restored."""
     try:
         with file.open("rb") as opened:

@@ -2,6 +2,7 @@
 import { h, put, set, write } from "../widgets/dom.js";
 import { toggle } from "../widgets/fields.js";
 import { icon } from "../widgets/icons.js";
+import { sendInMetres } from "../widgets/object_scale.js";
 import { sendUnderName } from "../widgets/same_name.js";
 import { t } from "../texts.js";
 import { actsOn } from "./acts.js";
@@ -171,7 +172,9 @@ export function workbench(app, { plan, models, signal, onChange }) {
     model: (file) =>
       app.toasts.attempt(async () => {
         const next = await sendUnderName(app.question, (sameName) =>
-          app.api.upload(`/models?same_name=${sameName}`, file),
+          sendInMetres(app.question, (metresPerUnit) =>
+            app.api.upload(`/models?same_name=${sameName}${metresPerUnit}`, file),
+          ),
         );
         if (!next) return;
         modelList = next;

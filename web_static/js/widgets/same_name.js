@@ -19,7 +19,7 @@ export async function sendUnderName(place, send) {
   try {
     return await send("ask");
   } catch (error) {
-    if (!(error instanceof ApiError && error.choice)) throw error;
+    if (!(error instanceof ApiError && error.choice && "proposed" in error.choice)) throw error;
     const chosen = await choiceOf(place, error.message, error.choice);
     return chosen ? send(chosen) : null;
   }

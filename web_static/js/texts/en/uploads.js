@@ -1,8 +1,10 @@
-/** Texts of uploads: names that are taken, and files that were replaced. */
+/** Texts of uploads: names that are taken, objects of an improbable size, and files that were replaced. */
 export default {
   "same-name.keep-both": "Keep both, as {name}",
   "same-name.replace": "Replace it",
   "same-name.kept": "What is replaced can be put back for 30 days.",
+  "object-scale.size": "{size} m",
+  "object-scale.as-it-says": "{size} m, as it says",
   "replaced.title": "Replaced in the last 30 days",
   "replaced.when": "Replaced on {day}; removed for good on {until}.",
   "replaced.put-back": "Put back",
