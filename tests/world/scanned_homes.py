@@ -56,15 +56,20 @@ def scanned_home(seed, resolution):
         (ax, ay), (bx, by) = placed(wall) / resolution
         count = int(np.hypot(bx - ax, by - ay) * 3) + 2
         truth[np.linspace(ay, by, count).astype(int), np.linspace(ax, bx, count).astype(int)] = True
-    thick = truth.copy()  # 0.1 m, so that no ray slips through
-    for step in range(1, int(0.1 / resolution) + 1):
-        thick[step:] |= truth[:-step]
-        thick[:, step:] |= truth[:, :-step]
-    pixels = _scan(thick, placed(stations), resolution, random)
+    pixels = scan(thickened(truth, resolution), placed(stations), resolution, random)
     return ScannedHome(np.flipud(pixels), resolution, placed(rooms), length, length * 2 * (half + depth))
 
 
-def _scan(walls, stations, resolution, random):
+def thickened(walls, resolution):
+    """Return walls of 0.1 m, so that no ray slips through."""
+    thick = walls.copy()
+    for step in range(1, int(0.1 / resolution) + 1):
+        thick[step:] |= walls[:-step]
+        thick[:, step:] |= walls[:, :-step]
+    return thick
+
+
+def scan(walls, stations, resolution, random):
     """Return what a laser sees from the stations (n, 2), m."""
     rows, columns = walls.shape
     free, hit = np.zeros(walls.shape, bool), np.zeros(walls.shape, bool)

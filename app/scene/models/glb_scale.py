@@ -1,4 +1,4 @@
-"""A GLB file in another scale: a node above its scene has the factor, and nothing else in the file changes."""
+"""A GLB file in another scale, by a node above its scene."""
 
 import json
 
@@ -12,7 +12,7 @@ def scaled_glb(content: bytes, scale: float) -> bytes:
     nodes = document.get("nodes", [])
     below = {child for node in nodes for child in node.get("children", [])}
     scenes = document.get("scenes") or [{"nodes": [number for number in range(len(nodes)) if number not in below]}]
-    scene = scenes[document.get("scene", 0)]
+    scene = scenes[document.get("scene") or 0]
     whole = {"name": "in metres", "children": scene.get("nodes", []), "scale": [scale] * 3}
     changed = {"nodes": [*nodes, whole], "scenes": [scene | {"nodes": [len(nodes)]}], "scene": 0}
     return packed(document | changed, body)

@@ -6,6 +6,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from app.number_words import percent
 from app.world.floorplan import MAX_WALLS
 from app.world.imports.boundary import TOLERANCE, Corner, corner_count, outlines
 from app.world.imports.distances import grown, joined, wall_distances
@@ -17,10 +18,15 @@ from app.world.imports.route import Route, propose_route
 WALL_THICKNESS: Final = 0.02  # m; small, because the outline is the surface of the walls
 DECIMALS: Final = 4  # of a metre in the plan
 FINE: Final = 0.04  # m that a simplified wall may lie behind the surface; one cell where cells are larger
-NARROW: Final = (0.0, 0.1, 0.2)  # m; spaces that a chair of 0.64 m cannot enter: closing them takes no place from it
+NARROW: Final = (
+    0.0,
+    0.1,
+    0.2,
+    0.6,
+)  # m; spaces that a chair of 0.64 m cannot enter: closing them takes no place from it
 COARSEST: Final = 0.2  # m per cell; in coarser cells doorways close
 MOST_CORNERS: Final = 20 * MAX_WALLS  # of exact outlines, to be simplified: more do not become few enough
-TOO_MANY: Final = 4 * MAX_WALLS  # pieces, without narrow spaces: coarser cells do not make them few enough
+TOO_MANY: Final = 4 * MAX_WALLS  # pieces, which only coarser cells make few enough
 SEEN: Final = 0.99  # share of the cells from which on a map is a drawing, whose outside is as white as its rooms
 OPEN_EDGE: Final = 0.5  # share of a map's edge that is free, from which on its outside is free
 
@@ -91,7 +97,7 @@ def _has_open_edge(occupancy: OccupancyMap) -> bool:
 
 def _walls(free: NDArray[np.bool_], resolution: float, file: Path, what: str) -> _Walls:
     """Return outlines of at most MAX_WALLS pieces: of the cells as they are, without narrow spaces, or coarser."""
-    side, pieces = 1, 0
+    side, least = 1, 0
     while side == 1 or resolution * side <= COARSEST:
         size = resolution * side
         route = propose_route(joined(free, side, beyond=False), size)
@@ -105,13 +111,16 @@ def _walls(free: NDArray[np.bool_], resolution: float, file: Path, what: str) ->
                 pieces = sum(map(len, loops))
             if pieces <= MAX_WALLS:
                 return _Walls(Route(route.cells, region), loops, side, narrow)
-            if narrow > 0 and pieces > TOO_MANY:
+            least = min(least or pieces, pieces)
+            if pieces > TOO_MANY:
                 break
-        if pieces > TOO_MANY:
-            break
         side *= 2
-    if pieces:
-        raise ValueError(f"{file}: this {what} has {pieces:,} wall pieces, clean it until it has at most {MAX_WALLS:,}")
+    if least:
+        raise ValueError(
+            f"{file}: this {what} has {least:,} wall pieces when it is made as simple as it can be, and at most "
+            f"{MAX_WALLS:,} are taken, keep about {percent(MAX_WALLS / least)} of it and paint the rest as wall, "
+            "or paint over speckles and furniture"
+        )
     hint = "resolution" if what == "map" else "scale"
     raise ValueError(f"{file}: a chair fits nowhere in this {what}, check its {hint} and thresholds")
 
