@@ -96,7 +96,10 @@ def needed_plan(web: WebParts, name: str) -> FloorPlan:
     try:
         plan = load_plan(web, name)
     except ValueError as error:
-        raise HTTPException(409, f"The floor plan '{name}' cannot be read: import it again.") from error
+        reason = str(error).removeprefix(f"{web.own_floorplans / name}.json").lstrip(":, ")
+        raise HTTPException(
+            409, f"The floor plan '{name}' cannot be used: {reason}, then save or import it again."
+        ) from error
     if plan is None:
         raise NotFound(f"There is no floor plan '{name}': choose one of the list.")
     return plan

@@ -1,5 +1,6 @@
 """The clinic's own floor plans: one file each, and beside them every saved version."""
 
+from contextlib import suppress
 from pathlib import Path
 from threading import Lock
 from typing import NamedTuple
@@ -31,13 +32,13 @@ class OwnPlans:
         self._one_at_a_time = Lock()  # two people may save at the same time, in threads of the web process
 
     def listed(self) -> list[OwnPlan]:
-        """Return the plans that can be read, by name."""
+        """Return the plans by name; one that cannot be used, which opening it says, has its name as its title."""
         found = []
         for file in sorted(self._folder.glob("*.json")):
-            try:
-                found.append(OwnPlan(file.stem, load_floorplan(file).title, self.version(file.stem)))
-            except ValueError:
-                continue  # unreadable: not offered for driving either
+            title = file.stem
+            with suppress(ValueError):
+                title = load_floorplan(file).title
+            found.append(OwnPlan(file.stem, title, self.version(file.stem)))
         return found
 
     def version(self, name: str) -> int:

@@ -9,6 +9,7 @@ import ezdxf
 import numpy as np
 import pytest
 import trimesh
+from fake_clinic import WORD
 from PIL import Image
 
 from app import isolated_reader
@@ -88,6 +89,26 @@ def test_a_file_that_somebody_put_there_is_a_version_too(signed_in: Any, setting
     assert signed_in.good("GET", "/own-floorplans")[0]["version"] == 1
     assert signed_in.good("PUT", "/floorplans/by-hand?version=1", json=plan("by-hand", title="New"))["version"] == 2
     assert load_floorplan(folder / "versions" / "by-hand" / "000001.json").title == "My room"
+
+
+def test_a_plan_of_an_earlier_version_that_has_too_many_pieces_says_so(in_session: Any, settings: Any) -> None:
+    in_session.good("POST", "/floorplans", json=plan("map"))
+    zigzag = [[x / 1000, 10 + x % 2] for x in range(2502)]
+    stored = json.dumps(plan("map", walls=[*ROOM, zigzag, zigzag]))
+    for file in (settings.floorplans / "map.json", settings.floorplans / "versions" / "map" / "000002.json"):
+        file.write_text(stored)
+    words = "The floor plan 'map' cannot be used: its walls have 5,006 pieces, and at most 5,000 are taken"
+    assert words in sentence(in_session("GET", "/floorplans/map"), 409)
+    assert words in sentence(
+        in_session("POST", "/trials", json={"floorplan": "map", "path": "main", "screen": WORD}), 409
+    )
+    assert "map" not in names(in_session)
+    listed = [{"name": "map", "title": "map", "version": 2}]
+    assert in_session.good("GET", "/own-floorplans") == listed
+    assert in_session.good("DELETE", "/floorplans/map") == []
+    assert in_session.good("POST", "/floorplans/map/restore") == listed
+    assert in_session.good("PUT", "/floorplans/map?version=2", json=plan("map"))["version"] == 3
+    assert "map" in names(in_session)
 
 
 @pytest.mark.parametrize("name", ["clinic", "Clinic", "desert.easy", "desert", "desert.impossible"])
