@@ -78,6 +78,7 @@ from app.world.scene import bundled_places
 
 PREFIX = "/api/v1"
 ROUTES = (
+    stop,  # a request is compared with them in this order, and nothing is as urgent
     start,
     auth,
     accept_invitation,
@@ -110,7 +111,6 @@ ROUTES = (
     export_file,
     archive_import,
     log,
-    stop,
     live_socket,
     screen_socket,
     patient_screen,
@@ -229,6 +229,12 @@ def _routes_of_all_clinics() -> list[BaseRoute]:
     served.include_router(_api(module.router for module in ROUTES))
     served.include_router(replay_view.page_router)
     return served.routes
+
+
+def prepare_routes(app: WebApp) -> None:
+    """Make what the routes otherwise make for the first request, which takes longer than a Stop may wait."""
+    for route in app.routes:
+        route.matches({"type": "websocket", "path": PREFIX, "root_path": "", "headers": []})
 
 
 async def say_goodbye(app: WebApp) -> None:

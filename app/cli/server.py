@@ -13,7 +13,7 @@ from typing import Literal
 import typer
 import uvicorn
 
-from app.api.app import WebApp, create_app, say_goodbye
+from app.api.app import WebApp, create_app, prepare_routes, say_goodbye
 from app.api.assembly import StartProcess
 from app.api.failed_start import KeepsFailure
 from app.api.nearby import parsed_address
@@ -96,9 +96,10 @@ class WebServer(uvicorn.Server):
                 await self._open(self.config, self._lan.https, self._lan.certificate.context)
                 await self._open(_config(TabletPage(self._lan.service), "off", self._connections), self._lan.page, None)
                 self._following = asyncio.create_task(self._follow(self._lan))
+            typer.echo(self._words)
+            prepare_routes(self._app)
             # Collecting all loaded objects would take 0.2 s, in which no Stop would be handled, so they are frozen.
             collect_garbage()
-            typer.echo(self._words)
 
     def capture_signals(self) -> AbstractContextManager[None]:  # type: ignore[override]
         """Do nothing: this program handles the signals itself."""
