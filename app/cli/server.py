@@ -28,6 +28,7 @@ from app.cli.host.connections import (
     limited,
     most_connections,
 )
+from app.cli.host.event_loop import event_loop
 from app.cli.host.lan import Lan
 from app.cli.port import PING_LIMIT
 from app.computing_process import ComputingProcess
@@ -184,7 +185,9 @@ def run_clinic(
     scene = partial(ServedScene, models=settings.models)
     app = create_app(settings, _starts(launch), ComputingProcess(), scene)
     server = WebServer(app, listening, words, lan, _connections(settings))
-    if not asyncio.run(server.run_until_signal()):
+    with asyncio.Runner(loop_factory=event_loop) as runner:
+        has_started = runner.run(server.run_until_signal())
+    if not has_started:
         raise InputError(why_not_started(server.failure))
 
 
