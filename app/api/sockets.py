@@ -1,27 +1,56 @@
 """The open websockets, each with the sign-in or pairing that opened it, whose end closes it at once."""
 
 import asyncio
-from collections.abc import AsyncIterator, Callable
+import logging
+from collections import defaultdict
+from collections.abc import AsyncIterator, Callable, Iterable
 from contextlib import asynccontextmanager, suppress
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 from fastapi import WebSocket, WebSocketDisconnect
 from starlette.requests import HTTPConnection
 
 from app.api.origin import host_is_ours, origin_is_ours
-from app.api.sign_in.identity import PairedScreen, SignedInPerson, find_paired_screen, find_sign_in, find_viewer
+from app.api.sign_in.cookies import read_cookie
+from app.api.sign_in.identity import (
+    COOKIE,
+    SCREEN_COOKIE,
+    PairedScreen,
+    SignedInPerson,
+    find_paired_screen,
+    find_sign_in,
+    find_viewer,
+)
 from app.settings import Settings
 from app.store.database import Database
 
 SIGNED_OUT = 4401  # close code: sign in again
 NOT_VISIBLE = 4409  # close code: there is nothing to see for this person at the moment
 CHECK_EVERY = 2.0  # s until the end of a sign-in is noticed; a sign-out closes at once
+CLOSE_LIMIT = 1.0  # s in which a page has to take the end of its websocket; its connection is cut off afterwards
+CUT_OFF = "cut off"  # in the state of a websocket's scope: a function that ends the connection at once
+
+logger = logging.getLogger("bodydrive")
 
 Who = TypeVar("Who", bound=SignedInPerson | PairedScreen)
 Find = Callable[[Database, HTTPConnection], Who | None]
 Sees = Callable[[SignedInPerson | PairedScreen], bool]
 """Returns whether somebody may see what a websocket shows, which may change while it is open."""
 Busy = Callable[[], bool]
+
+
+def cut_off(websocket: WebSocket) -> None:
+    """End the connection of a websocket without waiting until its page has taken what was sent before."""
+    end = websocket.scope.get("state", {}).get(CUT_OFF)
+    if end is not None:  # only this program's own web server offers it
+        end()
+
+
+class Guarded(NamedTuple):
+    """Who opened a websocket, and whether they may see what it shows."""
+
+    who: SignedInPerson | PairedScreen
+    sees: Sees
 
 
 class OpenSockets:
@@ -32,7 +61,8 @@ class OpenSockets:
         self._settings = settings
         self._database = database
         self._busy = busy
-        self._open: dict[WebSocket, SignedInPerson | PairedScreen] = {}
+        self._open: dict[WebSocket, Guarded] = {}
+        self._watching: asyncio.Task[None] | None = None  # ends with the last websocket
 
     async def admit(self, websocket: WebSocket) -> SignedInPerson | None:
         """Return the person who opens a websocket, before it is accepted; None when it was refused and closed.
@@ -65,49 +95,66 @@ class OpenSockets:
 
         It is closed, too, when the person may no longer see (`sees`) what it shows.
         """
-        self._open[websocket] = who
-        watch = asyncio.create_task(self._watch(websocket, sees))
+        self._open[websocket] = Guarded(who, sees)
+        if self._watching is None or self._watching.done():
+            self._watching = asyncio.create_task(self._watch())
         try:
             yield
         finally:
-            watch.cancel()
             self._open.pop(websocket, None)
 
-    async def _watch(self, websocket: WebSocket, sees: Sees) -> None:
-        while True:
+    async def _watch(self) -> None:
+        while self._open:
             await asyncio.sleep(CHECK_EVERY)
-            code = await self._check(websocket, sees)
-            if code is not None:
-                await self._close(websocket, code)
-                return
+            try:
+                await self._check(list(self._open))
+            except Exception:  # go on: the next check may succeed, and without one nobody's end would be noticed
+                logger.exception("The sign-ins of the open websockets could not be checked")
 
-    async def _check(self, websocket: WebSocket, sees: Sees) -> int | None:
-        """Find anew who opened a websocket; return the code to close it with, None when it stays open."""
-        who = await self._find_again(websocket)
-        if who is None:
-            return SIGNED_OUT
-        self._open[websocket] = who
-        return None if sees(who) else NOT_VISIBLE
+    async def _check(self, websockets: Iterable[WebSocket]) -> None:
+        """Find anew who opened these websockets, each sign-in or pairing once; close those that may not stay open.
 
-    async def _find_again(self, websocket: WebSocket) -> SignedInPerson | PairedScreen | None:
-        if isinstance(self._open[websocket], PairedScreen):
+        Each at a time: two hundred look-ups at once, one for each websocket, would hold a Stop up.
+        """
+        of_cookie = defaultdict[tuple[type, str | None], list[WebSocket]](list)
+        for websocket in websockets:
+            kind = type(self._open[websocket].who)
+            cookie = read_cookie(websocket, SCREEN_COOKIE if kind is PairedScreen else COOKIE)
+            of_cookie[kind, cookie].append(websocket)
+        ending: dict[WebSocket, int] = {}
+        for (kind, _), those in of_cookie.items():
+            who = await self._find_again(kind, those[0])
+            for websocket in those:
+                if websocket not in self._open:
+                    continue  # it ended by itself meanwhile
+                if who is None:
+                    ending[websocket] = SIGNED_OUT
+                    continue
+                sees = self._open[websocket].sees
+                self._open[websocket] = Guarded(who, sees)
+                if not sees(who):
+                    ending[websocket] = NOT_VISIBLE
+        await self._close(ending)
+
+    async def _find_again(self, kind: type, websocket: WebSocket) -> SignedInPerson | PairedScreen | None:
+        if kind is PairedScreen:
             return await asyncio.to_thread(find_paired_screen, self._database, websocket)
         return await asyncio.to_thread(find_sign_in, self._database, websocket, acts=self._busy())
 
     def may_see(self, websocket: WebSocket, patient_id: int | None) -> bool:
         """Return whether who opened a websocket may see this patient now."""
-        who = self._open.get(websocket)
-        return who is not None and who.sees(patient_id)
+        opened = self._open.get(websocket)
+        return opened is not None and opened.who.sees(patient_id)
 
     def is_locked(self, websocket: WebSocket) -> bool:
         """Return whether the sign-in that opened a websocket is locked."""
-        who = self._open.get(websocket)
-        return isinstance(who, SignedInPerson) and who.locked
+        who = self._person(websocket)
+        return who is not None and who.locked
 
     def may_drive(self, websocket: WebSocket) -> bool:
         """Return whether who opened a websocket may change what drives now."""
-        who = self._open.get(websocket)
-        return isinstance(who, SignedInPerson) and who.drives
+        who = self._person(websocket)
+        return who is not None and who.drives
 
     async def acted(self, websocket: WebSocket) -> None:
         """Store that the person at the page of a websocket does something."""
@@ -115,42 +162,49 @@ class OpenSockets:
 
     async def close_person(self, person_id: int, but: int | None = None) -> None:
         """Close every websocket of a person whose sign-ins have ended, all but the sign-in with the id `but`."""
-        for websocket, who in list(self._open.items()):
-            if isinstance(who, SignedInPerson) and who.person_id == person_id and who.sign_in_id != but:
-                await self._close(websocket)
+        await self._close(self._of(lambda who: who.person_id == person_id and who.sign_in_id != but))
 
     async def look_again(self, sign_in_id: int) -> None:
         """Find anew who opened the websockets of a sign-in: it was unlocked."""
-        for websocket, who in list(self._open.items()):
-            if isinstance(who, SignedInPerson) and who.sign_in_id == sign_in_id:
-                await self._check(websocket, lambda _who: True)
+        await self._check(self._of(lambda who: who.sign_in_id == sign_in_id))
 
     async def close_sign_in(self, sign_in_id: int) -> None:
         """Close every websocket of a sign-in that has ended."""
-        for websocket, who in list(self._open.items()):
-            if isinstance(who, SignedInPerson) and who.sign_in_id == sign_in_id:
-                await self._close(websocket)
+        await self._close(self._of(lambda who: who.sign_in_id == sign_in_id))
 
     async def close_ended_screens(self) -> None:
         """Close every websocket of a patient's screen that was unpaired or whose session has ended."""
-
-        async def close_if_ended(websocket: WebSocket) -> None:
-            if await self._find_again(websocket) is None:
-                await self._close(websocket)
-
-        screens = [socket for socket, who in self._open.items() if isinstance(who, PairedScreen)]
-        await asyncio.gather(*(close_if_ended(socket) for socket in screens))
+        await self._check([websocket for websocket, (who, _) in self._open.items() if isinstance(who, PairedScreen)])
 
     def screens(self) -> set[int]:
         """Return the ids of the patient's screens that are connected."""
-        return {who.screen_id for who in list(self._open.values()) if isinstance(who, PairedScreen)}
+        return {who.screen_id for who, _ in list(self._open.values()) if isinstance(who, PairedScreen)}
 
     async def close_all(self) -> None:
         """Close every websocket: the process is about to end."""
-        for websocket in list(self._open):
-            await self._close(websocket, 1001)
+        await self._close(dict.fromkeys(self._open, 1001))
 
-    async def _close(self, websocket: WebSocket, code: int = SIGNED_OUT) -> None:
-        # The websocket may be closed already, or its browser may not answer.
-        with suppress(RuntimeError, TimeoutError, WebSocketDisconnect):
-            await asyncio.wait_for(websocket.close(code), 1.0)
+    def _person(self, websocket: WebSocket) -> SignedInPerson | None:
+        opened = self._open.get(websocket)
+        return opened.who if opened is not None and isinstance(opened.who, SignedInPerson) else None
+
+    def _of(self, wanted: Callable[[SignedInPerson], bool]) -> dict[WebSocket, int]:
+        """Return the websockets of some people, each with the code that says that their sign-in has ended."""
+        people = ((websocket, self._person(websocket)) for websocket in self._open)
+        return {websocket: SIGNED_OUT for websocket, who in people if who is not None and wanted(who)}
+
+    async def _close(self, codes: dict[WebSocket, int]) -> None:
+        """Close websockets, each with its code; a page that does not take it ends without it."""
+        closing = []
+        for websocket, code in codes.items():
+            closing.append(asyncio.create_task(_close(websocket, code)))
+            await asyncio.sleep(0)  # a Stop waits for no more than one of them
+        await asyncio.gather(*closing)
+
+
+async def _close(websocket: WebSocket, code: int) -> None:
+    try:
+        with suppress(RuntimeError, WebSocketDisconnect):  # it is closed already
+            await asyncio.wait_for(websocket.close(code), CLOSE_LIMIT)
+    except TimeoutError:
+        cut_off(websocket)

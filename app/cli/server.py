@@ -25,6 +25,7 @@ from app.cli.host.connections import (
     WAITING,
     Connections,
     EncryptedListener,
+    LimitedWebSocket,
     limited,
     most_connections,
 )
@@ -155,6 +156,7 @@ def _config(app: KeepsFailure | TabletPage, lifespan: Literal["on", "off"], conn
     return uvicorn.Config(
         app,
         http=limited(connections),
+        ws=LimitedWebSocket,
         backlog=ACCEPTED_AT_ONCE,
         interface="asgi3",
         log_config=None,

@@ -11,11 +11,12 @@ from typing import Any
 from fastapi import WebSocket
 from starlette.websockets import WebSocketState
 
+from app.api.sockets import cut_off
 from app.clock import monotonic
 
 EVERY = 0.05  # s
 NOTHING = "{}"
-SEND_LIMIT = 3.0  # s: a page that does not take a message within this time is disconnected
+SEND_LIMIT = 3.0  # s: a page that does not take a message within this time is cut off; a slow one takes 16 kB/s
 AT_ONCE = 4  # pages that get a picture in one turn of the event loop: a Stop waits for no more of them
 
 logger = logging.getLogger("bodydrive")
@@ -85,8 +86,7 @@ class LiveHub:
                     async with asyncio.timeout(SEND_LIMIT):
                         await viewer.websocket.send_text(text)
         except TimeoutError:
-            with suppress(RuntimeError, TimeoutError):
-                await asyncio.wait_for(viewer.websocket.close(1013), 0.5)
+            cut_off(viewer.websocket)
         finally:
             self._viewers.discard(viewer)
 

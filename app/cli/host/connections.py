@@ -8,12 +8,16 @@ import asyncio
 import os
 import resource
 import socket
+from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
 from typing import Any, Protocol
 
 from uvicorn.config import Config
 from uvicorn.protocols.http.h11_impl import H11Protocol
+from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
+
+from app.api.sockets import CUT_OFF
 
 RESERVE = 200  # descriptors that are no connection of a page: database, recordings, other processes, uploads
 EACH = 2  # descriptors for each connection: a websocket of the 3D view needs further ones
@@ -24,6 +28,7 @@ REQUEST = 10.0  # s in which a connection has to send a request, from its beginn
 SEND_BUFFER = 131_072  # bytes that wait in the kernel for a websocket: of a page that reads too slowly it is full soon
 ACCEPTED_AT_ONCE = 16  # new connections in one turn of the event loop, before the limits see them
 WAITING = 1024  # new connections that wait in the kernel for their turn
+NEXT_WEBSOCKET = 0.01  # s from the opening of one websocket to that of the next, which takes about 3 ms of work
 
 
 class Connection(Protocol):
@@ -125,6 +130,39 @@ class Connections:
         return True
 
 
+class InTurn:
+    """Calls functions one after another, at most one every NEXT_WEBSOCKET seconds.
+
+    Two hundred websockets that are opened at once would take the event loop for longer than a Stop may wait.
+    """
+
+    def __init__(self) -> None:
+        self._waiting: deque[Callable[[], None]] = deque()
+        self._is_resting = False
+
+    def call(self, function: Callable[[], None]) -> None:
+        """Call a function: at once when none was called shortly before."""
+        self._waiting.append(function)
+        if not self._is_resting:
+            self._next()
+
+    def _next(self) -> None:
+        self._is_resting = bool(self._waiting)
+        if self._is_resting:
+            asyncio.get_running_loop().call_later(NEXT_WEBSOCKET, self._next)
+            self._waiting.popleft()()
+
+
+class LimitedWebSocket(WebSocketsSansIOProtocol):
+    """A websocket whose connection the application may end at once (`app.api.sockets.cut_off`)."""
+
+    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+        """Begin a websocket on an open connection."""
+        super().connection_made(transport)
+        transport.get_extra_info("socket").setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, SEND_BUFFER)
+        self.app_state = {**self.app_state, CUT_OFF: transport.abort}
+
+
 class EncryptedListener(socket.socket):
     """Accepts connections over https; the limits see them before their handshake, which may take 10 s."""
 
@@ -141,6 +179,7 @@ class EncryptedListener(socket.socket):
 
 def limited(connections: Connections) -> type[H11Protocol]:
     """Return uvicorn's class for connections, with the limits."""
+    websockets = InTurn()
 
     class LimitedConnection(H11Protocol):
         """A connection, which is closed when it sends no request, and gives way while it has none."""
@@ -152,7 +191,9 @@ def limited(connections: Connections) -> type[H11Protocol]:
 
         @property
         def is_idle(self) -> bool:
-            return not self._is_websocket and (self.cycle is None or self.cycle.response_complete)
+            if self._is_websocket:
+                return self.transport.is_closing()  # what it was sent is awaited by nobody any more
+            return self.cycle is None or self.cycle.response_complete
 
         @property
         def is_awaited(self) -> bool:
@@ -173,7 +214,12 @@ def limited(connections: Connections) -> type[H11Protocol]:
 
         def handle_websocket_upgrade(self, event: Any) -> None:
             self._is_websocket = True
-            self.transport.get_extra_info("socket").setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, SEND_BUFFER)
+            self.transport.pause_reading()  # what follows the request is for the websocket
+            websockets.call(lambda: self._become_websocket(event))
+
+        def _become_websocket(self, event: Any) -> None:
+            if self.transport.is_closing():
+                return
             super().handle_websocket_upgrade(event)
             websocket = self.transport.get_protocol()
             lost = websocket.connection_lost
@@ -183,6 +229,7 @@ def limited(connections: Connections) -> type[H11Protocol]:
                 lost(exc)
 
             websocket.connection_lost = connection_lost  # type: ignore[method-assign]
+            self.transport.resume_reading()
 
         def connection_lost(self, exc: Exception | None) -> None:
             self._end()

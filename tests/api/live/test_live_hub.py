@@ -1,13 +1,14 @@
 """The live picture is sent on after an error, and never from before a page came."""
 
 import asyncio
-from typing import Any
+from typing import Any, ClassVar
 
 import pytest
 from starlette.websockets import WebSocketState
 
 from app.api.live import hub as hub_module
 from app.api.live.hub import LiveHub, Viewer
+from app.api.sockets import CUT_OFF
 
 
 class Page:
@@ -86,3 +87,24 @@ def test_many_pages_leave_every_turn_of_the_event_loop_to_a_stop(monkeypatch: py
     asyncio.run(story())
     assert all(len(page.sent) == 2 for page in pages)
     assert most <= 2 * hub_module.AT_ONCE
+
+
+def test_a_page_that_takes_no_picture_for_long_is_cut_off(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(hub_module, "EVERY", 0.001)
+    monkeypatch.setattr(hub_module, "SEND_LIMIT", 0.01)
+    ended = asyncio.Event()
+
+    class StandsStill(Page):
+        scope: ClassVar = {"state": {CUT_OFF: ended.set}}
+
+        async def send_text(self, _text: str) -> None:
+            await asyncio.Event().wait()
+
+    async def story() -> None:
+        hub = LiveHub(lambda: {"v": 0.0}, dict)
+        hub.start()
+        await hub.serve(Viewer(StandsStill()))  # type: ignore[arg-type]
+        await hub.close()
+
+    asyncio.run(story())
+    assert ended.is_set()

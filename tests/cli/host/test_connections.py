@@ -1,14 +1,17 @@
 import asyncio
 import resource
 import socket
+from contextlib import suppress
 from types import SimpleNamespace
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from uvicorn.config import Config
+from uvicorn.protocols.utils import ClientDisconnected
 from uvicorn.server import ServerState
 
+from app.api.sockets import cut_off
 from app.cli.host import connections as module
 from app.cli.host.connections import (
     MOST,
@@ -16,6 +19,8 @@ from app.cli.host.connections import (
     SHARE,
     Connections,
     EncryptedListener,
+    InTurn,
+    LimitedWebSocket,
     limited,
     most_connections,
 )
@@ -121,10 +126,10 @@ async def answer(_scope, _receive, send):
     await send({"type": "http.response.body", "body": b""})
 
 
-async def served(exchange):
+async def served(exchange, app=answer, connections=None):
     """Serve with the limited classes, and return what `exchange` returns of a connection."""
-    http = limited(Connections(4))
-    config = Config(answer, http=http, ws="none", log_config=None, lifespan="off")
+    http = limited(Connections(4) if connections is None else connections)
+    config = Config(app, http=http, ws=LimitedWebSocket, log_config=None, lifespan="off", ws_per_message_deflate=False)
     config.load()
     state, loop = ServerState(), asyncio.get_running_loop()
     server = await loop.create_server(lambda: http(config=config, server_state=state, app_state={}), "127.0.0.1", 0)
@@ -149,3 +154,103 @@ def test_who_sends_no_whole_request_is_closed(monkeypatch, sent):
     except ConnectionResetError:
         answered = b""
     assert answered.count(b"204") == sent.count(b"Host") or not answered
+
+
+UPGRADE = (
+    b"GET / HTTP/1.1\r\nHost: a\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
+    b"Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"
+)
+
+
+async def _send_for_ever(send):
+    with suppress(ClientDisconnected):
+        while True:
+            await send({"type": "websocket.send", "text": "x" * 100_000})
+
+
+def test_a_websocket_that_is_cut_off_ends_although_its_page_took_nothing():
+    """Its end would come after all that waits for the page, which may take it as slowly as it likes."""
+
+    async def send_much(scope, _receive, send):
+        await send({"type": "websocket.accept"})
+        sending = asyncio.create_task(_send_for_ever(send))
+        while not sending.done():
+            for _ in range(100):
+                await asyncio.sleep(0)
+            cut_off(SimpleNamespace(scope=scope))
+
+    connections = Connections(4)
+
+    async def exchange(_reader, writer):
+        writer.transport.pause_reading()
+        writer.write(UPGRADE)
+        while not len(connections):
+            await asyncio.sleep(0)
+        while len(connections):  # the suite's own limit of time ends a connection that stays
+            await asyncio.sleep(0)
+
+    asyncio.run(served(exchange, send_much, connections))
+
+
+def test_a_websocket_that_is_about_to_end_gives_way():
+    sent = asyncio.Event()
+
+    async def end_after_sending(_scope, _receive, send):
+        await send({"type": "websocket.accept"})
+        await send({"type": "websocket.send", "text": "x" * 40_000_000})  # more than the kernel keeps: it never ends
+        sent.set()
+
+    connections = Connections(1)
+
+    async def exchange(_reader, writer):
+        writer.transport.pause_reading()
+        writer.write(UPGRADE)
+        await sent.wait()
+        assert len(connections) == 1
+        while not connections.add(One(idle=False), "another"):
+            await asyncio.sleep(0)
+
+    asyncio.run(served(exchange, end_after_sending, connections))
+
+
+def test_many_websockets_are_opened_one_after_another(monkeypatch):
+    """Two hundred that came together took the event loop for half a second, in which no Stop was answered."""
+    monkeypatch.setattr(module, "NEXT_WEBSOCKET", 0.0)
+    opened = []
+
+    async def story():
+        turn, most = InTurn(), 0
+        for number in range(200):
+            turn.call(lambda number=number: opened.append(number))
+        assert opened == [0]  # the first one at once
+        while len(opened) < 200:
+            before = len(opened)
+            await asyncio.sleep(0)
+            most = max(most, len(opened) - before)
+        return most
+
+    assert asyncio.run(story()) == 1
+    assert opened == list(range(200))
+
+
+def test_what_a_page_sends_before_its_websocket_is_open_is_not_lost(monkeypatch):
+    waiting = []
+    monkeypatch.setattr(InTurn, "call", lambda _self, function: waiting.append(function))
+
+    async def echo(_scope, receive, send):
+        await receive()
+        await send({"type": "websocket.accept"})
+        await send({"type": "websocket.send", "text": (await receive())["text"]})
+
+    async def exchange(reader, writer):
+        writer.write(UPGRADE)
+        while not waiting:
+            await asyncio.sleep(0)
+        writer.write(b"\x81\x84\0\0\0\0stop")  # masked with zeros
+        for _ in range(100):
+            await asyncio.sleep(0)
+        waiting.pop()()
+        await reader.readuntil(b"\r\n\r\n")
+        return await reader.readexactly(6)
+
+    assert asyncio.run(served(exchange, echo)) == b"\x81\x04stop"
