@@ -39,6 +39,7 @@ PARTS = {
     "flood": Part("bench.web.busy", "measure_flood", "Stop on the tablet while 40 people sign in"),
     "pages": Part("bench.web.busy", "measure_first_pages", "Stop on the tablet while pages are opened first"),
     "records": Part("bench.web.busy", "measure_records", "Stop on the tablet while records are made and reviewed"),
+    "slow": Part("bench.web.slow", "measure_slow_pages", "Stop on the tablet beside 200 pages that hardly read"),
     "review": Part("bench.web.review", "measure_review", "Stop, heartbeat and commands while somebody reviews trials"),
     "period": Part("bench.period", "measure_period", "how evenly a real chair is told, under load and junk"),
     "decode": Part("bench.chain", "measure_decode", "decoding a recording"),

@@ -3,24 +3,28 @@
 Arguments: the chair's port and key file, the shirt's port and key file, a folder for the state. Prints the port that it
 serves. Then, for each line on stdin: `arm` prints `armed` as soon as the chair may move; `stop` sends the command over
 the link, and prints when (monotonic s); `beats` prints the longest time between two heartbeats since the last such line
-(s). Ends with stdin.
+(s); `turns` prints the p99 and the longest turn of the event loop (s of processor time), and the share of a core that
+the process used, since the last such line. Ends with stdin.
 """
 
 import asyncio
+import selectors
 import sys
+import time
 from pathlib import Path
 from typing import Any
 
-import uvicorn
+import numpy as np
 
 from app.api.app import create_app
 from app.api.parts import web_parts_of
+from app.cli.host.event_loop import FewAtOnce
 from app.cli.port import bind
+from app.cli.server import WebServer
 from app.clock import monotonic
 from app.computing_process import ComputingProcess
 from app.faults import EXPLANATIONS, Fault, State
 from app.process.supervisor import ControlProcess
-from app.realtime import collect_garbage
 from app.refusals import Conflict
 from app.session.control_link import ControlLink, ScreenSign
 from app.settings import Settings
@@ -51,29 +55,54 @@ class _Beats:
         return longest
 
 
-async def main(chair: dict[str, Any], shirt_port: int, shirt_key: str, folder: Path) -> None:
+class _Turns(FewAtOnce):
+    """Notes the processor time of each turn of the event loop, which does not depend on how busy the machine is."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._woken: float | None = None
+        self._turns: list[float] = []
+        self._since = (monotonic(), time.process_time())
+
+    def select(self, timeout: float | None = None) -> list[tuple[selectors.SelectorKey, int]]:
+        """Wait for what the next turn has to do."""
+        if self._woken is not None:
+            self._turns.append(time.thread_time() - self._woken)
+        ready = super().select(timeout)
+        self._woken = time.thread_time()
+        return ready
+
+    def report(self) -> str:
+        """Return the p99 and the longest of the turns (s), and the share of a core, since the last report."""
+        turns, self._turns = self._turns, []
+        (since, used), self._since = self._since, (monotonic(), time.process_time())
+        share = (self._since[1] - used) / (self._since[0] - since)
+        return f"{np.percentile(turns, 99)} {max(turns)} {share}"
+
+
+async def main(chair: dict[str, Any], shirt_port: int, shirt_key: str, folder: Path, turns: _Turns) -> None:
     """Serve until stdin ends."""
     with bind("127.0.0.1", 0) as listening:
         port = listening.getsockname()[1]
         app = create_app(Settings(state=folder, port=port), ControlProcess.start, ComputingProcess(IDLE_LIMIT))
-        server = uvicorn.Server(uvicorn.Config(app, log_level="error", lifespan="on"))
+        server = WebServer(app, listening, str(port))
         serving = asyncio.create_task(server.serve([listening]))
         while not server.started:
             if serving.done():
                 raise RuntimeError("the web process of the benchmark did not start: its message stands above")
             await asyncio.sleep(LOOK_EVERY)
-        collect_garbage()  # as the web server does after its start
         control = web_parts_of(app).control
         beats = _Beats()
         control.screen_sign = beats.sign
         digest = await _set_up(control, chair, shirt_port, shirt_key, folder)
-        _say(str(port))
         while word := (await asyncio.to_thread(sys.stdin.readline)).strip():
             if word == "arm":
                 await _arm(control, digest)
                 _say("armed")
             elif word == "beats":
                 _say(repr(beats.longest()))
+            elif word == "turns":
+                _say(turns.report())
             else:
                 before = monotonic()
                 await control.call("stop", by="tablet")
@@ -122,4 +151,6 @@ def _say(line: str) -> None:
 
 if __name__ == "__main__":
     real_chair = bench_chair(int(sys.argv[1]), Path(sys.argv[2]))
-    asyncio.run(main(real_chair, int(sys.argv[3]), sys.argv[4], Path(sys.argv[5])))
+    all_turns = _Turns()
+    with asyncio.Runner(loop_factory=lambda: asyncio.SelectorEventLoop(all_turns)) as runner:
+        runner.run(main(real_chair, int(sys.argv[3]), sys.argv[4], Path(sys.argv[5]), all_turns))
