@@ -281,5 +281,5 @@ def test_a_cruise_that_nobody_asks_for_runs_out_on_either_chair_and_axis(chair, 
     noise = np.random.default_rng(4).normal(scale=0.002, size=(500, len(posture))).astype(np.float32)
     speeds = [abs(getattr(ride.feed(posture + wobble), axis)) for wobble in noise]
     assert speeds[150] > 0.1
-    assert speeds[-1] == 0.0
+    assert max(speeds[350:]) == 0.0  # the time-out of 2 s, and the way to standstill
     assert ride.gate.state is State.ARMED

@@ -7,7 +7,7 @@ from collections import defaultdict
 from folders import ROOT
 
 PAGE = (ROOT / "docs" / "safety.md").read_text()
-INVARIANTS = [f"S{number}" for number in range(1, 30) if number != 19]  # there is no S19
+INVARIANTS = [f"S{number}" for number in range(1, 32) if number != 19]  # there is no S19
 NAMED = re.findall(r"`([\w/]+\.py)::(\w+)`", PAGE)
 
 

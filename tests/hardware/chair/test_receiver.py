@@ -22,6 +22,7 @@ def chair():
 def test_ten_thousand_boots_send_nothing_but_zeros():
     for boot in range(10_000):
         chair = CommandedReceiver()
+        assert chair.state is DISARMED
         chair.send(1.0, 1.0, DRIVE)
         chair.send(0.0, 0.0, boot % 8)
         chair.send(1.0, 1.0, DRIVE)

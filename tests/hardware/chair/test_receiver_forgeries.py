@@ -174,3 +174,22 @@ def test_a_whole_drive_of_an_earlier_boot_moves_nothing(earlier):
         chair.wait(0.02)
     assert chair.state is ReceiverState.DISARMED
     assert not any(v or omega for _, v, omega in chair.speeds)
+
+
+def test_drives_of_the_same_boot_move_nothing_when_they_are_sent_again():
+    chair = CommandedReceiver()
+    sent = []
+    for _ in range(3):
+        for speed in (*[0.0] * 30, *[0.4] * 10):
+            sent.append(chair.frame(speed, 0.0, DRIVE))
+            assert chair.receiver.take(sent[-1], chair.t)
+            chair.wait(0.02)
+        chair.wait(0.5)  # silence ends the epoch
+        assert chair.state is ReceiverState.DISARMED
+        chair.epoch += 1
+    begun = len(chair.speeds)
+    for frame in sent:
+        assert not chair.receiver.take(frame, chair.t)
+        chair.wait(0.02)
+    assert chair.state is ReceiverState.DISARMED
+    assert not any(v or omega for _, v, omega in chair.speeds[begun:])
