@@ -20,6 +20,8 @@ RECORDING = 20  # rows; fewer may be written by hand, with any time between them
 FASTEST = 10.0  # m/s, mean speed; more means that x and y are not in metres, or t not in seconds
 FOLLOWING = ("dist_ratio", "e_diff", "cross_track_rms", "cross_track_max", "cross_track_mean")  # how well it followed
 
+CANCELLING = "Two loops around one place in opposite directions cancel in the area; the distance driven counts both."
+
 WORDS = {
     "dist": ("distance driven", "m"),
     "path_length": ("length of the path", "m"),
@@ -49,7 +51,8 @@ def score(
 ) -> None:
     """Score a driven trajectory against a prescribed path; s and m.
 
-    A drive that ends no further along the path than it began, and not at its goal, has no measures of following.
+    A drive that ends no further along the path than it began, and not at its goal, has no measures of following. Two
+    loops around one place in opposite directions cancel in the area off the path; the distance driven counts both.
     """
     if not 0 < goal_radius <= LARGEST_RADIUS:
         raise InputError(f"--goal-radius {goal_radius:g}: give metres above 0 and at most {LARGEST_RADIUS:g}")
@@ -109,7 +112,7 @@ def _table(measures: "Measures") -> str:
     for name, value in measures.items():
         label, unit = WORDS[name]
         lines.append(f"{label:<44} {_written(value)} {unit}".rstrip())
-    return "\n".join(lines)
+    return "\n".join([*lines, "", CANCELLING])
 
 
 def _written(value: float | bool | None) -> str:

@@ -53,6 +53,23 @@ def test_score_in_words(bodydrive, tables):
     assert symbols_in(out) == []
 
 
+def test_loops_in_opposite_directions_cancel_in_the_area_which_is_said_beside_it(bodydrive, tables):
+    turn = np.linspace(0, 2 * np.pi, 60)
+    loop = np.column_stack([10 + np.sin(turn), 1 - np.cos(turn)])
+    legs = [np.column_stack([np.linspace(a, b, 60), np.zeros(60)]) for a, b in ((0, 10), (10, 20))]
+    sizes = {}
+    for name, loops in (("none", []), ("same", [loop, loop]), ("opposite", [loop, loop[::-1]])):
+        places = np.concatenate([legs[0], *loops, legs[1]])
+        rows = "".join(f"{number / 20},{x},{y}\n" for number, (x, y) in enumerate(places))
+        (tables / "loops.csv").write_text(f"t,x,y\n{rows}")
+        (tables / "line.csv").write_text("x,y\n0,0\n20,0\n")
+        measures = json.loads(bodydrive("score", "loops.csv", "line.csv", "--json")[1])
+        sizes[name] = measures["e_diff"], measures["dist"]
+        assert "in opposite directions cancel in the area" in bodydrive("score", "loops.csv", "line.csv")[1]
+    assert [area for area, _ in sizes.values()] == pytest.approx([0, 2 * np.pi, 0], abs=0.05)
+    assert [driven for _, driven in sizes.values()] == pytest.approx([20, 20 + 4 * np.pi, 20 + 4 * np.pi], abs=0.1)
+
+
 def test_columns_of_controls_and_contacts_give_more(bodydrive, tables):
     (tables / "more.csv").write_text("t,x,y,u1,u2,in_contact,extra\n0,0,0,1,0,0,a\n10,5,0,0,1,1,b\n20,10,0,0,-1,0,c\n")
     measures = json.loads(bodydrive("score", "more.csv", "path.csv", "--json")[1])
