@@ -30,8 +30,7 @@ TOO_LONG: Final = f"This took more than {ANSWER_LIMIT:.0f} s to compute: close o
 # What the functions import late. The process loads them while nobody asks, in the order in which they are used.
 SLOW_LIBRARIES: Final = (
     *("pyarrow", "pyarrow.parquet", "sklearn.decomposition", "shapely", "scipy.signal", "scipy.optimize"),
-    *("scipy.special", "scipy.stats", "statsmodels.regression.linear_model", "statsmodels.stats.weightstats"),
-    *("statsmodels.tools.eval_measures", "pyarrow.csv"),
+    *("scipy.special", "scipy.stats", "pyarrow.csv"),
 )
 
 Asked = ParamSpec("Asked")

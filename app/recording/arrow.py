@@ -41,7 +41,7 @@ class Encoder:
 
 
 def _array(column: NDArray[np.generic], kind: Any) -> Any:
-    """Return an array on the memory of a contiguous column; `pa.array` would load pandas while somebody drives."""
+    """Return an array on the memory of a contiguous column; `pa.array` may load pandas while somebody drives."""
     numbers_kind = kind if column.ndim == 1 else kind.value_type
     numbers: Any = pa.Array.from_buffers(numbers_kind, column.size, [None, pa.py_buffer(column)])
     return numbers if column.ndim == 1 else pa.FixedSizeListArray.from_arrays(numbers, kind.list_size)

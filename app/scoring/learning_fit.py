@@ -157,19 +157,23 @@ def _fit(form: Form, n: Numbers, values: Numbers, bounds: tuple[float, float]) -
 
 def _uncertainty(residual: Numbers, jacobian: Numbers) -> tuple[Numbers, tuple[float, float]]:
     """Return half the confidence band (n,), and the interval of the last parameter around its estimate."""
-    from statsmodels.regression.linear_model import OLS
+    from scipy.special import stdtrit
 
     columns = jacobian.shape[1]
     while np.linalg.matrix_rank(jacobian[:, :columns]) < columns:  # for example b = 0: c has no effect
         columns -= 1
-    # Orthogonal columns span the same plane with smaller rounding errors; the last one belongs to the last parameter.
-    orthogonal, triangle = np.linalg.qr(jacobian[:, :columns])
-    tangent = OLS(residual, orthogonal).fit()
-    band = tangent.get_prediction().conf_int(alpha=1 - CONFIDENCE)
-    half = (band[:, 1] - band[:, 0]) / 2
+    # Orthonormal columns span the same plane: each of their coefficients has the variance of the residual, and none
+    # depends on another. The last one belongs to the last parameter.
+    orthonormal, triangle = np.linalg.qr(jacobian[:, :columns])
+    coefficients = orthonormal.T @ residual
+    freedom = len(residual) - columns
+    deviation = math.sqrt(float(np.sum((residual - orthonormal @ coefficients) ** 2)) / freedom)
+    reach = float(stdtrit(freedom, (1 + CONFIDENCE) / 2)) * deviation
+    half = reach * np.linalg.norm(orthonormal, axis=1)
     if columns < jacobian.shape[1]:
         return half, (math.nan, math.nan)
-    low, high = sorted((tangent.conf_int(alpha=1 - CONFIDENCE)[-1] / triangle[-1, -1]).tolist())
+    last = float(coefficients[-1])
+    low, high = sorted(((last - reach) / triangle[-1, -1], (last + reach) / triangle[-1, -1]))
     return half, (low, high)
 
 
@@ -178,10 +182,9 @@ def _aicc(residual: Numbers, parameters: int) -> float:
 
     Source: Burnham and Anderson, Model Selection and Multimodel Inference (2002), section 2.4.
     """
-    from statsmodels.tools.eval_measures import aicc_sigma
-
+    n = len(residual)
     variance = max(float(np.mean(residual**2)), ROUNDING**2)  # a curve through all points has a residual of 0
-    return len(residual) * float(aicc_sigma(variance, len(residual), parameters))
+    return n * math.log(variance) + 2 * parameters * n / (n - parameters - 1)
 
 
 def _scaled(values: Numbers) -> tuple[Numbers, float, float]:

@@ -1,10 +1,13 @@
 """Retention: the change of a measure within sessions, compared with its change from one session to the next."""
 
+import math
 from collections.abc import Sequence
 from itertools import groupby, pairwise
 from typing import NamedTuple
 
 import numpy as np
+
+from app.scoring.learning_fit import CONFIDENCE
 
 EDGE = 2  # trials at either end of a session whose mean is its start and its end
 MIN_TRIALS = 2 * EDGE  # of a session; with fewer, its start and its end would share trials
@@ -52,7 +55,8 @@ def retention(sessions: Sequence[int], values: Sequence[float]) -> Retention | N
 
 
 def _mean(changes: Sequence[float]) -> Change:
-    from statsmodels.stats.weightstats import DescrStatsW
+    from scipy.special import stdtrit
 
-    low, high = DescrStatsW(np.asarray(changes)).tconfint_mean()
-    return Change(float(np.mean(changes)), float(low), float(high), len(changes))
+    mean, count = float(np.mean(changes)), len(changes)
+    half = float(stdtrit(count - 1, (1 + CONFIDENCE) / 2) * np.std(changes, ddof=1)) / math.sqrt(count)
+    return Change(mean, mean - half, mean + half, count)

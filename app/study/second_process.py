@@ -16,10 +16,7 @@ Answer = TypeVar("Answer")
 
 # What is imported inside functions: by the fit, with which a study begins, and by scoring and drawing.
 FIRST_LIBRARY = "sklearn.decomposition"
-LATER_LIBRARIES = (
-    *("shapely", "scipy.signal", "scipy.optimize", "scipy.stats"),
-    *("statsmodels.regression.linear_model", "statsmodels.tools.eval_measures", "matplotlib.backends.backend_agg"),
-)
+LATER_LIBRARIES = (*("shapely", "scipy.signal", "scipy.optimize", "scipy.stats", "matplotlib.backends.backend_agg"),)
 
 
 class SameProcess(Executor):

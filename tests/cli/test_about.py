@@ -31,8 +31,8 @@ def test_it_says_version_build_and_python(bodydrive):
 
 def test_the_packages_are_those_it_requires_directly_and_indirectly_and_no_others(bodydrive):
     packages = {one["name"].lower(): one for one in json.loads(listed(bodydrive, "--licences", "--json"))["packages"]}
-    # starlette comes with fastapi, pandas with statsmodels
-    assert {"bodydrive", "numpy", "starlette", "pandas", "uvicorn"} <= packages.keys()
+    # starlette comes with fastapi, joblib with scikit-learn
+    assert {"bodydrive", "numpy", "starlette", "joblib", "uvicorn"} <= packages.keys()
     assert not {"pytest", "ruff", "mypy", "playwright", "hypothesis"} & packages.keys()
     assert {name: one["version"] for name, one in packages.items() if one["version"] != version(name)} == {}
     assert packages["sqlalchemy"]["licence"] == "MIT"

@@ -14,7 +14,7 @@ MAKEFILE = (ROOT / "Makefile").read_text()
 OWN = sorted({name for name in re.findall(r"python -m (\S+)", MAKEFILE) if name not in {"pip", "pytest"}})
 # Nothing of this project: each command has to import its own. To load these anew for each command would take seconds.
 OF_OTHERS = (
-    *("fastapi", "httpx", "hypothesis", "matplotlib.pyplot", "numpy", "pandas", "playwright.sync_api", "psutil"),
+    *("fastapi", "httpx", "hypothesis", "matplotlib.pyplot", "numpy", "playwright.sync_api", "psutil"),
     *("pyarrow.parquet", "pydantic", "pytest", "scipy.signal", "sqlalchemy.orm", "starlette.testclient", "typer"),
     *("uvicorn", "viser", "websockets.sync.client"),
 )

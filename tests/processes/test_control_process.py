@@ -188,7 +188,7 @@ def test_in_use_it_loads_no_web_database_or_fitting_library(tmp_path):
     seen = json.loads(told.stdout)
     assert seen["code"] == 0
     assert [answer["id"] for answer in seen["answers"] if answer["ok"]] == [1, 2, 3, 4, 6, 5]
-    forbidden = "fastapi starlette uvicorn viser sqlalchemy alembic sklearn scipy pandas shapely matplotlib typer"
+    forbidden = "fastapi starlette uvicorn viser sqlalchemy alembic sklearn scipy shapely matplotlib typer"
     assert set(forbidden.split()) & set(seen["modules"]) == set()
     assert read_run(tmp_path / "r").damage == ""
 

@@ -42,7 +42,7 @@ PAGES = (
     "/patients/1/report?form=pdf",
     "/patients/1/export?form=fhir",
 )
-SLOW = ("pandas", "pyarrow", "scipy", "sklearn")  # libraries that answers are computed with
+SLOW = ("pyarrow", "scipy", "sklearn")  # libraries that answers are computed with
 BUSY = 0.1  # s: a machine that is late by so much may stop the chair
 ATTEMPTS = 4
 

@@ -206,6 +206,35 @@ def test_the_unit_of_a_measure_makes_no_difference(seed: int, unit: float, offse
     assert other.aicc == pytest.approx(plain.aicc, abs=1e-3)
 
 
+@pytest.mark.parametrize(
+    ("place", "form", "aicc", "c_low", "c_high", "first_low", "sixth_high"),
+    [
+        (2, "level", -16.345475573766667, math.nan, math.nan, 2.7983407187180696, 4.384992614615263),
+        (
+            0,
+            "exponential",
+            -41.1440904364792,
+            2.419312430368448,
+            10.480607826991175,
+            5.367547147283152,
+            3.7147224090446,
+        ),
+        (1, "power", -39.32613521870738, math.nan, math.nan, 5.520662455427096, 3.6716042859719553),
+    ],
+)
+def test_bands_intervals_and_aicc_are_those_of_statsmodels(
+    place: int, form: str, aicc: float, c_low: float, c_high: float, first_low: float, sixth_high: float
+) -> None:
+    # Computed with statsmodels 0.15.0: OLS(...).get_prediction().conf_int(), OLS(...).conf_int() and aicc_sigma.
+    values = [6.1, 4.9, 5.2, 3.8, 4.1, 3.0, 3.3, 2.9, 2.4, 2.7, 2.2, 2.5]
+    learning = fit_learning_curve(range(1, 13), values)
+    assert learning is not None
+    curve = learning.curves[place]
+    assert curve.form == form
+    found = (curve.aicc, curve.c_low, curve.c_high, curve.low[0], curve.high[5])
+    assert found == pytest.approx((aicc, c_low, c_high, first_low, sixth_high), rel=1e-9, nan_ok=True)
+
+
 def test_values_beyond_any_measure_are_left_out() -> None:
     trials = trials_of(np.linspace(5, 2, 12))
     trials[3]["e_diff"] = 1e300

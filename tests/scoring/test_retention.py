@@ -32,6 +32,19 @@ def test_changes_within_and_between_sessions_are_separated() -> None:
     assert kept.within.low <= kept.within.mean <= kept.within.high
 
 
+def test_the_intervals_are_those_of_statsmodels() -> None:
+    # Computed with statsmodels 0.15.0: DescrStatsW(changes).tconfint_mean().
+    numbers = [1] * 4 + [2] * 5 + [3] * 4 + [4] * 4 + [5] * 5
+    values = [
+        *(6.1, 5.2, 4.9, 4.1, 5.0, 4.4, 4.6, 3.9, 3.7, 4.2, 4.5),
+        *(3.6, 3.3, 3.9, 3.1, 3.4, 2.9, 3.3, 3.0, 2.8, 2.9, 2.5),
+    ]
+    kept = retention(numbers, values)
+    assert kept is not None
+    assert kept.within == pytest.approx((-0.75, -1.1687740785370102, -0.33122592146298985, 5), rel=1e-9)
+    assert kept.between == pytest.approx((0.2, -0.19514485001416199, 0.5951448500141618, 4), rel=1e-9)
+
+
 def test_what_is_lost_between_sessions_is_told_and_how_much_was_kept() -> None:
     # Without noise, means of two trials at either end: within -2.57, over the pause 1.57, 39 % kept.
     kept = retention(*sawtooth(6, 8, -3.0, 2.0, noise=0.1))
