@@ -8,7 +8,7 @@ INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --co
 # A module is compiled once, and not by each of the many processes that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile simulated-prior schema icons fonts safety compiled drills soak long-recording people-soak large-clinic pictures photographs promises worlds bench verdicts priors bench-compare clean
+.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile simulated-prior schema icons fonts safety compiled drills soak long-recording people-soak vendor large-clinic pictures photographs promises worlds bench verdicts priors bench-compare clean
 
 $(VENV)/.installed: pyproject.toml constraints.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -74,6 +74,12 @@ schema: $(VENV)/.installed-test
 
 icons: $(VENV)/.installed-test
 	PYTHONPATH=.:tests $(BIN)/python tests/web_static/home_screen_icons.py
+
+# The script of the charts, as npm checked it by the digest in package-lock.json.
+PLOTLY := node_modules/plotly.js-basic-dist-min
+vendor: node_modules/.installed
+	cp $(PLOTLY)/plotly-basic.min.js web_static/vendor/
+	cp $(PLOTLY)/LICENSE web_static/vendor/plotly-LICENSE.txt
 
 # The fonts of reports, of the unpacked packages fonts-noto-core and fonts-noto-cjk in the folder FROM.
 fonts: $(VENV)/.installed-test

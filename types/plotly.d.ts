@@ -1,4 +1,4 @@
-/** The part of plotly that web_static/js/charts uses; the Python package ships no types of it. */
+/** The part of plotly that web_static/js/charts uses; its package ships no types. */
 
 /** A line or a group of points: plotly knows some hundred fields. */
 type PlotlyTrace = Record<string, unknown>;

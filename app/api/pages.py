@@ -5,7 +5,6 @@ import posixpath
 import re
 from collections.abc import Iterable
 from hashlib import sha256
-from importlib import metadata
 from pathlib import Path
 from typing import Final, NamedTuple
 
@@ -27,7 +26,7 @@ KINDS: Final = {
     ".webmanifest": "application/manifest+json",
 }
 FIRST: Final = {"index.html": ["js/pages/drive/drive.js"]}  # modules that an entry imports as soon as it has started
-PLOTLY: Final = "vendor/plotly.min.js"
+FOREIGN: Final = "vendor/"  # scripts of others: large, so that one is compressed when a page first asks for it
 FOR_EVER: Final = "public, max-age=31536000, immutable"
 ASK_AGAIN: Final = "no-cache"  # a browser asks each time whether its copy is still good
 
@@ -50,7 +49,7 @@ class PageFile(NamedTuple):
 
 
 class Pages:
-    """ASGI application that answers with the files of a folder, and with the script of the installed plotly.
+    """ASGI application that answers with the files of a folder.
 
     An entry (an HTML file) names its styles, joined to one file, and its script under `/v-VERSION/`, and the modules
     that this imports in turn, so that a browser loads all of them at once and keeps them until the version changes.
@@ -61,8 +60,7 @@ class Pages:
     def __init__(self, folder: Path) -> None:
         files = sorted(file for file in folder.rglob("*") if file.suffix in KINDS)
         contents = {file.relative_to(folder).as_posix(): file.read_bytes() for file in files}
-        self._plotly = metadata.distribution("plotly")
-        digest = sha256(f"{__version__} {self._plotly.version}".encode())
+        digest = sha256(__version__.encode())
         for name, content in contents.items():
             digest.update(f"{name} {len(content)} ".encode() + content)
         self.version = digest.hexdigest()[:16]
@@ -71,6 +69,7 @@ class Pages:
             styles = f"{name.removesuffix('.html')}.css"
             contents[styles] = b"".join(contents[style] for style in STYLE.findall(text))
             contents[name] = self._entry(text, styles, _needed([*ENTRY.findall(text), *FIRST.get(name, [])], contents))
+        self._foreign = {name: contents.pop(name) for name in list(contents) if name.startswith(FOREIGN)}
         self._files = {name: _page_file(name, content) for name, content in contents.items()}
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -96,17 +95,11 @@ class Pages:
         return self._files[name].content.decode()
 
     async def _file(self, name: str) -> PageFile:
-        if name == PLOTLY and name not in self._files:
-            self._files[name] = await run_in_threadpool(self._read_plotly)
+        if name in self._foreign and name not in self._files:
+            self._files[name] = await run_in_threadpool(_page_file, name, self._foreign[name])
         if name not in self._files:
             raise HTTPException(404)
         return self._files[name]
-
-    def _read_plotly(self) -> PageFile:
-        script = Path(str(self._plotly.locate_file("plotly/package_data/plotly.min.js")))
-        if not script.is_file():
-            raise HTTPException(404, "The installed plotly has no script: install it again.")
-        return _page_file(PLOTLY, script.read_bytes())
 
     def _answer(self, file: PageFile, asked: Headers, *, is_present: bool) -> Response:
         tag = f'W/"{self.version}"'

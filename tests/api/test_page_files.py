@@ -118,10 +118,16 @@ def test_a_file_is_only_read(client: Any) -> None:
     assert client.post("/css/one.css").status_code == 405
 
 
-def test_plotly_comes_from_its_wheel(client: Any, pages: Pages) -> None:
-    answer = client.get(f"/v-{pages.version}/vendor/plotly.min.js")
-    assert answer.status_code == 200
-    assert b"plotly.js v" in answer.content[:300]
+def test_a_script_of_others_is_compressed_when_it_is_first_asked_for(tmp_path: Path) -> None:
+    pages = Pages(put(tmp_path, **{"vendor/charts.js": "draw()", "vendor/charts-LICENSE.txt": "MIT"}))
+    app = Starlette()
+    app.mount("/", pages)
+    with TestClient(app) as client:
+        for _ in range(2):
+            answer = client.get(f"/v-{pages.version}/vendor/charts.js")
+            assert (answer.status_code, answer.text) == (200, "draw()")
+        assert client.get("/vendor/charts-LICENSE.txt").status_code == 404
+    assert Pages(put(tmp_path, **{"vendor/charts.js": "draw(2)"})).version != pages.version
 
 
 def test_every_module_that_a_page_imports_is_preloaded_and_there() -> None:

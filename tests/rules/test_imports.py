@@ -80,7 +80,6 @@ HOME = {
     "typer": {"cli"},
     "matplotlib": {"figures"},
     "argon2": {"api"},
-    "plotly": {"api"},
     "cyclonedds": {"hardware"},
     "segno": {"api", "cli"},
     "serial": {"hardware"},
