@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from packaging.requirements import Requirement
 
 NAME = "bodydrive"
-OPTIONAL = "ros2"  # the extra of the program itself; the others are for development
+OPTIONAL = ("figures", "ros2")  # the extras of the program itself; the others are for development
 NO_LICENCE = "no licence stated"
 NOT_INSTALLED = "not installed"
 LONGEST_NAME = 200  # characters; a longer License field holds the text of the licence instead of its name
@@ -57,7 +57,7 @@ def about(
 def packages_of(name: str) -> list[Package]:
     """Return a package and everything that it requires, directly and indirectly, sorted by name.
 
-    A package of the extra `OPTIONAL` is listed only if it is installed. Raises InputError when `name` itself is not
+    A package of the extras `OPTIONAL` is listed only if it is installed. Raises InputError when `name` itself is not
     installed, because nothing is known about its requirements then.
     """
     from packaging.requirements import Requirement
@@ -67,7 +67,7 @@ def packages_of(name: str) -> list[Package]:
         raise InputError("bodydrive is not installed for this Python, so its packages are unknown: install its wheel.")
     found: dict[str, Package] = {}
     seen: set[tuple[str, str]] = set()  # packages and their extras
-    waiting = [(Requirement(f"{name}[{OPTIONAL}]"), False)]
+    waiting = [(Requirement(f"{name}[{','.join(OPTIONAL)}]"), False)]
     while waiting:
         requirement, optional = waiting.pop()
         key = canonicalize_name(requirement.name)
@@ -80,7 +80,7 @@ def packages_of(name: str) -> list[Package]:
         for extra in {"", *requirement.extras}:
             if (key, extra) not in seen:
                 seen.add((key, extra))
-                waiting += [(needed, (key, extra) == (name, OPTIONAL)) for needed in _required(installed, extra)]
+                waiting += [(needed, key == name and extra in OPTIONAL) for needed in _required(installed, extra)]
     return sorted(found.values(), key=lambda package: canonicalize_name(package.name))
 
 

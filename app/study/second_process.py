@@ -16,7 +16,8 @@ Answer = TypeVar("Answer")
 
 # What is imported inside functions: by the fit, with which a study begins, and by scoring and drawing.
 FIRST_LIBRARY = "sklearn.decomposition"
-LATER_LIBRARIES = (*("shapely", "scipy.signal", "scipy.optimize", "scipy.stats", "matplotlib.backends.backend_agg"),)
+LATER_LIBRARIES = ("shapely", "scipy.signal", "scipy.optimize", "scipy.stats")
+DRAWING_LIBRARY = "matplotlib.backends.backend_agg"
 
 
 class SameProcess(Executor):
@@ -30,22 +31,22 @@ class SameProcess(Executor):
 
 
 @contextmanager
-def second_process(processes: int) -> Iterator[Executor]:
-    """Yield what computes beside this process; with one process only, this process itself."""
+def second_process(processes: int, *, draws: bool = True) -> Iterator[Executor]:
+    """Yield what computes, and draws, beside this process; with one process only, this process itself."""
     if processes == 1:
         yield SameProcess()
         return
     # An interrupt (Ctrl+C) ends the process that drives, and that one ends the other.
-    with _SecondProcess() as second:
+    with _SecondProcess((*LATER_LIBRARIES, DRAWING_LIBRARY) if draws else LATER_LIBRARIES) as second:
         yield second
 
 
 class _SecondProcess(ProcessPoolExecutor):
     """Loads what the first question needs, and what later ones need behind it: nobody waits for the wrong library."""
 
-    def __init__(self) -> None:
+    def __init__(self, later: tuple[str, ...]) -> None:
         super().__init__(1, initializer=signal.signal, initargs=(signal.SIGINT, signal.SIG_IGN))
-        self._later: tuple[str, ...] = LATER_LIBRARIES
+        self._later = later
         super().submit(_load, (FIRST_LIBRARY,))
 
     def submit(self, ask: Callable[Asked, Answer], /, *given: Asked.args, **named: Asked.kwargs) -> Future[Answer]:

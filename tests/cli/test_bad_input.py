@@ -227,6 +227,23 @@ def test_study_refuses_a_place_before_it_works(bodydrive, tmp_path, monkeypatch,
     assert (tmp_path / "full" / "letter").read_text() == "dear"
 
 
+@pytest.mark.parametrize("seeds", [1, 2])
+def test_without_matplotlib_a_study_says_so_before_it_works_and_goes_without_figures(
+    bodydrive, tmp_path, monkeypatch, seeds
+):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)  # as if it were not installed
+    asked = ("study", "--out", "study", "--trials", 1, "--seeds", seeds, "--jobs", 1, "--floorplan", "corridors")
+    with monkeypatch.context() as before:
+        before.setattr(study_trials, "run_study", pytest.fail)
+        before.setattr(study_trials, "run_seeds", pytest.fail)
+        words = "figures need the library matplotlib, install it with pip install 'bodydrive[figures]'"
+        refused(bodydrive(*asked), words)
+    code, _, _ = bodydrive(*asked, "--format", "none")
+    assert code == 0
+    written = {file.name for file in (tmp_path / "study").iterdir()}
+    assert written == {"study.json", "trajectories.parquet", "trials.csv"}
+
+
 @pytest.fixture
 def interruptible():
     """Take an interrupt as at a terminal: a shell lets what it starts in the background ignore it."""

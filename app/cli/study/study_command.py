@@ -10,7 +10,7 @@ import typer
 
 from app.cli.errors import InputError
 from app.cli.output import check_new_folder
-from app.study.choices import FigureFormat, Mode, PersonKind, StudyMap
+from app.study.choices import FigureChoice, Mode, PersonKind, StudyMap
 
 if TYPE_CHECKING:
     from app.world.floorplan import FloorPlan
@@ -38,7 +38,7 @@ def study(
     *,
     floorplan: Annotated[str, typer.Option(help="Name of a bundled floor plan, or a JSON file.")] = "clinic",
     path: Annotated[str | None, typer.Option(help="Name of a path in it; the first when not given.")] = None,
-    figure_format: Annotated[FigureFormat, typer.Option("--format", help="Of the figures.")] = "png",
+    figures: Annotated[FigureChoice, typer.Option("--format", help="Of the figures; none leaves them out.")] = "png",
     no_learning: Annotated[bool, typer.Option("--no-learning", help="Nothing that is practised stays.")] = False,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace what the folder holds.")] = False,
     adapt: Annotated[
@@ -92,7 +92,7 @@ def study(
     elif interface_test:
         run = partial(study_interface, person=person, sessions=sessions)
     else:
-        run = partial(study_trials, learns=not no_learning, figure_format=figure_format, overwrite=overwrite)
+        run = partial(study_trials, learns=not no_learning, figures=figures, overwrite=overwrite)
     run(
         out,
         trials=trials or (STUDY_TRIALS if run.func is study_trials else SESSION_TRIALS),

@@ -1,10 +1,11 @@
 """`bodydrive study` without sessions: trial after trial of one simulated person, or of one for each seed."""
 
 import dataclasses
-import functools
 import json
 import sys
 from collections.abc import Sequence
+from functools import partial
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,7 @@ from app.cli.errors import InputError
 from app.clock import stopwatch
 from app.figures.study_figures import draw_seeds, draw_study
 from app.hardware.body.person_parameters import NOVICE
-from app.study.choices import FigureFormat
+from app.study.choices import FigureChoice
 from app.study.experiment import StudyResult, run_study
 from app.study.second_process import second_process
 from app.study.seeds import MEASURES, run_seeds
@@ -32,7 +33,7 @@ def study_trials(
     seeds: Sequence[int],
     floorplan: FloorPlan,
     path: PrescribedPath,
-    figure_format: FigureFormat,
+    figures: FigureChoice,
     overwrite: bool,
     processes: int,
     as_json: bool,
@@ -42,22 +43,28 @@ def study_trials(
     Raises
     ------
     InputError
-        When the folder cannot be written, or a calibration could not be made.
+        When the folder cannot be written, a calibration could not be made, or the figures cannot be drawn.
     """
+    if figures != "none" and find_spec("matplotlib") is None:
+        raise InputError(
+            f"--format {figures}: figures need the library matplotlib, install it with "
+            "pip install 'bodydrive[figures]', or leave them out with --format none"
+        )
     started = stopwatch()
     driver = dataclasses.replace(NOVICE, learns=learns)
     try:
         if len(seeds) == 1:
             progress = None if as_json else _Progress(trials)
-            with second_process(processes) as second:
+            with second_process(processes, draws=figures != "none") as second:
                 result = run_study(trials, seeds[0], floorplan, path.name, progress, driver, second)
-                draw = functools.partial(draw_study, result, figure_format=figure_format)
+                draw = _no_figures if figures == "none" else partial(draw_study, result, figure_format=figures)
                 write_study(result, out, draw, overwrite, second)
             document, lines = summary(result), [result.learning[name]["text"] for name in MEASURES]
         else:
             report = None if as_json else _report_seed
             results = run_seeds(seeds, trials, floorplan, path.name, driver, report, processes)
-            write_seeds(results, out, lambda folder: draw_seeds(results, folder, figure_format), overwrite)
+            draw = _no_figures if figures == "none" else partial(draw_seeds, results, figure_format=figures)
+            write_seeds(results, out, draw, overwrite)
             document, lines = seeds_summary(results), sentences(results)
     except ValueError as error:
         raise InputError(str(error)) from error
@@ -69,6 +76,10 @@ def study_trials(
     for sentence in lines:
         typer.echo(sentence)
     typer.echo(f"{trials * len(seeds)} trials in {stopwatch() - started:.1f} s, written to {out}")
+
+
+def _no_figures(_folder: Path) -> None:
+    """Draw nothing."""
 
 
 class _Progress:
