@@ -1,4 +1,4 @@
-"""Compiles the middle of bodydrive (mypyc) when a wheel is built on a machine with a C compiler.
+"""Adds to a wheel the notices of others' work in it, and its middle compiled (mypyc) where there is a C compiler.
 
 Without a compiler the wheel is plain Python, with equal numbers, bit for bit (`make compiled` compares them). An
 editable installation is never compiled: a compiled file that is older than its source would be used without a word.
@@ -10,12 +10,54 @@ import subprocess
 import sys
 import sysconfig
 import tempfile
+from importlib.metadata import distribution
 from pathlib import Path
 from shutil import which
-from typing import Any
+from typing import Any, NamedTuple
 
 # Each product and sum is rounded by itself, as in plain Python, also where a processor could do both in one step.
 SAME_ROUNDING = "-ffp-contract=off"
+
+
+NOTICES = "app/THIRD_PARTY_NOTICES.txt"  # in the wheel
+BEFORE_NOTICES = """The work of others that is in this package, with its licence. It holds no other package: those that
+it needs are installed beside it, and `bodydrive about --licences` lists them.
+"""
+
+
+class Foreign(NamedTuple):
+    """The work of others that a wheel holds, as pyproject.toml names it."""
+
+    name: str
+    version: str
+    licence: str  # SPDX identifier
+    files: str  # a pattern of paths below the root
+    text: str  # the file with the words of the licence
+
+
+def notices(root: Path, foreign: list[Foreign]) -> str:
+    """Return the notices of what lies below `root`; each has its files and the whole text of its licence.
+
+    Raises
+    ------
+    FileNotFoundError
+        When there are no such files, or no such text.
+    """
+    parts = [BEFORE_NOTICES]
+    for name, version, licence, pattern, text in foreign:
+        files = sorted(file.relative_to(root).as_posix() for file in root.glob(pattern))
+        if not files:
+            raise FileNotFoundError(f"pyproject.toml names {pattern} of {name}, and there is no such file")
+        parts.append(f"{name} {version}\nLicence: {licence}\nFiles: {', '.join(files)}\n\n{(root / text).read_text()}")
+    return f"\n{'=' * 80}\n\n".join(parts)
+
+
+def notice_of_compiled() -> str:
+    """Return the notice of mypyc's run time, which compiled modules hold."""
+    mypy = distribution("mypy")
+    (licence,) = [file for file in mypy.files or [] if file.match("*.dist-info/licenses/LICENSE")]
+    head = f"The run time of mypyc, of mypy {mypy.version}\nLicence: {mypy.metadata['License-Expression']}"
+    return f"\n{'=' * 80}\n\n{head}\nFiles: the compiled modules (.so)\n\n{licence.read_text()}"
 
 
 class CompileError(Exception):
@@ -52,15 +94,22 @@ if __name__ == "__main__":
 else:
     from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
-    class CompiledMiddle(BuildHookInterface):
-        """Puts the compiled modules into a wheel."""
+    class MadeFiles(BuildHookInterface):
+        """Puts the notices and the compiled modules into a wheel."""
 
-        _folder: tempfile.TemporaryDirectory[str] | None = None
+        _folder: tempfile.TemporaryDirectory[str]
 
         def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-            """Compile the modules that pyproject.toml lists."""
+            """Write the notices, and compile the modules that pyproject.toml lists."""
+            self._folder = tempfile.TemporaryDirectory()
+            file = Path(self._folder.name) / "notices.txt"
+            file.write_text(notices(Path(self.root), [Foreign(**one) for one in self.config["foreign"]]))
+            if version == "editable":  # pages and data are read where they lie: nothing is copied but the notices
+                build_data["force_include_editable"][str(file)] = NOTICES
+                return
+            build_data["force_include"][str(file)] = NOTICES
             wish = os.environ.get("BODYDRIVE_COMPILE")
-            if version == "editable" or wish == "no":
+            if wish == "no":
                 return
             try:
                 require_compiler()
@@ -70,18 +119,18 @@ else:
                     raise
                 self.app.display_warning(f"This wheel is plain Python, with equal numbers but slower: {reason}.")
                 return
+            with file.open("a") as opened:
+                opened.write(notice_of_compiled())
             build_data["force_include"].update(files)
             build_data["pure_python"], build_data["infer_tag"] = False, True
 
         def finalize(self, *_: Any) -> None:
-            """Remove the compiled files, which are in the wheel now."""
-            if self._folder is not None:
-                self._folder.cleanup()
+            """Remove the files that were made, which are in the wheel now."""
+            self._folder.cleanup()
 
         def _compiled(self) -> dict[str, str]:
             """Return the compiled files, each with its place in the wheel."""
-            self._folder = tempfile.TemporaryDirectory()
-            folder = Path(self._folder.name)
+            folder = Path(self._folder.name) / "compiled"
             words = [sys.executable, __file__, str(folder), *self.config["modules"]]
             ended = subprocess.run(words, cwd=self.root, check=False, capture_output=True, text=True)
             if ended.returncode:
