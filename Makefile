@@ -3,21 +3,27 @@ PORT ?= 8080
 VENV := .venv
 BIN := $(VENV)/bin
 TSC := $(BIN)/node node_modules/typescript/bin/tsc
-INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt
+INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
+# Packages are those whose digests stand in requirements/. Python compiles a module when it first imports it, so that
+# the many that nothing imports take neither time nor 90 MB.
+PINNED := $(INSTALL) --no-compile --require-hashes --requirement
+OWN := $(INSTALL) --no-index --no-deps --no-build-isolation
 
 # A module is compiled once, and not by each of the many processes that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile simulated-prior schema icons fonts safety compiled drills soak long-recording people-soak vendor large-clinic pictures photographs promises worlds bench verdicts priors bench-compare clean
+.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile simulated-prior schema icons fonts safety compiled drills soak long-recording people-soak pins vendor large-clinic pictures photographs promises worlds bench verdicts priors bench-compare clean
 
-$(VENV)/.installed: pyproject.toml constraints.txt
+$(VENV)/.installed: pyproject.toml hatch_build.py requirements/run.txt requirements/build.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
 	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
-	@$(INSTALL) --editable .
+	@$(BIN)/python -m pip uninstall --quiet --quiet --yes setuptools  # of Python 3.11's venv: old, and of no use here
+	@$(PINNED) requirements/build.txt
+	@$(OWN) --editable .
 	@touch $@
 
-$(VENV)/.installed-test: $(VENV)/.installed
-	@$(INSTALL) --editable '.[test]'
+$(VENV)/.installed-test: $(VENV)/.installed requirements/compile.txt requirements/test.txt
+	@$(PINNED) requirements/test.txt
 	@touch $@
 
 node_modules/.installed: package.json package-lock.json $(VENV)/.installed-test
@@ -75,6 +81,11 @@ schema: $(VENV)/.installed-test
 icons: $(VENV)/.installed-test
 	PYTHONPATH=.:tests $(BIN)/python tests/web_static/home_screen_icons.py
 
+# The digests in requirements/, of the pinned versions; NEWEST=1 takes the newest versions that fit together.
+pins: $(VENV)/.installed
+	@$(PINNED) requirements/pins.txt
+	PYTHONPATH=tests $(BIN)/python tests/supply/pins.py $(if $(NEWEST),--newest)
+
 # The script of the charts, as npm checked it by the digest in package-lock.json.
 PLOTLY := node_modules/plotly.js-basic-dist-min
 vendor: node_modules/.installed
@@ -86,7 +97,7 @@ fonts: $(VENV)/.installed-test
 	PYTHONPATH=.:tests $(BIN)/python tests/reports/report_fonts.py $(or $(FROM),$(error name a folder, as in: make fonts FROM=unpacked))
 
 safety: $(VENV)/.installed-test
-	@$(INSTALL) --editable '.[safety]'
+	@$(PINNED) requirements/safety.txt
 	$(BIN)/python tests/mutation.py
 
 # A wheel, compiled, in a folder of its own: its drives and tests are compared with those of plain Python.
@@ -95,7 +106,7 @@ COMPILED := build/compiled
 COMPILED_TESTS := tests/pipeline tests/world tests/study tests/hardware --ignore=tests/pipeline/test_stoppable.py
 compiled: $(VENV)/.installed-test
 	@rm -rf $(COMPILED)
-	@BODYDRIVE_COMPILE=must $(INSTALL) --no-deps --target $(COMPILED) .
+	@BODYDRIVE_COMPILE=must $(OWN) --target $(COMPILED) .
 	$(BIN)/python tests/compiled/equal_drives.py $(COMPILED)
 	PYTHONPATH=$(COMPILED) $(BIN)/pytest $(SIDE_BY_SIDE) $(COMPILED_TESTS)
 
