@@ -5787,6 +5787,7 @@ export interface components {
             has_profile: boolean;
             consents_to_recording: boolean;
             steps_done: string[];
+            obstacle: components["schemas"]["ObstacleView"] | null;
         };
         CurveBand: {
             n: number[];

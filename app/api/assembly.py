@@ -28,6 +28,7 @@ from app.session.equipment.chairs import Chairs
 from app.session.equipment.head import HeadChoice
 from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
+from app.session.equipment.shirt_watch import ShirtWatch
 from app.session.fault_log import FaultLog
 from app.session.interface_test.interface_test_flow import InterfaceTestFlow
 from app.session.measures_renewal import MeasuresRenewal
@@ -95,6 +96,7 @@ def make_parts(
         computing=computing,
         control=control,
         equipment=equipment,
+        shirt_watch=ShirtWatch(equipment),
         runs=runs,
         calibration=calibration,
         trials=trials,
@@ -141,6 +143,7 @@ async def start_parts(database: Database, web: WebParts) -> None:
     await web.equipment.open()
     await web.head.open()
     await web.session.session_changed()
+    web.shirt_watch.start()
     web.live.start()
     web.patient_live.start()
     web.faults.start()
@@ -173,6 +176,7 @@ async def end_parts(web: WebParts) -> None:
     await asyncio.gather(web.trials.stop(), web.drives.stop(), web.tests.stop())
     await web.adaptation.stop()
     await asyncio.gather(
+        web.shirt_watch.close(),
         web.renewal.close(),
         web.live.close(),
         web.patient_live.close(),

@@ -31,6 +31,7 @@ from app.session.equipment.chairs import Chairs
 from app.session.equipment.head import HeadChoice
 from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
+from app.session.equipment.shirt_watch import ShirtWatch
 from app.session.fault_log import FaultLog
 from app.session.interface_test.interface_test_flow import InterfaceTestFlow
 from app.session.measures_renewal import MeasuresRenewal
@@ -54,6 +55,7 @@ class WebParts:
     computing: ComputingProcess
     control: ControlLink
     equipment: Equipment
+    shirt_watch: ShirtWatch
     runs: SessionRuns
     calibration: CalibrationFlow
     trials: TrialFlow

@@ -55,6 +55,7 @@ class ControlLoop:
         self._period = 1.0 / self.setup.sample_rate
         self._wait = min(LONGEST_WAIT, WAIT_PERIODS * self._period)
         self._frame_t = -math.inf
+        self._shirt_since = self._clock.now()
         self.begin_anew()
 
     def begin_anew(self) -> None:
@@ -65,6 +66,11 @@ class ControlLoop:
     def shirt_alive(self) -> bool:
         """Whether the shirt has sent a frame within the last `ALIVE` seconds."""
         return self.setup.shirt is not None and self._clock.now() - self._frame_t < ALIVE
+
+    @property
+    def shirt_silent(self) -> bool:
+        """Whether no frame has come for `ALIVE` seconds; a shirt that was just opened has that long for its first."""
+        return self._clock.now() - max(self._frame_t, self._shirt_since) >= ALIVE
 
     @property
     def all_commands_sent(self) -> bool:

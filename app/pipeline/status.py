@@ -14,6 +14,7 @@ def status(loop: ControlLoop) -> dict[str, Any]:
             "kind": setup.shirt_kind,
             "words": setup.shirt_words,
             "alive": loop.shirt_alive,
+            "silent": loop.shirt_silent,
             "sample_rate": setup.sample_rate if setup.shirt else 0.0,
             "lost": setup.shirt.lost if setup.shirt else 0,
             "senders": _senders(setup.network_shirt),

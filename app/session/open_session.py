@@ -21,6 +21,8 @@ from app.store.patients import open_session
 from app.store.people import the_clinic
 from app.store.tables import PatientSession
 
+SILENT = "The shirt sends no signals: the Shirt page says what arrives from it."
+
 
 class DriveObstacle(NamedTuple):
     """Why a parameter set cannot drive in the shirt in use, in one sentence, and the page on which that is mended."""
@@ -124,18 +126,15 @@ class SessionFlow:
         self._control.forget("parameters")
         self.loaded = None
         current = await asyncio.to_thread(self._current)
-        if current is not None:
-            document, simulated = current
-            misfit = self._misfit(document, simulated=simulated)
-            if misfit is None:
-                await self._control.load("parameters", parameters=document.model_dump(mode="json"))
-                self.loaded = document
-                obstacle = self.obstacle(document, simulated=simulated)
-                return None if obstacle is None else obstacle.words
-        else:
-            misfit = None
-        await self._control.load("parameters", parameters=None)
-        return None if misfit is None else misfit.words
+        if current is None:
+            await self._control.load("parameters", parameters=None)
+            return None
+        document, simulated = current
+        fitting = document if self._misfit(document, simulated=simulated) is None else None
+        await self._control.load("parameters", parameters=fitting and fitting.model_dump(mode="json"))
+        self.loaded = fitting
+        obstacle = self.obstacle(document, simulated=simulated)
+        return None if obstacle is None else obstacle.words
 
     def current_obstacle(self) -> DriveObstacle | None:
         """Return why the current parameters of the open session's patient cannot drive, None when they can.
@@ -146,10 +145,12 @@ class SessionFlow:
         return None if current is None else self.obstacle(current[0], simulated=current[1])
 
     def obstacle(self, parameters: DriveParameters, *, simulated: bool | None) -> DriveObstacle | None:
-        """Return why parameters cannot drive: another shirt, or no way to stop; None when they can.
+        """Return why parameters cannot drive: a silent shirt, another shirt, or no way to stop; None when they can.
 
         `simulated` says whether nobody wore the shirt in which they were calibrated, None where that is unknown.
         """
+        if self._equipment.silent:
+            return DriveObstacle(SILENT, "shirt")
         misfit = self._misfit(parameters, simulated=simulated)
         brake = missing_brake(parameters) if misfit is None else ""
         return DriveObstacle(brake, "controls") if brake else misfit

@@ -84,24 +84,27 @@ class FakeProcess:
         self.number = 0
         self.parameters: dict[str, Any] | None = None
         self.silent = False
+        self.shirt_words, self.sends = "Sends.", True  # whether frames come from the shirt
         self.stops, self.dial, self.chair = 0, 1.0, "virtual"
         self.says: dict[str, Any] = {"battery": 0.5}  # what the real chair says, by the names of the tick
         self.switch_seen = False
         self.mistrust = ""  # why the shirt arms no real chair
         self.senders: dict[str, Any] | None = None  # of a shirt over the network
         self.shirt, self.body = "", None
+        self.layout = LAYOUT  # of the next shirt that is opened
 
     async def call(self, do: str, **fields: Any) -> dict[str, Any]:
         if self.dead.is_set():
             raise LinkLost
-        self.calls.append((do, fields))
+        if do != "status":  # which is asked all the time
+            self.calls.append((do, fields))
         if do in self.refuse:
             raise LinkRefused(self.refuse[do])
         if do == "body":
             self.body = fields["config"]["kind"]
         if do == "shirt":
             self.shirt, self.body = fields["config"]["kind"], None
-            return {"layout": LAYOUT.model_dump(mode="json"), "sample_rate": 100.0, "mistrust": self.mistrust}
+            return {"layout": self.layout.model_dump(mode="json"), "sample_rate": 100.0, "mistrust": self.mistrust}
         if do == "parameters":
             self.parameters = fields["parameters"]
         if do == "run":
@@ -138,8 +141,9 @@ class FakeProcess:
             return {
                 "shirt": {
                     "kind": "simulator",
-                    "words": "Sends.",
-                    "alive": True,
+                    "words": self.shirt_words,
+                    "alive": self.sends,
+                    "silent": not self.sends,
                     "sample_rate": 100.0,
                     "lost": 0,
                     "senders": self.senders,
@@ -173,7 +177,7 @@ class FakeProcess:
         tick["run"], tick["run_t"] = self.run, self.run_t if self.run else np.nan
         tick["x"], tick["y"], tick["theta"] = self.pose
         tick["state"], tick["fault"], tick["cue"] = self.state, self.fault, NO_CUE
-        tick["has_frame"], tick["n_channels"], tick["n_gestures"] = 1, 8, 4
+        tick["has_frame"], tick["n_channels"], tick["n_gestures"] = self.sends, 8, 4
         tick["stops"], tick["dial"], tick["chair_kind"] = self.stops, self.dial, self.chair == "udp"
         for name, value in self.says.items():
             tick[name] = value

@@ -1,17 +1,12 @@
 """A second sender of the shirt's frames on the Shirt page: named, left out, and taken by a tap."""
 
-import socket
-import threading
-
-import numpy as np
 import pytest
 from browser.tablets import headers_of
+from browser.wave_sender import WaveSender
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
 from processes.udp_shirt import free_port
 
-from app.hardware.shirt.packet import encode
-from app.hardware.shirt.sender import waves
 from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser]
@@ -23,29 +18,6 @@ SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)
 def demo(tmp_path):
     with running_demo(TMPDIR=str(tmp_path)) as link:
         yield link
-
-
-class Sender:
-    """Sends frames of 52 channels without a key until it is closed."""
-
-    def __init__(self, port):
-        self._port, self._ended = port, threading.Event()
-        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self._socket.bind(("127.0.0.1", 0))
-        self.name = f"127.0.0.1:{self._socket.getsockname()[1]}"
-        self._thread = threading.Thread(target=self._send)
-        self._thread.start()
-
-    def _send(self):
-        for seq, (t, samples) in enumerate(waves(52, 100)):
-            self._socket.sendto(encode(seq, t, np.array(samples, np.float32)), ("127.0.0.1", self._port))
-            if self._ended.wait(0.01):
-                return
-
-    def close(self):
-        self._ended.set()
-        self._thread.join()
-        self._socket.close()
 
 
 def tell_of_the_equipment(page, link):
@@ -74,9 +46,9 @@ def test_another_sender_is_named_and_becomes_the_shirt_by_a_tap(browser, page_lo
     assert card.get_by_label("Port").input_value() == str(port)  # what is typed outlives the news
     card.get_by_role("button", name="Use this").click()
     expect(card.get_by_text(f"Network shirt on port {port}")).to_be_visible()
-    first = Sender(port)
+    first = WaveSender(port)
     expect(card.get_by_text(f"Its frames come from {first.name}.")).to_be_visible()
-    second = Sender(port)
+    second = WaveSender(port)
     try:
         take = card.get_by_role("button", name="Use the new sender")
         expect(take).to_be_visible()

@@ -12,7 +12,7 @@ from scripted_shirt import RATE, ScriptedShirt
 
 from app.cues import Cue, cue_index
 from app.hardware.base import BodyView
-from app.messages import NO_CUE
+from app.messages import ALIVE, NO_CUE
 from app.pipeline.loop import LONGEST_WAIT, ControlLoop
 from app.pipeline.open_run import OpenRun
 from app.pipeline.setup import Setup
@@ -99,6 +99,20 @@ def test_a_shirt_is_alive_while_it_sends(ring):
     for _ in range(100):
         loop.turn()
     assert not loop.shirt_alive
+    assert loop.shirt_silent
+
+
+def test_a_new_shirt_is_silent_only_after_it_had_time_for_a_frame(ring):
+    clock = FakeClock()
+    loop = loop_with(ring, [], clock)
+    clock.time += ALIVE
+    assert loop.shirt_silent
+    loop.new_shirt()
+    assert not loop.shirt_silent
+    clock.time += 0.9 * ALIVE
+    assert not loop.shirt_silent
+    clock.time += 0.2 * ALIVE
+    assert loop.shirt_silent
 
 
 def test_cues_are_in_the_ticks_and_before_the_body_s_eyes(ring):

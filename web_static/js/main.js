@@ -165,7 +165,7 @@ export class App extends TypedEvents {
       return;
     }
     // The page of the task has a button for what is missing.
-    if (this.live.present?.shirt.chosen === false) return this.go(`#/drive/task/${where.floorplan}/${where.path}`);
+    if (this.session?.obstacle) return this.go(`#/drive/task/${where.floorplan}/${where.path}`);
     this.#trialRequest = where;
     this.go("#/drive");
   }
@@ -303,7 +303,7 @@ export class App extends TypedEvents {
   /** @param {string} what changed on the server */
   #changed(what) {
     if (what === "sign-in") this.#whoAmI();
-    else if (what !== "controls" && this.me?.signed_in) this.readSession().catch(() => null);
+    else if (this.me?.signed_in) this.readSession().catch(() => null);
     if (what === "equipment" || what === "trial" || what === "disk") this.#lookForWarning();
   }
 }

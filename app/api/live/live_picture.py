@@ -97,16 +97,17 @@ class LivePicture:
         }
 
     def quality(self) -> dict[str, Any]:
-        """Return the condition and the noise of every channel over the last second."""
+        """Return the condition and the noise of every channel over the last second, and the shirt's state in words."""
         layout = self._equipment.layout
         if layout is None:
-            return {"quality": [], "noise": []}
+            return {"quality": [], "noise": [], "shirt_words": self._equipment.words}
         frames = self._frames(len(layout.channels))
         tick = self._control.newest()
         estimated = 0 if tick is None else int(tick["estimated"])
         return {
             "quality": lamps(layout, frames, self._equipment.sample_rate, self._equipment.unused, estimated),
             "noise": [_number(noise, 5) for noise in noise_of(frames, len(layout.channels))],
+            "shirt_words": self._equipment.state,
         }
 
     def _newest(self) -> np.void | None:

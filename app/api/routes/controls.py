@@ -2,13 +2,14 @@
 
 import asyncio
 from collections.abc import Callable
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 from fastapi import APIRouter, HTTPException
 from pydantic import Field, ValidationError
 
 from app.api.deps import Clinician, People, PeopleParts
 from app.api.parts import Web, WebParts
+from app.api.routes.obstacle_view import ObstacleView
 from app.api.sign_in.identity import SignedInPerson
 from app.calibration.gestures.suggestion import SuggestedVocabulary
 from app.calibration.vocabulary import Binding, ControlMode, CruiseTime, DriveParameters, Gesture, TurnCruiseTime
@@ -16,7 +17,6 @@ from app.messages import MAX_GESTURES
 from app.quantities import Cutoff, Document, Title
 from app.sentences import one_sentence
 from app.session.calibration.gesture_discovery import patient_gestures
-from app.session.open_session import DriveObstacle
 from app.speeds import Speeds
 from app.store.database import Transaction
 from app.store.log import write_log
@@ -76,18 +76,6 @@ class ControlsSuggestion(Document):
 
     bindings: tuple[Binding, ...]
     reason: str
-
-
-class ObstacleView(Document):
-    """Why a parameter set cannot drive, and the page on which that is mended."""
-
-    words: str
-    page: Literal["shirt", "calibrate", "controls"]
-
-    @classmethod
-    def of(cls, obstacle: DriveObstacle | None) -> "ObstacleView | None":
-        """Return the answer for an obstacle, None for none."""
-        return None if obstacle is None else cls(words=obstacle.words, page=obstacle.page)
 
 
 class ControlsView(Document):

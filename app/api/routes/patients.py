@@ -7,7 +7,8 @@ from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
 from app.api.deps import Anyone, Clinician, PeopleParts, RowId
-from app.api.parts import Web, open_view
+from app.api.parts import Web, WebParts, open_view
+from app.api.routes.obstacle_view import ObstacleView
 from app.api.sign_in.identity import SignedInPerson
 from app.quantities import Count, Document, Line, Name, Note, Title
 from app.store.database import Transaction
@@ -85,6 +86,7 @@ class CurrentSession(Document):
     has_profile: bool
     consents_to_recording: bool  # otherwise nothing is recorded with a worn shirt
     steps_done: list[str]
+    obstacle: ObstacleView | None  # why no trial would start now; None also without a calibration
 
 
 def _view(db: Transaction, patient: Patient) -> PatientView:
@@ -152,13 +154,19 @@ def undo_removal(patient_id: RowId, who: Clinician, parts: PeopleParts) -> Patie
         return _view(db, patient)
 
 
-def current_session(parts: PeopleParts, who: SignedInPerson) -> CurrentSession:
+def current_session(parts: PeopleParts, web: WebParts, who: SignedInPerson) -> CurrentSession:
     """Return the open session and its patient, whom this person then has seen."""
+    obstacle = ObstacleView.of(web.session.current_obstacle())
     with parts.database.transaction(closing=True) as db:
         session = open_session(db, who.clinic_id)
         if session is None:
             return CurrentSession(
-                patient=None, session=None, has_profile=False, consents_to_recording=False, steps_done=[]
+                patient=None,
+                session=None,
+                has_profile=False,
+                consents_to_recording=False,
+                steps_done=[],
+                obstacle=None,
             )
         log_viewing(db, who.name, session.patient_id)
         has_profile, done = session_progress(db, session)
@@ -174,13 +182,14 @@ def current_session(parts: PeopleParts, who: SignedInPerson) -> CurrentSession:
             has_profile=has_profile,
             consents_to_recording=consents_of(db, session.patient_id).recording is not None,
             steps_done=done,
+            obstacle=obstacle,
         )
 
 
 @router.get("/session")
-def who_is_here(who: Anyone, parts: PeopleParts) -> CurrentSession:
+def who_is_here(who: Anyone, parts: PeopleParts, web: Web) -> CurrentSession:
     """Return the patient who is here now, and the open session."""
-    return current_session(parts, who)
+    return current_session(parts, web, who)
 
 
 @router.post("/session")
@@ -194,7 +203,7 @@ async def begin_session(body: NewSession, who: Clinician, parts: PeopleParts, we
         with parts.database.transaction() as db:
             session = start_session(db, who.clinic_id, body.patient_id, who.name, ends=body.ends)
             write_log(db, who.name, "session opened", patient=body.patient_id, session=session.id)
-        return current_session(parts, who)
+        return current_session(parts, web, who)
 
     await run_in_threadpool(require_room_to_record, parts.settings.state)
     async with web.session.undisturbed("open a session"):
@@ -213,7 +222,7 @@ async def close_session(who: Clinician, parts: PeopleParts, web: Web) -> Current
         with parts.database.transaction(closing=True) as db:
             end_session(db, who.clinic_id)
             write_log(db, who.name, "session ended")
-        return current_session(parts, who)
+        return current_session(parts, web, who)
 
     async with web.session.undisturbed("end the session"):
         answer = await run_in_threadpool(_end)

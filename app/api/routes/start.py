@@ -30,5 +30,5 @@ def start(request: Request, who: WhoAsks, parts: PeopleParts, web: Web) -> Start
         me=me_view(parts, who),
         is_nearby=is_nearby(request),
         practice=web.equipment.practice,
-        session=None if who is None or who.locked else current_session(parts, who),
+        session=None if who is None or who.locked else current_session(parts, web, who),
     )

@@ -56,6 +56,8 @@ class Equipment(ClinicChoice):
         self.layout: ShirtLayout | None = None
         self.sample_rate = 0.0
         self.words = ""  # why there is no shirt, empty when there is one
+        self.state = ""  # of the shirt, in words, when `look` was called last
+        self.silent = False  # whether there was a shirt then that sent nothing
         self.mistrust = NO_SHIRT  # why the shirt arms no real chair, empty when it may
 
     async def open(self) -> None:
@@ -113,6 +115,17 @@ class Equipment(ClinicChoice):
             self.unused = []
         await self._store()
 
+    async def look(self) -> None:
+        """Read the state of the shirt; tell the pages when it has fallen silent, and when it sends again."""
+        try:
+            shirt = (await self._control.call("status"))["shirt"]
+        except Refusal:
+            return  # the pages are told of a control process that is being restarted
+        before, self.silent = self.silent, self.layout is not None and bool(shirt["silent"])
+        self.state = str(shirt["words"])
+        if self.silent != before:
+            self._tell("equipment")
+
     async def use_body(self, config: dict[str, Any]) -> None:
         """Choose another simulated body for the simulated shirt."""
         if self.kind != "simulator":
@@ -145,6 +158,7 @@ class Equipment(ClinicChoice):
         self.sample_rate = float(answer["sample_rate"])
         self.mistrust = str(answer["mistrust"])
         self.shirt, self.words = config, ""
+        await self.look()
 
     async def _open_body(self, config: dict[str, Any]) -> None:
         await self._load("body", config)

@@ -21,6 +21,7 @@ def test_without_a_patient_there_is_nothing_to_calibrate(signed_in: Any) -> None
         "has_profile": False,
         "consents_to_recording": False,
         "steps_done": [],
+        "obstacle": None,
     }
     answer = signed_in("GET", "/calibration")
     assert answer.status_code == 409

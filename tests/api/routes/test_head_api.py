@@ -9,7 +9,7 @@ def test_a_head_tracker_is_chosen_kept_and_taken_away(signed_in: Any) -> None:
     assert signed_in.good("GET", "/equipment")["head"]["config"] is None
     shown = signed_in.good("PUT", "/equipment/head", json={"config": OPENTRACK})
     assert shown["head"]["config"] == OPENTRACK
-    assert signed_in.process.calls[-2] == ("head", {"config": OPENTRACK})
+    assert signed_in.process.calls[-1] == ("head", {"config": OPENTRACK})
     assert [entry.details for entry in signed_in.log() if entry.what == "head tracker chosen"] == [
         {"kind": "opentrack"}
     ]
@@ -41,6 +41,6 @@ def test_a_recorded_head_is_played_from_a_brought_file(signed_in: Any) -> None:
     shown = signed_in.good("POST", "/equipment/files", files={"file": ("head.csv", content)})
     assert [(file["name"], file["kind"]) for file in shown["files"]] == [("head.csv", "head")]
     signed_in.good("PUT", "/equipment/head", json={"config": {"kind": "recorded", "file": "head.csv"}})
-    assert signed_in.process.calls[-2][1]["config"]["file"].endswith("/head.csv")
+    assert signed_in.process.calls[-1][1]["config"]["file"].endswith("/head.csv")
     answer = signed_in("PUT", "/equipment/head", json={"config": {"kind": "recorded", "file": "other.csv"}})
     assert answer.status_code == 404

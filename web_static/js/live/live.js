@@ -27,6 +27,7 @@ const SIGNED_OUT = 4401; // close code
  * @property {string} [event] what changed on the server
  * @property {string[]} [quality] condition of each channel; sent once a second, as is `noise`
  * @property {(number | null)[]} [noise] of each channel, in units of its signal
+ * @property {string} [shirt_words] the state of the shirt, sent with `quality`
  */
 
 /**
@@ -128,6 +129,7 @@ export class Live extends TypedEvents {
   quality = [];
   /** @type {(number | null)[]} */
   noise = [];
+  shirtWords = "";
   connected = true;
   /** @type {number} when the newest message came or the socket was asked for, in ms of performance.now */
   aliveAt = 0;
@@ -224,6 +226,7 @@ export class Live extends TypedEvents {
     if (message.quality) {
       this.quality = message.quality;
       this.noise = message.noise ?? [];
+      this.shirtWords = message.shirt_words ?? "";
       this.dispatchEvent(new Event("quality"));
     }
     if (message.event === "graphics") this.#countPictures();

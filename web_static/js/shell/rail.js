@@ -12,16 +12,23 @@ const IN_SETTINGS = ["plans", "people", "log", "computer", "backup"]; // opened 
 /** @type {string[]} */
 export const PAGES = [...RAIL, "attention", "session", "adapt", "interface_test", ...IN_SETTINGS]; // those that have an address of their own
 
-/** The steps that are done in the open session. @param {import("../main.js").App} app @returns {Set<string>} */
+/**
+ * The steps of the open session that are done, up to the first that is not: a step behind one that has to be done
+ * anew, such as a calibration without a shirt that sends, has no tick.
+ * @param {import("../main.js").App} app @returns {readonly string[]}
+ */
 function stepsDone(app) {
-  const session = app.session;
-  const done = new Set();
-  if (!session?.patient) return done;
-  done.add("patients");
-  if (app.live.latest?.shirt.alive) done.add("shirt");
-  if (session.has_profile) done.add("calibrate").add("controls");
-  if (session.patient.trials > 0) done.add("drive");
-  return done;
+  const { patient = null, has_profile: hasProfile = false, obstacle = null } = app.session ?? {};
+  /** @type {Record<string, boolean | undefined>} */
+  const isDone = {
+    patients: patient !== null,
+    shirt: app.live.present?.shirt.alive,
+    calibrate: hasProfile,
+    controls: hasProfile,
+    drive: patient !== null && patient.trials > 0,
+  };
+  const first = STEPS.findIndex((step) => !isDone[step] || step === obstacle?.page);
+  return STEPS.slice(0, first);
 }
 
 /** @param {import("../main.js").App} app */
@@ -39,7 +46,7 @@ export function rail(app) {
   const show = () => {
     const done = stepsDone(app);
     for (const { step, link, mark } of links) {
-      mark.hidden = !done.has(step);
+      mark.hidden = !done.includes(step);
       const isAbove = step === "settings" ? IN_SETTINGS.includes(app.route.page) : BELOW[app.route.page] === step;
       link.hidden = app.me?.role === "reviewer" && !FOR_REVIEWERS.includes(step);
       set(link, { "aria-current": step === app.route.page ? "page" : isAbove ? "true" : null });
@@ -47,6 +54,7 @@ export function rail(app) {
   };
   for (const event of /** @type {const} */ (["session", "route", "me"])) app.addEventListener(event, show);
   app.live.addEventListener("quality", show);
+  app.live.addEventListener("connection", show);
   show();
   return h(
     "nav",

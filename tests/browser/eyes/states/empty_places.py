@@ -99,7 +99,7 @@ EMPTY_PLACES: dict[str, Open] = {
     "adapt, not calibrated": not_calibrated("adapt"),
     "drive, nobody": with_nobody("drive"),
     "drive, not calibrated": not_calibrated("drive"),
-    "drive, other shirt": answered("/controls/obstacle", "drive", lambda _: OTHER_SHIRT),
+    "drive, other shirt": answered("/session", "drive", lambda view: {**view, "obstacle": OTHER_SHIRT}),
     "controls, other shirt": answered("/controls", "controls", lambda view: {**view, "obstacle": OTHER_SHIRT}),
     "patients, none found": nobody_found,
     "patients, failed": failed("/patients", "patients"),

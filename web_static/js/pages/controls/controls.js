@@ -112,6 +112,7 @@ export async function show(app, root, { signal }) {
     speeds.showLowered();
     showState();
   });
+  draft.addEventListener("obstacle", showState);
   draft.addEventListener("refused", ({ detail }) => {
     write(state, "");
     write(problem, detail);
@@ -125,7 +126,7 @@ export async function show(app, root, { signal }) {
   app.live.addEventListener("tick", ({ detail: now }) => rows.forEach((row) => row.showLive(now)), { signal });
   app.live.addEventListener(
     "changed",
-    ({ detail }) => ["controls", "everything"].includes(detail) && draft.readAgain().catch(() => null),
+    ({ detail }) => ["controls", "equipment", "everything"].includes(detail) && draft.readAgain().catch(() => null),
     { signal },
   );
   app.addEventListener("drafts", ({ detail }) => draft.isUnsent && detail.push(t("controls.draft")), { signal });

@@ -12,8 +12,8 @@ const LEAST_GAP = 0.02; // FS/s or FS
 
 /**
  * `shape`: the page is to be drawn again; `handles`: the detail is the gesture whose handles moved; `refused`: the
- * detail is the server's sentence.
- * @typedef {{shape: Event, handles: CustomEvent<Gesture>, saving: Event, saved: Event, refused: CustomEvent<string>}} DraftEvents
+ * detail is the server's sentence; `obstacle`: another reason than before, or none any more, why they cannot drive.
+ * @typedef {{shape: Event, handles: CustomEvent<Gesture>, saving: Event, saved: Event, refused: CustomEvent<string>, obstacle: Event}} DraftEvents
  * @typedef {Binding["control"]} Control
  * @typedef {"cutoff" | "cruise_time" | "turn_cruise_time"} ValueName of a setting that is one number
  */
@@ -154,14 +154,20 @@ export class ControlsDraft extends TypedEvents {
     this.dispatchEvent(new Event("shape"));
   }
 
-  /** Read the controls again after a change from elsewhere; nothing happens when they are equal or a change of this page waits. */
+  /** Read the controls again after a change from elsewhere; nothing happens when they and their obstacle are equal or a change of this page waits. */
   async readAgain() {
     if (this.#timer) return;
     await this.#sending;
     const view = await this.api.get("/controls");
-    if (view.hash === this.view.hash || this.#timer) return;
-    this.#take(view);
-    this.dispatchEvent(new Event("shape"));
+    if (this.#timer) return;
+    const before = this.view;
+    if (view.hash !== before.hash) {
+      this.#take(view);
+      this.dispatchEvent(new Event("shape"));
+    } else if (view.obstacle?.words !== before.obstacle?.words) {
+      this.view = view;
+      this.dispatchEvent(new Event("obstacle"));
+    }
   }
 
   /** @param {ControlSettings} body */

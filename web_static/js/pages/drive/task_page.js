@@ -21,19 +21,18 @@ import { t } from "../../texts.js";
 export async function showTask(app, root, patient, [floorplan, path], signal) {
   const mayDrive = app.me?.role !== "reviewer";
   const source = app.practice ? "simulated" : "worn";
-  const readObstacle = () => app.api.get("/controls/obstacle").catch(() => null); // the start of a trial says it too
   const readProposal = () => app.api.get(`/patients/${patient.id}/next-task?source=${source}`);
   const readWhatIsNext = async () => {
     const [next, trials] = await Promise.all([readProposal(), app.api.get(`/trials?patient=${patient.id}`)]);
     return { proposal: next, isRunning: trials.some(({ status }) => status === "running") };
   };
-  const [plans, proposal, equipment, chairs, obstacle, screens] = await Promise.all([
+  const [plans, proposal, equipment, chairs, screens] = await Promise.all([
     app.api.get("/floorplans"),
     readProposal(),
     app.api.get("/equipment"),
     app.api.get("/chairs"),
-    mayDrive ? readObstacle() : null,
     mayDrive ? app.api.get("/patient-screen").catch(() => null) : null,
+    app.readSession().catch(() => null), // what stands in the way of a trial now
   ]);
   if (signal.aborted) return;
   if (chairs.chosen !== null) return location.replace("#/drive/chair");
@@ -46,7 +45,9 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
     app.requestTrial({ floorplan: task.plan.name, path: task.path.name });
   };
   whenOther(app, ["trial", "everything"], { proposal, isRunning: false }, readWhatIsNext, signal);
-  if (mayDrive) whenOther(app, ["equipment", "controls", "everything"], obstacle, readObstacle, signal);
+  const { obstacle = null } = app.session ?? {}; // the start of a trial would be refused for it
+  const followObstacle = () => isOther(app.session?.obstacle ?? null, obstacle) && app.show();
+  if (mayDrive) app.addEventListener("session", followObstacle, { signal });
   put(
     root,
     h(
@@ -74,7 +75,7 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
         { class: "grow" },
         bodyWords(equipment, obstacle),
         " ",
-        mayDrive && equipment.shirt?.kind === "simulator" &&
+        mayDrive && !obstacle && equipment.shirt?.kind === "simulator" &&
           h("a", { class: "btn bare small", href: "#/shirt" }, t("drive.body.change")),
       ),
       h("a", { class: "btn", href: taskLink("tasks", task) }, t("drive.choose")),
@@ -91,10 +92,13 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
 function whenOther(app, news, shown, read, signal) {
   const look = async () => {
     const now = await read().catch(() => shown);
-    if (!signal.aborted && JSON.stringify(now) !== JSON.stringify(shown)) app.show();
+    if (!signal.aborted && isOther(now, shown)) app.show();
   };
   app.live.addEventListener("changed", ({ detail }) => news.includes(detail) && look(), { signal });
 }
+
+/** @param {unknown} now @param {unknown} shown */
+const isOther = (now, shown) => JSON.stringify(now) !== JSON.stringify(shown);
 
 /**
  * The start of the trial, or the way to what it lacks.

@@ -8,7 +8,7 @@
  */
 import { failureWords } from "../../api.js";
 import { bodyForm, bodyWords } from "./body_form.js";
-import { h, put, s, write } from "../../widgets/dom.js";
+import { h, put, s, set, write } from "../../widgets/dom.js";
 import { headActions, headForm, headWords } from "./head_card.js";
 import { jointStrips } from "../../charts/joint_strips.js";
 import { bodyLamps, LAMP_BOX, lampSign, QUALITIES } from "./lamps.js";
@@ -26,7 +26,7 @@ const NO_LAYOUT = { name: "", channels: [], joints: [] }; // before a shirt was 
 export async function show(app, root, { signal }) {
   let equipment = /** @type {Equipment} */ (await app.api.get("/equipment"));
   if (signal.aborted) return;
-  const state = h("span", { "aria-live": "polite" });
+  const state = h("span", {});
   const counts = h("span", {});
   const lead = h("p", { class: "lead" }, state, " ", counts);
   const left = h("div", { class: "stack" });
@@ -34,8 +34,14 @@ export async function show(app, root, { signal }) {
   // Without a shirt, first the one thing to do; it keeps its side when one has been chosen.
   const columns = h("div", { class: "shirt-columns" }, equipment.shirt ? [left, right] : [right, left]);
   const below = h("div", {});
-  const [next, nextKey] = app.session?.has_profile ? ["#/drive", "shirt.drive"] : ["#/calibrate", "shirt.calibrate"];
-  const onward = h("a", { class: "btn go", href: next }, t(nextKey));
+  const onward = h("a", { class: "btn go" });
+  const showOnward = () => {
+    const { has_profile: hasProfile = false, obstacle = null } = app.session ?? {};
+    const step = hasProfile && obstacle?.page !== "calibrate" ? "drive" : "calibrate";
+    onward.href = `#/${step}`;
+    write(onward, t(`shirt.${step}`));
+    onward.hidden = !equipment.shirt || app.live.present?.shirt.alive === false; // first a shirt that sends
+  };
   let drawn = new AbortController(); // aborted when the equipment is drawn again
   let picked = "";
   /** @type {Map<CardName, string>} cards whose form is open, with the choice it shows */
@@ -56,8 +62,8 @@ export async function show(app, root, { signal }) {
         h("section", { class: "card" }, h("h2", {}, t("traces.title")), jointStrips(app.live, layout, drawn.signal)),
     );
     drawRight();
-    showWords();
-    onward.hidden = !equipment.shirt;
+    showWords(equipment.status.words);
+    showOnward();
   };
   /** Forms are drawn again only where something differs: what is typed in them would be lost. @param {EquipmentView} answer */
   const take = (answer) => {
@@ -67,7 +73,7 @@ export async function show(app, root, { signal }) {
     app.toasts.attempt(replaced.show);
     if (keyOf(fresh) !== keyOf(before)) return draw();
     if (formsKeyOf(fresh) !== formsKeyOf(before)) drawRight();
-    showWords();
+    showWords(equipment.status.words);
   };
   /** @param {ShirtLayout} layout */
   const lampsCard = (layout) => {
@@ -165,11 +171,15 @@ export async function show(app, root, { signal }) {
     if (actions) element.append(actions);
     return element;
   };
-  const showWords = () => {
+  /** @param {string} words the state of the shirt */
+  const showWords = (words) => {
     const all = app.live.quality.length;
     const good = app.live.quality.filter((quality) => quality === "good").length;
     const lost = app.live.latest?.shirt.lost ?? 0;
-    write(state, equipment.shirt ? equipment.status.words : t("shirt.none"));
+    const sentence = equipment.shirt ? words : t("shirt.none");
+    const isNews = withoutFigures(sentence) !== withoutFigures(state.textContent);
+    set(state, { "aria-live": isNews ? "polite" : "off" }); // a screen reader is silent about figures that count
+    write(state, sentence);
     const figures = [all ? t("shirt.words.count", { good, all }) : "", lost ? t("shirt.lost", { count: lost }) : ""];
     write(counts, figures.filter(Boolean).join(" "));
   };
@@ -177,7 +187,12 @@ export async function show(app, root, { signal }) {
   const readAgain = async ({ detail }) => {
     if (detail === "equipment" || detail === "everything") take(await app.api.get("/equipment").catch(() => /** @type {EquipmentView} */ (equipment)));
   };
-  app.live.addEventListener("quality", showWords, { signal });
+  const follow = () => {
+    showWords(app.live.shirtWords);
+    showOnward();
+  };
+  app.live.addEventListener("quality", follow, { signal });
+  app.addEventListener("session", showOnward, { signal });
   app.live.addEventListener("changed", readAgain, { signal });
   app.addEventListener("equipment", ({ detail }) => take(detail), { signal });
 
@@ -200,6 +215,9 @@ export async function show(app, root, { signal }) {
   );
   draw();
 }
+
+/** @param {string} words */
+const withoutFigures = (words) => words.replace(/\d+/g, "");
 
 /** A key of the parts that need the whole page drawn again. @param {Equipment} equipment */
 function keyOf({ shirt, body, layout, unused }) {

@@ -1,0 +1,18 @@
+"""Why the parameters of the open session's patient cannot drive, in answers."""
+
+from typing import Literal
+
+from app.quantities import Document
+from app.session.open_session import DriveObstacle
+
+
+class ObstacleView(Document):
+    """Why a parameter set cannot drive, and the page on which that is mended."""
+
+    words: str
+    page: Literal["shirt", "calibrate", "controls"]
+
+    @classmethod
+    def of(cls, obstacle: DriveObstacle | None) -> "ObstacleView | None":
+        """Return the answer for an obstacle, None for none."""
+        return None if obstacle is None else cls(words=obstacle.words, page=obstacle.page)

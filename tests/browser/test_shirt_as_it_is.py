@@ -1,0 +1,124 @@
+"""The Shirt page's sentence, the ticks of the steps and "Start trial" follow the shirt as it is now, without reload."""
+
+import pytest
+from api.fake_clinic import LAYOUT
+from browser.served.clinic_app import assert_quiet, go
+from browser.wave_sender import WaveSender
+from playwright.sync_api import expect
+from processes.served_demo import running_demo
+from processes.udp_shirt import free_port
+
+from app.layout import ShirtLayout
+from folders import SCREENSHOTS
+
+pytestmark = [pytest.mark.browser]
+
+OTHER_NUMBER = "the shirt sends 40 sensors, its layout has 52"
+NO_FRAMES = "No frames from a shirt on 127.0.0.1:5252."
+OTHER_LAYOUT = ShirtLayout(name="Another shirt", channels=LAYOUT.channels[:6], joints=LAYOUT.joints[:3])
+READY = ("Patients", "Shirt", "Calibrate", "Controls")
+PAGES = ("shirt", "drive", "controls", "calibrate")  # that are open when the shirt changes
+
+
+@pytest.fixture
+def page(browser, page_log, served):
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    log = page_log(served.address)
+    page = log.watch(browser.new_context(viewport={"width": 768, "height": 1024}).new_page())
+    served.good("PUT", "/equipment/shirt", {"kind": "simulator", "seed": 1})
+    served.open_session("A-03")
+    served.sign_in(page)
+    expect(page.locator(".who")).to_contain_text("A-03")
+    yield page
+    assert_quiet(log)
+    page.context.close()
+
+
+def expect_ticks(page, steps):
+    """Wait until these steps have a tick, and no other."""
+    ticked = page.locator(".rail a:has(.done:not([hidden]))")
+    expect(ticked).to_have_text([f"{step}done" for step in steps])
+
+
+def expect_all(page, where, steps, sentence, obstacle=None):
+    """Wait until the rail, and the page that is open, say what is true of the shirt.
+
+    `obstacle` is why no trial is started, and the button that leads on; None: a trial can be started.
+    """
+    expect_ticks(page, steps)
+    if where == "shirt":
+        expect(page.locator(".lead")).to_contain_text(sentence)
+        onward = {None: ["Go on to drive"], "Calibrate": ["Calibrate"], "To the shirt": []}
+        expect(page.locator(".foot .go:visible")).to_have_text(onward[obstacle and obstacle[1]])
+    if where == "controls":
+        expect(page.locator(".foot .go")).to_have_text(obstacle[1] if obstacle else "Drive with these")
+        expect(page.locator("main")).to_contain_text(obstacle[0] if obstacle else "")
+    if where == "drive":
+        foot, start = page.locator(".foot"), page.get_by_role("button", name="Start trial")
+        if obstacle is None:
+            expect(start).to_be_visible()
+            return
+        expect(start).to_have_count(0)
+        expect(foot).to_contain_text(obstacle[0])
+        expect(foot.get_by_role("link", name=obstacle[1])).to_be_visible()
+
+
+@pytest.mark.parametrize("where", PAGES)
+def test_all_follow_a_shirt_that_falls_silent_and_sends_again(page, served, where):
+    process = served.process
+    go(page, where)
+    for _ in range(2):
+        process.sends, process.shirt_words = True, "Sends."
+        expect_all(page, where, READY, "Sends.")
+        process.sends, process.shirt_words = False, NO_FRAMES
+        expect_all(page, where, ("Patients",), NO_FRAMES, ("The shirt sends no signals", "To the shirt"))
+    page.screenshot(path=SCREENSHOTS / f"768x1024-silent-{where}.png")
+    process.sends, process.shirt_words = True, "Sends."
+
+
+@pytest.mark.parametrize("where", PAGES)
+def test_all_follow_another_shirt_that_is_chosen_on_another_screen(page, served, where):
+    process = served.process
+    go(page, where)
+    expect_all(page, where, READY, "Sends.")
+    process.layout, process.shirt_words = OTHER_LAYOUT, "Another shirt sends."
+    served.good("PUT", "/equipment/shirt", {"kind": "simulator", "seed": 2})
+    obstacle = ("The patient was calibrated in another shirt", "Calibrate")
+    expect_all(page, where, ("Patients", "Shirt"), "Another shirt sends.", obstacle)
+    process.layout, process.shirt_words = LAYOUT, "Sends."
+    served.good("PUT", "/equipment/shirt", {"kind": "simulator", "seed": 1})
+    expect_all(page, where, READY, "Sends.")
+
+
+def test_frames_of_another_number_of_sensors_are_no_signals(browser, page_log, tmp_path):
+    with running_demo(TMPDIR=str(tmp_path)) as link:
+        log = page_log(link)
+        page = log.watch(browser.new_context(viewport={"width": 768, "height": 1024}).new_page())
+        page.goto(link)
+        expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
+        go(page, "shirt")
+        port = free_port()
+        card = page.locator("section.card", has=page.get_by_role("heading", name="Source"))
+        card.locator("summary").click()
+        card.get_by_text("A shirt over the network", exact=True).click()
+        card.get_by_label("Port").fill(str(port))
+        card.get_by_role("button", name="Use this").click()
+        lead, obstacle = page.locator(".lead"), page.locator(".foot").get_by_text("The shirt sends no signals")
+        expect(lead).to_contain_text(f"No frames from a shirt on 127.0.0.1:{port}.")
+        sender = WaveSender(port)
+        try:
+            for channels, words in ((52, "52 sensors"), (40, OTHER_NUMBER), (52, "52 sensors")):
+                is_shirt = channels == 52
+                go(page, "shirt")
+                sender.channels = channels
+                expect(lead).to_contain_text(words)
+                expect_ticks(page, ("Patients", "Shirt") if is_shirt else ("Patients",))
+                go(page, "drive")
+                expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
+                expect(obstacle).to_have_count(0 if is_shirt else 1)
+                sender.channels = 40 if is_shirt else 52
+                expect(obstacle).to_have_count(1 if is_shirt else 0)
+        finally:
+            sender.close()
+        log.assert_clean()
+        page.context.close()
