@@ -39,11 +39,7 @@ class StandIn(FakeProcess):
     def __init__(self) -> None:
         super().__init__()
         self.says |= {"n_channels": len(LAYOUT.channels), "n_gestures": 8}
-
-    async def call(self, do: str, **fields: Any) -> dict[str, Any]:
-        """Answer, with the standard layout for a shirt."""
-        answer = await super().call(do, **fields)
-        return {**answer, "layout": LAYOUT.model_dump(mode="json")} if do == "shirt" else answer
+        self.layout = LAYOUT
 
     def since(self, number: int) -> Any:
         """Return one tick in which every channel has a value, so that most lamps are lit."""
@@ -62,6 +58,7 @@ class EyesClinic(ServedClinic):
         self.client = SessionClient(self.address)
         self.shown: dict[str, Any] = {}  # fields of the live picture that are other than in truth
         self.shown_to_patient: dict[str, Any] = {}  # the same of the patient's picture
+        self.lamps: dict[int, str] = {}  # conditions of sensors that are other than in truth, by the sensor's number
         self.when_left: list[Callable[[], Any]] = []  # what puts back what a place has changed in the browser or here
         self._others: dict[type[EyesClinic], EyesClinic] = {}  # clinics of another kind that a place has asked for
 
@@ -115,8 +112,14 @@ class EyesClinic(ServedClinic):
         web = self.app.state.web
         true, patients = web.live._picture, web.patient.picture
         web.live._picture = lambda: {**true(), **self.shown}
+        quality = web.live._quality
+        web.live._quality = lambda: self._with_lamps(quality())
         web.patient._live = SimpleNamespace(picture=web.live._picture)
         web.patient_live._picture = lambda: {**patients(), **self.shown_to_patient}
+
+    def _with_lamps(self, message: Any) -> Any:
+        lamps = enumerate(message["quality"])
+        return {**message, "quality": [self.lamps.get(number, lamp) for number, lamp in lamps]}
 
     def visit(self, page: Any, role: str) -> None:
         """Sign a page's browser in as somebody of another role, until the place is left."""
@@ -155,6 +158,7 @@ class EyesClinic(ServedClinic):
         """Put back what a place has changed."""
         self.shown.clear()
         self.shown_to_patient.clear()
+        self.lamps.clear()
         while self.when_left:
             self.when_left.pop()()
 
@@ -200,6 +204,17 @@ class EyesClinic(ServedClinic):
         """Let the control process stop the chair for a reason."""
         self.process.stops += 1
         self.process.state, self.process.fault = State.FAULT, fault
+
+    def silence(self, words: str) -> None:
+        """Let no frame come from the shirt, whose state these words are, until the place is left."""
+        process = self.process
+
+        def sends(is_sending: bool, words: str) -> None:
+            process.sends, process.shirt_words = is_sending, words
+
+        before = process.shirt_words
+        sends(False, words)
+        self.when_left.append(lambda: sends(True, before))
 
     def clear(self) -> None:
         """Take the reason back."""

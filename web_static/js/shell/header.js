@@ -21,7 +21,7 @@ export function header(app) {
   const shirt = h("span", { class: "lamp" });
   const chair = h("span", { class: "lamp" });
   const screen = screenLamp(app);
-  const lamps = h("div", { class: "lamps" }, shirt, chair, screen);
+  const lamps = h("div", { class: "lamps" }, shirt, chair, screen, me);
   const theme = themeButton(app);
   /** @type {HTMLButtonElement} */
   const help = h(
@@ -55,7 +55,6 @@ export function header(app) {
     practice.element,
     who,
     lamps,
-    me,
     h("div", { class: "tools" }, help, theme, leave),
     stopButton(app),
   );
@@ -79,7 +78,7 @@ export function header(app) {
       return write(shirt, t("lamp.shirt.none"));
     }
     const estimated = app.live.quality.filter((quality) => quality === "estimated").length;
-    shirt.className = alive && !estimated && good >= all * 0.75 ? "lamp" : "lamp att";
+    shirt.className = `lamp${estimated ? " att long" : alive && good >= all * 0.75 ? "" : " att"}`;
     const key = estimated ? "lamp.shirt.estimated" : "lamp.shirt";
     write(shirt, alive && all ? t(key, { good, all, estimated }) : t("lamp.shirt.silent"));
   };
@@ -90,7 +89,7 @@ export function header(app) {
     const state = now.chair && chairState(now.chair);
     element.classList.toggle("has-chair", Boolean(state));
     const isBad = state === "silent" || state === "fault";
-    chair.className = `lamp${isBad ? " att" : armed ? "" : " off"}${state ? "" : " wide"}`;
+    chair.className = `lamp${isBad ? " att" : armed ? "" : " off"}${state ? " long" : " wide"}`;
     write(chair, state ? t("lamp.real", { state: t(`lamp.real.${state}`) }) : armed ? t("lamp.armed") : t("lamp.chair"));
   };
   // A demonstration has a mark of its own.

@@ -16,7 +16,8 @@ export function screenLamp(app) {
     const screens = mayAsk ? (await app.api.get("/patient-screen").catch(() => null))?.screens ?? [] : [];
     const state = screenState(screens);
     lamp.hidden = state === ".none";
-    lamp.className = `lamp screen-lamp${state ? " att" : " wide"}`; // on a small screen only what is not right
+    const isBad = state !== "" && !lamp.hidden;
+    lamp.className = `lamp screen-lamp${isBad ? " att long" : " wide"}`; // on a small screen only what is not right
     write(lamp, lamp.hidden ? "" : t(`lamp.screen${state}`, { count: screens.length }));
   };
   app.addEventListener("me", refresh);

@@ -9,6 +9,7 @@ from typing import Any
 from browser.eyes.eyes_clinic import EyesClinic
 from browser.eyes.opening import Open, answered, go, patient_screen
 from browser.eyes.states.chair_places import chair_page
+from browser.eyes.states.session_places import trial_stopped
 from playwright.sync_api import expect
 
 from app.faults import Fault, State
@@ -123,6 +124,39 @@ def changed(change: Callable[[Any], Any], words: str) -> Open:
     return open_place
 
 
+def estimated_lamps(clinic: EyesClinic) -> None:
+    """Let others stand in for three sensors of the shirt."""
+    clinic.lamps |= {**dict.fromkeys(range(52), "good"), **dict.fromkeys((3, 20, 41), "estimated")}
+
+
+def estimated_sensors(page: Any, clinic: EyesClinic) -> None:
+    estimated_lamps(clinic)
+    go(page, clinic, "shirt")
+    expect(page.get_by_text("49 of 52 sensors are good")).to_be_visible()
+    page.locator(".bodies .sensor").nth(20).click()
+    page.locator(".lamp-legend").evaluate("(legend) => { legend.open = true; }")
+
+
+def silent_shirt(where: str) -> Open:
+    """Return what opens a page while no frame comes from the shirt."""
+
+    def open_place(page: Any, clinic: EyesClinic) -> None:
+        clinic.silence("No frames from a shirt on 127.0.0.1:5252 (the shirt sends 40 sensors, its layout has 52).")
+        go(page, clinic, where)
+        expect(page.locator(".lamp", has_text="Shirt silent")).to_be_visible()
+
+    return open_place
+
+
+def screen_out_of_reach(page: Any, clinic: EyesClinic) -> None:
+    """Show a halted trial whose patient's screen is out of reach."""
+    trial_stopped(page, clinic)
+    screen = {"id": 1, "number": 1, "paired": "2026-03-01T10:00:00+00:00", "connected": False, "picture": None}
+    page.route("**/patient-screen", lambda route: route.fulfill(json={**route.fetch().json(), "screens": [screen]}))
+    clinic.app.state.web.live.tell("screens")
+    expect(page.locator(".screen-lamp")).to_be_visible()
+
+
 FULL_DISK = {"words": "The disk is nearly full: 1.2 GB are free.", "free": 1_200_000_000}
 
 LIVE_PLACES: dict[str, Open] = {
@@ -145,4 +179,8 @@ LIVE_PLACES: dict[str, Open] = {
     "patients, program lost": noticed("patients", "control process", control="lost"),
     "patients, full disk": changed(lambda equipment: {**equipment, "disk": FULL_DISK}, "nearly full"),
     "controls, consent": without_consent,
+    "shirt, estimated": estimated_sensors,
+    "shirt, silent": silent_shirt("shirt"),
+    "drive, silent": silent_shirt("drive"),
+    "drive, screen out of reach": screen_out_of_reach,
 }
