@@ -28,5 +28,5 @@ export function isInterrupted(measures) {
 /** A line for lists. @param {Measures | null} measures */
 export function interruptionMark(measures) {
   const words = interruptionWords(measures);
-  return words && h("div", { class: "quiet small" }, words);
+  return words && h("div", { class: "quiet small sentence" }, words);
 }

@@ -135,9 +135,47 @@ def export_goes_on(page: Any, clinic: EyesClinic) -> None:
     expect(page.get_by_text("3.4 MB")).to_be_visible()
 
 
+INTERRUPTED = (
+    "the machine interrupted it (halted 3 times, 14 s; paused 2 times, 5 s), and nobody has said yet that it counts"
+)
+INTERRUPTIONS = {
+    "halts": 3, "halt_time": 14.2, "pauses": 2, "pause_time": 5.1, "person_stops": 1, "person_stop_time": 8.0,
+    "interrupted": True,
+}  # fmt: skip
+
+
+def interrupted(trial: Any) -> Any:
+    """Return a trial, as it is answered, as one that was interrupted so much that a person has to count it."""
+    measures = {**trial["measures"], **INTERRUPTIONS}
+    return {**trial, "measures": measures, "kept": False, "discard_reason": INTERRUPTED}
+
+
+def interrupted_in_review(page: Any, clinic: EyesClinic) -> None:
+    """Show the list of trials, of which the first was interrupted by the machine and by a person."""
+
+    def answer(route: Any) -> None:
+        first, *others = route.fetch().json()
+        route.fulfill(json=[interrupted(first), *others])
+
+    page.context.route("**/trials?patient=1", answer)
+    clinic.when_left.append(lambda: page.context.unroute("**/trials?patient=1"))
+    review("")(page, clinic)
+    expect(page.get_by_text("Stopped once by a person, 8 s")).to_be_attached()
+
+
+def interrupted_trial(page: Any, clinic: EyesClinic) -> None:
+    """Show the end of a trial that was interrupted, and that does not count until somebody says so."""
+    first = clinic.trials[0]
+
+    answered(f"/trials/{first}", f"drive/over/{first}", interrupted)(page, clinic)
+    expect(page.get_by_role("button", name="Count it")).to_be_visible()
+
+
 TRIALS_PLACES: dict[str, Open] = {
     "drive, warnings": warned_before_the_next_trial,
     "review, warnings": warned_in_review,
+    "review, interrupted": interrupted_in_review,
+    "drive, interrupted": interrupted_trial,
     "adapt, proposal": proposed(None),
     "adapt, applied": proposed(4),
     "calibrate, earlier": earlier_calibration,

@@ -47,7 +47,7 @@ export function trialList(patient, trials, used, compare, unread) {
         groupMark(groupOf(trial)) ?? t("source.group.worn"),
         trial.origin && h("div", { class: "quiet small" }, originWords(trial.origin)),
       ),
-      h("td", {}, trial.kept ? t(used.has(trial.id) ? "review.used" : "review.kept") : trial.discard_reason),
+      h("td", {}, trial.kept ? t(used.has(trial.id) ? "review.used" : "review.kept") : h("div", { class: "sentence" }, trial.discard_reason)),
       h("td", {}, compare.box(trial)),
     );
   const head = [

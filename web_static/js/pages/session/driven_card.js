@@ -40,7 +40,11 @@ function trialTable(patient, trials, unread) {
       ),
       h("td", {}, t(`review.end.${trial.end}`), interruptionMark(trial.measures)),
       h("td", { title: trial.source.words }, groupMark(groupOf(trial)) ?? t("source.group.worn")),
-      h("td", {}, trial.kept ? t("record.driven.counts") : t("record.driven.discarded", { reason: trial.discard_reason })),
+      h(
+        "td",
+        {},
+        h("div", { class: "sentence" }, trial.kept ? t("record.driven.counts") : t("record.driven.discarded", { reason: trial.discard_reason })),
+      ),
     );
   const head = [t("record.driven.task"), t("review.column.end"), t("review.column.source"), t("record.driven.kept")];
   return scrollTable(
