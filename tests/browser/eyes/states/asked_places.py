@@ -177,6 +177,27 @@ def wrong_pin(page: Any, clinic: EyesClinic) -> None:
     expect(page.locator(".problem")).not_to_be_empty()
 
 
+def another_session(page: Any, clinic: EyesClinic) -> None:
+    go(page, clinic, "patients")
+    page.locator(".person").filter(has_text="P-2").get_by_role("button", name="Start session").click()
+    expect(page.get_by_role("button", name="End it and start P-2")).to_be_visible()
+
+
+def suggesting(page: Any, clinic: EyesClinic) -> None:
+    at("controls", "Suggest for me")(page, clinic)
+    expect(page.get_by_role("button", name="Replace them")).to_be_visible()
+
+
+def clock_set_forward(page: Any, clinic: EyesClinic) -> None:
+    words = (
+        "The clock of this machine went on by 31 days for which it did not run: it was set forward, or the machine was "
+        "off. Nothing is erased because of that: deleted patients, replaced files and old backups stay that much "
+        "longer. Check date and time."
+    )
+    answered("/backups", "backup", lambda view: {**view, "clock": words})(page, clinic)
+    expect(page.get_by_text(words)).to_be_visible()
+
+
 ASKED_PLACES: dict[str, Open] = {
     "lock, somebody else": somebody_else_at_the_lock,
     "set_up, refused": refused_set_up,
@@ -189,10 +210,13 @@ ASKED_PLACES: dict[str, Open] = {
     "drive, discard": discarding,
     "patients, reason": erasing_with_a_reason,
     "patients, open": opened("patients"),
+    "patients, another session": another_session,
+    "controls, suggesting": suggesting,
     "session, refused": refused_goal,
     "session patient, withdrawn": withdrawn_consent,
     "log, changed": log_that_was_changed,
     "backup, made": backups_made,
+    "backup, clock": clock_set_forward,
     "computer, measuring": measuring,
     "plans, unsaved": unsaved_plan,
     "plans, unsaved before": unsaved_plan_of_the_list,

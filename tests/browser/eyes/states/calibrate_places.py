@@ -28,6 +28,22 @@ def failed_step(page: Any, clinic: EyesClinic) -> None:
     expect(page.get_by_text(words)).to_be_visible()
 
 
+def judged_step(page: Any, clinic: EyesClinic) -> None:
+    words = "The movement is hardly larger than rest (1.4 times): make it larger, and repeat this step."
+
+    def change(view: Any) -> Any:
+        rest, free, judged, *others = view["steps"]
+        done = [{**step, "status": "done"} for step in (rest, free)]
+        return {
+            **view,
+            "steps": [*done, {**judged, "status": "done", "words": words}, *others],
+            "current": judged["id"],
+        }
+
+    answered("/calibration", "calibrate", change)(page, clinic)
+    expect(page.get_by_text(words)).to_be_visible()
+
+
 def drive_now(page: Any, clinic: EyesClinic) -> None:
     def change(view: Any) -> Any:
         return {**view, "may_drive_now": True, "others": 12}
@@ -69,6 +85,7 @@ def sits_otherwise(offer: str, **sits: Arrangement) -> Open:
 CALIBRATE_PLACES: dict[str, Open] = {
     "calibrate, begin anew": restarting,
     "calibrate, failed": failed_step,
+    "calibrate, judged": judged_step,
     "calibrate, drive now": drive_now,
     "calibrate, fitting": fitting,
     "calibrate, missing": missing_steps,
