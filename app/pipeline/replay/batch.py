@@ -42,12 +42,16 @@ CHUNK = 5_000  # frames at once, so that the temporary arrays stay in the proces
 
 @dataclass(slots=True)
 class DecodedRun:
-    """A decoded recording; per gesture (n, n_gestures), otherwise (n,). Units as in `app.messages.Tick`."""
+    """A decoded recording; per gesture (n, n_gestures), otherwise (n,). Units as in `app.messages.Tick`.
+
+    `silent`: where a gesture does nothing, because of bad channels that others cannot stand in for, or lost frames.
+    """
 
     score: Array
     rate: Array
     drive: Array
     activation: Array
+    silent: NDArray[np.bool_]
     u1: Array
     u2: Array
     v: Array
@@ -108,7 +112,7 @@ def decode_block(
     permitted = np.ones(len(dt), dtype=np.bool_) if state is None else state == State.ARMED
     v, omega = _twists(parameters, u1, u2, dt, permitted)
     x, y, theta = _drive(chair, v, omega, dt, permitted) if chair else _unicycle(v, omega, dt)
-    return DecodedRun(score, rate, drive, activation, u1, u2, v, omega, x, y, theta)
+    return DecodedRun(score, rate, drive, activation, silent, u1, u2, v, omega, x, y, theta)
 
 
 def _projected(

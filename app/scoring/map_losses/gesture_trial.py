@@ -20,7 +20,7 @@ from app.scoring.map_losses.map_blindness import blindness
 
 FEWEST_STROKES = 3  # of a gesture in a trial
 OWN_FACTOR = 2.0  # a stroke is this gesture's own while it is so many times as strong as any other (rate / full)
-MOST_SILENT = 0.2  # share of a trial; a gesture that was silent for longer says nothing of its movement
+MOST_BAD = 0.2  # share of a trial; a gesture that read bad channels for longer says nothing of its movement
 
 Numbers = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -49,7 +49,8 @@ def gesture_trials(parameters: DriveParameters, movement: Movement) -> dict[str,
     uses = channels_used(parameters)
     health = ChannelHealth(parameters.profile, np.asarray(uses.any(axis=0)), sample_rate)
     bad = health.block(values.astype(np.float64), None)
-    rates = decode_block(parameters, sample_rate, np.arange(len(values)) / sample_rate, values).rate
+    decoded = decode_block(parameters, sample_rate, np.arange(len(values)) / sample_rate, values)
+    rates = decoded.rate
     strength = np.abs(rates) / np.array([gesture.full for gesture in parameters.gestures])
     filled = fill_forward(values.astype(np.float64))
     armed = np.asarray(movement.armed, dtype=np.bool_)
@@ -57,13 +58,13 @@ def gesture_trials(parameters: DriveParameters, movement: Movement) -> dict[str,
     found = {}
     for i in bound:
         gesture, joint = parameters.gestures[i], joints[parameters.gestures[i].joint]
-        silenced = (bad & uses[i]).any(axis=1)
-        silent = float(silenced.mean())
-        if silent > MOST_SILENT:
+        silent = float(decoded.silent[:, i].mean())
+        unsure = decoded.silent[:, i] | (bad & uses[i]).any(axis=1)  # an estimate of a channel is no measurement
+        if unsure.mean() > MOST_BAD:
             found[gesture.name] = GestureTrial(None, None, None, None, silent)
             continue
         others = [other for other in bound if parameters.gestures[other].joint != joint.name]
-        own = armed & ~silenced & (strength[:, i] >= OWN_FACTOR * strength[:, others].max(axis=1, initial=0.0))
+        own = armed & ~unsure & (strength[:, i] >= OWN_FACTOR * strength[:, others].max(axis=1, initial=0.0))
         noise = rest_noise([rates[:, i]], [sample_rate])
         needed = least_dead_zone(joint) if noise is None else dead_zone_for(joint, noise)
         strokes = _strokes(rates[:, i], own, needed, sample_rate)

@@ -9,6 +9,7 @@ from calibration.simulated_person import JOINTS, SimulatedPerson, calibrate, lay
 
 from app.calibration.adaptation.movement import Movement
 from app.calibration.vocabulary import standard_parameters
+from app.pipeline.replay.batch import decode_block
 from app.scoring.map_losses.gesture_trial import gesture_trials
 from app.scoring.map_losses.trial_history import PastTrial, losses_of, read_trials
 
@@ -62,12 +63,27 @@ def test_a_dead_zone_above_the_noise_misses_a_part_of_the_strokes(person, parame
     assert all(one.missed > 0.2 for one in gesture_trials(high, trial(person)).values())
 
 
-def test_a_channel_out_of_its_range_silences_and_nothing_else_is_read(person, parameters) -> None:
+def out_of_range(person, parameters):
+    """Return a trial in which the first channel lies out of its range."""
     driven = trial(person)
     driven.values[:, 0] += 10 * (parameters.profile.high[0] - parameters.profile.low[0])
-    found = gesture_trials(parameters, driven)
+    return driven
+
+
+def test_a_channel_that_others_cannot_stand_in_for_silences_its_gesture_alone(person, parameters) -> None:
+    alone = tuple(joint.model_copy(update={"covariance": None}) for joint in parameters.profile.joints)
+    lonely = parameters.model_copy(update={"profile": parameters.profile.model_copy(update={"joints": alone})})
+    found = gesture_trials(lonely, out_of_range(person, parameters))
     assert found[JOINTS[0]] == (None, None, None, None, 1.0)
     assert found[JOINTS[1]].silent == 0.0
+
+
+def test_a_channel_that_others_stand_in_for_silences_nothing_and_measures_nothing(person, parameters) -> None:
+    driven = out_of_range(person, parameters)
+    t = np.arange(len(driven.values)) / driven.sample_rate
+    decoded = decode_block(parameters, driven.sample_rate, t, driven.values.astype(np.float32))
+    assert decoded.activation[:, 0].max() == 1.0  # the movements count
+    assert gesture_trials(parameters, driven)[JOINTS[0]] == (None, None, None, None, 0.0)
 
 
 def test_a_trial_that_never_began_tells_the_noise_only(person, parameters) -> None:
