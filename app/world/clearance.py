@@ -37,6 +37,7 @@ class Clearance:
     ) -> None:
         edges = [(*a, *b) for wall in walls for a, b in pairwise(wall)]
         self._walls = np.array(edges, dtype=np.float64).reshape(-1, 4)
+        self._low, self._high = _box_round(self._walls)
         self._half_thickness = thickness / 2
         self._obstacles = obstacles
         self._middles = np.array([obstacle.position for obstacle in obstacles], dtype=np.float64).reshape(-1, 2)
@@ -47,26 +48,35 @@ class Clearance:
         narrowest = NO_SURFACE
         for a, b in pairwise(points):
             piece = np.array([*a, *b])
-            narrowest = min(narrowest, self._from_walls(piece), key=_distance)
-            for obstacle, least in zip(self._obstacles, self._least_distances(piece), strict=True):
-                if least <= narrowest.distance:
-                    narrowest = min(narrowest, _from_obstacle(piece, obstacle), key=_distance)
+            narrowest = min(narrowest, self._from_walls(piece, narrowest.distance), key=_distance)
+            least = self._least_distances(piece)
+            for number in np.flatnonzero(least <= narrowest.distance).tolist():
+                if least[number] <= narrowest.distance:
+                    narrowest = min(narrowest, _from_obstacle(piece, self._obstacles[number]), key=_distance)
         return narrowest
 
-    def _least_distances(self, piece: Points) -> list[float]:
+    def _least_distances(self, piece: Points) -> Points:
         """Return the distance (m) of `piece` (4,) from a circle round each obstacle: the obstacle is not nearer."""
         pieces = np.broadcast_to(piece, (len(self._middles), 4))
         away = nearest_on_segments(self._middles, pieces) - self._middles
-        distances: list[float] = (np.hypot(away[:, 0], away[:, 1]) - self._reaches).tolist()
-        return distances
+        return np.asarray(np.hypot(away[:, 0], away[:, 1]) - self._reaches)
 
-    def _from_walls(self, piece: Points) -> NarrowestPoint:
-        if not len(self._walls):
+    def _from_walls(self, piece: Points, limit: float) -> NarrowestPoint:
+        """Return the point of `piece` (4,) nearest to a wall, unless all walls are further away than `limit` (m)."""
+        low, high = _box_round(piece[np.newaxis])
+        gaps = np.maximum(0.0, np.maximum(self._low - high, low - self._high))  # between two boxes, along x and y
+        near = np.hypot(gaps[:, 0], gaps[:, 1]) <= limit + self._half_thickness + ROUNDING
+        if not near.any():
             return NO_SURFACE
-        distances, places = between_segments(piece, self._walls)
+        distances, places = between_segments(piece, self._walls[near])
         nearest = int(np.argmin(distances))
         x, y = places[nearest]
         return NarrowestPoint(float(distances[nearest]) - self._half_thickness, float(x), float(y), "wall", "a wall")
+
+
+def _box_round(segments: Points) -> tuple[Points, Points]:
+    """Return the lower left and the upper right corner (n, 2) of the upright box round each segment (n, 4)."""
+    return np.minimum(segments[:, :2], segments[:, 2:]), np.maximum(segments[:, :2], segments[:, 2:])
 
 
 def _distance(place: NarrowestPoint) -> float:

@@ -1,10 +1,16 @@
-"""The narrowest point of a line is the same whether obstacles are measured together or one by one."""
+"""The narrowest point of a line is the same whether walls and obstacles are measured together or one by one."""
 
+import math
+from itertools import pairwise
+
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from app.world import clearance as module
 from app.world.clearance import Clearance
+from app.world.floorplan import MAX_LINE_POINTS, MAX_WALLS
 from app.world.obstacles import Box, Cylinder
 from app.world.scene import bundled_places
 
@@ -26,9 +32,10 @@ PLANS = {name: place.plan for name, place in bundled_places().items()}
 
 
 def least_of_each(walls, thickness, obstacles, line):
-    """Return the narrowest distance, with the walls and each obstacle measured by itself."""
-    each = [Clearance(walls, thickness, ()), *(Clearance((), thickness, [obstacle]) for obstacle in obstacles)]
-    return min(one.along(line).distance for one in each)
+    """Return the narrowest distance, with each piece of a wall and each obstacle measured by itself."""
+    each = [Clearance([piece], thickness, ()) for wall in walls for piece in pairwise(wall)]
+    each += [Clearance((), thickness, [obstacle]) for obstacle in obstacles]
+    return min((one.along(line).distance for one in each), default=math.inf)
 
 
 @given(
@@ -48,3 +55,17 @@ def test_the_paths_of_each_bundled_place(name):
     for path in plan.paths:
         least = least_of_each(plan.walls, plan.wall_thickness, plan.obstacles, path.points)
         assert clearance.along(path.points).distance == least
+
+
+def test_of_a_large_plan_few_walls_are_measured_for_each_piece_of_a_path(monkeypatch):
+    """All were: the largest plan that is accepted took 7 s to check, and the control process gave up."""
+    measured = []
+    between = module.between_segments
+    monkeypatch.setattr(
+        module, "between_segments", lambda piece, walls: measured.append(len(walls)) or between(piece, walls)
+    )
+    comb = [(5.0 + 0.0001 * number, 5.0 + 0.3 * (number % 2)) for number in range(MAX_WALLS + 1)]
+    line = np.linspace([0.0, 0.0], [3.0, 0.0], MAX_LINE_POINTS).tolist()
+    Clearance([comb], 0.1, ()).along(line)
+    assert measured[0] == MAX_WALLS
+    assert sum(measured[1:]) < 100 * len(line)
