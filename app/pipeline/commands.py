@@ -21,6 +21,7 @@ from app.process.command_channel import CommandServer
 from app.quantities import Document
 from app.realtime import collect_garbage
 from app.sentences import one_sentence
+from app.world.floorplan import LINES_ARE_FREE
 
 Answer = dict[str, Any]
 
@@ -95,7 +96,7 @@ class Commands:
         try:
             if word in NOT_MEANWHILE and self._openings.busy:
                 raise CommandRefused("Another device is being opened: wait a moment, then try again.")
-            answer = command.do(command.fields.model_validate(message), command_id)
+            answer = command.do(command.fields.model_validate(message, context=LINES_ARE_FREE), command_id)
         except ValidationError as error:
             self._server.refuse(command_id, f"{one_sentence(error, word)}.")
         except (CommandRefused, HardwareError) as refusal:

@@ -20,6 +20,8 @@ from app.pipeline.runs import require_room
 from app.pipeline.setup import CommandRefused
 from app.session.equipment.pairing import pair_shirt, shirt_key_file
 from app.speeds import HIGHEST_SPEEDS, Speeds
+from app.world.clearance import Clearance
+from app.world.floorplan import MAX_WALLS
 
 ONE_WAY = (Binding(control="u2+", gestures=("left_shoulder",)),)
 
@@ -346,3 +348,18 @@ def change_key(file, how):
     file.unlink()
     if how == "replaced":
         write_key(file, new_key(7))
+
+
+def test_a_floor_plan_is_not_measured_anew_between_two_ticks(control, monkeypatch):
+    """It was when it was saved; the largest one took so long that the process counted as hung, and Stop waited."""
+
+    def never(*_):
+        raise AssertionError("the paths were compared with the walls")
+
+    monkeypatch.setattr(Clearance, "along", never)
+    wall, line = [[5.0, 0.0], [5.0, 3.0]], [[0.0, 0.0], [3.0, 0.0]]
+    path = {"name": "main", "title": "Main", "points": line, "instruction": "Go."}
+    plan = {"name": "room", "title": "Room", "walls": [wall], "paths": [path]}
+    control.done("world", floorplan=plan, path="main")
+    assert control.setup.floorplan.name == "room"
+    assert "at most" in control.refused("world", floorplan=plan | {"walls": [wall * (MAX_WALLS // 2 + 1)]}, path="main")
