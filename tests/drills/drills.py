@@ -5,6 +5,7 @@ import random
 
 from drills.connections import silent_connections, uploads_of_nobody
 from drills.flood import sign_ins
+from drills.large_plans import large_plan
 from drills.machine import disk_full, wall_clock
 from drills.network_cuts import cuts
 from drills.network_faults import forgeries, recorded_switch, weather
@@ -44,6 +45,7 @@ DRILLS = {
     "names": (odd_names, 20, 1),
     "second-sender": (second_sender, 20, 1),
     "uploads": (upload_bombs, 34, 2),
+    "large-plan": (large_plan, 60, 4),
     "connections": (silent_connections, 15, 3),
     "nobody": (uploads_of_nobody, 5, 1),
 }

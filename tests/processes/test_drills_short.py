@@ -9,7 +9,7 @@ import random
 import pytest
 from drills.drills import DRILLS
 
-OF_ANSWERS = {"sign-ins", "uploads", "second-socket"}
+OF_ANSWERS = {"sign-ins", "uploads", "second-socket", "large-plan"}
 NAMES = [pytest.param(name, marks=[pytest.mark.long] if name in OF_ANSWERS else []) for name in DRILLS]
 
 
