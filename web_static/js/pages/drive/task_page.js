@@ -45,9 +45,35 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
     app.requestTrial({ floorplan: task.plan.name, path: task.path.name });
   };
   whenOther(app, ["trial", "everything"], { proposal, isRunning: false }, readWhatIsNext, signal);
-  const { obstacle = null } = app.session ?? {}; // the start of a trial would be refused for it
-  const followObstacle = () => isOther(app.session?.obstacle ?? null, obstacle) && app.show();
-  if (mayDrive) app.addEventListener("session", followObstacle, { signal });
+  const foot = h("div", { class: "foot" });
+  /** @param {EquipmentView} now @param {ObstacleView | null} obstacle what the start of a trial would be refused for */
+  const drawFoot = (now, obstacle) => {
+    const hadFocus = foot.contains(document.activeElement);
+    put(
+      foot,
+      h(
+        "span",
+        { class: "grow" },
+        bodyWords(now, obstacle),
+        " ",
+        mayDrive && !obstacle && now.shirt?.kind === "simulator" &&
+          h("a", { class: "btn bare small", href: "#/shirt" }, t("drive.body.change")),
+      ),
+      h("a", { class: "btn", href: taskLink("tasks", task) }, t("drive.choose")),
+      mayDrive && mainButton(now, obstacle, start, has3d),
+    );
+    if (hadFocus) /** @type {HTMLElement | null} */ (foot.querySelector(".btn.go"))?.focus();
+  };
+  let shown = app.session?.obstacle ?? null;
+  const followObstacle = async () => {
+    const obstacle = app.session?.obstacle ?? null;
+    if (!isOther(obstacle, shown)) return;
+    shown = obstacle;
+    const now = await app.api.get("/equipment").catch(() => equipment);
+    if (!signal.aborted && shown === obstacle) drawFoot(now, obstacle);
+  };
+  drawFoot(equipment, shown);
+  app.addEventListener("session", followObstacle, { signal });
   put(
     root,
     h(
@@ -67,20 +93,7 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
         mayDrive && placeLink("plans", "#/plans", h("span", {}, t("drive.place.plans.state"))),
       ),
     ),
-    h(
-      "div",
-      { class: "foot" },
-      h(
-        "span",
-        { class: "grow" },
-        bodyWords(equipment, obstacle),
-        " ",
-        mayDrive && !obstacle && equipment.shirt?.kind === "simulator" &&
-          h("a", { class: "btn bare small", href: "#/shirt" }, t("drive.body.change")),
-      ),
-      h("a", { class: "btn", href: taskLink("tasks", task) }, t("drive.choose")),
-      mayDrive && mainButton(equipment, obstacle, start, has3d),
-    ),
+    foot,
   );
 }
 
