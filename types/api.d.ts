@@ -2683,7 +2683,7 @@ export interface paths {
                         [name: string]: unknown;
                     };
                     content: {
-                        "application/json": components["schemas"]["TrialView"][];
+                        "application/json": components["schemas"]["ListedTrial"][];
                     };
                 };
             };
@@ -6426,6 +6426,25 @@ export interface components {
             expires: string;
             words: string;
         };
+        ListedTrial: {
+            id: number;
+            number: number;
+            patient_id: number;
+            floorplan: string;
+            floorplan_title: string;
+            path: string;
+            started: string;
+            status: string;
+            end: string | null;
+            kept: boolean;
+            discard_reason: string | null;
+            source: components["schemas"]["SourceView"];
+            measures: {
+                [key: string]: unknown;
+            } | null;
+            origin: components["schemas"]["OriginView"] | null;
+            compared_in: number | null;
+        };
         LogCheckView: {
             whole: boolean;
             rows: number;
@@ -7587,6 +7606,7 @@ export type LevelView = components['schemas']['LevelView'];
 export type Lifting = components['schemas']['Lifting'];
 export type Lights = components['schemas']['Lights'];
 export type LinkView = components['schemas']['LinkView'];
+export type ListedTrial = components['schemas']['ListedTrial'];
 export type LogCheckView = components['schemas']['LogCheckView'];
 export type LogEntryView = components['schemas']['LogEntryView'];
 export type LogView = components['schemas']['LogView'];

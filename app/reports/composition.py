@@ -26,7 +26,7 @@ from app.store.records.session_record import Scale
 EXPLANATION: Final = (
     "Noise is how much this person’s own trials of the task differ without a change; where nothing changed, about one "
     "page in twenty says otherwise by chance. A trial that missed the goal counts as no better than the worst tenth of "
-    "those before it that reached it. The first three trials on a task’s first two days are for getting used to it and "
+    "those before it that reached it. The first three trials of a task are for getting used to it and "
     "are not compared. No minimal detectable change has been published for these measures of wheelchair driving."
 )
 NO_GOAL: Final = "No goal was written down."

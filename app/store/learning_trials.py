@@ -1,8 +1,7 @@
 """The trials of a learning curve, each with its session and the version of the map that it was driven with."""
 
 from collections import Counter
-from collections.abc import Sequence
-from datetime import date, datetime
+from collections.abc import Hashable, Iterable, Sequence
 from typing import Any, NamedTuple
 
 from sqlalchemy import JSON, ColumnElement, func, select, true
@@ -12,8 +11,7 @@ from app.source import SourceGroup, source_words
 from app.store.records.consents import has_consented
 from app.store.tables import Parameters, Patient, PatientSession, Profile, Run, Trial
 
-FAMILIARISATION = 3  # first trials of a task on one of its first days, in which a person gets used to it
-FAMILIARISATION_DAYS = 2  # later days begin where the last one ended, as far as a verdict can tell
+FAMILIARISATION = 3  # first trials of a task with one kind of source, in which a person gets used to it
 SIMULATED: dict[SourceGroup, bool | None] = {"worn": False, "simulated": True, "unknown": None}
 MOST_TRIALS = 2000  # the newest, that the clinic's median is of
 
@@ -25,7 +23,7 @@ class CountedTrial(NamedTuple):
     session: int  # number of the session: 1, 2, 3 ... per patient
     profile_version: int
     origin: str  # of that version: calibration, adaptation, back
-    familiarisation: bool  # one of the first three of its task and source on one of the first two days
+    familiarisation: bool  # one of the first three of its task and source
 
     @property
     def group(self) -> SourceGroup:
@@ -57,7 +55,7 @@ def counted_trials(db: Session, clinic_id: int, patient_id: int, floorplan: str,
         .where(Trial.patient_id == patient_id, *_measured(clinic_id, floorplan, path))
         .order_by(Trial.id)
     ).all()
-    familiarisation = _familiarisation([(trial.id, trial.started, trial.run.source.group) for trial, *_ in found])
+    familiarisation = _familiarisation((trial.id, trial.run.source.group) for trial, *_ in found)
     return [CountedTrial(*row, row[0].id in familiarisation) for row in found if row[0].kept]
 
 
@@ -70,7 +68,7 @@ def trials_of_everybody(
 
     The rows hold numbers only: `id`, `number`, `session`, `familiarisation` and the measures.
     """
-    columns = (Trial.patient_id, Trial.id, Trial.number, Trial.started, Trial.kept, Trial.measures)
+    columns = (Trial.patient_id, Trial.id, Trial.number, Trial.kept, Trial.measures)
     found = db.execute(
         select(*columns, PatientSession.number.label("session"))
         .join(PatientSession, PatientSession.id == Trial.session_id)
@@ -105,7 +103,7 @@ def _may_be_used(group: SourceGroup) -> ColumnElement[bool]:
 
 
 def _numbers(rows: Sequence[Any], group: SourceGroup) -> list[dict[str, Any]]:
-    familiarisation = _familiarisation([(row.id, row.started, group) for row in rows])
+    familiarisation = _familiarisation((row.id, group) for row in rows)
     return [
         {
             **(row.measures or {}),
@@ -130,23 +128,24 @@ def _measured(clinic_id: int, floorplan: str, path: str) -> tuple[ColumnElement[
     )
 
 
-def _familiarisation(trials: Sequence[tuple[int, datetime, SourceGroup]]) -> set[int]:
-    """Return the ids of the first three trials on each of the first two days of each source.
+def compared_trials(trials: Sequence[Trial]) -> set[int]:
+    """Return the ids of those of a patient's trials, in the order driven, that verdicts compare."""
+    measured = [trial for trial in trials if trial.status == "done" and trial.measures is not None]
+    familiarisation = _familiarisation(
+        (trial.id, (trial.floorplan, trial.path, trial.run.source.group)) for trial in measured
+    )
+    return {trial.id for trial in measured if trial.kept} - familiarisation
 
-    Days are those of this machine's calendar.
 
-    `trials` are one person's on one path, in the order driven. A discarded trial counts: it was practice, too.
+def _familiarisation(trials: Iterable[tuple[int, Hashable]]) -> set[int]:
+    """Return the ids of the first three trials of each kind.
+
+    `trials` are one person's with their kind, in the order driven. A discarded trial counts: it was practice, too.
     """
-    days = [(group, started.astimezone().date()) for _, started, group in trials]
-    first_days = {
-        day
-        for group in {group for group, _ in days}
-        for day in sorted({one for one in days if one[0] == group})[:FAMILIARISATION_DAYS]
-    }
-    driven: Counter[tuple[SourceGroup, date]] = Counter()
+    driven: Counter[Hashable] = Counter()
     found = set()
-    for (own, _, _), day in zip(trials, days, strict=True):
-        driven[day] += 1
-        if day in first_days and driven[day] <= FAMILIARISATION:
+    for own, kind in trials:
+        driven[kind] += 1
+        if driven[kind] <= FAMILIARISATION:
             found.add(own)
     return found

@@ -1,6 +1,5 @@
 """The trials of a learning curve, and the map that each was driven with."""
 
-from datetime import timedelta
 from typing import Any
 
 import pytest
@@ -10,12 +9,18 @@ from sqlalchemy.orm import Session
 from app.calibration.profile import CalibrationProfile
 from app.clock import utc_now
 from app.source import UNKNOWN_SOURCE, Source
-from app.store.learning_trials import count_of_everybody, counted_trials, prior_consents, trials_of_everybody
+from app.store.learning_trials import (
+    compared_trials,
+    count_of_everybody,
+    counted_trials,
+    prior_consents,
+    trials_of_everybody,
+)
 from app.store.parameters import current_parameters, save_profile
 from app.store.patients import add_patient
 from app.store.records.consents import give_consent
-from app.store.runs import add_run, add_trial, finish_trial, keep_trial
-from app.store.tables import Clinic, Patient, PatientSession, Trial
+from app.store.runs import add_run, add_trial, finish_trial, keep_trial, trials_of
+from app.store.tables import Clinic, Patient, PatientSession
 
 
 @pytest.fixture
@@ -98,23 +103,23 @@ def test_only_measured_and_kept_trials_of_this_path_count(
     assert counted_trials(db, patient.clinic_id + 1, patient.id, "clinic", "corridor") == []
 
 
-def test_the_first_three_on_the_first_two_days_of_a_source_are_for_getting_used_to_the_task(
+def test_the_first_three_of_a_task_and_source_are_for_getting_used_to_it(
     db: Session, patient: Patient, profile: CalibrationProfile
 ) -> None:
-    session = add_session(db, patient, 1)
-    save_profile(db, patient.id, session.id, profile)
+    """They were the first three of each of two days: sessions of three trials lost six."""
+    sessions = [add_session(db, patient, number) for number in (1, 2)]
+    save_profile(db, patient.id, sessions[0].id, profile)
     worn = Source(shirt="udp", body=None, chair="virtual", simulated=False)
-    noon = utc_now().astimezone().replace(hour=12)
     ids = []
-    for place in range(14):
+    for place in range(8):
         source = worn if place == 2 else UNKNOWN_SOURCE
-        trial = db.get_one(Trial, drive(db, patient, session, f"run{place}", {"dist": 10.0}, source))
-        trial.started = noon - timedelta(days=2 if place < 6 else 1 if place < 10 else 0)
-        ids.append(trial.id)
+        measures = None if place == 6 else {"dist": 10.0}
+        ids.append(drive(db, patient, sessions[place > 1], f"run{place}", measures, source))
     keep_trial(db, patient.clinic_id, ids[0], "tired")  # it was practice all the same
     found = counted_trials(db, patient.clinic_id, patient.id, "clinic", "corridor")
-    used = [one.trial.id for one in found if one.familiarisation]
-    assert used == [ids[1], ids[2], ids[3], ids[6], ids[7], ids[8]]
+    assert [one.trial.id for one in found if one.familiarisation] == [ids[1], ids[2], ids[3]]
+    compared = compared_trials(trials_of(db, patient.clinic_id, patient.id))
+    assert compared == {one.trial.id for one in found if not one.familiarisation} == {ids[4], ids[5], ids[7]}
 
 
 def test_everybody_is_every_patient_but_the_deleted_with_numbers_only(

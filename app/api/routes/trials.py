@@ -23,6 +23,7 @@ from app.refusals import Conflict, NotFound, Unavailable
 from app.scoring.control_quality import ControlQuality
 from app.session.run_watch import Starter
 from app.store.database import Transaction
+from app.store.learning_trials import compared_trials
 from app.store.log import log_viewing, write_log
 from app.store.patients import find_patient
 from app.store.records.import_tables import PatientImport
@@ -75,6 +76,12 @@ class TrialView(Answer):
     source: SourceView
     measures: dict[str, Any] | None
     origin: OriginView | None = None  # null: driven in this clinic
+
+
+class ListedTrial(TrialView):
+    """A trial beside all others of its patient."""
+
+    compared_in: int | None  # id of its session; null: no verdict compares it
 
 
 class TrajectoryView(Answer):
@@ -160,14 +167,19 @@ async def end_trial(body: EndTrial, who: Clinician, parts: PeopleParts, web: Web
 
 
 @router.get("/trials")
-def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, parts: PeopleParts) -> list[TrialView]:
+def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, parts: PeopleParts) -> list[ListedTrial]:
     """List a patient's trials, the newest last."""
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient)
         log_viewing(db, who.name, patient)
         origins = origins_of(db, patient)
         found = trials_of(db, who.clinic_id, patient)
-        return [_from(origins.get(trial.session_id), TrialView.of(trial)) for trial in found]
+        compared = compared_trials(found)
+        views = [_from(origins.get(trial.session_id), TrialView.of(trial)) for trial in found]
+        return [
+            ListedTrial(**dict(view), compared_in=trial.session_id if trial.id in compared else None)
+            for trial, view in zip(found, views, strict=True)
+        ]
 
 
 @router.get("/trials/{trial_id}")

@@ -1,5 +1,6 @@
 """Verdicts in the answers of the API: the same word for everybody, and none where trials cannot be compared."""
 
+from collections import Counter
 from datetime import date
 from typing import Any
 
@@ -55,11 +56,11 @@ def task(clinic: Any, **more: str) -> Any:
     return clinic.good("GET", f"/patients/{clinic.heron}/learning", params=query)
 
 
-def test_the_newest_session_is_better_than_noise_and_the_first_trials_of_a_day_do_not_count(course: Any) -> None:
+def test_the_newest_session_is_better_than_noise_and_the_first_trials_of_the_task_do_not_count(course: Any) -> None:
     answer = task(course)
     days = [date.fromisoformat(row["started"][:10]) for row in answer["trials"]]
     assert [(day - days[0]).days for day in days] == [7 * session for session in range(4) for _ in range(7)]
-    assert [row["familiarisation"] for row in answer["trials"]] == ([True] * 3 + [False] * 4) * 2 + [False] * 14
+    assert [row["familiarisation"] for row in answer["trials"]] == [True] * 3 + [False] * 25
     before, first = answer["verdicts"]["sessions"]
     assert (before["earlier"], first["earlier"], before["later"], before["trials"]) == (3, 1, 4, [7, 7])
     assert before["verdicts"]["e_diff"]["word"] == first["verdicts"]["e_diff"]["word"] == "better"
@@ -81,19 +82,27 @@ def test_the_curve_of_one_measure_is_that_of_all_of_them(course: Any) -> None:
 
 def test_a_trial_has_its_verdict_against_the_one_before_and_against_a_chosen_one(course: Any) -> None:
     ids = course.course
-    plain = course.good("GET", f"/trials/{ids[-1]}/verdicts")
-    assert (plain["earlier"], plain["verdicts"]["e_diff"]["word"]) == (ids[-2], "within")
+    plain = course.good("GET", f"/trials/{ids[-2]}/verdicts")
+    assert (plain["earlier"], plain["verdicts"]["e_diff"]["word"]) == (ids[-3], "within")
     chosen = course.good("GET", f"/trials/{ids[-1]}/verdicts", params={"against": ids[-8]})
     assert (chosen["earlier"], chosen["verdicts"]["e_diff"]["word"]) == (ids[-8], "better")
-    used = course.good("GET", f"/trials/{ids[7]}/verdicts")  # the first one of the second day
-    assert (used["earlier"], used["familiarisation"], used["verdicts"]) == (None, [ids[7]], {})
+    used = course.good("GET", f"/trials/{ids[2]}/verdicts")
+    assert (used["earlier"], used["familiarisation"], used["verdicts"]) == (None, [ids[2]], {})
 
 
-def test_a_discarded_trial_has_no_verdict_and_the_others_keep_their_place_on_the_day(course: Any) -> None:
+def test_the_list_says_in_which_session_a_trial_is_compared(course: Any) -> None:
+    """The page that chose the task to show first counted by days what verdicts count by sessions."""
+    listed = course.good("GET", "/trials", params={"patient": course.heron})
+    assert [row["id"] for row in listed if row["compared_in"] is None] == course.course[:3]
+    assert list(Counter(row["compared_in"] for row in listed).values()) == [3, 4, 7, 7, 7]
+
+
+def test_a_discarded_trial_has_no_verdict_and_the_others_keep_their_place(course: Any) -> None:
     ids = course.course
-    course.good("POST", f"/trials/{ids[7]}/discard", json={"reason": "practice"})
-    assert course.good("GET", f"/trials/{ids[7]}/verdicts")["verdicts"] == {}
-    assert course.good("GET", f"/trials/{ids[10]}/verdicts")["familiarisation"] == []
+    course.good("POST", f"/trials/{ids[1]}/discard", json={"reason": "practice"})
+    assert course.good("GET", f"/trials/{ids[1]}/verdicts")["verdicts"] == {}
+    assert course.good("GET", f"/trials/{ids[2]}/verdicts")["familiarisation"] == [ids[2]]
+    assert course.good("GET", f"/trials/{ids[3]}/verdicts")["familiarisation"] == []
 
 
 def test_trials_of_different_people_or_sources_are_refused_in_one_sentence(course: Any) -> None:

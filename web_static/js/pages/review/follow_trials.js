@@ -1,12 +1,12 @@
 /**
  * Keeps a list of trials up to date: a trial begins, ends, counts or counts no more while somebody looks at it.
- * @import { TrialView } from "types/api"
+ * @import { ListedTrial } from "types/api"
  */
 
 /**
  * Read the trials of a patient again after news of trials, and call `onChange` with a list that differs from the last.
- * @param {import("../../main.js").App} app @param {number} patient id @param {TrialView[]} trials as they were read
- * @param {(trials: TrialView[]) => void} onChange @param {AbortSignal} signal
+ * @param {import("../../main.js").App} app @param {number} patient id @param {ListedTrial[]} trials as they were read
+ * @param {(trials: ListedTrial[]) => void} onChange @param {AbortSignal} signal
  */
 export function followTrials(app, patient, trials, onChange, signal) {
   let last = trials;

@@ -1,13 +1,11 @@
 /**
  * The paths that a patient has driven: which, in what order, and in what words.
- * @import { FloorPlanView, TrialView } from "types/api"
+ * @import { FloorPlanView, ListedTrial, TrialView } from "types/api"
  * @typedef {{key: string, floorplan: string, name: string, title: string}} PathChoice
  */
 
 import { GROUPS, groupOf } from "../../results/source_group.js";
 
-const GETTING_USED = 3; // first trials of a day that are not compared,
-const FIRST_DAYS = 2; // on the first days of a task
 const NEEDED = 5; // compared trials without which a verdict is “too few trials”
 
 /** Which path a trial was driven on. @param {{floorplan: string, path: string}} trial */
@@ -33,33 +31,21 @@ export function pathsOf(trials) {
 
 /**
  * The path that is shown first: the last driven of those with enough trials for a verdict, else of those in which two
- * days can be compared, else of all.
- * @param {PathChoice[]} paths the last driven last @param {TrialView[]} trials
+ * sessions can be compared, else of all.
+ * @param {PathChoice[]} paths the last driven last @param {ListedTrial[]} trials
  */
 export function firstPath(paths, trials) {
   /** @param {PathChoice} path @param {number} needed trials */
   const isCompared = ({ key }, needed) =>
     GROUPS.some((group) => {
-      const days = comparedDays(trials.filter((one) => keyOf(one) === key && groupOf(one) === group));
-      return days.length > 1 && days.reduce((sum, count) => sum + count) >= needed;
+      const own = trials.filter((one) => keyOf(one) === key && groupOf(one) === group && one.compared_in !== null);
+      return new Set(own.map((one) => one.compared_in)).size > 1 && own.length >= needed;
     });
   return (
     paths.findLast((path) => isCompared(path, NEEDED)) ??
     paths.findLast((path) => isCompared(path, 2)) ??
     paths[paths.length - 1]
   );
-}
-
-/**
- * How many trials can be compared of each day that has such trials. A discarded trial was practice, too.
- * @param {TrialView[]} trials of one task and source, in the order driven
- */
-function comparedDays(trials) {
-  const measured = trials.filter(({ measures }) => measures);
-  const days = Map.groupBy(measured, ({ started }) => new Date(started).toDateString());
-  return [...days.values()]
-    .map((one, place) => one.slice(place < FIRST_DAYS ? GETTING_USED : 0).filter(({ kept }) => kept).length)
-    .filter((count) => count > 0);
 }
 
 /** Sort by place and level as on the Drive page, then by task; paths that no longer exist come last. @param {PathChoice[]} paths @param {FloorPlanView[]} plans */

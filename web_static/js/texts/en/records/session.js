@@ -83,7 +83,7 @@ export default {
   "record.compare.trials": "Trials of session {number}: driven {driven}, counting {counted}, compared {compared}.",
   "record.compare.tests": "Session {number}: complete tests: {complete}.",
   "record.compare.tests.newest": "The newest complete one of each stands here.",
-  "record.compare.none": "No trial of this task can be compared: the first three on the first two days are for getting used to it. Drive it again in another session.",
+  "record.compare.none": "No trial of this task can be compared: the first three are for getting used to it. Drive it again in another session.",
   "record.compare.range": "({low} to {high})",
   "record.compare.spread": "Each figure is the median; half of the trials lie within the range in brackets.",
   "record.compare.task": "{plan}: {path}",

@@ -10,7 +10,7 @@ export default {
   "verdict.column": "Verdict",
   "verdict.noise": "Within noise",
   "verdict.familiarisation":
-    "This is one of the first three trials of this task on one of its first two days. They are for getting used to the task and are not compared.",
+    "This is one of the first three trials of this task. They are for getting used to the task and are not compared.",
   "verdict.means":
     "Noise is how much this person's own trials of this task differ without a change. A verdict needs five trials of the task in all, and from one session to the next also earlier sessions, or three other people of the clinic who did the task.",
   "verdict.chance":
@@ -24,11 +24,11 @@ export default {
   "verdict.session": "Session {number}",
   "verdict.all": "All measures",
   "verdict.counts": {
-    one: "{count} of the {all} trials of this task can be compared: the first three on the first two days are for getting used to it.",
-    other: "{count} of the {all} trials of this task can be compared: the first three on the first two days are for getting used to it.",
+    one: "{count} of the {all} trials of this task can be compared: the first three are for getting used to it.",
+    other: "{count} of the {all} trials of this task can be compared: the first three are for getting used to it.",
   },
   "verdict.counts.none":
-    "No trial of this task can be compared yet ({all} driven): the first three on the first two days are for getting used to it.",
+    "No trial of this task can be compared yet ({all} driven): the first three are for getting used to it.",
   "verdict.needed": "A verdict needs {count} that can be compared, from two sessions together: drive this task again.",
   "verdict.few": { one: "{count} trial can be compared so far, {needed} are needed.", other: "{count} trials can be compared so far, {needed} are needed." },
   "verdict.few.sessions":
