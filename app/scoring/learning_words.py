@@ -8,7 +8,7 @@ from app.number_words import amount, with_minus
 from app.scoring.learning_fit import MIN_TRIALS, MIN_TRIALS_FOR_CONSTANT, LearningCurve
 from app.scoring.retention import Change, Retention
 from app.scoring.trend import theil_sen
-from app.scoring.verdict.change_over_sessions import LEVEL, CourseChange
+from app.scoring.verdict.change_over_sessions import CourseChange
 from app.scoring.verdict.measure_comparison import COMPARISONS
 from app.scoring.verdict.measure_verdict import VERDICT_WORDS
 
@@ -126,8 +126,8 @@ def details(name: str, learning: LearningCurve, change: CourseChange) -> str:
     if change.p_value is not None:
         p = "p < 0.001" if change.p_value < 0.001 else f"p = {change.p_value:.2g}"
         said += (
-            f" The last third of the sessions against the first, beside this person's own noise: {p}; "
-            f"a change has p < {LEVEL:.2g}."
+            " The last third of the sessions against the first, or the newest against those before, beside this "
+            f"person's own noise: {p}; a change has p < {change.level:.2g}."
         )
     return f"{said}{_slope(measure, learning, change)} {_form(measure, learning)}"
 

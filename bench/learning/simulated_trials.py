@@ -22,7 +22,8 @@ class Course(NamedTuple):
     change: Callable[[int, int], float] = lambda _session, _number: 0.0  # of the logarithm of every measure
     limit: float = math.inf  # of the area over its level: above it the trial misses the goal
     missed: Callable[[int], float] = lambda _session: 0.0  # probability of a miss for another reason
-    correlation: float = 0.0  # of the noise of a trial with that of the one before
+    correlation: float = 0.0  # of the noise of a trial with that of the one before, also over a pause
+    changes: int | None = None  # how many measures change, the first ones; None: all
 
 
 def trials(rng: np.random.Generator, within: float, between: float, course: Course, names: Sequence[str]) -> list[Row]:
@@ -35,10 +36,10 @@ def trials(rng: np.random.Generator, within: float, between: float, course: Cour
         {"id": int(n), "number": int(n), "session": int(s), "familiarisation": False, "reached": True}
         for s, n in zip(session, number, strict=True)
     ]
-    for name in names:
+    for place, name in enumerate(names):
         noise = correlated(rng, len(session), course.correlation)
         value = sizes[0] * rng.normal(0.0, 1.0, len(course.layout))[session - 1] + sizes[1] * noise
-        value += change
+        value += change * (course.changes is None or place < course.changes)
         for row, one in zip(rows, value, strict=True):
             row[name] = math.exp(one)
     for row in rows:

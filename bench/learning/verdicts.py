@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from app.scoring.verdict.measure_comparison import least_spread
 from app.scoring.verdict.measure_verdict import clinic_spreads, compare, noise_of, people_variances, series_of
 from app.scoring.verdict.spread import Spread, own_spread, pool_spreads
-from bench.learning.words_told import print_pages
+from bench.learning.words_told import print_deteriorations, print_levels, print_pages
 
 MEASURE = "e_diff"
 LEVEL = 3.0  # m2
@@ -104,26 +104,21 @@ def judge(rng: np.random.Generator, person: Person, layout: Sequence[int], clini
         later, earlier = series.session == len(layout), series.session == len(layout) - 1
     plain = compare(MEASURE, series, earlier, later, clinic)
     counts = int(earlier.sum()), int(later.sum())
-    spread = pool_spreads(
-        *own_spread(series.where(~later), series.where(later), least_spread(MEASURE, series.value)), clinic
-    )
+    own = own_spread(series.where(~later), series.where(later), least_spread(MEASURE, series.value))
+    spread = pool_spreads(own, clinic)
     noise = noise_of(spread, *counts, same_session=len(layout) == 1)
     if plain is None or noise is None:
         raise RuntimeError("a verdict is missing")
     within, between = (math.log1p(part**2) for part in person)
     truth = within * (1 / counts[0] + 1 / counts[1]) + (0.0 if len(layout) == 1 else 2 * between)
-    t = noise.mdc / math.sqrt(_variance(spread, counts, one_session=len(layout) == 1))
+    estimated = spread.of_difference(0.0 if len(layout) == 1 else 2.0, 1 / counts[0] + 1 / counts[1])
+    t = noise.mdc / math.sqrt(estimated.value)
     words = []
     for mdc in (noise.mdc, t * math.sqrt(truth)):
         changed = series._replace(value=series.value - 2 * mdc * later)
         verdict = compare(MEASURE, changed, earlier, later, clinic)
         words.append(verdict is not None and verdict.word == "better")
     return Outcome(plain.word in ("better", "worse"), *words)
-
-
-def _variance(spread: Spread, counts: tuple[int, int], *, one_session: bool) -> float:
-    between = 0.0 if one_session else 2 * spread.session.value
-    return between + spread.trial.value * (1 / counts[0] + 1 / counts[1])
 
 
 def outcomes(
@@ -185,6 +180,7 @@ def learners(people: int, seed: int = 1) -> Iterator[tuple[str, float]]:
 
 def main(
     people: Annotated[int, typer.Option(min=20, help="Simulated people of each row.")] = 1000,
+    seed: Annotated[int, typer.Option(help="The people whose pages are judged.")] = 1,
 ) -> None:
     """Print the tables of docs/learning/verdicts.md."""
     print_verdicts(people)
@@ -192,7 +188,10 @@ def main(
     typer.echo("")
     for words, share in learners(people):
         typer.echo(f"learning people, {words}: {share:.1%}")
-    print_pages(max(people // 5, 20), clinics(np.random.default_rng(1)))
+    offers = clinics(np.random.default_rng(seed))
+    print_pages(people, offers, seed)
+    print_levels(people, offers, seed)
+    print_deteriorations(people, offers, seed)
 
 
 if __name__ == "__main__":

@@ -18,8 +18,9 @@ from bench.learning.simulated_trials import LEADING, Course, Row, trials
 
 CHANGE = ("better", "worse")
 AREA = LEADING[:1]
+LEVELS = (0.01, 0.02, 0.03, 0.04, 0.06, 0.1)
 LONG = (5,) * 20
-THREES = (3,) * 6  # eight sessions of three trials, of which the first two are for getting used to the task
+THREES = (3,) * 7  # eight sessions of three trials, of which the first is for getting used to the task
 
 
 def words_on_page(rows: list[Row], clinic: dict[str, Spread]) -> set[str]:
@@ -33,6 +34,13 @@ def words_on_page(rows: list[Row], clinic: dict[str, Spread]) -> set[str]:
         "deterioration": bool(found.deterioration),
     }
     return {place for place, told in is_told.items() if told}
+
+
+def least_of_course(rows: list[Row], clinic: dict[str, Spread]) -> float:
+    """Return the smallest level at which the sentence on all sessions tells a change in one of the measures."""
+    leading = leading_of_task(rows)
+    p_values = [course_change(name, rows, leading, clinic).p_value for name in leading]
+    return len(leading) * min((one for one in p_values if one is not None), default=1.0)
 
 
 def alarms_of(rows: list[Row], clinic: dict[str, Spread]) -> tuple[bool, bool]:
@@ -93,6 +101,7 @@ def worse(session: int, _number: int) -> float:
 
 DETERIORATIONS = {
     "steady": Course(LONG, steady),
+    "steady, trials correlated by 0.5": Course(LONG, steady, correlation=0.5),
     "learning": Course(LONG, learning),
     "30 % worse from session 11 on": Course(LONG, lambda session, _: math.log(1.3) * (session > 10)),
     "60 % worse from session 11 on": Course(LONG, worse),
@@ -108,33 +117,51 @@ DETERIORATIONS = {
 UNCHANGED = {
     "4 sessions of 5": Course((5,) * 4),
     "10 sessions of 5": Course((5,) * 10),
-    "6 sessions of 3": Course(THREES),
+    "7 sessions of 3": Course(THREES),
     "6 sessions of 5, trials correlated by 0.5": Course((5,) * 6, correlation=0.5),
+    "7 sessions of 3, trials correlated by 0.5": Course(THREES, correlation=0.5),
+    "10 sessions of 5, trials correlated by 0.5": Course((5,) * 10, correlation=0.5),
     "1 session of 28, trials correlated by 0.5": Course((28,), correlation=0.5),
     "4 sessions of 5, 3 in 10 missed": Course((5,) * 4, missed=lambda _: 0.3),
 }
 CHANGED = {
-    "half of the level in the newest session": Course(THREES, lambda session, _: math.log(0.5) * (session > 5)),
-    "half of the level, evenly over the sessions": Course(THREES, lambda session, _: math.log(0.5) * (session + 1) / 7),
-    "half of the level in the last four sessions": Course(THREES, lambda session, _: math.log(0.5) * (session > 2)),
+    "half of the level in the newest session": Course(THREES, lambda session, _: math.log(0.5) * (session > 6)),
+    "half of the level, evenly over the sessions": Course(THREES, lambda session, _: math.log(0.5) * session / 7),
+    "half of the level in the last four sessions": Course(THREES, lambda session, _: math.log(0.5) * (session > 3)),
 }
 
+CHANGED_IN_ONE = {f"{title}, in one measure": course._replace(changes=1) for title, course in CHANGED.items()}
 
-def print_pages(people: int, offers: Sequence[Spread]) -> None:
+
+def print_pages(people: int, offers: Sequence[Spread], seed: int) -> None:
     """Print the shares of people of whom something is said."""
-    clinics = People(people, offers), People(people, ())
-    typer.echo("\n| without a change | others | words on sessions | sentence on all | deterioration | any of a page |")
+    clinics = People(people, offers, seed), People(people, (), seed)
+    typer.echo("\n| three measures | others | words on sessions | sentence on all | deterioration | any of a page |")
     typer.echo("|---|---|---|---|---|---|")
-    for courses, names in ((UNCHANGED, (LEADING,)), (CHANGED, (AREA, LEADING))):
-        for title, course in courses.items():
-            for measures in names:
-                for group in clinics:
-                    shares = " | ".join(f"{share:.0%}" for share in group.words(course, measures).values())
-                    others = "a clinic's median" if group.offers else "none"
-                    of = "one measure" if measures is AREA else "three measures"
-                    typer.echo(f"| {title} | {of}, {others} | {shares} |")
+    for title, course in (UNCHANGED | CHANGED_IN_ONE | CHANGED).items():
+        for group in clinics:
+            shares = " | ".join(f"{share:.1%}" for share in group.words(course).values())
+            typer.echo(f"| {title} | {'a clinic' if group.offers else 'none'} | {shares} |")
+
+
+def print_levels(people: int, offers: Sequence[Spread], seed: int) -> None:
+    """Print what the sentence on all sessions would say at other levels."""
+    typer.echo(f"\n| 7 sessions of 3 | others | {' | '.join(f'{level:.0%}' for level in LEVELS)} |")
+    typer.echo("|---|---|" + "---|" * len(LEVELS))
+    titles = ("7 sessions of 3", "7 sessions of 3, trials correlated by 0.5")
+    courses = {title: UNCHANGED[title] for title in titles} | CHANGED_IN_ONE | CHANGED
+    for title, course in courses.items():
+        for group in (People(people, offers, seed), People(people, (), seed)):
+            found = np.array([least_of_course(*one) for one in group.rows(course)])
+            shares = " | ".join(f"{np.mean(found <= level):.1%}" for level in LEVELS)
+            typer.echo(f"| {title} | {'a clinic' if group.offers else 'none'} | {shares} |")
+
+
+def print_deteriorations(people: int, offers: Sequence[Spread], seed: int) -> None:
+    """Print the shares of people who are called worse."""
+    group = People(people, offers, seed)
     typer.echo("\n| 20 sessions of 5 | trials missed | called worse at any time | at the end |")
     typer.echo("|---|---|---|---|")
     for title, course in DETERIORATIONS.items():
-        missed, ever, at_end = clinics[0].alarms(course, LEADING if title.startswith("steady") else AREA)
+        missed, ever, at_end = group.alarms(course, LEADING if title.startswith("steady") else AREA)
         typer.echo(f"| {title} | {missed:.0%} | {ever:.0%} | {at_end:.0%} |")

@@ -10,7 +10,7 @@ from app.quantities import Document
 from app.scoring.verdict.leading_measures import LEADING_OF_TESTS
 from app.scoring.verdict.measure_comparison import INTERFACE_COMPARISONS, least_spread, to_scale
 from app.scoring.verdict.measure_verdict import FEWEST, Difference, Verdict, variance_of, verdicts_on
-from app.scoring.verdict.spread import Series, Spread, Variance, own_spread
+from app.scoring.verdict.spread import OwnSpread, Series, Variance, own_spread
 
 LEVEL: Final = 0.025  # of all words on two tests; a page compares the newest with the one before and with the first
 Tests = Sequence[Mapping[str, Any]]
@@ -64,7 +64,7 @@ def _difference(name: str, tests: Tests, place: int) -> Difference | None:
     if len(found) >= FEWEST:
         # Each test stands for itself, as a session of one trial: what differs from test to test is the noise.
         series = Series(numbers, np.arange(len(found)), values)
-        spread, _ = own_spread(series.where(series.session < len(found) - 1))
-        between = Variance(max(spread.session.value, least_spread(name, values) ** 2), spread.session.df)
-        variance = variance_of(Spread(Variance(0.0, math.inf), between), (1, 1), (1, 1))
+        known = own_spread(series.where(series.session < len(found) - 1)).mean
+        mean = Variance(max(known.value, least_spread(name, values) ** 2), known.df)
+        variance = variance_of(OwnSpread(Variance(0.0, math.inf), mean, 1.0), (1, 1), (1, 1))
     return Difference(then, now, len(found), variance)

@@ -166,5 +166,4 @@ def _spread(figure: str, before: Sequence[float]) -> Variance:
     steps = np.diff(np.asarray(before, dtype=np.float64)) / math.sqrt(2.0)
     place = np.arange(len(steps))
     usual = Spread(Variance(0.0, CLINIC_WEIGHT), Variance(USUAL[figure] ** 2, CLINIC_WEIGHT))
-    own, share = own_spread(Series(place.astype(np.float64), place, steps))
-    return pool_spreads(own, share, usual).session
+    return pool_spreads(own_spread(Series(place.astype(np.float64), place, steps)), usual).mean

@@ -11,14 +11,14 @@ from app.scoring.verdict.leading_measures import leading_of_task
 from app.scoring.verdict.measure_comparison import COMPARISONS, Rows, least_spread
 from app.scoring.verdict.measure_verdict import series_of
 from app.scoring.verdict.reaching import REACHED, Counts, counts_of, fewer_than_foretold
-from app.scoring.verdict.spread import Series, Spread, fit_curve, own_spread, pool_spreads, weighted_sum
+from app.scoring.verdict.spread import Series, Spread, fit_curve, own_spread, pool_spreads
 
 EARLIER_SESSIONS = 2  # before the sessions that are judged
 EARLIER_TRIALS = 5
 LATER_SESSIONS = 2  # that are judged together at least: one bad day is no deterioration
 # Standard deviations; chosen so that in three measures and in reaching together at most 8 % of steady people are called
 # worse at any time within twenty sessions (docs/learning/verdicts.md).
-LIMIT = 3.3
+LIMIT = 3.5
 LIMIT_OF_REACHING = 3.6  # the dispersion of a person's counts is known less well than the spread of their measures
 
 WORSE = "Worse than this person's own noise"
@@ -81,13 +81,11 @@ def _since(sessions: Sequence[int], score: Callable[[int], Score | None], limit:
 
 def _score(before: Series, judged: Series, clinic: Spread | None, least: float, sign: float) -> Score | None:
     """Return how far the mean of `judged` lies above the end of the curve of `before`; below it with a sign of -1."""
-    own, share = own_spread(before, judged, least)
-    spread = pool_spreads(own, share, clinic)
+    spread = pool_spreads(own_spread(before, judged, least), clinic)
     foretold, parameters = fit_curve(before.number, before.value, before.number[-1:])
     earlier, later = (len(np.unique(one.session)) for one in (before, judged))
-    total = weighted_sum(
-        (1 / len(judged.value) + parameters / len(before.value), spread.trial),
-        (1 / later + parameters / earlier, spread.session),
+    total = spread.of_difference(
+        1 / later + parameters / earlier, 1 / len(judged.value) + parameters / len(before.value)
     )
     difference = sign * float(judged.value.mean() - foretold[0])
     normal = normal_score(difference, total)

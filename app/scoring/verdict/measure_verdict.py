@@ -19,6 +19,7 @@ from app.scoring.verdict.measure_comparison import (
     with_missed,
 )
 from app.scoring.verdict.spread import (
+    OwnSpread,
     PersonVariances,
     Series,
     Spread,
@@ -27,7 +28,6 @@ from app.scoring.verdict.spread import (
     own_spread,
     person_variances,
     pool_spreads,
-    weighted_sum,
 )
 
 FEWEST = 5  # trials up to and with the later ones
@@ -83,20 +83,17 @@ class Difference(NamedTuple):
         return float(2 * stdtr(self.variance.df, -ratio))
 
 
-def variance_of(spread: Spread, trials: tuple[int, int], sessions: tuple[int, int] | None) -> Variance | None:
+def variance_of(spread: OwnSpread, trials: tuple[int, int], sessions: tuple[int, int] | None) -> Variance | None:
     """Return the variance of the difference between the means of two sets of trials; None with few degrees of freedom.
 
-    It is s_session^2 (1 / m1 + 1 / m2) + s_trial^2 (1 / k1 + 1 / k2) for sets of `trials` k1, k2 and `sessions` m1, m2;
-    without the first term where both are of one session (None).
+    `sessions` is None where both sets are of one session.
     """
-    parts = [(1 / trials[0] + 1 / trials[1], spread.trial)]
-    if sessions is not None:
-        parts.append((1 / sessions[0] + 1 / sessions[1], spread.session))
-    total = weighted_sum(*parts)
+    between = 0.0 if sessions is None else 1 / sessions[0] + 1 / sessions[1]
+    total = spread.of_difference(between, 1 / trials[0] + 1 / trials[1])
     return None if total.df < LEAST_DF else total
 
 
-def noise_of(spread: Spread, earlier: int, later: int, *, same_session: bool) -> Noise | None:
+def noise_of(spread: OwnSpread, earlier: int, later: int, *, same_session: bool) -> Noise | None:
     """Return the minimal detectable change (95 %) between means of `earlier` and of `later` trials of a session each.
 
     It is t sqrt(2 s_session^2 + s_trial^2 (1 / earlier + 1 / later)), without the first term within one session. t is
@@ -159,8 +156,8 @@ def difference_of(
     count = int((before | later).sum())
     variance = None
     if count >= FEWEST:
-        own, share = own_spread(series.where(before), second, least_spread(name, series.value[before | later]))
-        spread = pool_spreads(own, share, clinic)
+        own = own_spread(series.where(before), second, least_spread(name, series.value[before | later]))
+        spread = pool_spreads(own, clinic)
         sets = [np.unique(one.session) for one in (first, second)]
         same = len(sets[0]) == len(sets[1]) == 1 and sets[0][0] == sets[1][0]
         trials, sessions = (len(first.value), len(second.value)), (len(sets[0]), len(sets[1]))

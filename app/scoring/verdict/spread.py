@@ -17,7 +17,8 @@ Sessions = NDArray[np.int64]
 
 CURVE_TRIALS = 8  # with fewer trials there is no curve, only a level
 TAUS = 12  # learning constants that are tried
-CLINIC_WEIGHT = 2.0  # degrees of freedom of the clinic's median (docs/decisions/0023)
+CLINIC_WEIGHT = 2.0  # degrees of freedom of the clinic's median variance within a session (docs/decisions/0023)
+SESSION_WEIGHT = 4.0  # and of its median between sessions, of which each person has few (docs/learning/verdicts.md)
 CLINIC_PEOPLE = 3  # with fewer other people the clinic has no median
 
 
@@ -52,10 +53,41 @@ class Series(NamedTuple):
 
 
 class Spread(NamedTuple):
-    """The variances of one person, or of a clinic, in one task and measure."""
+    """The median variances of a clinic's people in one task and measure."""
 
     trial: Variance  # within a session
     session: Variance  # between sessions
+
+
+class OwnSpread(NamedTuple):
+    """The variances of one person in one task and measure."""
+
+    trial: Variance  # within a session
+    mean: Variance  # of the means of sessions: it contains the trials' share
+    share: float  # mean of 1 / trials over the sessions that `mean` is of
+
+    def of_difference(self, sessions: float, trials: float) -> Variance:
+        """Return the variance of a difference that consists of means of sessions, with its degrees of freedom.
+
+        Parameters
+        ----------
+        sessions
+            The sum of 1 / sessions of its sets, 1 / m1 + 1 / m2.
+        trials
+            The sum of 1 / trials of its sets, 1 / k1 + 1 / k2.
+
+        Notes
+        -----
+        It is s_session^2 (1 / m1 + 1 / m2) + s_trial^2 (1 / k1 + 1 / k2), written with the variance of the means of
+        sessions, `s_session^2 + share s_trial^2`: trials of one session resemble each other, and their means do not.
+        Sets of trials within one session differ by the second term alone, which also is the least. The degrees of
+        freedom are Satterthwaite's, and where a set has more trials than usual not fewer than those of the means.
+        """
+        within = weighted_sum((trials, self.trial))
+        if not sessions:
+            return within
+        total = weighted_sum((sessions, self.mean), (trials - self.share * sessions, self.trial))
+        return Variance(max(total.value, within.value), max(total.df, min(self.mean.df, within.df)))
 
 
 def fit_curve(number: Numbers, value: Numbers, at: Numbers) -> tuple[Numbers, int]:
@@ -90,24 +122,24 @@ def _aicc(squares: float, count: int, parameters: int) -> float:
     return count * math.log(max(squares, 1e-24) / count) + correction
 
 
-def own_spread(before: Series, later: Series | None = None, least: float = 0.0) -> tuple[Spread, float]:
-    """Return a person's spread, and the mean of 1 / trials over the sessions that the session's variance is of.
+def own_spread(before: Series, later: Series | None = None, least: float = 0.0) -> OwnSpread:
+    """Return a person's spread as far as it is known from their own trials.
 
     Parameters
     ----------
     before
         All trials before the later ones of a comparison. From these both variances are estimated.
     later
-        The later trials, of one session. Only their spread within it is used: a change of their level does not count
-        as noise. The session's trials in `before` do not count for the variance between sessions either.
+        The later trials. They are looked at apart, so that a change of their level does not count as noise: their
+        spread within sessions, and that between sessions where they are of several. The first of their sessions does
+        not count for the variance between sessions with its trials in `before`.
     least
         The smallest standard deviation within a session.
 
     Notes
     -----
-    Within a session: around the learning curve, the mean of each session, and a slope that all sessions share. Between
-    sessions: means of the residuals of the learning curve. The variance of these means contains the variance within a
-    session over its trials; `session` is not freed of it (see `pool_spreads`).
+    Within a session: around the learning curve, the mean of each session, and a slope that all sessions share. Means of
+    sessions: of the residuals of the learning curve.
     """
     fitted = _residuals(before)
     parts = [(before.session, fitted[0])]
@@ -124,20 +156,31 @@ def own_spread(before: Series, later: Series | None = None, least: float = 0.0) 
     if later is not None and (others := before.session != later.session[0]).sum() < len(others):
         before = before.where(others)
         fitted = _residuals(before)
-    between, share = _between_sessions(before.session, *fitted)
-    return Spread(trial, between), share
+    judged = [] if later is None else [(later.session, *_residuals(later))]
+    return OwnSpread(trial, *_between_sessions((before.session, *fitted), *judged))
 
 
-def course_spread(series: Series, least: float = 0.0) -> tuple[Spread, float]:
-    """Return the spread of all of a person's trials around their learning curve, and the mean of 1 / trials as above.
+def course_spread(series: Series, least: float = 0.0) -> OwnSpread:
+    """Return the spread of all of a person's trials around their course: a straight line or their learning curve.
 
-    Of the curve's three parameters, level and size are counted among those of the session means; how fast it falls is
-    told by the trials within the sessions.
+    A change that goes on from session to session does not count as noise. Of the curve's three parameters, level and
+    size are counted among those of the session means; how fast it falls is told by the trials within the sessions.
     """
-    own, _ = own_spread(series, None, least)
+    own = own_spread(series, None, least)
     residual, parameters = _residuals(series)
-    between, share = _between_sessions(series.session, residual, min(parameters, 2))
-    return Spread(own.trial, between), share
+    if parameters == 1:
+        residual = _around_line(series.session, residual)
+    return OwnSpread(own.trial, *_between_sessions((series.session, residual, 2)))
+
+
+def _around_line(session: Sessions, residual: Numbers) -> Numbers:
+    """Return residuals (n,) less the straight line through the means of their sessions, in the order of these."""
+    _, place, count = np.unique(session, return_inverse=True, return_counts=True)
+    if len(count) < 2:
+        return residual
+    along = np.arange(len(count)) - (len(count) - 1) / 2
+    slope = float(along @ (np.bincount(place, residual) / count)) / float(along @ along)
+    return residual - slope * along[place]
 
 
 def _residuals(series: Series) -> tuple[Numbers, int]:
@@ -161,38 +204,38 @@ def _around_slope(place: Numbers, value: Numbers, sessions: int) -> Variance:
     return Variance(float(rest @ rest) / (df - 1), df - 1)
 
 
-def _between_sessions(session: Sessions, residual: Numbers, parameters: int) -> tuple[Variance, float]:
-    """Return the variance of the session means around the learning curve, and the mean of 1 / trials of a session."""
-    if not len(session):
-        return Variance(0.0, 0.0), 1.0
-    _, place, count = np.unique(session, return_inverse=True, return_counts=True)
-    share = float(np.mean(1.0 / count))
-    df = len(count) - parameters
-    if df < 1:
-        return Variance(0.0, 0.0), share
-    means = np.bincount(place, residual) / count
-    if parameters == 1:
-        means = means - means.mean()
-    return Variance(float(means @ means) / df, float(df)), share
+def _between_sessions(*parts: tuple[Sessions, Numbers, int]) -> tuple[Variance, float]:
+    """Return the variance of session means, each part's around its own curve, and the mean of 1 / trials of a session.
+
+    A part is the sessions and the residuals of its trials (n,), and the parameters of its curve.
+    """
+    squares, df = 0.0, 0
+    shares: list[float] = []
+    for session, residual, parameters in parts:
+        _, place, count = np.unique(session, return_inverse=True, return_counts=True)
+        free = len(count) - parameters
+        if free >= 1:
+            means = np.bincount(place, residual) / count
+            squares += float(np.sum((means - means.mean()) ** 2))
+            df += free
+        if free >= 1 or not shares:
+            shares += (1.0 / count).tolist()
+    return Variance(squares / df if df else 0.0, float(df)), float(np.mean(shares)) if shares else 1.0
 
 
-def pool_spreads(own: Spread, share: float, clinic: Spread | None) -> Spread:
+def pool_spreads(own: OwnSpread, clinic: Spread | None) -> OwnSpread:
     """Return a person's spread, drawn towards the clinic's median as far as little is known of the person.
 
-    Both are weighted by their degrees of freedom. Those of the variance between sessions are Satterthwaite's for a
-    difference of two variances, taken at the clinic's median. Without a clinic's median the variance of the session
-    means stands for the variance between sessions: that errs on the side of more noise.
+    Both are weighted by their degrees of freedom. Without a clinic's median, sessions are taken to differ as much as
+    trials within a session do, where the person has sessions enough to say more: that holds on any scale.
     """
     if clinic is None:
-        return own
+        if own.trial.df <= 0 or own.mean.df <= 0:
+            return own
+        clinic = Spread(Variance(0.0, 0.0), Variance(own.trial.value, SESSION_WEIGHT))
     trial = _weighted(own.trial, clinic.trial)
-    noise = share * trial.value
-    total, df = clinic.session.value + noise, 0.0
-    if own.session.df > 0 and total > 0:
-        error = 1 / own.session.df + (noise / total) ** 2 / trial.df
-        df = (clinic.session.value / total) ** 2 / error
-    between = Variance(max(own.session.value - noise, 0.0), df)
-    return Spread(trial, _weighted(between, clinic.session))
+    usual = Variance(clinic.session.value + own.share * trial.value, clinic.session.df)
+    return OwnSpread(trial, _weighted(own.mean, usual), own.share)
 
 
 def _weighted(own: Variance, clinic: Variance) -> Variance:
@@ -213,14 +256,14 @@ def person_variances(series: Series, least: float = 0.0) -> PersonVariances | No
     A variance with few degrees of freedom is more often too small than too large, so each is divided by the median of
     chi-squared over its degrees of freedom (Wilson and Hilferty, PNAS 17 (1931)).
     """
-    own, share = own_spread(series, None, least)
+    own = own_spread(series, None, least)
     if own.trial.df < 2:
         return None
     within = max(own.trial.value / _median_share(own.trial.df), least**2)
-    if own.session.df < 1:
+    if own.mean.df < 1:
         return PersonVariances(within, None)
-    between = own.session.value / _median_share(own.session.df)
-    return PersonVariances(within, max(between - share * own.trial.value, 0.0))
+    between = own.mean.value / _median_share(own.mean.df)
+    return PersonVariances(within, max(between - own.share * own.trial.value, 0.0))
 
 
 def median_spread(people: Sequence[PersonVariances]) -> Spread | None:
@@ -231,7 +274,7 @@ def median_spread(people: Sequence[PersonVariances]) -> Spread | None:
         return None
     return Spread(
         Variance(float(np.median(trial)), CLINIC_WEIGHT),
-        Variance(float(np.median(session)), CLINIC_WEIGHT),
+        Variance(float(np.median(session)), SESSION_WEIGHT),
     )
 
 

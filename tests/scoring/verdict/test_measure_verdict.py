@@ -12,7 +12,7 @@ from scipy.stats import t
 from app.scoring.learning_words import MEASURES
 from app.scoring.verdict.measure_comparison import COMPARISONS, from_scale, to_scale, value_of
 from app.scoring.verdict.measure_verdict import clinic_spreads, noise_of, people_variances
-from app.scoring.verdict.spread import Spread, Variance
+from app.scoring.verdict.spread import OwnSpread, Variance
 from app.scoring.verdict.verdicts import task_verdicts, trial_verdicts
 
 RNG = np.random.default_rng(4)
@@ -91,6 +91,12 @@ def test_without_a_clinics_median_two_sessions_say_nothing_about_sessions() -> N
     assert word(many, clinic={}) == "better"
 
 
+@pytest.mark.parametrize("sizes", [(2, 5), (5, 2), (5, 5), (7, 7)])
+def test_with_a_clinics_median_two_sessions_of_any_size_have_a_verdict(sizes: tuple[int, int]) -> None:
+    usual = [3.0, 3.2, 3.1, 2.9, 3.0, 3.1, 2.8]
+    assert word(rows_of(usual[: sizes[0]], usual[: sizes[1]])) == "within"
+
+
 def test_trials_for_getting_used_to_the_task_are_not_compared() -> None:
     usual = [9.0, 9.0, 9.0, 3.0, 3.2, 2.8]
     rows = rows_of(usual, usual, [9.0, 9.0, 9.0, 3.1, 2.9], familiarisation=3)
@@ -156,13 +162,20 @@ def test_equal_counts_do_not_make_one_contact_a_change() -> None:
 
 
 def test_the_mdc_is_the_formula_with_students_t() -> None:
-    spread = Spread(Variance(0.04, 8.0), Variance(0.01, 4.0))
+    spread = OwnSpread(Variance(0.04, 8.0), Variance(0.01 + 0.04 / 5, 4.0), 1 / 5)
     noise = noise_of(spread, 5, 5, same_session=False)
     assert noise is not None
-    parts = 2 * 0.01, 0.04 * 2 / 5
+    assert noise.df == pytest.approx(4)  # the means of sessions alone are what is independent
+    assert noise.mdc == pytest.approx(t.ppf(0.975, 4) * math.sqrt(2 * (0.01 + 0.04 / 5)))
+    fewer = noise_of(spread, 2, 5, same_session=False)
+    assert fewer is not None
+    parts = 2 * (0.01 + 0.04 / 5), 0.04 * (1 / 2 + 1 / 5 - 2 / 5)
     df = sum(parts) ** 2 / (parts[0] ** 2 / 4 + parts[1] ** 2 / 8)
-    assert noise.df == pytest.approx(df)
-    assert noise.mdc == pytest.approx(t.ppf(0.975, df) * math.sqrt(2 * (0.01 + 0.04 / 5)))
+    assert (fewer.df, fewer.mdc) == pytest.approx((df, t.ppf(0.975, df) * math.sqrt(sum(parts))))
+    even = OwnSpread(Variance(0.04, 8.0), Variance(0.0, 4.0), 1 / 5)  # by chance less than the trials say
+    least = noise_of(even, 5, 5, same_session=False)
+    assert least is not None
+    assert least.mdc >= math.sqrt(2 * 0.04 / 5)
     alone = noise_of(spread, 1, 1, same_session=True)
     assert alone is not None
     assert alone.mdc == pytest.approx(t.ppf(0.975, 8) * math.sqrt(2 * 0.04))
