@@ -39,9 +39,9 @@ def learning_curves(
     -------
     {measure: {"text": str, "sessions": str or None, "details": [str], "fit": None or {"n": [...], "value": [...],
     "low": [...], "high": [...]}}}; the band is the 95 % band of the curve, and there is no fit where a level line is
-    best. `text` and `sessions` are plain sentences, `sessions` on the changes within and between sessions; `details`
-    are the statistics behind them. With `every_model` also "form" ("exponential", "power", "level" or None) and
-    "others": [{"form", "aicc_more", "n", "value", "low", "high"}], the better first.
+    best. `text` and `sessions` are plain sentences, `sessions` on the changes within and between sessions of a measure
+    that leads in the task; `details` are the statistics behind them. With `every_model` also "form" ("exponential",
+    "power", "level" or None) and "others": [{"form", "aicc_more", "n", "value", "low", "high"}], the better first.
     """
     curves: dict[str, dict[str, Any]] = {}
     leading = leading_of_task(trials)
@@ -61,7 +61,7 @@ def learning_curves(
         curve = curves[name] = {"text": too_few(len(rows)), "sessions": None, "details": [], "fit": None}
         if learning is not None:
             are_known = len(sessions) == len(values)
-            kept = retention(sessions, values) if are_known else None
+            kept = retention(sessions, values) if are_known and name in leading else None
             change = course_change(name, driven, leading, clinic or {})
             curve["text"] = plain_words(name, learning, change, len(set(sessions)) if are_known else 0)
             curve["sessions"] = kept and plain_sessions(name, kept)

@@ -187,9 +187,9 @@ def _step(measure: Measure, change: Change) -> str:
 def _interval(measure: Measure, change: Change) -> str:
     low, high = (measure.figure(end) for end in (change.low, change.high))
     if change.is_noise:
-        return f"changed by {measure.level(change.mean)} (within noise; 95 %: {low} to {high})"
+        return f"changed by {measure.level(change.mean)} (within noise; 99 %: {low} to {high})"
     low, high = (measure.figure(end) for end in sorted((abs(change.low), abs(change.high))))
-    return f"{'fell' if change.mean < 0 else 'rose'} by {measure.level(abs(change.mean))} (95 %: {low} to {high})"
+    return f"{'fell' if change.mean < 0 else 'rose'} by {measure.level(abs(change.mean))} (99 %: {low} to {high})"
 
 
 def _slope(measure: Measure, learning: LearningCurve, change: CourseChange) -> str:

@@ -7,15 +7,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.scoring.learning_fit import CONFIDENCE
-
 EDGE = 2  # trials at either end of a session whose mean is its start and its end
 MIN_TRIALS = 2 * EDGE  # of a session; with fewer, its start and its end would share trials
+CONFIDENCE = 0.99  # six intervals of three measures stand side by side: together 5 % are wrong
 MIN_SESSIONS = 4  # with fewer, the interval of the mean change between sessions is too wide
 
 
 class Change(NamedTuple):
-    """A mean change over sessions with its 95 % interval."""
+    """A mean change over sessions with its 99 % interval."""
 
     mean: float
     low: float

@@ -75,7 +75,7 @@ def test_the_curve_is_said_in_plain_words_with_the_statistics_behind_them(course
     assert "Mann-Kendall" not in curve + sessions
     change, of_sessions = course_report.tasks[0].statistics
     assert "last third of the sessions" in change
-    assert "95 %" in of_sessions
+    assert "99 %" in of_sessions
 
 
 def test_the_trajectories_of_the_recordings_are_drawn(session_report, course_report):

@@ -77,4 +77,4 @@ def test_no_plain_sentence_has_a_statistic_and_all_of_them_are_in_the_details(
     details = curve["details"]
     assert isinstance(details, list)
     assert len(details) == (0 if count == 5 else 2 if count == 28 else 1)
-    assert all("95 %" in one or "medians of" in one for one in details)
+    assert all("99 %" in one or "medians of" in one for one in details)
