@@ -363,3 +363,11 @@ def test_a_floor_plan_is_not_measured_anew_between_two_ticks(control, monkeypatc
     control.done("world", floorplan=plan, path="main")
     assert control.setup.floorplan.name == "room"
     assert "at most" in control.refused("world", floorplan=plan | {"walls": [wall * (MAX_WALLS // 2 + 1)]}, path="main")
+
+
+def test_only_the_set_whose_hash_is_given_is_armed(control):
+    control.live(0.1)
+    for digest in ("0" * 64, control.parameters.hash[::-1]):
+        assert "changed meanwhile" in control.refused("arm", hash=digest)
+    assert control.setup.chain.gate.state is State.DISARMED
+    control.done("arm", hash=control.parameters.hash)
