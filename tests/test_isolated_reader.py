@@ -42,3 +42,8 @@ def test_a_reader_that_hangs_is_ended(module, monkeypatch):
     monkeypatch.setattr(isolated_reader, "LONGEST_WAIT", 0.5)
     with pytest.raises(ReadingTimeoutError, match="too long"):
         read_isolated(module("import time; time.sleep(60)"), {})
+
+
+def test_a_reader_has_limits_of_memory_computing_and_files(module):
+    body = "import resource as r; return {n: r.getrlimit(getattr(r, 'RLIMIT_' + n))[0] for n in ('AS', 'CPU', 'FSIZE')}"
+    assert read_isolated(module(body), {}) == {"AS": 3_000_000_000, "CPU": 60, "FSIZE": 50_000_000}
