@@ -4,6 +4,7 @@
 """
 
 import itertools
+import math
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -87,6 +88,18 @@ def spikes(size: float, frequency: float) -> Course:
     return lambda t, _: _numbers(size * (np.diff(np.floor(frequency * t), prepend=0.0) > 0.0))
 
 
+def passed(course: Course, seconds: float) -> Course:
+    """Return a course as it leaves a low-pass filter of first order with a time constant of `seconds`."""
+
+    def behind_filter(t: Array, random: np.random.Generator) -> Array:
+        from scipy.signal import lfilter
+
+        share = -math.expm1(-(t[1] - t[0]) / seconds)
+        return _numbers(lfilter([share], [1.0, share - 1.0], course(t, random)))
+
+    return behind_filter
+
+
 def sine(size: float, frequency: float) -> Course:
     """Return breathing, swaying, or the hum of a mains."""
     return lambda t, _: _numbers(size * np.sin(2.0 * np.pi * frequency * t))
@@ -99,6 +112,15 @@ ARTEFACTS = (
     ),
     Artefact("the same at random, 0.3, one change a second", telegraph(0.3, 1.0)),
     Artefact("the same at random, 0.15, one change a second", telegraph(0.15, 1.0)),
+    *(
+        Artefact(f"{words} behind a filter of {1e3 * seconds:g} ms", passed(course, seconds))
+        for seconds in (0.01, 0.02, 0.05)
+        for words, course in (
+            ("the same, 0.3, 0.5 Hz,", square(0.3, 0.5)),
+            ("the same, 0.15, 1 Hz,", square(0.15, 1.0)),
+            ("the same at random, 0.3, one change a second,", telegraph(0.3, 1.0)),
+        )
+    ),
     Artefact("spikes of one frame, 0.2, one a second", spikes(0.2, 1.0)),
     *(
         Artefact(f"{words}, {size:g}, {frequency:g} Hz", sine(size, frequency), all_joints=True, along=along)

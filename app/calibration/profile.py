@@ -162,7 +162,9 @@ class JointMap(Document):
     rest_rate: Threshold  # FS/s, standard deviation of the rate at rest
     dead_zone: Threshold  # FS/s, suggested
     full: Threshold  # FS/s, suggested
-    step: Threshold | None = None  # FS: a larger change from one rest to another at once is no movement; None: unknown
+    # FS: larger changes from one rest to another are no movement, within 0.02 s and within 0.1 s; None: unknown.
+    step: Threshold | None = None
+    filtered_step: Threshold | None = None
     grade: Grade
     reason: str
     map: MapKind = "pca"  # the map that gives the rate; the score is always that of PC1
@@ -203,7 +205,7 @@ class JointMap(Document):
         document: dict[str, Any] = handler(self)
         if document.get("map") == "pca":
             del document["map"]
-        for name in ("guided", "prior", "step"):
+        for name in ("guided", "prior", "step", "filtered_step"):
             if document.get(name, ...) is None:
                 del document[name]
         return document

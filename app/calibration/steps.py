@@ -1,5 +1,6 @@
 """What a step of the signals is: a change at once, with stillness before and after it, as no body moves."""
 
+from collections.abc import Iterator
 from itertools import pairwise
 from typing import Final, NamedTuple
 
@@ -7,32 +8,40 @@ import numpy as np
 from numpy.typing import NDArray
 
 LOOK_PERIOD: Final = 0.01  # s between two looks; slower shirts are looked at frame by frame
-STEP_TIME: Final = 0.02  # s within which a step takes place
-STILL_TIME: Final = 0.08  # s before and after a step in which a moving body goes on moving
+TIMES: Final = ((0.02, 0.08), (0.06, 0.2))  # s: of a step, and of stillness before and after it; a body goes on moving
+"""Of a sudden step, as of a connector; and of a filtered one, as of a connector behind a low-pass filter."""
 STEEPNESS: Final = 4.0  # a step is so many times as large as the change before it, and as that after it
 
 
 class StepTimes(NamedTuple):
-    """The times of a step in frames."""
+    """The times of a step, in looks."""
 
-    every: int  # frames from one look to the next
-    fast: int  # looks within which a step takes place
-    still: int  # looks of stillness before and after it
+    fast: int  # within which it takes place
+    still: int  # of stillness, before it and after it
 
-
-def step_times(sample_rate: float) -> StepTimes:
-    """Return the times of a step at a sample rate (Hz)."""
-    every = max(1, round(LOOK_PERIOD * sample_rate))
-    period = every / sample_rate
-    return StepTimes(every, max(1, round(STEP_TIME / period)), max(2, round(STILL_TIME / period)))
+    @property
+    def whole(self) -> int:
+        """Looks from the beginning of the stillness before a step to the end of that after it."""
+        return 2 * self.still + self.fast
 
 
-def steps_of(values: NDArray[np.float64], sample_rate: float) -> NDArray[np.float64]:
-    """Return the changes (3, m) of frames (n, n_channels) after, within and before the time of a step, look by look."""
-    every, fast, still = step_times(sample_rate)
-    looked = values[::every]
-    ages = np.array([0, still, still + fast, 2 * still + fast])
-    newest = np.arange(ages[-1], len(looked))
-    return np.stack(
-        [np.linalg.norm(looked[newest - newer] - looked[newest - older], axis=1) for newer, older in pairwise(ages)]
-    )
+def frames_per_look(sample_rate: float) -> int:
+    """Return how many frames lie between two looks at a sample rate (Hz)."""
+    return max(1, round(LOOK_PERIOD * sample_rate))
+
+
+def step_times(sample_rate: float) -> list[StepTimes]:
+    """Return the times of sudden and of filtered steps at a sample rate (Hz)."""
+    period = frames_per_look(sample_rate) / sample_rate
+    return [StepTimes(max(1, round(fast / period)), max(2, round(still / period))) for fast, still in TIMES]
+
+
+def steps_of(values: NDArray[np.float64], sample_rate: float) -> Iterator[NDArray[np.float64]]:
+    """Yield the changes (3, m) of frames (n, n_channels) after, within and before the time of each kind of step."""
+    looked = values[:: frames_per_look(sample_rate)]
+    for fast, still in step_times(sample_rate):
+        ages = np.array([0, still, still + fast, 2 * still + fast])
+        newest = np.arange(ages[-1], len(looked))
+        yield np.stack(
+            [np.linalg.norm(looked[newest - newer] - looked[newest - older], axis=1) for newer, older in pairwise(ages)]
+        )

@@ -6,41 +6,48 @@ the same movement in all channels of joints that move independently; and an osci
 
 import math
 from collections.abc import Sequence
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.profile import JointMap
-from app.calibration.steps import STEEPNESS, step_times
+from app.calibration.steps import STEEPNESS, frames_per_look, step_times
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.channel_health import SMALLEST_HALF_RANGE
 
-DEFAULT_STEP: Final = 0.035  # FS: least step, where the calibration says nothing about it
+DEFAULT_STEP: Final = 0.035  # FS: least sudden step, where the calibration says nothing about it
+DEFAULT_FILTERED_STEP: Final = 0.06  # FS: the same of a filtered step
 LARGE_FACTOR: Final = 2.0  # of the least step: with a fabric that has steps of its own, a large one is larger
-LARGE_STEP: Final = 0.1  # FS: a step that is not believed though it is the first one
+LARGE_STEP: Final = 0.1  # FS: a sudden step that is not believed though it is the first one
 NOISE_OF_STEP: Final = 0.29  # of the least step: so large the noise of a change may be
 LEAST_SPIKE: Final = 0.08  # FS: a smaller spike does not drive
-SECOND_STEP: Final = 5.0  # s within which a second step or spike is a loose line and no chance: real fabric has some
+AGAIN: Final = 5.0  # s within which further steps or spikes are a loose line and no chance: real fabric has some
+SUDDEN_STEPS: Final = 2  # so many within this time are not believed
+FILTERED_STEPS: Final = 3  # a jerk of a person can look like one
 COMMON_TIME: Final = 0.1  # s over which channels are compared; noise averages out over it
 COMMON: Final = 0.85  # cosine between a change of all channels and an equal one; single limbs reach 0.55
-EVEN: Final = 0.8  # least over greatest change of the joints; people who move all limbs reach 0.78
+EVEN: Final = 0.9  # least over greatest change of the joints; people who move all limbs reach 0.87
 LEAST_COMMON: Final = 0.02  # half ranges: a smaller change is not compared
 LEAST_EVEN: Final = 0.04  # half ranges: the noise of the channels of a joint does not average out
 FEWEST_JOINTS: Final = 3  # with fewer independent joints a person may well move all at once
 ALIKE_TIME: Final = 0.06  # logarithm of the ratio of two half waves' durations, one of a person differs by 0.1 and more
 ALIKE_PEAK: Final = 0.08  # the same of their peaks
 MOST_NOISE: Final = 0.04  # of a peak: by so much more they may differ at most because of the noise at rest
-LONGEST_PAUSE: Final = 0.25  # of two half waves, between them: an oscillation has no rest
+LONGEST_PAUSE: Final = 5.0  # s between two half waves of an oscillation
 HALF_WAVES: Final = 4  # so many in a row that are alike; people made at most 3
 LONGEST_GAP: Final = 0.05  # s without a frame after which the past is forgotten
 DOUBT: Final = 2.0  # s for which signals that were no movement are not believed
 
 
 class HalfWaves:
-    """Counts how many half waves of one rate follow each other that are alike in duration and height."""
+    """Counts how many half waves of one rate follow each other that are alike in duration and height.
 
-    def __init__(self, dead_zone: float, noise: float, period: float) -> None:
+    `dead_zone` and `noise` of the rate, FS/s; `displaced`: whether the signal is a displacement, whose rate is taken.
+    """
+
+    def __init__(self, dead_zone: float, noise: float, period: float, *, displaced: bool = False) -> None:
+        self._displaced = displaced
         self._edge = dead_zone / 2.0
         self._least = dead_zone
         self._noise = noise
@@ -50,6 +57,7 @@ class HalfWaves:
     def reset(self) -> None:
         """Forget all half waves."""
         self._sign = 0
+        self._place = math.nan  # FS, of a displacement
         self._last = self._t = self._begin = self._peak = 0.0
         self._end = self._end_before = -math.inf
         self._durations = (0.0, 0.0)  # s, of the last half wave and of the one before it
@@ -57,9 +65,13 @@ class HalfWaves:
         self.count = 0
         """Half waves in a row that are alike."""
 
-    def step(self, rate: float) -> None:
-        """Take the rate (FS/s), `period` (s) after the last one."""
+    def step(self, strength: float) -> None:
+        """Take the rate (FS/s) or the displacement (FS), `period` (s) after the last one."""
         self._t += self._period
+        rate = strength
+        if self._displaced:
+            rate = (strength - self._place) / self._period if math.isfinite(self._place) else 0.0
+            self._place = strength
         last, edge = self._last, self._edge
         self._last = rate
         if self._sign and rate * self._sign > edge:
@@ -83,7 +95,7 @@ class HalfWaves:
             peak > self._least
             and duration > 0.0
             and self._durations[0] > 0.0
-            and pause < LONGEST_PAUSE * (duration + self._durations[0])
+            and pause < LONGEST_PAUSE
             and self._are_alike(duration, peak, 0)
         )
         if not follows:
@@ -107,6 +119,15 @@ def _channels_read(joint: JointMap) -> list[int]:
     return [i for i, weight in zip(joint.channels, joint.weights, strict=True) if weight] or list(joint.channels)
 
 
+class _StepKind(NamedTuple):
+    """What counts as one kind of step."""
+
+    still: int  # looks of stillness after it
+    least: list[float]  # FS, of each joint
+    enough: int  # so many lately are not believed
+    large: float = math.inf  # FS: one that is not believed the first time
+
+
 class MovementCheck:
     """Looks at the frames of one parameter set; a joint with a bad channel is not looked at."""
 
@@ -123,27 +144,38 @@ class MovementCheck:
         self._columns = [np.arange(start, start + len(one)) for start, one in zip(self._starts, read, strict=True)]
         half_range = (np.array(profile.high) - np.array(profile.low))[channels] / 2.0
         spans = np.repeat([joint.span for joint in joints], [len(one) for one in read])
-        self._least_steps = [joint.step or DEFAULT_STEP for joint in joints]
-        self.every, fast, still = step_times(sample_rate)
+        self.every = frames_per_look(sample_rate)
         period = self.every / sample_rate
         common = max(1, round(COMMON_TIME / period))
-        self._size = max(2 * still + fast, common) + 1
-        # Ages of the frames between which changes are looked at: after, at and before a step; from before a spike to
-        # after it, and after that; and lately.
-        self._newer = np.array([0, still, still + fast, still - fast, 0, 0])
-        self._older = np.array([still, still + fast, 2 * still + fast, still + fast, still - fast, common])
-        self._scale = np.stack([1.0 / spans] * 5 + [1.0 / np.maximum(half_range, SMALLEST_HALF_RANGE)])
+        sudden, filtered = times = step_times(sample_rate)
+        self._size = max(common, sudden.whole, filtered.whole) + 1
+        self._kinds = (
+            _StepKind(sudden.still, [joint.step or DEFAULT_STEP for joint in joints], SUDDEN_STEPS, LARGE_STEP),
+            _StepKind(
+                filtered.still, [joint.filtered_step or DEFAULT_FILTERED_STEP for joint in joints], FILTERED_STEPS
+            ),
+        )
+        # Ages of the frames between which changes are looked at: lately; and for each kind of step after, at and before
+        # it, from before a spike to after it, and after that.
+        newer, older = [0], [common]
+        for fast, still in times:
+            newer += [0, still, still + fast, still - fast, 0]
+            older += [still, still + fast, 2 * still + fast, still + fast, still - fast]
+        self._newer, self._older = np.array(newer), np.array(older)
+        scales = [1.0 / np.maximum(half_range, SMALLEST_HALF_RANGE), *[1.0 / spans] * (len(newer) - 1)]
+        self._scale = np.stack(scales)
         self._compares = len(joints) >= FEWEST_JOINTS
         self._masks = [sum(1 << channel for channel in one) for one in read]
         self._counts = [len(one) for one in read]
         self._count = len(channels)
         self._waves = [
-            HalfWaves(gesture.dead_zone, joints[place[gesture.joint]].rest_rate, period)
-            for gesture in parameters.gestures
+            HalfWaves(joint.dead_zone, joint.rest_rate, period, displaced=True)
+            if gesture.feature == "displacement"
+            else HalfWaves(gesture.dead_zone, joint.rest_rate, period)
+            for gesture, joint in ((one, joints[place[one.joint]]) for one in parameters.gestures)
         ]
-        self._second = round(SECOND_STEP / period)
+        self._again = round(AGAIN / period)
         self._doubt = round(DOUBT / period)
-        self._still = still
         self._gap = max(1.0, LONGEST_GAP * sample_rate)
         self._ring = np.zeros((self._size, len(channels)))
         self.reset()
@@ -153,13 +185,15 @@ class MovementCheck:
         self._forget()
         self._now = 0  # looks so far
         self._blind_until = [0] * len(self._starts)  # the look up to which the ring holds a bad channel of the joint
-        self._jump_at = [-self._second - 1] * len(self._starts)  # the look at which each joint's last jump was seen
+        self._jumps: list[list[int]] = [
+            [] for _ in self._starts
+        ]  # the looks at which each joint's last jumps were seen
         self._doubt_until = -1
         self._disbelief_until = -1
         self.doubts = False
         """Whether something within the last 2 s was no movement."""
         self.disbelieves = False
-        """Whether it would have driven: an oscillation, a common movement, or a second step."""
+        """Whether it would have driven: an oscillation, a common movement, or steps."""
 
     def _forget(self) -> None:
         self._known = 0  # frames in the ring, up to its size
@@ -201,33 +235,47 @@ class MovementCheck:
             ring = self._ring
             change = ring[(newest - self._newer) % self._size] - ring[(newest - self._older) % self._size]
             change *= self._scale
-            total = float(change[-1].sum())
+            total = float(change[0].sum())
             change *= change
-            after, at, before, across, after_spike, common = np.add.reduceat(change, self._starts, axis=1).tolist()
+            squares = np.add.reduceat(change, self._starts, axis=1).tolist()
             if active and self._compares and self._now >= max(self._blind_until):
-                disbelieves |= self._is_common(total, common)
-            for i, least in enumerate(self._least_steps):
-                # Before and after a step the change, squared, is less than this; noise takes part in each change.
-                steep = at[i] / STEEPNESS**2 + (NOISE_OF_STEP * least) ** 2
-                if at[i] < least * least or steep < before[i] or self._now < self._blind_until[i]:
-                    continue
-                is_step = steep > after[i]
-                if is_step or (at[i] > LEAST_SPIKE * LEAST_SPIKE and steep > max(across[i], after_spike[i])):
-                    is_large = is_step and at[i] > max(LARGE_STEP, LARGE_FACTOR * least) ** 2
-                    disbelieves |= self._repeats(i) or is_large
+                disbelieves |= self._is_common(total, squares[0])
+            for k, kind in enumerate(self._kinds):
+                disbelieves |= self._has_steps(kind, squares[5 * k + 1 : 5 * k + 6])
         if disbelieves:
             self._disbelief_until = self._doubt_until = self._now + self._doubt
         self.doubts = self._now < self._doubt_until
         self.disbelieves = self._now < self._disbelief_until
 
-    def _repeats(self, joint: int) -> bool:
-        """Note a step or spike of a joint; return whether it is not the first one lately."""
-        since = self._now - self._jump_at[joint]
+    def _has_steps(self, kind: _StepKind, squares: list[list[float]]) -> bool:
+        """Return whether a joint had a large step, or a step or spike that makes too many lately.
+
+        `squares`: the changes (5, n_joints) after, at and before a step, from before a spike to after it, and after
+        that, squared.
+        """
+        after, at, before, across, after_spike = squares
+        found = False
+        for i, least in enumerate(kind.least):
+            if at[i] < least * least:
+                continue
+            # Before and after a step the change, squared, is less than this; noise takes part in each change.
+            steep = at[i] / STEEPNESS**2 + (NOISE_OF_STEP * least) ** 2
+            if steep < before[i] or self._now < self._blind_until[i]:
+                continue
+            is_step = steep > after[i]
+            if is_step or (at[i] > LEAST_SPIKE * LEAST_SPIKE and steep > max(across[i], after_spike[i])):
+                is_large = is_step and at[i] > max(kind.large, LARGE_FACTOR * least) ** 2
+                found |= self._repeats(i, kind.still, kind.enough) or is_large
+        return found
+
+    def _repeats(self, joint: int, still: int, enough: int) -> bool:
+        """Note a step or spike of a joint; return whether it makes `enough` lately."""
         self._doubt_until = self._now + self._doubt
-        if since <= self._still:  # the same one, seen from the next frame
+        jumps = self._jumps[joint]
+        if jumps and self._now - jumps[-1] <= still:  # the same one, seen from the next frame
             return False
-        self._jump_at[joint] = self._now
-        return since <= self._second
+        jumps[:] = [one for one in jumps if self._now - one <= self._again] + [self._now]
+        return len(jumps) >= enough
 
     def _is_common(self, total: float, squares: list[float]) -> bool:
         """Return whether all channels changed alike, or all joints by as much.

@@ -12,6 +12,8 @@ from app.pipeline.ramp import Ramp
 from app.speeds import Speeds
 
 TURN_BUILD_UP: Final = 1.0  # s: full u2 in acceleration mode reaches the full turn rate after this time
+REST: Final = 0.3  # s with control 0 that count as a rest: people rest so long within 1.4 s while they drive
+LEAST_PUSH: Final = 3.0  # s without a rest that are permitted, however short the time-out is
 
 
 def forward_ramp(speeds: Speeds) -> Ramp:
@@ -25,29 +27,40 @@ def turn_ramp(speeds: Speeds) -> Ramp:
 
 
 class Cruise:
-    """The time-out of an axis that keeps its speed, counted while its control is 0 (safety S10).
+    """The time-outs of an axis that keeps its speed (safety S10): without a wish, and with one that never rests.
 
-    `longest` is the time-out (s), None for no time-out.
+    Nobody drives by pushing on and on, but a sensor that is stuck does. `longest` is the time-out (s) while the control
+    is 0, None for no time-out.
     """
 
     def __init__(self, longest: float | None) -> None:
         self._longest = math.inf if longest is None else longest
+        self._most = max(LEAST_PUSH, self._longest)
         self.reset()
 
     def reset(self) -> None:
-        """Restart the time-out."""
-        self._unasked = 0.0
+        """Restart the time-outs."""
+        self._unasked = self._pushed = 0.0  # s: with control 0, and since the last rest
 
     def goes_on(self, control: float, dt: float) -> bool:
         """Return whether the speed is still kept after `dt` (s) with this `control`."""
         self._unasked = 0.0 if control else self._unasked + dt
-        return self._unasked <= self._longest
+        self._pushed = 0.0 if self._unasked >= REST else self._pushed + dt
+        return self._unasked <= self._longest and self._pushed <= self._most
 
-    def coast(self, steps: NDArray[np.float64]) -> int:
-        """Let `steps` (n,) in s pass with control 0 and constant speed; return how many pass before the time-out."""
+    def coast(self, control: float, steps: NDArray[np.float64]) -> int:
+        """Let `steps` (n,) in s pass with a constant control and speed; return how many pass before a time-out."""
+        pushed = np.cumsum(np.concatenate(([self._pushed], steps)))
+        if control:
+            count = int(np.searchsorted(pushed[1:], self._most, side="right"))
+            self._unasked, self._pushed = 0.0, float(pushed[count])
+            return count
         unasked = np.cumsum(np.concatenate(([self._unasked], steps)))
-        count = int(np.searchsorted(unasked[1:], self._longest, side="right"))
+        rested = unasked >= REST
+        is_over = (unasked > self._longest) | (~rested & (pushed > self._most))
+        count = int(np.argmax(is_over[1:])) if is_over[1:].any() else len(steps)
         self._unasked = float(unasked[count])
+        self._pushed = 0.0 if rested[count] else float(pushed[count])
         return count
 
 

@@ -67,6 +67,21 @@ def test_missing_frames_late_arrivals_and_bad_channels_change_nothing_of_that():
     assert np.isfinite(streamed["score"]).all()
 
 
+def test_a_held_posture_that_is_stuck_drives_until_the_time_out_and_decodes_alike():
+    document = make_parameters().model_dump(mode="json") | {"cruise_time": 4.0}
+    document["gestures"][0] |= {"feature": "displacement", "dead_zone": 0.1, "full": 0.5}
+    parameters = DriveParameters.model_validate(document)
+    values = make_signals(parameters, 2500, seed=4)
+    t = np.arange(2500) / 100
+    held = int(decode_block(parameters, 100.0, t, values).activation[:, 0].argmax())
+    still = make_signals(parameters, 2500, strokes=False)[held:]
+    values[held:] = values[held] + still - still[0]
+    streamed, _ = assert_equal(parameters, t + 0.003, t, values)
+    assert streamed["activation"][-1, 0] > 0.1
+    assert np.abs(streamed["v"][held : held + 390]).max() > 0.3
+    assert streamed["v"][-1] == 0.0
+
+
 def test_a_held_posture_decodes_alike_too():
     parameters = make_parameters()
     document = parameters.model_dump(mode="json")

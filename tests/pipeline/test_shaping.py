@@ -1,3 +1,4 @@
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -110,13 +111,44 @@ def test_without_a_time_out_turning_goes_on():
     assert driven(shape, [(0.0, 0.0)] * 3000, Twist(0.0, 0.5))[-1].omega == 0.5
 
 
-def test_coasting_at_once_is_coasting_step_by_step():
-    at_once, stepped = Cruise(2.0), Cruise(2.0)
-    count = at_once.coast([0.01] * 400)
-    assert [stepped.goes_on(0.0, 0.01) for _ in range(400)].index(False) == count
-    assert at_once.coast([0.001] * 3) <= 3
-    assert Cruise(2.0).coast([0.01] * 5) == 5
-    assert Cruise(None).coast([1.0] * 500) == 500
+@pytest.mark.parametrize("name", ["u1", "u2"])
+def test_a_wish_that_never_rests_ends_with_the_time_out_and_counts_again_after_a_rest(name):
+    shape = shaper(mode_u2="acceleration", cruise_time=4.0, turn_cruise_time=4.0)
+    wish, rest = ((1.0, 0.0), (0.0, 0.0)) if name == "u1" else ((0.0, 1.0), (0.0, 0.0))
+    stuck = driven(shape, [wish] * 900)
+    moved = [abs(twist.v) + abs(twist.omega) for twist in stuck]
+    assert moved[398] > 0.5
+    assert moved[-1] == 0.0
+    again = driven(shape, [rest] * 35 + [wish] * 100)
+    assert abs(again[-1].v) + abs(again[-1].omega) > 0.3
+
+
+def test_pushing_again_and_again_is_no_stuck_sensor():
+    shape = shaper(cruise_time=1.0)
+    seen = [twist.v for twist in driven(shape, ([(1.0, 0.0)] * 60 + [(0.0, 0.0)] * 35) * 30)]
+    assert seen == sorted(seen)
+
+
+def test_a_short_time_out_permits_a_push_of_three_seconds():
+    seen = [twist.v for twist in driven(shaper(cruise_time=1.0), [(1.0, 0.0)] * 350)]
+    assert seen[:299] == sorted(seen[:299])
+    assert seen[-1] < seen[310]
+
+
+@given(st.lists(st.tuples(st.sampled_from([0.0, 0.5]), st.integers(1, 300)), max_size=8))
+def test_coasting_at_once_is_coasting_step_by_step(pieces):
+    at_once, stepped = Cruise(3.5), Cruise(3.5)
+    for control, length in pieces:
+        went_on = [stepped.goes_on(control, 0.01) for _ in range(length)]
+        count = went_on.index(False) if False in went_on else length
+        assert at_once.coast(control, np.full(length, 0.01)) == count
+        if count < length:
+            return
+
+
+def test_coasting_without_a_time_out_never_ends():
+    assert Cruise(None).coast(0.0, np.full(500, 1.0)) == 500
+    assert Cruise(None).coast(1.0, np.full(500, 1.0)) == 500
 
 
 def test_lower_limits_are_shaped_within():

@@ -20,7 +20,7 @@ from app.calibration.fit.joint_evidence import (
 from app.calibration.fit.pca import JointPCA, angle_between
 from app.calibration.fit.pieces import Frames
 from app.calibration.fit.repetitions import Repetition
-from app.calibration.fit.step_size import least_step
+from app.calibration.fit.step_size import LeastSteps, least_steps
 from app.calibration.grades import LARGEST_ANGLE
 
 REST_NOISE_FACTOR = 4.0
@@ -47,7 +47,7 @@ class FittedJoint:
     full: float
     reaches_full: bool
     repeatability: float | None
-    step: float
+    steps: LeastSteps
 
     def rate(self, values: Frames, sample_rate: float) -> Frames:
         """Return the rate (n,) in FS/s of frames (n, n_channels)."""
@@ -97,7 +97,7 @@ def fit_joint(
         full=full,
         reaches_full=reached is not None,
         repeatability=repeatability(rates, sample_rate) if own else None,
-        step=least_step(channels, span, [free, *([] if rest is None else [rest])], sample_rate),
+        steps=least_steps(channels, span, free, rest, own, sample_rate),
     )
 
 

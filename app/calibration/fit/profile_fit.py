@@ -170,7 +170,8 @@ def _joint_map(
         rest_rate=joint.rest_rate,
         dead_zone=joint.dead_zone,
         full=joint.full,
-        step=joint.step,
+        step=joint.steps.sudden,
+        filtered_step=joint.steps.filtered,
         grade=letter,
         reason=reason,
     )

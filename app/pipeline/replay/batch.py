@@ -281,8 +281,9 @@ def _ramped(axis: _Axis, control: Array, time: _Time) -> Array:
         i += 1
         if speed == last and step > 0.0:
             start, i = i, changes[bisect_right(changes, i - 1)]
-            if cruise and was_permitted and speed and not controls[start - 1]:
-                i = start + cruise.coast(time.dt[start:i])
+            if cruise and was_permitted:
+                passed = cruise.coast(controls[start - 1], time.dt[start:i])
+                i = start + passed if speed else i
         speeds.append(speed)
         ends.append(i)
         last = speed
