@@ -36,6 +36,7 @@ ALIKE_PEAK: Final = 0.08  # the same of their peaks
 MOST_NOISE: Final = 0.04  # of a peak: by so much more they may differ at most because of the noise at rest
 LONGEST_PAUSE: Final = 5.0  # s between two half waves of an oscillation
 HALF_WAVES: Final = 4  # so many in a row that are alike; people made at most 3
+NEXT: Final = 2.0  # half waves, since the last one ended: an oscillation without a next one is over
 LONGEST_GAP: Final = 0.05  # s without a frame after which the past is forgotten
 DOUBT: Final = 2.0  # s for which signals that were no movement are not believed
 
@@ -59,11 +60,16 @@ class HalfWaves:
         self._sign = 0
         self._place = math.nan  # FS, of a displacement
         self._last = self._t = self._begin = self._peak = 0.0
-        self._end = self._end_before = -math.inf
+        self._end = -math.inf
         self._durations = (0.0, 0.0)  # s, of the last half wave and of the one before it
         self._peaks = (0.0, 0.0)
         self.count = 0
         """Half waves in a row that are alike."""
+
+    @property
+    def go_on(self) -> bool:
+        """Whether enough of them were alike, and the next one may still come."""
+        return self.count >= HALF_WAVES and self._t - self._end <= NEXT * self._durations[0]
 
     def step(self, strength: float) -> None:
         """Take the rate (FS/s) or the displacement (FS), `period` (s) after the last one."""
@@ -230,7 +236,7 @@ class MovementCheck:
         disbelieves = False
         for waves, rate in zip(self._waves, rates, strict=True):
             waves.step(rate)
-            disbelieves |= waves.count >= HALF_WAVES
+            disbelieves |= waves.go_on
         if self._known == self._size:
             ring = self._ring
             change = ring[(newest - self._newer) % self._size] - ring[(newest - self._older) % self._size]

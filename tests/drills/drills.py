@@ -16,7 +16,7 @@ from drills.schedules import schedules
 from drills.second_sender import second_sender
 from drills.second_socket import second_socket
 from drills.session_end import session_end
-from drills.shirt import sensors_break, shirt_kept_back, shirt_stalls
+from drills.shirt import loose_connector, sensors_break, sensors_stick, shirt_kept_back, shirt_stalls
 from drills.stops import SCREENS, chair_switch, screen_gone, tablet_stop
 from drills.uploads import upload_bombs
 
@@ -35,6 +35,8 @@ DRILLS = {
     "shirt": (shirt_stalls, 50, 1),
     "kept-back": (shirt_kept_back, 20, 1),
     "sensors": (sensors_break, 60, 3),
+    "stuck": (sensors_stick, 20, 1),
+    "loose": (loose_connector, 20, 1),
     "disk": (disk_full, 20, 1),
     "disk-end": (session_end, 10, 1),
     "weather": (weather, 60, 1),

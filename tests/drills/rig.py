@@ -23,19 +23,25 @@ from app.process.command_channel import LinkLost, LinkRefused
 from app.process.supervisor import ControlProcess
 from building import make_parameters
 
-PARAMETERS = make_parameters()  # acceleration mode: after one stroke the chair cruises while the hands rest
+NOISE = 1e-3  # signal units, standard deviation of a good sensor
+MADE = make_parameters()  # acceleration mode: after one stroke the chair cruises while the hands rest
+PROFILE = MADE.profile.model_copy(update={"noise": (NOISE,) * len(MADE.profile.low)})
+PARAMETERS = MADE.model_copy(update={"profile": PROFILE})
+STUCK_NOISE = 0.1  # of a good sensor's noise: what a stuck one still shows
 CRUISE = 0.15  # m/s, least speed of cruising
 AFTER = 0.75  # s of observation after the fault
 TRIES = 6
 
 
 class DrillShirt(UdpShirtSender):
-    """A shirt that can stall, break in some of its channels, or have its frames kept back on their way."""
+    """A shirt that can stall, break in some of its channels, be loose, or have its frames kept back on their way."""
 
     def __init__(self, parameters, port, key_file):
         self.stalled = False
         self.kept_back = 0.0  # s
         self.broken = {}  # channel: value
+        self.stuck = {}  # channel: value, which shows a bit of noise
+        self.loose = None  # half a period in frames, and what a channel changes by: channel: value
         self.recent = deque(maxlen=300)  # frames
         super().__init__(parameters, port, key_file)
 
@@ -43,10 +49,21 @@ class DrillShirt(UdpShirtSender):
         """Return to rest."""
         self._stroke_at = None
 
+    def stick(self, channels):
+        """Let these channels stick where they are now."""
+        values = self._values()
+        self.stuck = {channel: values[channel] for channel in channels}
+
     def _values(self):
         values = super()._values()
         for channel, value in self.broken.items():
             values[channel] = value
+        for channel, value in self.stuck.items():
+            values[channel] = value + STUCK_NOISE * NOISE * (self._frames % 2)
+        if self.loose is not None:
+            frames, changes = self.loose
+            for channel, change in changes.items():
+                values[channel] += change * (self._frames // frames % 2)
         return values
 
     def _send(self):
@@ -111,18 +128,21 @@ class Rig:
         self.receiver.press(False)
         await tick_with(self.control, lambda tick: tick["stop_input"] == 0 and tick["chair_state"] == 0)
 
+    async def arm(self):
+        """Arm the chair at rest; return whether it is armed."""
+        self.shirt.rest()
+        with suppress(LinkRefused):
+            await clear(self.control)
+            await self.control.call("arm", hash=PARAMETERS.hash)
+        return (await tick_with(self.control, _decided))["state"] == State.ARMED
+
     async def cruise(self):
         """Arm, make one stroke, and return when the chair drives by itself."""
         for _ in range(TRIES):
-            self.shirt.rest()
-            with suppress(LinkRefused):
-                await clear(self.control)
-                await self.control.call("arm", hash=PARAMETERS.hash)
-            tick = await tick_with(self.control, _decided)
-            if tick["state"] != State.ARMED:
+            if not await self.arm():
                 continue
             self.shirt.stroke()
-            tick = await tick_with(self.control, lambda tick: tick["state"] != State.ARMED or tick["driven_v"] > CRUISE)
+            await tick_with(self.control, lambda tick: tick["state"] != State.ARMED or tick["driven_v"] > CRUISE)
             await asyncio.sleep(0.45)  # the stroke ends, and the arm returns
             if self.control.newest()["state"] == State.ARMED and self.receiver.newest["v"] > CRUISE:
                 return

@@ -179,6 +179,14 @@ def test_an_even_oscillation_of_a_held_posture_is_not_believed_either(frequency)
     assert np.flatnonzero(seen)[0] / RATE < 3.0 / frequency + 0.2
 
 
+def test_an_oscillation_that_ended_is_believed_again_after_the_doubt():
+    parameters = make_parameters()
+    course = behind_filter(at(2.0, 3.0, 4.0, 5.0, 6.0, 7.0, size=0.2), 0.05)
+    doubts = looked_at(parameters, shifted(parameters, course))[:, 0]
+    assert doubts[750]
+    assert not doubts[1000:].any()
+
+
 def test_half_waves_that_differ_are_not_counted():
     waves = HalfWaves(0.15, 0.01, 0.01)
     counts = []
