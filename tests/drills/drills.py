@@ -3,6 +3,7 @@
 import asyncio
 import random
 
+from drills.clock_ahead_start import clock_ahead
 from drills.connections import silent_connections, uploads_of_nobody
 from drills.flood import sign_ins
 from drills.large_plans import large_plan
@@ -44,6 +45,7 @@ DRILLS = {
     "recorded-switch": (recorded_switch, 10, 2),
     "schedules": (schedules, 500, 3),
     "clock": (wall_clock, 20, 1),
+    "clock-ahead": (clock_ahead, 10, 1),
     "names": (odd_names, 20, 1),
     "second-sender": (second_sender, 20, 1),
     "uploads": (upload_bombs, 34, 2),
