@@ -13,6 +13,7 @@ from folders import ROOT
 
 FOLDER = Path(__file__).parent / "clock_ahead"
 DAY = 86_400.0  # s
+PATIENT = {"code": "P-1", "pseudonym": "Blue heron"}
 OWNER = {"name": "Ada", "password": "correct horse battery"}
 
 
@@ -30,7 +31,7 @@ async def clock_ahead(runs, dice):
 def _one(folder, days, result):
     with _clinic(folder) as (client, code):
         _expect(result, client.post("/auth/setup", json={**OWNER, "code": code}), "the clinic was not made")
-        patient = _expect(result, client.post("/patients", json={"code": "P-1", "pseudonym": "Blue heron"}), "the patient was not made").json()
+        patient = _expect(result, client.post("/patients", json=PATIENT), "the patient was not made").json()
         _expect(result, client.delete(f"/patients/{patient['id']}"), "the patient was not deleted")
     with _clinic(folder, PYTHONPATH=f"{FOLDER}{os.pathsep}{ROOT}", CLOCK_AHEAD=str(days * DAY)) as (client, _):
         _expect(result, client.post("/auth/sign-in", json=OWNER), "nobody could sign in")
