@@ -22,6 +22,7 @@ RUNS, STOPS = 3, 40  # runs; stops of each kind in each run: a stop takes a seco
 REACH = 25.0  # ms
 DRIVING = 0.1  # s: longest drive before a stop, of random length, so that stops meet every phase of the loop
 FRAME_LIMIT = 2.0  # s to wait for the stop frame
+START_LIMIT = 60.0  # s to wait for the first page of a program that starts
 LOOK_EVERY = 0.002  # s
 
 
@@ -32,7 +33,7 @@ def measure_stop(runs: int = RUNS, stops: int = STOPS) -> list[Row]:
     over_http: list[float] = []
     with served(lambda _: []) as (web, chair, port, _):
         address = ("127.0.0.1", port)
-        request(address, "GET", "/")  # the page with the button is loaded before a stop
+        request(address, "GET", "/", START_LIMIT)  # the page with the button is loaded before a stop
         for times, stop in [(over_link, _by_link), (over_http, _by_http)] * (runs * stops):
             ask(web, "arm")
             clock.sleep_until(clock.now() + pause.uniform(0.0, DRIVING))
@@ -77,9 +78,9 @@ def _by_http(_web: subprocess.Popen[str], address: tuple[str, int]) -> float:
     return request(address, "POST", "/api/v1/control/stop")
 
 
-def request(address: tuple[str, int], method: str, path: str) -> float:
-    """Send a request to the web process, and return when it was sent (monotonic s)."""
-    connection = http.client.HTTPConnection(*address, timeout=FRAME_LIMIT)
+def request(address: tuple[str, int], method: str, path: str, limit: float = FRAME_LIMIT) -> float:
+    """Send a request to the web process, wait at most `limit` (s), and return when it was sent (monotonic s)."""
+    connection = http.client.HTTPConnection(*address, timeout=limit)
     connection.connect()  # before the time counts: the connection of a page is open already
     before = monotonic()
     connection.request(method, path)
