@@ -13,7 +13,7 @@ from app.backup.backup_folder import BackupFolder
 from app.backup.restoring import check_backup
 from app.settings import Settings
 
-KILLS = 8
+KILLS = 4
 
 
 def begin(settings: Settings, stick: Path) -> subprocess.Popen[str]:
