@@ -91,7 +91,12 @@ def test_from_the_shirt_to_a_scored_drive(tablet):
     page.get_by_role("button", name="Next trial").click()
     expect(page.locator(".place")).to_be_visible()
     reaches_the_goal(page)
-    expect(page.get_by_text("one of the first three trials of this task")).to_be_visible()
+    one_of_the_first = page.get_by_text("one of the first three trials of this task")
+    count_it = page.get_by_role("button", name="Count it")  # where a busy machine interrupted the trial
+    expect(one_of_the_first.or_(count_it)).to_be_visible()
+    if count_it.is_visible():
+        count_it.click()
+    expect(one_of_the_first).to_be_visible()
     keep("trial-over-second")
 
     go_to(page, "review")
