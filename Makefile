@@ -4,9 +4,9 @@ VENV := .venv
 BIN := $(VENV)/bin
 TSC := $(BIN)/node node_modules/typescript/bin/tsc
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
-# Packages are those whose digests stand in requirements/. Python compiles a module when it first imports it, so that
-# the many that nothing imports take neither time nor 90 MB.
-PINNED := $(INSTALL) --no-compile --require-hashes --requirement
+# Packages are those whose digests stand in requirements/; these are complete, so that pip looks for no others. Python
+# compiles a module when it first imports it: the many that nothing imports take neither time nor 90 MB.
+PINNED := $(INSTALL) --no-compile --no-deps --require-hashes --requirement
 OWN := $(INSTALL) --no-index --no-deps --no-build-isolation
 
 # A module is compiled once, and not by each of the many processes that the tests start.
