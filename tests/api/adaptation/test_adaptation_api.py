@@ -96,6 +96,16 @@ def test_a_trial_that_is_discarded_no_longer_speaks_for_a_change(ready: Any) -> 
     assert "Nothing was driven with this calibration yet" in proposed(ready)["why"]
 
 
+def test_a_worn_shirt_s_map_does_not_follow_what_a_simulated_person_did(ready: Any) -> None:
+    """Safety S26: what the proposal is made of follows the shirt in use."""
+    drive(ready)
+    assert proposed(ready)["proposal"] is not None
+    ready.good("PUT", "/equipment/shirt", json={"kind": "udp", "port": 0})
+    view = proposed(ready)
+    assert (view["proposal"], ready.asked) == (None, [(1, 1)])
+    assert "Nothing was driven with this calibration yet" in view["why"]
+
+
 def test_bad_wishes_are_refused_in_a_sentence(ready: Any) -> None:
     assert ready("PUT", "/adaptation", json={"mode": "always"}).status_code == 422
     assert ready("POST", "/adaptation/apply", json={"proposal": "../.."}).status_code == 422
