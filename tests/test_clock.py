@@ -1,10 +1,11 @@
-"""The monotonic clock counts the time in which the machine sleeps."""
+"""The monotonic clock counts the time in which the machine sleeps; neither clock knows a time zone."""
 
 import time
+from datetime import timedelta
 
 import pytest
 
-from app.clock import MonotonicClock, monotonic
+from app.clock import MonotonicClock, monotonic, utc_now
 
 
 @pytest.mark.skipif(not hasattr(time, "CLOCK_BOOTTIME"), reason="This system's only clock is tested elsewhere.")
@@ -21,3 +22,15 @@ def test_sleep_ends_no_earlier_than_asked():
     clock.sleep_until(until)
     assert clock.now() >= until
     clock.sleep_until(until)
+
+
+def test_utc_is_the_same_in_every_time_zone(monkeypatch):
+    monkeypatch.setenv("TZ", "EAST-14")
+    time.tzset()
+    try:
+        now, counted = utc_now(), time.time()
+    finally:
+        monkeypatch.undo()
+        time.tzset()
+    assert now.utcoffset() == timedelta(0)
+    assert abs(now.timestamp() - counted) < 3600.0

@@ -4,6 +4,7 @@ import ast
 import subprocess
 import sys
 import tomllib
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
@@ -164,6 +165,32 @@ def test_one_module_reads_the_clock():
         module for module, imports in imports_of_all().items() if any(each.split(".")[0] == "time" for each in imports)
     }
     assert found == {"app.clock"}
+
+
+def reads_of_the_clock(file: Path) -> Iterator[str]:
+    """Yield how a file reads the wall clock: `now` directly, `utc_now` by the function of app.clock."""
+    for node in ast.walk(ast.parse(file.read_text())):
+        if isinstance(node, ast.Attribute) and node.attr in {"today", "utcnow"}:
+            yield "now"
+        elif isinstance(node, ast.Attribute) and node.attr == "now":
+            of = node.value.attr if isinstance(node.value, ast.Attribute) else getattr(node.value, "id", "")
+            if of == "datetime":
+                yield "now"
+        elif isinstance(node, ast.ImportFrom) and node.module == "app.clock":
+            yield from (name.name for name in node.names if name.name == "utc_now")
+        elif isinstance(node, ast.Attribute) and node.attr == "utc_now":
+            yield "utc_now"
+
+
+def test_the_wall_clock_is_read_in_one_module_and_where_the_chair_is_driven_for_labels_only():
+    """Safety S16: a limit of time that went by the wall clock would change when that is set."""
+    found = {module_of(file): set(reads_of_the_clock(file)) for file in FILES}
+    assert {module for module, reads in found.items() if "now" in reads} == {"app.clock"}
+    driving = {LEAVES, "process", "recording", "signals", "world", "hardware", "calibration", "pipeline", "scoring"}
+    assert {module for module, reads in found.items() if "utc_now" in reads and package_of(module) in driving} == {
+        "app.pipeline.runs",  # when a recording was made
+        "app.calibration.fit.profile_fit",  # when a map was made
+    }
 
 
 def test_the_control_process_reaches_no_web_database_or_fitting_library():
