@@ -1,0 +1,26 @@
+"""A trial on the virtual chair has one controller too: others look and stop, and do not go on or end it."""
+
+from fake_clinic import WORD, Clinic
+from people_of_clinic import as_person
+
+from app.api.one_controller import ANOTHER
+from app.store.people import add_person, sign_in, the_clinic
+
+
+def test_only_who_started_a_trial_goes_on_and_ends_it_and_anybody_stops(calibrated: Clinic) -> None:
+    with calibrated.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+        other = sign_in(db, add_person(db, the_clinic(db), "Other", "clinician", None), "test")
+    plan = calibrated.good("GET", "/floorplans/apartment")
+    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"]}
+    calibrated.good("POST", "/trials", json={**where, "screen": WORD})
+    with as_person(calibrated, {"bodydrive_sign_in": other}):
+        assert calibrated.good("POST", "/control/stop")["state"] == "fault"
+        for path, body in (
+            ("/control/clear", {"stops": 1}),
+            ("/control/dial", {"share": 0.5}),
+            ("/trials/current/end", {"reason": "by hand"}),
+        ):
+            answer = calibrated("POST", path, json=body)
+            assert (answer.status_code, answer.json().get("detail")) == (409, ANOTHER), path
+    calibrated.good("POST", "/control/clear", json={"stops": 1})
+    calibrated.good("POST", "/trials/current/end", json={"reason": "by hand"})
