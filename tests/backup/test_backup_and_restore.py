@@ -39,7 +39,10 @@ NOBODY: frozenset[Any] = frozenset()
 def settings(tmp_path: Path) -> Settings:
     made = Settings(state=tmp_path / "clinic")
     two_patients(made, GOES, STAYS)
-    for folder, name in ((made.keys, "1.key"), (made.authority, "root.key"), (made.floorplans, "ward.json")):
+    for folder, name in (
+        *((made.keys, "1.key"), (made.authority, "root.key")),
+        *((made.floorplans, "ward.json"), (made.models, "table.glb")),
+    ):
         folder.mkdir(exist_ok=True)
         (folder / name).write_bytes(os.urandom(2_000_000 if folder == made.floorplans else 32))
     (made.runs / "empty").mkdir()
@@ -98,7 +101,7 @@ def test_a_restored_clinic_is_equal_by_hash(settings: Settings, target: Path, se
     done = restore(file, other, secret, NOBODY)
     assert done.erased_again == 0
     assert files_of(other) == files_of(settings)
-    assert len(files_of(other)) == 10
+    assert len(files_of(other)) == 11
     assert rows_of(other.database) == rows_of(settings.database)
     assert log_of(other) == [*log_of(settings), "clinic restored"]
     assert verify_log(other.database).whole
