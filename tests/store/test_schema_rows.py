@@ -76,8 +76,9 @@ def test_a_migration_changes_the_database_and_leaves_every_other_file_as_it_is(f
     """So the copy before a migration needs the database only."""
     state = Path(shutil.copytree(filled.parent, tmp_path / "state"))
     file = state / filled.name
-    (state / "files").mkdir()
-    (state / "files" / "layout.json").write_text("{}")
+    for name in ("files/layout.json", "keys/1.key"):
+        (state / name).parent.mkdir()
+        (state / name).write_text("{}")
     engine = make_engine(file)
     for _ in REVISIONS[1:]:
         migrate(engine, "-1")
