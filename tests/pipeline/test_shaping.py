@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.geometry import STANDSTILL, Twist
-from app.pipeline.shaping import TURN_BUILD_UP, Cruise, Shaper, forward_ramp, turn_ramp
+from app.pipeline.shaping import REST, TURN_BUILD_UP, Cruise, Shaper, forward_ramp, turn_ramp
 from app.speeds import Speeds
 from building import make_parameters
 
@@ -144,6 +144,29 @@ def test_coasting_at_once_is_coasting_step_by_step(pieces):
         assert at_once.coast(control, np.full(length, 0.01)) == count
         if count < length:
             return
+
+
+@pytest.mark.parametrize("control", [0.0, 1.0])
+def test_the_time_out_itself_still_goes_on_and_a_tick_more_does_not(control):
+    cruise = Cruise(4.0)
+    assert [cruise.goes_on(control, 0.5) for _ in range(9)] == [True] * 8 + [False]
+    assert Cruise(4.0).coast(control, np.full(9, 0.5)) == 8
+
+
+@pytest.mark.parametrize(("rest", "count"), [(REST, 1), (0.125, 0)])
+def test_a_rest_of_its_length_lets_pushing_begin_anew_and_a_shorter_one_does_not(rest, count):
+    stepped, at_once = Cruise(4.0), Cruise(4.0)
+    for control, step in ((1.0, 3.75), (0.0, rest)):
+        assert stepped.goes_on(control, step)
+        assert at_once.coast(control, np.array([step])) == 1
+    assert stepped.goes_on(1.0, 3.75) == bool(count)
+    assert at_once.coast(1.0, np.array([3.75])) == count
+
+
+def test_a_single_step_past_the_time_out_is_none():
+    cruise = Cruise(4.0)
+    assert cruise.coast(1.0, np.array([3.9375])) == 1
+    assert cruise.coast(0.0, np.array([0.125])) == 0
 
 
 def test_coasting_without_a_time_out_never_ends():
