@@ -57,6 +57,10 @@ SAME = {
     "in zip(gains, movements, ": "both lists have one entry for each gesture",
     "if sign >= 0 else self.high": "no axis that stands is asked for its brakes",
     "for sign in (-2, 0, 1)": "only its sign counts",
+    "for sign in (2, -1)": "only its sign counts",
+    "for sign in (1, -2)": "only its sign counts",
+    "self.high if sign >= 0": "it is asked for 1 and -1 only",
+    "min(1.0, *those)": "of the lowest sum only whether it is below 0 counts, and by how much",
     "for sign in (-1, 0, 2)": "only its sign counts",
     "_Push(min(1.0, *those)": "a lowest sum above 0 lowers nothing, as 0 does",
 }

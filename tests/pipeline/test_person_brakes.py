@@ -276,10 +276,33 @@ FORTH, BACKWARD = ("u1+", ("right_elbow",), 1.0), ("u1-", ("left_elbow",), 1.0)
         ([FORTH, ("u1-", ("left_elbow",), 0.5), ("stop", ("right_elbow", "right_shoulder"), 1.0)], False),
         ([FORTH, BACKWARD, ("u2+", ("left_elbow",), 1.0), ("stop", BOTH_ELBOWS, 1.0)], False),  # it turns as it slows
         ([("u1+", ("right_elbow",), 0.0)], True),  # it drives nothing
+        ([FORTH, BACKWARD, ("stop", ("right_elbow",), 1.0)], False),  # stuck below half there is no stop
+        ([BACKWARD, ("u1+", ("right_elbow",), 0.51), ("stop", ("left_elbow", "right_shoulder"), 1.0)], True),
+        ([BACKWARD, ("u1+", ("right_elbow",), 0.5), ("stop", ("left_elbow", "right_shoulder"), 1.0)], False),
+        (
+            [
+                ("u1+", ("right_elbow",), 0.5),
+                ("u1-", ("left_elbow",), 0.3),
+                ("stop", ("right_elbow", "right_shoulder"), 1.0),
+            ],
+            True,
+        ),
+        (
+            [
+                ("u2+", ("right_elbow",), 1.0),
+                ("u2-", ("left_elbow",), 1.0),
+                ("stop", ("right_elbow", "right_shoulder"), 1.0),
+            ],
+            True,
+        ),
     ],
 )
 def test_a_held_posture_needs_a_stop_that_works_while_its_sensors_are_stuck(bindings, is_stoppable):
     assert (missing_brake(held(bindings)) == "") == is_stoppable
+
+
+def test_a_stop_may_need_every_gesture_that_there_is():
+    assert missing_brake(held([FORTH, BACKWARD, ("stop", BOTH_ELBOWS, 1.0)], joints=BOTH_ELBOWS)) == ""
 
 
 def test_a_movement_whose_sensors_are_stuck_drives_nothing():
