@@ -30,6 +30,7 @@ RATE, CHANNELS, GESTURES = 100, 52, 4
 AT_ONCE = RING_SLOTS // 4  # ticks; the recorder follows before the ring is full
 SETTLED = 120  # s of the recording, until which memory is taken for good
 MOST_GROWTH = 50.0  # MB
+PATIENCE = 30.0  # s for the disk; a recorder that loses rows never has them all
 SHIRT = {"kind": "simulator", "sample_rate": float(RATE), "seed": 1, "layout": None, "dead_channels": []}
 
 
@@ -77,7 +78,10 @@ def write_quickly(folder: Path, seconds: int) -> float:
         tick.frame_seq, tick.values = number, values[number % AT_ONCE]
         ring.write(tick, 1, number / RATE, NO_CUE, 0, 0)
         if (number + 1) % AT_ONCE == 0:
+            until = time.monotonic() + PATIENCE
             while writer.rows <= number and not writer.damage:
+                if time.monotonic() > until:
+                    raise TimeoutError(f"{writer.rows} of {number + 1} rows are on the disk after {PATIENCE:g} s")
                 time.sleep(0.01)
             most = max(most, _memory())
         if number == SETTLED * RATE:

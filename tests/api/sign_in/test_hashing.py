@@ -84,6 +84,14 @@ def test_it_gives_way_to_every_other_process_and_ends_with_the_program():
     assert not process.is_running()
 
 
+def test_who_asks_at_the_same_time_gets_the_answer_of_the_own_password():
+    async def story(made):
+        stored = await made.hash("a password")
+        return await asyncio.gather(*(made.matches(stored, given) for given in ("a password", "another", "a password")))
+
+    assert with_hashing(story) == [True, False, True]
+
+
 def test_one_that_died_is_started_again():
     async def story(made):
         stored = await made.hash("a password")

@@ -28,7 +28,7 @@ class FullAt:
 
     async def sleep(self, seconds: float) -> None:
         self.time += seconds
-        if self.told:
+        if self.told or self.time > self.full + 10.0 * TOLD_WITHIN:  # nobody was told
             raise asyncio.CancelledError
         await asyncio.to_thread(lambda: None)
 
