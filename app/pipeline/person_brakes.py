@@ -53,7 +53,7 @@ class Brakes:
 
     def __init__(self, parameters: DriveParameters) -> None:
         self._keeps = parameters.mode_u1 == "acceleration", parameters.mode_u2 == "acceleration"
-        self._pushes = list(zip(_pushes(parameters, "u1"), _pushes(parameters, "u2"), strict=True))
+        self._pushes = _both_pushes(parameters)
         self._within_reach = [_is_within_reach(gesture) for gesture in parameters.gestures]
         self._stops = _possible_stops(parameters)
         self._all_bad = [True] * len(parameters.gestures)
@@ -118,7 +118,7 @@ def _stops_although_stuck(parameters: DriveParameters, index: int) -> bool:
     outweigh what the stuck gesture can still do.
     """
     gesture = parameters.gestures[index]
-    pushes = list(zip(_pushes(parameters, "u1"), _pushes(parameters, "u2"), strict=True))
+    pushes = _both_pushes(parameters)
     if gesture.feature == "rate" or pushes[index] == (_Push(), _Push()):
         return True  # a stuck joint makes no movement, and what drives nothing may stay
     others = [i for i, other in enumerate(parameters.gestures) if other.joint != gesture.joint]
@@ -172,6 +172,11 @@ def _pushes(parameters: DriveParameters, name: str) -> list[_Push]:
     movements = [(gesture.joint, gesture.feature, gesture.direction) for gesture in parameters.gestures]
     reached = [[gain for gain, other in zip(gains, movements, strict=True) if other == own] for own in movements]
     return [_Push(min(0.0, *those), max(0.0, *those)) for those in reached]
+
+
+def _both_pushes(parameters: DriveParameters) -> list[tuple[_Push, _Push]]:
+    """Return the effect of each gesture's movement on u1 and on u2."""
+    return list(zip(_pushes(parameters, "u1"), _pushes(parameters, "u2"), strict=True))
 
 
 def _possible_stops(parameters: DriveParameters) -> list[list[int]]:

@@ -167,6 +167,9 @@ def test_a_single_step_past_the_time_out_is_none():
     cruise = Cruise(4.0)
     assert cruise.coast(1.0, np.array([3.9375])) == 1
     assert cruise.coast(0.0, np.array([0.125])) == 0
+    cruise.reset()
+    assert cruise.coast(1.0, np.array([3.875])) == 1
+    assert cruise.coast(0.0, np.array([0.125])) == 1
 
 
 def test_coasting_without_a_time_out_never_ends():
