@@ -6,7 +6,7 @@
 import itertools
 import math
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, get_args
 
@@ -44,7 +44,7 @@ DISPLACEMENT = {"feature": "displacement", "dead_zone": 0.15, "full": 0.6}  # FS
 class Artefact:
     """What is added to the channels of all joints, or of the one that drives forward."""
 
-    words: str
+    words: str  # KIND: DETAILS
     course: Course
     all_joints: bool = False
     along: bool = True
@@ -107,29 +107,29 @@ def sine(size: float, frequency: float) -> Course:
 
 ARTEFACTS = (
     *(
-        Artefact(f"loose connector of one joint, {size:g} of the half range, {frequency:g} Hz", square(size, frequency))
+        Artefact(f"connector: {size:g}, {frequency:g} Hz", square(size, frequency))
         for size, frequency in itertools.product((0.3, 0.15, 0.08), (0.5, 1.0, 2.0))
     ),
-    Artefact("the same at random, 0.3, one change a second", telegraph(0.3, 1.0)),
-    Artefact("the same at random, 0.15, one change a second", telegraph(0.15, 1.0)),
+    Artefact("connector at random: 0.3", telegraph(0.3, 1.0)),
+    Artefact("connector at random: 0.15", telegraph(0.15, 1.0)),
     *(
-        Artefact(f"{words} behind a filter of {1e3 * seconds:g} ms", passed(course, seconds))
+        Artefact(f"{words}, {1e3 * seconds:g} ms", passed(course, seconds))
         for seconds in (0.01, 0.02, 0.05)
         for words, course in (
-            ("the same, 0.3, 0.5 Hz,", square(0.3, 0.5)),
-            ("the same, 0.15, 1 Hz,", square(0.15, 1.0)),
-            ("the same at random, 0.3, one change a second,", telegraph(0.3, 1.0)),
+            ("connector behind a filter: 0.3, 0.5 Hz", square(0.3, 0.5)),
+            ("connector behind a filter: 0.15, 1 Hz", square(0.15, 1.0)),
+            ("connector at random behind a filter: 0.3", telegraph(0.3, 1.0)),
         )
     ),
-    Artefact("spikes of one frame, 0.2, one a second", spikes(0.2, 1.0)),
+    Artefact("spikes of one frame: 0.2, one a second", spikes(0.2, 1.0)),
     *(
-        Artefact(f"{words}, {size:g}, {frequency:g} Hz", sine(size, frequency), all_joints=True, along=along)
+        Artefact(f"{words}: {size:g}, {frequency:g} Hz", sine(size, frequency), all_joints=True, along=along)
         for along, words in ((False, "all channels sway alike"), (True, "all joints sway towards their movements"))
         for size, frequency in ((0.2, 0.5), (0.2, 1.0), (0.2, 2.0), (0.1, 1.0), (0.3, 0.3))
     ),
 )
 ONE_JOINT_SWAYS = tuple(
-    Artefact(f"one joint sways towards its movement, {size:g}, {frequency:g} Hz", sine(size, frequency))
+    Artefact(f"one joint sways towards its movement: {size:g}, {frequency:g} Hz", sine(size, frequency))
     for size, frequency in ((0.1, 1.0), (0.2, 0.5), (0.2, 1.0), (0.2, 2.0), (0.4, 0.3))
 )
 """Each of these begins as a stroke does: only its repetition is no movement."""
@@ -140,7 +140,7 @@ def hums(sample_rate: float) -> tuple[Artefact, ...]:
     mains = sorted({50.0, 60.0, sample_rate + 0.4})
     return tuple(
         Artefact(
-            f"hum of {one:g} Hz at {sample_rate:g} Hz, {HUM:g}, {'towards the movements' if along else 'alike'}",
+            f"hum {'towards the movements' if along else 'alike'}: {one:g} Hz at {sample_rate:g} Hz",
             sine(HUM, one),
             all_joints=True,
             along=along,
@@ -235,22 +235,36 @@ def rows() -> list[Row]:
     found = [Row(one.words, [one], subjects) for one in (*ARTEFACTS, *hums(100.0), *ONE_JOINT_SWAYS)]
     for rate in (48.0, 50.0, 51.0, 60.0, 200.0, 1000.0):
         judged = [subject("pca", rate)]
-        found.append(Row(f"{ARTEFACTS[1].words}, at {rate:g} Hz", [ARTEFACTS[1]], judged))
-        words = f"hum of 50 and 60 Hz and of 0.4 Hz above the sampling rate, at {rate:g} Hz, the largest of each"
-        found.append(Row(words, list(hums(rate)), judged))
+        found.append(Row(f"{ARTEFACTS[1].words} at {rate:g} Hz", [ARTEFACTS[1]], judged))
+        found.append(Row(f"largest of all hums: at {rate:g} Hz", list(hums(rate)), judged))
     return found
+
+
+def cell(speed: float, way: float) -> str:
+    """Return speed (m/s) and way (m) as they stand in the table: 0 where both round to it."""
+    text = f"{speed:.2f}, {way:.2f}"
+    return "0" if text == "0.00, 0.00" else text
+
+
+def merged(rows: Iterable[tuple[str, tuple[str, ...]]]) -> list[str]:
+    """Return lines of the table; artefacts of one kind with equal cells share a line."""
+    details: dict[tuple[str, tuple[str, ...]], list[str]] = {}
+    for words, cells in rows:
+        kind, _, detail = words.partition(": ")
+        details.setdefault((kind, cells), []).append(detail)
+    return [f"| {kind}: {'; '.join(those)} | {' | '.join(cells)} |\n" for (kind, cells), those in details.items()]
 
 
 def main() -> None:
     """Print the table."""
     kinds = tuple(itertools.product(get_args(ControlMode), get_args(Feature)))
+    judged = (
+        (row.words, tuple(cell(*worst(row.subjects, row.artefacts, mode, feature)) for mode, feature in kinds))
+        for row in rows()
+    )
     sys.stdout.write("| artefact | " + " | ".join(f"{mode}, {feature}" for mode, feature in kinds) + " |\n")
     sys.stdout.write("|---|" + "---|" * len(kinds) + "\n")
-    for row in rows():
-        each = [worst(row.subjects, row.artefacts, mode, feature) for mode, feature in kinds]
-        cells = (f"{speed:.2f} m/s, {way:.2f} m" for speed, way in each)
-        sys.stdout.write(f"| {row.words} | " + " | ".join(cells) + " |\n")
-        sys.stdout.flush()
+    sys.stdout.writelines(merged(judged))
 
 
 if __name__ == "__main__":
