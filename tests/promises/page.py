@@ -12,18 +12,15 @@ SOURCE = ROOT / "docs" / "promises.toml"
 
 SHOWN, IN_PART, NOT_SHOWN, NOT_BUILT = "shown", "in part", "🔴 **no test**", "not built yet"
 MARKS = (SHOWN, IN_PART, NOT_BUILT, NOT_SHOWN)
-PARTS = (("S", "Safety"), ("C", "Security"), ("D", "Data"))
+PARTS = (("C", "Security"), ("D", "Data"))
 KEYS = {"id", "words", "built", "tests", "commands", "missing"}
 
 HEAD = """# Promises
 
 Made by `make promises` of [safety.md](safety.md) and [promises.toml](promises.toml); a test says when it is old.
-Each row is what the program promises, with the tests that show it (file in `tests/` and function).
-
-- **shown**: the tests show all of it.
-- **in part**: the tests show a part; what is missing is said.
-- **not built yet**: no code keeps it.
-- 🔴 **no test**: it may be kept, and nothing shows that.
+Each row is a promise of the program with the tests that show it (file in `tests/` and function): all of it, unless
+it says **in part**, **not built yet** or 🔴 **no test**, and what is missing.
+The promises on safety stand in [safety.md](safety.md#what-holds).
 
 """
 
@@ -51,7 +48,12 @@ class Promise(NamedTuple):
     def row(self) -> str:
         """Its line in the table."""
         shown_by = ", ".join(f"`{one}`" for one in (*self.tests, *self.commands))
-        return f"| {self.id} | {self.words} | {self.mark} | {shown_by} | {self.missing} |"
+        return f"| {self.id} | {self.words}{self.gap} | {shown_by} |"
+
+    @property
+    def gap(self) -> str:
+        """What its tests do not show, in words with its mark; empty for nothing."""
+        return "" if self.mark == SHOWN else f" **{self.mark.replace('**', '')}**: {self.missing}"
 
 
 def promises() -> list[Promise]:
@@ -94,7 +96,8 @@ def page() -> str:
     every = promises()
     count = ", ".join(f"{sum(one.mark == mark for one in every)} {mark}" for mark in MARKS)
     lines = [f"{len(every)} promises: {count}."]
+    lines += ["", "## Safety", *(f"- {one.id}:{one.gap}" for one in every if one.id[0] == "S" and one.gap)]
     for letter, title in PARTS:
-        lines += ["", f"## {title}", "| # | promise | | shown by | what is missing |", "|---|---|---|---|---|"]
+        lines += ["", f"## {title}", "| # | promise | shown by |", "|---|---|---|"]
         lines += [one.row for one in every if one.id.startswith(letter)]
     return HEAD + "\n".join([*lines, ""])
