@@ -10,6 +10,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from difflib import SequenceMatcher
 from importlib.metadata import version
 from pathlib import Path
 
@@ -135,12 +136,23 @@ def _reason(after: str) -> str | None:
     return next((reason for part, reason in SAME.items() if part in after), None)
 
 
+def _changed(before: str, after: str) -> str:
+    """Return what a change took out of a line and what it put there."""
+    words = [re.findall(r"\w+|\s+|[^\w\s]+", line) for line in (before, after)]
+    edits = [edit for edit in SequenceMatcher(None, *words, autojunk=False).get_opcodes() if edit[0] != "equal"]
+    start, end = edits[0], edits[-1]
+    taken, put = "".join(words[0][start[1] : end[2]]), "".join(words[1][start[3] : end[4]])
+    return f"`{taken or ' '}` to `{put or ' '}`"
+
+
 def _report(covered: str, killed: int, count: int, survivors: dict[str, tuple[str, str]]) -> str:
+    changes: dict[tuple[str, str, str], list[str]] = {}
+    for name, (before, after) in survivors.items():
+        line = (name.split(".")[2], before, _reason(after) or "**none**")
+        changes.setdefault(line, []).append(_changed(before, after))
     rows = "".join(
-        f"| `{name.split('.')[2]}` | `{before}` | `{after}` | {_reason(after) or '**none**'} |\n".replace(
-            " | None", " or None"
-        )
-        for name, (before, after) in survivors.items()
+        f"| `{module}` | `{before}` | {', '.join(those)} | {reason} |\n".replace(" | None", " or None")
+        for (module, before, reason), those in changes.items()
     )
     modules = ", ".join(f"`app/pipeline/{name}.py`" for name in MODULES)
     return f"""# What the gate's tests would notice
@@ -155,7 +167,7 @@ The tests noticed {killed}: **{killed / count:.1%}** (to be reached: {LEAST_SCOR
 
 Not noticed, and why that is right:
 
-| module | before | after | reason |
+| module | line | changed | reason |
 |---|---|---|---|
 {rows}"""
 
