@@ -8,9 +8,9 @@ from app.api.computer.graphics import Graphics
 from app.api.computer.measurement import Measurement
 from app.api.live.hub import LiveHub
 from app.api.live.live_picture import LivePicture
+from app.api.live.message import LiveMessage
 from app.api.live.screen_pictures import ScreenPictures
 from app.api.live.screens import Screens
-from app.api.live.without_patient import without_patient
 from app.api.parts import WebParts, open_view
 from app.api.patient_screen.patient_picture import PatientPicture
 from app.api.replay.replays import Replays
@@ -60,7 +60,7 @@ def make_parts(
     open_scene: OpenScene | None,
 ) -> WebParts:
     """Make the parts of the web process; nothing runs before `start_parts`."""
-    hub: LiveHub
+    hub: LiveHub[LiveMessage]
 
     def tell(event: str) -> None:
         hub.tell(event)
@@ -77,9 +77,9 @@ def make_parts(
     tests = InterfaceTestFlow(database, control, runs, tell, computing)
     session = SessionFlow(database, control, equipment, calibration, trials, drives, tests, tell)
     live_picture = LivePicture(control, equipment, chairs, runs, trials, drives, tests, session)
-    hub = LiveHub(live_picture.picture, live_picture.quality, without_patient)
+    hub = LiveHub(live_picture.picture, live_picture.quality, LiveMessage.without_patient)
     patient = PatientPicture(live_picture, equipment, runs, trials)
-    patient_hub = LiveHub(patient.picture, dict)
+    patient_hub = LiveHub(patient.picture)
 
     def current_drive() -> dict[str, int]:
         trial, drive = trials.current, drives.current

@@ -13,9 +13,10 @@ from app.api.backup.night_backups import NightBackups
 from app.api.computer.graphics import Graphics
 from app.api.computer.measurement import Measurement
 from app.api.live.hub import LiveHub
+from app.api.live.message import LiveMessage
 from app.api.live.screen_pictures import ScreenPictures
 from app.api.live.screens import SILENCE_LIMIT, VIRTUAL_SILENCE_LIMIT, PageSign, Screen, Screens
-from app.api.patient_screen.patient_picture import PatientPicture
+from app.api.patient_screen.patient_picture import PatientMessage, PatientPicture
 from app.api.replay.replays import Replays
 from app.api.replay.timelines import Timelines
 from app.api.replay.trajectories import Trajectories
@@ -71,10 +72,10 @@ class WebParts:
     pictures: ScreenPictures
     faults: FaultLog
     disk: DiskWatch
-    live: LiveHub
+    live: LiveHub[LiveMessage]
     pairing: PairingCodes
     patient: PatientPicture
-    patient_live: LiveHub
+    patient_live: LiveHub[PatientMessage]
     graphics: Graphics
     measurement: Measurement
     backups: NightBackups

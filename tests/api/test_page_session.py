@@ -135,8 +135,8 @@ def test_the_dial_goes_down_from_any_page_and_up_from_the_right_one_only(in_sess
 
 def test_the_live_picture_names_the_open_session(in_session: Any) -> None:
     picture = in_session.web.live._picture
-    assert picture()["session"] == in_session.good("GET", "/session")["session"]["id"]
+    assert picture().session == in_session.good("GET", "/session")["session"]["id"]
     before = second_patient(in_session)
-    assert picture()["session"] == in_session.good("GET", "/session")["session"]["id"] != int(before)
+    assert picture().session == in_session.good("GET", "/session")["session"]["id"] != int(before)
     in_session.good("DELETE", "/session")
-    assert picture()["session"] is None
+    assert picture().session is None

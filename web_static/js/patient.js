@@ -15,7 +15,7 @@ const LONGEST_PAUSE = 5000; // ms
 
 class PatientPage {
   #api = new Api({ signedOut: () => {} });
-  /** @type {Live<import("./patient/message.js").PatientMessage>} */
+  /** @type {Live<import("./live/live.js").PatientMessage>} */
   #live = new Live("/api/v1/patient/live");
   #screen = new AbortController();
   #root = h("main", { class: "patient" });

@@ -1,7 +1,7 @@
 """How many pictures a second each screen draws that is open now, counted by the screens when somebody asks."""
 
 import asyncio
-from typing import Annotated
+from typing import Annotated, Any
 
 from pydantic import Field
 
@@ -16,7 +16,7 @@ PicturesPerSecond = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=
 class Graphics:
     """Asks the screens, and keeps the answer of each, by its live socket."""
 
-    def __init__(self, *hubs: LiveHub) -> None:
+    def __init__(self, *hubs: LiveHub[Any]) -> None:
         self._hubs = hubs
         self._names: dict[object, str] = {}
         self._rates: dict[object, float] = {}

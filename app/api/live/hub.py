@@ -6,24 +6,22 @@ import logging
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Generic, TypeVar
 
 from fastapi import WebSocket
+from pydantic import BaseModel
 from starlette.websockets import WebSocketState
 
 from app.api.sockets import cut_off
 from app.clock import monotonic
 
 EVERY = 0.05  # s
-NOTHING = "{}"
 SEND_LIMIT = 3.0  # s: a page that does not take a message within this time is cut off; a slow one takes 16 kB/s
 AT_ONCE = 4  # pages that get a picture in one turn of the event loop: a Stop waits for no more of them
 
 logger = logging.getLogger("bodydrive")
 
-Picture = Callable[[], dict[str, Any]]
-Quality = Callable[[], dict[str, Any]]
-Reduce = Callable[[dict[str, Any]], dict[str, Any]]
+Message = TypeVar("Message", bound=BaseModel)
 
 
 @dataclass(slots=True, eq=False)
@@ -36,14 +34,19 @@ class Viewer:
     fresh: asyncio.Event = field(default_factory=asyncio.Event)  # set when there is a newer picture
 
 
-class LiveHub:
+class LiveHub(Generic[Message]):
     """Sends the newest picture to every viewer; a slow viewer misses pictures but no event.
 
     The viewers get it one after another, a few in each turn of the event loop. To two hundred at once it would take
     longer than a Stop may wait, which needs several turns.
     """
 
-    def __init__(self, picture: Picture, quality: Quality, without_patient: Reduce = lambda picture: picture) -> None:
+    def __init__(
+        self,
+        picture: Callable[[], Message],
+        quality: Callable[[], BaseModel | None] = lambda: None,
+        without_patient: Callable[[Message], Message] = lambda picture: picture,
+    ) -> None:
         self._picture = picture
         self._quality = quality
         self._without_patient = without_patient
@@ -76,12 +79,12 @@ class LiveHub:
                 await viewer.fresh.wait()
                 viewer.fresh.clear()
                 text = self._text if viewer.may_see() else self._bare_text
-                if text == NOTHING:
+                if not text:
                     continue  # the page may see nothing since just now: the next picture is made for it
                 if viewer.events:
                     event = next(iter(viewer.events))
                     del viewer.events[event]
-                    text = f'{text[:-1]},"event":{json.dumps(event)}}}'
+                    text = _joined(text, json.dumps({"event": event}))
                 with suppress(RuntimeError):
                     async with asyncio.timeout(SEND_LIMIT):
                         await viewer.websocket.send_text(text)
@@ -114,20 +117,22 @@ class LiveHub:
                 await asyncio.sleep(0)
 
     def _messages(self, with_quality: bool) -> tuple[str, str] | None:
-        """Return the current picture as JSON, whole and without the patient.
+        """Return the current picture as JSON, whole and without the patient; the second is empty when nobody needs it.
 
         None, with the error logged, when it cannot be made.
         """
         try:
             picture = self._picture()
-            bare = self._without_patient(picture) if any(not viewer.may_see() for viewer in self._viewers) else {}
-            if with_quality:
-                picture |= self._quality()
-            return _json(picture), _json(bare)
+            text = picture.model_dump_json()
+            bare = any(not viewer.may_see() for viewer in self._viewers)
+            bare_text = self._without_patient(picture).model_dump_json() if bare else ""
+            quality = self._quality() if with_quality else None
+            return text if quality is None else _joined(text, quality.model_dump_json()), bare_text
         except Exception:  # go on: the pages need the next pictures of a chair that may drive
             logger.exception("The live picture could not be made")
             return None
 
 
-def _json(picture: dict[str, Any]) -> str:
-    return json.dumps(picture, separators=(",", ":"), allow_nan=False)
+def _joined(one: str, other: str) -> str:
+    """Return one JSON object with the fields of two, none of which is empty."""
+    return f"{one[:-1]},{other[1:]}"

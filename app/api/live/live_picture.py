@@ -1,11 +1,25 @@
-"""The live picture: the newest tick in numbers and words, and the condition of the channels."""
+"""Makes the live picture: the newest tick in numbers and words, and the condition of the channels."""
 
 import math
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from app.api.live.message import (
+    DriveMoment,
+    FaultWords,
+    HeadMoment,
+    LiveMessage,
+    Number,
+    Quality,
+    RunMoment,
+    ShirtMoment,
+    StateName,
+    TestMoment,
+    TrialMoment,
+)
 from app.calibration.channel_quality import channel_quality
 from app.clock import monotonic
 from app.faults import EXPLANATIONS, Fault, State, is_pause
@@ -20,11 +34,18 @@ from app.session.real_drive import RealDriveFlow
 from app.session.run_watch import Halt
 from app.session.runs import SessionRuns
 from app.session.trial import TrialFlow
-from app.session.words.chair_words import chair_report, closed_chair_report
+from app.session.words.chair_words import ChairMoment, chair_report
 
 STALE = 1.0  # s without a tick, after which the control process counts as lost
 LOOK_BACK = 1.0  # s of frames for the condition of the channels
 NOISY = 3.0  # times the median noise of the channels, above which a channel may be called noisy
+
+STATE_NAMES: dict[State, StateName] = {
+    State.DISARMED: "disarmed",
+    State.CHECKING: "checking",
+    State.ARMED: "armed",
+    State.FAULT: "fault",
+}
 
 
 class LivePicture:
@@ -54,7 +75,7 @@ class LivePicture:
         self._scene_t = 0.0
         self._frame: np.void | None = None
 
-    def picture(self) -> dict[str, Any]:
+    def picture(self) -> LiveMessage:
         """Return the current picture."""
         tick = self._newest()
         if tick is None:
@@ -63,52 +84,69 @@ class LivePicture:
         self._scene_t = float(tick["scene_t"])
         gestures = [gesture.name for gesture in self._session.loaded.gestures] if self._session.loaded else []
         n = min(int(tick["n_gestures"]), len(gestures))
-        age = float(tick["t"] - self._frame["t"]) if self._frame is not None else None
-        return {
-            "tick": int(tick["number"]),
-            "t": _number(tick["t"], 4),
-            "state": State(int(tick["state"])).name.lower(),
-            "fault": None if is_pause(tick["state"], tick["fault"]) else fault_view(Fault(int(tick["fault"]))),
-            "control": "alive",
-            **{name: _number(tick[name], 4) for name in ("u1", "u2", "v", "omega")},
-            "pose": self._pose,
-            "scene_t": _number(tick["scene_t"], 3),
-            "head": _head(tick),
-            "contacts": int(tick["contacts"]),
-            "in_contact": bool(tick["in_contact"]),
-            "gestures": gestures[:n],
-            **{name: [_number(value, 4) for value in tick[name][:n]] for name in ("score", "rate", "activation")},
-            "values": self._values(),
-            "shirt": {
-                "chosen": self._equipment.shirt is not None,
-                "alive": age is not None and age < ALIVE,
-                "sample_rate": self._equipment.sample_rate,
-                "lost": int(tick["lost"]),
-                "age": None if age is None else round(age, 3),
-            },
-            "stops": int(tick["stops"]),
-            "dial": _number(tick["dial"], 3),
-            "chair": self._chair(tick),
-            "run": self._run(tick),
-            "trial": self._trial(Fault(int(tick["fault"]))),
-            "drive": self._real_drive(),
-            "test": self._test(),
-            **self._session_and_practice(),
-        }
+        fault = Fault(int(tick["fault"]))
+        return LiveMessage(
+            tick=int(tick["number"]),
+            t=_number(tick["t"], 4),
+            state=STATE_NAMES[State(int(tick["state"]))],
+            fault=None if is_pause(tick["state"], tick["fault"]) else fault_words(fault),
+            control="alive",
+            u1=_number(tick["u1"], 4),
+            u2=_number(tick["u2"], 4),
+            v=_number(tick["v"], 4),
+            omega=_number(tick["omega"], 4),
+            pose=self._pose,
+            scene_t=_number(tick["scene_t"], 3),
+            head=_head(tick),
+            contacts=int(tick["contacts"]),
+            in_contact=bool(tick["in_contact"]),
+            gestures=gestures[:n],
+            score=_numbers(tick["score"][:n], 4),
+            rate=_numbers(tick["rate"][:n], 4),
+            activation=_numbers(tick["activation"][:n], 4),
+            values=self._values(),
+            shirt=self._shirt(tick),
+            stops=int(tick["stops"]),
+            dial=round(float(tick["dial"]), 3),
+            chair=self._chair(tick),
+            run=self._run(tick),
+            trial=self._trial(fault),
+            drive=self._real_drive(),
+            test=self._test(),
+            session=self._session.session_id,
+            practice=self._equipment.practice,
+        )
 
-    def quality(self) -> dict[str, Any]:
+    def _nothing(self) -> LiveMessage:
+        """Return the picture without a control process, and so without anything that moves the chair."""
+        return LiveMessage(
+            t=round(monotonic(), 4),
+            state="fault",
+            fault=fault_words(Fault.CONTROL_LOST),
+            control="lost" if self._control.state == "alive" else self._control.state,
+            pose=self._pose,
+            shirt=self._shirt(None),
+            chair=self._chair(None),
+            trial=self._trial(Fault.CONTROL_LOST),
+            drive=self._real_drive(),
+            test=self._test(),
+            session=self._session.session_id,
+            practice=self._equipment.practice,
+        )
+
+    def quality(self) -> Quality:
         """Return the condition and the noise of every channel over the last second, and the shirt's state in words."""
         layout = self._equipment.layout
         if layout is None:
-            return {"quality": [], "noise": [], "shirt_words": self._equipment.words}
+            return Quality(quality=[], noise=[], shirt_words=self._equipment.words)
         frames = self._frames(len(layout.channels))
         tick = self._control.newest()
         estimated = 0 if tick is None else int(tick["estimated"])
-        return {
-            "quality": lamps(layout, frames, self._equipment.sample_rate, self._equipment.unused, estimated),
-            "noise": [_number(noise, 5) for noise in noise_of(frames, len(layout.channels))],
-            "shirt_words": self._equipment.state,
-        }
+        return Quality(
+            quality=lamps(layout, frames, self._equipment.sample_rate, self._equipment.unused, estimated),
+            noise=_numbers(noise_of(frames, len(layout.channels)), 5),
+            shirt_words=self._equipment.state,
+        )
 
     def _newest(self) -> np.void | None:
         ticks = self._control.since(self._number)
@@ -137,135 +175,105 @@ class LivePicture:
         recent = ticks[(ticks["has_frame"] == 1) & (ticks["t"] > float(newest["t"]) - LOOK_BACK)]
         return np.asarray(recent["values"][:, :channels], dtype=np.float64)
 
-    def _values(self) -> list[float | None] | None:
+    def _values(self) -> list[Number] | None:
         if self._frame is None:
             return None
-        return [_number(value, 5) for value in self._frame["values"][: int(self._frame["n_channels"])]]
+        return _numbers(self._frame["values"][: int(self._frame["n_channels"])], 5)
 
-    def _run(self, tick: np.void) -> dict[str, Any] | None:
+    def _shirt(self, tick: np.void | None) -> ShirtMoment:
+        age = None if tick is None or self._frame is None else float(tick["t"] - self._frame["t"])
+        return ShirtMoment(
+            chosen=self._equipment.shirt is not None,
+            alive=age is not None and age < ALIVE,
+            sample_rate=self._equipment.sample_rate,
+            lost=0 if tick is None else int(tick["lost"]),
+            age=None if age is None else round(age, 3),
+        )
+
+    def _run(self, tick: np.void) -> RunMoment | None:
         run = self._runs.open
         if run is None or int(tick["run"]) != run.number:
             return None
         cue = int(tick["cue"])
-        return {"kind": run.kind, "t": _number(tick["run_t"], 3), "cue": None if cue == NO_CUE else cue}
+        return RunMoment(kind=run.kind, t=_number(tick["run_t"], 3), cue=None if cue == NO_CUE else cue)
 
-    def _trial(self, fault: Fault) -> dict[str, Any] | None:
+    def _trial(self, fault: Fault) -> TrialMoment | None:
         trial = self._trials.current
         if trial is None:
             return None
-        place, part, stages = trial.place, trial.watch.progress.part, trial.watch.progress.stages
-        names = ("t", "done", "length", "cross_track", "e_diff", "leader_distance")
-        return {
-            "id": trial.id,
-            "waits": _waits(trial.watch.halt),
-            "paused": fault_view(fault) if trial.watch.paused else None,
-            "pauses": trial.watch.pauses,
-            "measuring": self._trials.measuring,
-            **{name: None if (v := getattr(place, name)) is None else _number(v, 3) for name in names},
-            "movers": [[_number(value, 3) for value in pose] for pose in trial.watch.movers(self._scene_t)],
-            "leader": None if place.leader is None else [_number(value, 3) for value in place.leader],
-            "stage": place.stage,
-            "stages": stages,
-            "kind": part.task.kind,
-            "title": part.title,
-            "instruction": part.instruction,
-            "target": [_number(value, 3) for value in part.points[-1]],
-        }
+        place, part = trial.place, trial.watch.progress.part
+        return TrialMoment(
+            id=trial.id,
+            waits=_waits(trial.watch.halt),
+            paused=fault_words(fault) if trial.watch.paused else None,
+            pauses=trial.watch.pauses,
+            measuring=self._trials.measuring,
+            t=_number(place.t, 3),
+            done=_number(place.done, 3),
+            length=_number(place.length, 3),
+            cross_track=_number(place.cross_track, 3),
+            e_diff=_number(place.e_diff, 3),
+            leader_distance=_number(place.leader_distance, 3),
+            movers=[_numbers(pose, 3) for pose in trial.watch.movers(self._scene_t)],
+            leader=None if place.leader is None else _numbers(place.leader, 3),
+            stage=place.stage,
+            stages=trial.watch.progress.stages,
+            kind=part.task.kind,
+            title=part.title,
+            instruction=part.instruction,
+            target=[round(float(value), 3) for value in part.points[-1]],
+        )
 
-    def _chair(self, tick: np.void) -> dict[str, Any] | None:
+    def _chair(self, tick: np.void | None) -> ChairMoment | None:
         if self._chairs.chosen is None:
             return None
-        return chair_report(tick) if tick["chair_kind"] else closed_chair_report(self._chairs.not_open)
+        if tick is None:
+            return ChairMoment(words="The control process is being restarted.")
+        return chair_report(tick) if tick["chair_kind"] else ChairMoment(words=self._chairs.not_open)
 
-    def _real_drive(self) -> dict[str, Any] | None:
+    def _real_drive(self) -> DriveMoment | None:
         drive = self._drives.current
         if drive is None:
             return None
-        return {"id": drive.id, "t": _number(drive.watch.t, 3), "waits": _waits(drive.watch.halt)}
+        return DriveMoment(id=drive.id, t=_number(drive.watch.t, 3), waits=_waits(drive.watch.halt))
 
-    def _test(self) -> dict[str, Any] | None:
-        """Return cursor and target of the interface test; lengths in arms of the cross, ahead and to the left."""
+    def _test(self) -> TestMoment | None:
         test = self._tests.current
         if test is None:
             return None
         task = test.watch.task
         target = task.target
-        return {
-            "id": test.id,
-            "phase": task.phase,
-            "remaining": _number(task.remaining, 2),
-            "cursor": [_number(task.ahead, 4), _number(task.left, 4)],
-            "target": None if target is None else [_number(target.ahead, 4), _number(target.left, 4)],
-            "radius": _number(task.plan.width / 2.0, 4),
-            "dwell": _number(min(1.0, task.inside / task.plan.dwell), 3),
-            "acquired": task.acquired,
-            "missed": len(task.attempts) - task.acquired,
-        }
-
-    def _nothing(self) -> dict[str, Any]:
-        """Return the picture while there is no control process, and so nothing that moves the chair."""
-        control = "lost" if self._control.state == "alive" else self._control.state
-        return {
-            "tick": 0,
-            "t": round(monotonic(), 4),
-            "state": "fault",
-            "fault": fault_view(Fault.CONTROL_LOST),
-            "control": control,
-            **dict.fromkeys(("u1", "u2", "v", "omega"), 0.0),
-            "pose": self._pose,
-            "scene_t": 0.0,
-            "head": None,
-            "contacts": 0,
-            "in_contact": False,
-            "gestures": [],
-            **{name: [] for name in ("score", "rate", "activation")},
-            "values": None,
-            "shirt": {
-                "chosen": self._equipment.shirt is not None,
-                "alive": False,
-                "sample_rate": self._equipment.sample_rate,
-                "lost": 0,
-                "age": None,
-            },
-            "stops": 0,
-            "dial": 1.0,
-            "chair": None
-            if self._chairs.chosen is None
-            else closed_chair_report("The control process is being restarted."),
-            "run": None,
-            "trial": self._trial(Fault.CONTROL_LOST),
-            "drive": self._real_drive(),
-            "test": self._test(),
-            **self._session_and_practice(),
-        }
-
-    def _session_and_practice(self) -> dict[str, Any]:
-        """Return the id of the open session, and the kind of the chosen shirt when nobody wears it."""
-        return {
-            "hidden": False,  # see app/api/live/without_patient.py
-            "session": self._session.session_id,
-            "practice": self._equipment.practice,
-        }
+        return TestMoment(
+            id=test.id,
+            phase=task.phase,
+            remaining=_number(task.remaining, 2),
+            cursor=_numbers((task.ahead, task.left), 4),
+            target=None if target is None else _numbers((target.ahead, target.left), 4),
+            radius=_number(task.plan.width / 2.0, 4),
+            dwell=_number(min(1.0, task.inside / task.plan.dwell), 3),
+            acquired=task.acquired,
+            missed=len(task.attempts) - task.acquired,
+        )
 
 
-def _head(tick: np.void) -> dict[str, float | None] | None:
-    """Return the direction of the head (rad) and its age (s), None without a head tracker."""
+def _head(tick: np.void) -> HeadMoment | None:
+    """Return the direction of the head, None without a head tracker."""
     if not math.isfinite(float(tick["head_age"])):
         return None
-    return {name: _number(tick[f"head_{name}"], 4) for name in ("yaw", "pitch", "roll", "age")}
+    return HeadMoment(
+        yaw=_number(tick["head_yaw"], 4),
+        pitch=_number(tick["head_pitch"], 4),
+        roll=_number(tick["head_roll"], 4),
+        age=_number(tick["head_age"], 4),
+    )
 
 
-def fault_view(fault: Fault) -> dict[str, str] | None:
+def fault_words(fault: Fault) -> FaultWords | None:
     """Return a fault in words, None when there is none."""
     if fault is Fault.NONE:
         return None
     words = EXPLANATIONS[fault]
-    return {
-        "name": fault.name.lower(),
-        "happened": words.happened,
-        "next_step": words.next_step,
-        "remedy": words.remedy,
-    }
+    return FaultWords(name=fault.name.lower(), happened=words.happened, next_step=words.next_step, remedy=words.remedy)
 
 
 def lamps(
@@ -298,12 +306,16 @@ def noise_of(frames: NDArray[np.float64], channels: int) -> NDArray[np.float64]:
     return np.asarray(np.std(np.diff(frames, n=2, axis=0), axis=0) / math.sqrt(6.0))
 
 
-def _waits(halt: Halt) -> float | None:
+def _waits(halt: Halt) -> Number:
     """Return how much longer (s) a halted trial or drive waits for Continue, None when it is not halted."""
     return None if halt.remaining is None else _number(halt.remaining, 1)
 
 
-def _number(value: Any, digits: int) -> float | None:
-    """Return a rounded number, None for one that is not finite, which JSON cannot hold."""
-    number = float(value)
+def _numbers(values: Iterable[Any], digits: int) -> list[Number]:
+    return [_number(value, digits) for value in values]
+
+
+def _number(value: Any, digits: int) -> Number:
+    """Return a rounded number, None for None and for one that is not finite, which JSON cannot hold."""
+    number = math.nan if value is None else float(value)
     return round(number, digits) if math.isfinite(number) else None

@@ -1,18 +1,76 @@
 """The picture for the patient's screen, 20 times a second: what to do and where the chair is, but no personal data."""
 
-from typing import Any
+from pydantic import ConfigDict, Field
 
 from app.api.live.live_picture import LivePicture
+from app.api.live.message import Moment, Number, Part, RunMoment
 from app.calibration.script import movement_words
 from app.faults import Fault, State
 from app.session.equipment.shirt import Equipment
 from app.session.runs import SessionRuns
 from app.session.trial import TrialFlow
-from app.session.words.patient_words import patient_words
+from app.session.words.patient_words import Actor, patient_words
 from app.store.patient_screens import ScreenSettings
 
-FIELDS = ("tick", "t", "state", "control", "v", "pose", "contacts", "stops", "practice", "test")
-TRIAL_FIELDS = ("id", "t", "done", "length", "stage", "stages", "instruction", "target", "movers")
+
+class PatientFault(Part):
+    """A fault in words for the patient."""
+
+    name: str
+    words: str
+
+
+class Waiting(Part):
+    """Who has to do something before the chair moves, and the words to say so."""
+
+    model_config = ConfigDict(populate_by_name=True)
+
+    actor: Actor = Field(alias="for")
+    words: str
+
+
+class PatientTrial(Part):
+    """A trial that runs."""
+
+    id: int
+    t: Number
+    done: Number
+    length: Number
+    stage: int
+    stages: int
+    instruction: str
+    target: list[float]
+    movers: list[list[Number]]
+
+
+class PatientCue(Part):
+    """A cue of a calibration."""
+
+    index: int
+    kind: str
+    movement: str | None = Field(description="In words.")
+    t: float = Field(description="Since its start.")
+    length: float = Field(description="s")
+    next: str | None = Field(description="Kind of the cue after it.")
+
+
+class TrialEnd(Part):
+    """The trial that has ended last."""
+
+    id: int
+    end: str
+
+
+class PatientMessage(Moment):
+    """What the patient's screen gets."""
+
+    fault: PatientFault | None
+    waits: Waiting
+    trial: PatientTrial | None
+    drives: bool
+    cue: PatientCue | None
+    over: TrialEnd | None
+    asks: ScreenSettings = Field(description="What the clinician wants this screen to show.")
 
 
 class PatientPicture:
@@ -25,42 +83,44 @@ class PatientPicture:
         self._trials = trials
         self.settings = ScreenSettings()  # of the open session
 
-    def picture(self) -> dict[str, Any]:
+    def picture(self) -> PatientMessage:
         """Return the current picture."""
         live = self._live.picture()
-        fault, trial = live["fault"], live["trial"]
-        over, drives = self._trials.last_end, trial is not None or live["drive"] is not None
+        fault, over, drives = live.fault, self._trials.last_end, live.trial is not None or live.drive is not None
         words = patient_words(
-            State[live["state"].upper()],
-            Fault.NONE if fault is None else Fault[fault["name"].upper()],
+            State[live.state.upper()],
+            Fault.NONE if fault is None else Fault[fault.name.upper()],
             drives=drives,
-            shirt_alive=live["shirt"]["alive"],
+            shirt_alive=live.shirt.alive,
         )
-        return {
-            **{name: live[name] for name in FIELDS},
-            "fault": fault and {"name": fault["name"], "words": words.happened},
-            "waits": {"for": words.actor, "words": words.wait},
-            "trial": trial and {name: trial[name] for name in TRIAL_FIELDS},
-            "drives": drives,
-            "cue": self._cue(live["run"]),
-            "over": None if over is None else {"id": over.id, "end": over.end},
-            "asks": self.settings.model_dump(),
-        }
+        common = {name: getattr(live, name) for name in Moment.model_fields}
+        return PatientMessage(
+            **common,
+            fault=None if fault is None else PatientFault(name=fault.name, words=words.happened),
+            waits=Waiting(actor=words.actor, words=words.wait),
+            trial=None
+            if live.trial is None
+            else PatientTrial(**{name: getattr(live.trial, name) for name in PatientTrial.model_fields}),
+            drives=drives,
+            cue=self._cue(live.run),
+            over=None if over is None else TrialEnd(id=over.id, end=over.end),
+            asks=self.settings,
+        )
 
-    def _cue(self, run_picture: dict[str, Any] | None) -> dict[str, Any] | None:
+    def _cue(self, shown: RunMoment | None) -> PatientCue | None:
         run = self._runs.open
-        if run is None or run_picture is None or run_picture["cue"] is None or run_picture["t"] is None:
+        if run is None or shown is None or shown.cue is None or shown.t is None:
             return None
-        cue = run.cues[run_picture["cue"]]
-        after = run.cues[run_picture["cue"] + 1 :][:1]
-        return {
-            "index": run_picture["cue"],
-            "kind": cue.kind,
-            "movement": self._movement(cue.joint),
-            "t": round(run_picture["t"] - cue.start, 3),
-            "length": round(cue.end - cue.start, 3),
-            "next": after[0].kind if after else None,
-        }
+        cue = run.cues[shown.cue]
+        after = run.cues[shown.cue + 1 :][:1]
+        return PatientCue(
+            index=shown.cue,
+            kind=cue.kind,
+            movement=self._movement(cue.joint),
+            t=round(shown.t - cue.start, 3),
+            length=round(cue.end - cue.start, 3),
+            next=after[0].kind if after else None,
+        )
 
     def _movement(self, joint: str | None) -> str | None:
         layout = self._equipment.layout

@@ -1,14 +1,16 @@
 """The reports of a real chair, in words for the pages."""
 
 import math
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
+from pydantic import BaseModel, ConfigDict
 
 from app.hardware.chair.reasons import WORDS, Reason
 from app.pipeline.safety_gate import CHAIR_SILENT
 
-STATES = ("disarmed", "checking", "armed", "fault")
+ChairState = Literal["disarmed", "checking", "armed", "fault"]
+STATES: tuple[ChairState, ...] = ("disarmed", "checking", "armed", "fault")
 CHAIR_FAULT = 3  # index of "fault" in STATES
 
 
@@ -24,8 +26,23 @@ def is_silent(tick: np.void) -> bool:
     return not float(tick["chair_age"]) <= CHAIR_SILENT
 
 
-def chair_report(tick: np.void) -> dict[str, Any]:
-    """Return the fields of a real chair in a tick (`app.messages.TICK`) for the live picture."""
+class ChairMoment(BaseModel):
+    """What a real chair reports of itself; without the other fields, of a chair that could not be opened."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    kind: str = "udp"
+    state: ChairState = "disarmed"
+    age: float | None = None  # s, of the report
+    battery: float | None = None  # share
+    stop_input: bool = False
+    v: float = 0.0  # m/s
+    omega: float = 0.0  # rad/s
+    words: str  # empty when there is nothing to say
+
+
+def chair_report(tick: np.void) -> ChairMoment:
+    """Return the fields of a real chair in a tick (`app.messages.TICK`)."""
     state, fault = int(tick["chair_state"]), int(tick["chair_fault"])
     if is_silent(tick):
         words = "The chair does not answer: check its power and the network."
@@ -33,30 +50,15 @@ def chair_report(tick: np.void) -> dict[str, Any]:
         words = fault_sentence(fault)
     else:
         words = "" if fault == Reason.NONE else fault_sentence(fault)
-    return {
-        "kind": "udp",
-        "state": STATES[min(state, CHAIR_FAULT)],
-        "age": _number(tick["chair_age"]),
-        "battery": _number(tick["battery"]),
-        "stop_input": bool(tick["stop_input"]),
-        "v": _number(tick["driven_v"]) or 0.0,
-        "omega": _number(tick["driven_omega"]) or 0.0,
-        "words": words,
-    }
-
-
-def closed_chair_report(words: str) -> dict[str, Any]:
-    """Return the fields of `chair_report` for a chair that was chosen and could not be opened."""
-    return {
-        "kind": "udp",
-        "state": STATES[0],
-        "age": None,
-        "battery": None,
-        "stop_input": False,
-        "v": 0.0,
-        "omega": 0.0,
-        "words": words,
-    }
+    return ChairMoment(
+        state=STATES[min(state, CHAIR_FAULT)],
+        age=_number(tick["chair_age"]),
+        battery=_number(tick["battery"]),
+        stop_input=bool(tick["stop_input"]),
+        v=_number(tick["driven_v"]) or 0.0,
+        omega=_number(tick["driven_omega"]) or 0.0,
+        words=words,
+    )
 
 
 def _number(value: Any) -> float | None:

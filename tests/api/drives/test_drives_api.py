@@ -105,7 +105,7 @@ def test_the_live_picture_shows_what_the_chair_says(ready: Any) -> None:
         "driven_omega": -0.1,
         "stop_input": 0,
     }
-    picture = ready.web.live._picture()
+    picture = ready.web.live._picture().model_dump()
     assert picture["chair"] == {
         "kind": "udp",
         "state": "armed",
@@ -119,10 +119,10 @@ def test_the_live_picture_shows_what_the_chair_says(ready: Any) -> None:
     assert picture["drive"] is None
     with ready.screen():
         drive = arm(ready).json()
-        while not (shown := ready.web.live._picture()["drive"]) or shown["t"] == 0.0:
+        while not (shown := ready.web.live._picture().drive) or shown.t == 0.0:
             time.sleep(0.01)
-        assert shown["id"] == drive["id"]
+        assert shown.id == drive["id"]
     ready.process.says = {"chair_state": FAULT, "chair_fault": Reason.STOP_INPUT}
-    assert ready.web.live._picture()["chair"]["words"] == WORDS[Reason.STOP_INPUT]
+    assert ready.web.live._picture().chair.words == WORDS[Reason.STOP_INPUT]
     ready.process.chair = "virtual"
-    assert ready.web.live._picture()["chair"]["words"] == "Blue is not open: choose it again."
+    assert ready.web.live._picture().chair.words == "Blue is not open: choose it again."

@@ -20,7 +20,7 @@ def of_patient(clinic: Any) -> Any:
 
 
 def picture(clinic: Any) -> Any:
-    return clinic.web.live._picture()
+    return clinic.web.live._picture().model_dump()
 
 
 def add_done(clinic: Any, **done: Any) -> None:
@@ -146,9 +146,7 @@ def test_a_test_that_an_ended_program_left_is_closed(calibrated: Any) -> None:
 
 @pytest.mark.parametrize("shown", [True, False])
 def test_who_may_not_see_the_patient_sees_no_test(calibrated: Any, shown: bool) -> None:
-    from app.api.live.without_patient import without_patient
-
     calibrated.good("POST", "/interface-tests", json=START)
-    now = picture(calibrated)
-    assert (now if shown else without_patient(now))["test"] is None or shown
-    assert calibrated.web.patient.picture()["test"]["id"] == 1
+    now = calibrated.web.live._picture()
+    assert (now if shown else now.without_patient()).test is None or shown
+    assert calibrated.web.patient.picture().test.id == 1

@@ -1,14 +1,21 @@
 """The live picture is sent on after an error, and never from before a page came."""
 
 import asyncio
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import pytest
+from pydantic import BaseModel
 from starlette.websockets import WebSocketState
 
 from app.api.live import hub as hub_module
 from app.api.live.hub import LiveHub, Viewer
 from app.api.sockets import CUT_OFF
+
+
+class Shown(BaseModel):
+    """A picture."""
+
+    v: float = 0.0
 
 
 class Page:
@@ -25,14 +32,17 @@ class Page:
 
 
 def test_one_bad_picture_is_not_the_last() -> None:
-    turns = iter([{"v": 0.0}, {"v": float("nan")}, {"v": 1.0}])
+    turns = iter([Shown(v=0.0), None, Shown(v=1.0)])
     page = Page()
 
-    def picture() -> dict[str, Any]:
-        return next(turns)
+    def picture() -> Shown:
+        shown = next(turns)
+        if shown is None:
+            raise ValueError("no picture")
+        return shown
 
     async def story() -> None:
-        hub = LiveHub(picture, dict)
+        hub = LiveHub(picture)
         hub.start()
         async with asyncio.timeout(5):
             await hub.serve(Viewer(page))  # type: ignore[arg-type]
@@ -44,15 +54,15 @@ def test_one_bad_picture_is_not_the_last() -> None:
 
 def test_a_page_that_comes_after_a_pause_gets_no_picture_of_before(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(hub_module, "EVERY", 0.001)
-    shown = {"v": 0.0}
+    shown = Shown()
     first, second = Page(), Page()
 
     async def story() -> None:
-        hub = LiveHub(shown.copy, dict)
+        hub = LiveHub(shown.model_copy)
         hub.start()
         async with asyncio.timeout(5):
             await hub.serve(Viewer(first))  # type: ignore[arg-type]
-            shown["v"] = 1.0  # while nobody looks
+            shown.v = 1.0  # while nobody looks
             await hub.serve(Viewer(second))  # type: ignore[arg-type]
         await hub.close()
 
@@ -76,7 +86,7 @@ def test_many_pages_leave_every_turn_of_the_event_loop_to_a_stop(monkeypatch: py
             most, before = max(most, sent - before), sent
 
     async def story() -> None:
-        hub = LiveHub(lambda: {"v": 0.0}, dict)
+        hub = LiveHub(Shown)
         watching = asyncio.create_task(watch())
         hub.start()
         async with asyncio.timeout(60):
@@ -101,7 +111,7 @@ def test_a_page_that_takes_no_picture_for_long_is_cut_off(monkeypatch: pytest.Mo
             await asyncio.Event().wait()
 
     async def story() -> None:
-        hub = LiveHub(lambda: {"v": 0.0}, dict)
+        hub = LiveHub(Shown)
         hub.start()
         await hub.serve(Viewer(StandsStill()))  # type: ignore[arg-type]
         await hub.close()

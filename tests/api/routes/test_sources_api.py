@@ -50,7 +50,7 @@ def test_a_real_clinic_begins_without_a_shirt_and_keeps_the_one_that_was_chosen(
     assert equipment["status"]["words"] == "No shirt yet: choose one on the Shirt page."
     assert {one["kind"]: one["simulated"] for one in equipment["shirts"]}["simulator"] is True
     assert "shirt" not in [do for do, _ in clinic.process.calls]
-    assert clinic.web.live._picture()["shirt"]["chosen"] is False
+    assert clinic.web.live._picture().shirt.chosen is False
     clinic.begin_session()
     refused = clinic("POST", "/calibration/steps/rest/start")
     assert refused.status_code in {404, 409}
@@ -77,7 +77,7 @@ def test_anybody_may_ask_whether_a_page_is_to_be_marked(clinic_for_real: Clinic)
         if config is not None:
             clinic.good("PUT", "/equipment/shirt", json=config)
         assert clinic.good("GET", "/equipment/practice") == {"kind": kind}
-        assert clinic.web.live._picture()["practice"] == clinic.web.patient.picture()["practice"] == kind
+        assert clinic.web.live._picture().practice == clinic.web.patient.picture().practice == kind
     clinic.client.cookies.clear()
     assert clinic.good("GET", "/equipment/practice") == {"kind": None}
 

@@ -16,6 +16,8 @@ from processes.served_demo import SessionClient
 from sqlalchemy import delete
 from stored_interface_test import store_interface_test
 
+from app.api.live.message import LiveMessage
+from app.api.patient_screen.patient_picture import PatientMessage
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import standard_parameters
 from app.faults import Fault, State
@@ -111,15 +113,17 @@ class EyesClinic(ServedClinic):
         """Let `shown` and `shown_to_patient` replace fields of what the live sockets send."""
         web = self.app.state.web
         true, patients = web.live._picture, web.patient.picture
-        web.live._picture = lambda: {**true(), **self.shown}
+        web.live._picture = lambda: LiveMessage.model_validate({**true().model_dump(), **self.shown})
         quality = web.live._quality
         web.live._quality = lambda: self._with_lamps(quality())
         web.patient._live = SimpleNamespace(picture=web.live._picture)
-        web.patient_live._picture = lambda: {**patients(), **self.shown_to_patient}
+        web.patient_live._picture = lambda: PatientMessage.model_validate(
+            {**patients().model_dump(), **self.shown_to_patient}
+        )
 
     def _with_lamps(self, message: Any) -> Any:
-        lamps = enumerate(message["quality"])
-        return {**message, "quality": [self.lamps.get(number, lamp) for number, lamp in lamps]}
+        lamps = [self.lamps.get(number, lamp) for number, lamp in enumerate(message.quality)]
+        return message.model_copy(update={"quality": lamps})
 
     def visit(self, page: Any, role: str) -> None:
         """Sign a page's browser in as somebody of another role, until the place is left."""

@@ -6,7 +6,7 @@ const ARM = 100; // length of an arm of the cross
 const DOT = 5;
 const RING = 3; // beyond the target's edge
 
-/** @typedef {import("../live/live.js").TestMoment} TestMoment */
+/** @typedef {import("types/api").TestMoment} TestMoment */
 
 export function targetCross() {
   const target = s("circle", { class: "target" });

@@ -12,99 +12,11 @@ const SAY_LOST_AFTER = 700; // ms: a shorter gap is not reported
 const SIGNED_OUT = 4401; // close code
 
 /**
- * What the live sockets of clinicians and of the patient's screen have in common; lengths in m, angles in rad, times in s.
- * @typedef {object} Moment
- * @property {number} tick number of the tick; 0 while there is no control process
- * @property {number | null} t
- * @property {"disarmed" | "checking" | "armed" | "fault"} state
- * @property {string} control "alive", or why the control process does not answer
- * @property {number | null} v m/s
- * @property {(number | null)[]} pose x, y, heading
- * @property {number} contacts
- * @property {number} stops
- * @property {string | null} practice kind of the shirt in use when nobody wears it
- * @property {TestMoment | null} test
- * @property {string} [event] what changed on the server
- * @property {string[]} [quality] condition of each channel; sent once a second, as is `noise`
- * @property {(number | null)[]} [noise] of each channel, in units of its signal
- * @property {string} [shirt_words] the state of the shirt, sent with `quality`
+ * @import { LiveMessage as Clinicians, PatientMessage as Patients, Quality } from "types/api"
+ * @typedef {Partial<Quality> & {event?: string}} Extras  the condition of the channels, once a second; what changed on the server
+ * @typedef {Clinicians & Extras} LiveMessage
+ * @typedef {Patients & Extras} PatientMessage
  */
-
-/**
- * @typedef {object} TrialMoment what a running trial is doing
- * @property {number} id
- * @property {number | null} waits s for which a halted or paused trial still waits; null: it is neither
- * @property {FaultWords | null} paused why it is paused, and goes on by itself
- * @property {number} pauses so far
- * @property {boolean} measuring whether it is over and is being measured
- * @property {number | null} t
- * @property {number | null} done m driven along the path
- * @property {number | null} length m of the path
- * @property {number | null} cross_track
- * @property {number | null} e_diff m²
- * @property {number | null} leader_distance
- * @property {(number | null)[][]} movers the pose of each
- * @property {(number | null)[] | null} leader its pose
- * @property {number} stage from 0
- * @property {number} stages
- * @property {import("../plan/floor_plan.js").Task["kind"]} kind
- * @property {string} title
- * @property {string} instruction
- * @property {number[]} target where the path ends
- */
-
-/**
- * @typedef {object} TestMoment what a running two-minute test is doing; lengths in arms of its cross, ahead and to the left
- * @property {number} id
- * @property {"ready" | "running" | "over"} phase
- * @property {number | null} remaining s until the first target, then until the end
- * @property {(number | null)[]} cursor
- * @property {(number | null)[] | null} target
- * @property {number | null} radius of the target
- * @property {number | null} dwell share of the time for which the cursor must stay in the target, 0..1
- * @property {number} acquired
- * @property {number} missed
- */
-
-/**
- * @typedef {object} ChairMoment what a real chair reports of itself
- * @property {string} kind
- * @property {"disarmed" | "checking" | "armed" | "fault"} state
- * @property {number | null} age of the report
- * @property {number | null} battery share
- * @property {boolean} stop_input
- * @property {number} v m/s
- * @property {number} omega rad/s
- * @property {string} words empty when there is nothing to say
- */
-
-/** `remedy` is the next step without the word of the button. @typedef {{name: string, happened: string, next_step: string, remedy: string}} FaultWords */
-
-/**
- * @typedef {object} ClinicianFields what only the clinician's socket tells
- * @property {FaultWords | null} fault
- * @property {number | null} u1
- * @property {number | null} u2
- * @property {number | null} omega rad/s
- * @property {number | null} scene_t
- * @property {{yaw: number | null, pitch: number | null, roll: number | null, age: number | null} | null} head
- * @property {boolean} in_contact
- * @property {string[]} gestures
- * @property {(number | null)[]} score of each gesture, as are `rate` and `activation`
- * @property {(number | null)[]} rate
- * @property {(number | null)[]} activation
- * @property {(number | null)[] | null} values of each channel in the newest frame
- * @property {{chosen: boolean, alive: boolean, sample_rate: number, lost: number, age: number | null}} shirt
- * @property {number} dial share of the speed limits
- * @property {ChairMoment | null} chair
- * @property {{kind: string, t: number | null, cue: number | null} | null} run
- * @property {TrialMoment | null} trial
- * @property {{id: number, t: number | null, waits: number | null} | null} drive
- * @property {number | null} session id of the open session
- * @property {boolean} hidden nothing of a patient is in this message: the page is locked, or the patient is not shown to this reviewer
- */
-
-/** The clinician's live message. @typedef {Moment & ClinicianFields} LiveMessage */
 
 /**
  * `open`: the socket is open. `tick`: a message came. `quality`: the condition of the channels came, once a second.
@@ -119,7 +31,7 @@ const SIGNED_OUT = 4401; // close code
  */
 
 /**
- * @template {Moment} [Message=LiveMessage]
+ * @template {LiveMessage | PatientMessage} [Message=LiveMessage]
  * @extends {TypedEvents<LiveEvents<Message>>}
  */
 export class Live extends TypedEvents {

@@ -31,7 +31,7 @@ export function arrow() {
   const distance = h("span", { class: "number" });
   const picture = s("svg", { viewBox: "0 0 100 100", role: "img" }, needle);
   const element = h("div", { class: "hud arrow", hidden: true }, h("span", { class: "label" }, t("patient.goal.name")), picture, distance);
-  /** @param {import("./message.js").PatientMessage} now */
+  /** @param {import("../live/live.js").PatientMessage} now */
   const show = ({ asks, trial, pose }) => {
     const target = asks.arrow && isPose(pose) ? trial?.target : null;
     element.hidden = !target;

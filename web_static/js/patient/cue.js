@@ -9,8 +9,8 @@ const FURTHEST = 0.3; // s for which the ring goes on without a message; then it
 const COUNTED = new Set(["ready", "rest", "free"]); // whole seconds; the others are too short to be counted
 
 /**
- * @typedef {import("../live/live.js").Live<import("./message.js").PatientMessage>} PatientLive
- * @typedef {import("./message.js").PatientCue} PatientCue
+ * @typedef {import("../live/live.js").Live<import("../live/live.js").PatientMessage>} PatientLive
+ * @typedef {import("types/api").PatientCue} PatientCue
  */
 
 /** The words of a cue. @param {Pick<PatientCue, "kind" | "movement">} cue */
@@ -43,7 +43,7 @@ export function cueLayer(live, signal) {
     if (cue && !element.hidden) draw(cue);
     requestAnimationFrame(turn);
   };
-  /** @param {import("./message.js").PatientMessage} now */
+  /** @param {import("../live/live.js").PatientMessage} now */
   const show = ({ cue, state }) => {
     element.hidden = !cue || state === "fault";
     if (!cue) return;

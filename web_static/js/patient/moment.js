@@ -6,7 +6,7 @@ import { momentWords } from "./moment_word.js";
 /** The look of a word; the others have none of their own. @type {Record<string, string>} */
 const TONES = { go: "go", goal: "good" };
 
-/** @typedef {import("./message.js").PatientMessage} PatientMessage */
+/** @typedef {import("../live/live.js").PatientMessage} PatientMessage */
 
 export function momentCard() {
   const element = h("div", { class: "moment", "aria-live": "polite" });

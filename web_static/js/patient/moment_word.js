@@ -8,7 +8,7 @@ const END_FOR = 8000; // ms
 
 /**
  * @typedef {"" | "rest" | "go" | "goal" | "ended"} MomentWord
- * @typedef {Pick<import("./message.js").PatientMessage, "state" | "cue" | "trial" | "drives" | "over">} MomentMessage
+ * @typedef {Pick<import("../live/live.js").PatientMessage, "state" | "cue" | "trial" | "drives" | "over">} MomentMessage
  */
 
 /** @returns {(now: MomentMessage, time: number) => MomentWord} takes each message, with the time at which it came (ms) */

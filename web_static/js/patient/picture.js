@@ -11,7 +11,7 @@ const REPORT_EVERY = 1000; // ms: the server halts a trial after 3 s without a r
 const MAY_MOVE = new Set(["checking", "armed"]);
 
 /**
- * @typedef {import("./message.js").PatientMessage} PatientMessage
+ * @typedef {import("../live/live.js").PatientMessage} PatientMessage
  * @typedef {import("../live/live.js").Live<PatientMessage>} PatientLive
  */
 

@@ -13,7 +13,7 @@ import { testLayer } from "./test_layer.js";
 const BACKWARDS = -0.02; // m/s
 
 /**
- * @typedef {import("./message.js").PatientMessage} PatientMessage
+ * @typedef {import("../live/live.js").PatientMessage} PatientMessage
  * @typedef {import("../live/live.js").Live<PatientMessage>} PatientLive
  */
 

@@ -68,7 +68,7 @@ function playNote(context, { from, to, start, length, type }) {
 
 /**
  * The sounds for what happened between two messages; none for the first message.
- * @param {import("./message.js").PatientMessage | null} before @param {import("./message.js").PatientMessage} now
+ * @param {import("../live/live.js").PatientMessage | null} before @param {import("../live/live.js").PatientMessage} now
  * @returns {SoundName[]}
  */
 export function soundsBetween(before, now) {

@@ -7,7 +7,7 @@ export function testLayer() {
   const cross = targetCross();
   const words = h("p", { class: "test-words", role: "status" });
   const element = h("div", { class: "test-layer", hidden: true }, words, cross.element);
-  /** @param {import("./message.js").PatientMessage} now */
+  /** @param {import("../live/live.js").PatientMessage} now */
   const show = ({ test, state }) => {
     element.hidden = !test || state === "fault";
     if (!test) return;

@@ -23,7 +23,7 @@ export function miniPlan(plan, path) {
     path.task.kind === "path" && h("p", { class: "legend" }, t("trial.above.line")),
   );
   details.addEventListener("toggle", () => localStorage.setItem(STORAGE_KEY, details.open ? "open" : "closed"));
-  /** @param {(number | null)[]} pose @param {Pick<import("../live/live.js").TrialMoment, "leader" | "target">} trial */
+  /** @param {(number | null)[]} pose @param {Pick<import("types/api").TrialMoment, "leader" | "target">} trial */
   const show = (pose, { leader, target }) => {
     if (leader) picture.setLeader(leader);
     picture.setGoal(target);

@@ -1,6 +1,6 @@
 /**
  * What the notices of a stop or fault follow: its words, each further stop during it, and how it is read out.
- * @import { FaultWords } from "../live/live.js"
+ * @import { FaultWords } from "types/api"
  */
 import { t } from "../texts.js";
 import { timeOfDay } from "../widgets/format.js";

@@ -10,7 +10,7 @@ const DEGREES = 180 / Math.PI;
 const TONES = { silent: "bad", fault: "bad", disarmed: "plain", checking: "att", armed: "" };
 
 /**
- * @import { ChairMoment } from "../live/live.js"
+ * @import { ChairMoment } from "types/api"
  * @typedef {"silent" | ChairMoment["state"]} ChairState
  */
 

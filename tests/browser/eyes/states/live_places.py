@@ -19,10 +19,9 @@ CHAIR = {
     "kind": "udp", "state": "armed", "age": 0.02, "battery": 0.82, "stop_input": False, "v": 0.31, "omega": -0.2,
     "words": "",
 }  # fmt: skip
-TRIAL = {
-    "id": 0, "waits": None, "measuring": False, "t": 12.0, "done": 4.2, "length": 12.0, "cross_track": 0.1,
-    "e_diff": 0.4, "leader_distance": None, "movers": [], "leader": None, "stage": 0, "stages": 2, "kind": "path",
-    "title": "Corridor", "instruction": "Follow the line to the kitchen.", "target": [4.0, 2.0],
+TRIAL = {  # as the patient's screen gets it
+    "id": 0, "t": 12.0, "done": 4.2, "length": 12.0, "stage": 0, "stages": 2,
+    "instruction": "Follow the line to the kitchen.", "target": [4.0, 2.0], "movers": [],
 }  # fmt: skip
 CUE = {"index": 3, "kind": "move", "movement": "Lift the right shoulder", "t": 0.6, "length": 2.0, "next": "return"}
 TEST = {

@@ -1,7 +1,7 @@
 /**
  * Where the chair is in its task: time, stage, how far, how well, and how near a leader is.
  * @import { FloorPlan, PrescribedPath } from "../../plan/floor_plan.js"
- * @import { TrialMoment } from "../../live/live.js"
+ * @import { TrialMoment } from "types/api"
  */
 import { t } from "../../texts.js";
 import { h, write } from "../../widgets/dom.js";
