@@ -144,6 +144,40 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/reference": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["Reference"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/auth/demo": {
         parameters: {
             query?: never;
@@ -3352,7 +3386,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["Measure"];
+                    "application/json": components["schemas"]["MeasurementRequest"];
                 };
             };
             responses: {
@@ -6415,6 +6449,10 @@ export interface components {
             hash: string;
             title: string;
         };
+        LeadingMeasures: {
+            has: string[];
+            names: string[];
+        };
         LearningView: {
             /** @enum {string} */
             source: "worn" | "simulated" | "unknown";
@@ -6632,12 +6670,55 @@ export interface components {
             version: string;
         };
         Measure: {
-            seconds: number;
+            name: string;
+            unit: string;
+            ucum: string;
+            digits: number;
+            /**
+             * @default plain
+             * @enum {string}
+             */
+            scale: "log" | "root" | "count" | "plain";
+            better: ("low" | "high") | null;
+            /** @default 1 */
+            factor: number;
+            /** @default  */
+            subject: string;
+            /** @default  */
+            definition: string;
+            /** @default  */
+            meaning: string;
+            /** @default true */
+            needs_goal: boolean;
+            /** @default false */
+            of_whole: boolean;
+            of: string | null;
+        };
+        MeasureCatalogue: {
+            trial: {
+                [key: string]: components["schemas"]["Measure"];
+            };
+            test: {
+                [key: string]: components["schemas"]["Measure"];
+            };
+            leading: components["schemas"]["LeadingMeasures"][];
+            leading_of_tests: string[];
+            reached: string;
+            workload: string;
+            verdicts: {
+                [key: string]: string;
+            };
+            verdicts_of_tests: {
+                [key: string]: string;
+            };
         };
         MeasureOfSessions: {
             earlier: components["schemas"]["Quartiles"] | null;
             later: components["schemas"]["Quartiles"] | null;
             verdict: components["schemas"]["Verdict"] | null;
+        };
+        MeasurementRequest: {
+            seconds: number;
         };
         ModelView: {
             name: string;
@@ -7072,6 +7153,9 @@ export interface components {
             /** @default true */
             loop?: boolean;
         };
+        Reference: {
+            measures: components["schemas"]["MeasureCatalogue"];
+        };
         Refused: {
             detail: string;
             choice?: components["schemas"]["NameChoice"] | components["schemas"]["ObjectScales"] | null;
@@ -7479,7 +7563,7 @@ export interface components {
                 [key: string]: unknown;
             };
             words: {
-                [key: string]: string;
+                [key: string]: "better" | "within" | "worse" | "too few" | "number";
             };
             path: [
                 number,
@@ -7835,6 +7919,7 @@ export type JointMap = components['schemas']['JointMap'];
 export type JointQuality = components['schemas']['JointQuality'];
 export type JointView = components['schemas']['JointView'];
 export type LatestPractice = components['schemas']['LatestPractice'];
+export type LeadingMeasures = components['schemas']['LeadingMeasures'];
 export type LearningView = components['schemas']['LearningView'];
 export type LevelView = components['schemas']['LevelView'];
 export type Lifting = components['schemas']['Lifting'];
@@ -7853,7 +7938,9 @@ export type MapChoice = components['schemas']['MapChoice'];
 export type MapView = components['schemas']['MapView'];
 export type Me = components['schemas']['Me'];
 export type Measure = components['schemas']['Measure'];
+export type MeasureCatalogue = components['schemas']['MeasureCatalogue'];
 export type MeasureOfSessions = components['schemas']['MeasureOfSessions'];
+export type MeasurementRequest = components['schemas']['MeasurementRequest'];
 export type ModelView = components['schemas']['ModelView'];
 export type Mover = components['schemas']['Mover'];
 export type MoverLine = components['schemas']['MoverLine'];
@@ -7912,6 +7999,7 @@ export type Quartiles = components['schemas']['Quartiles'];
 export type RecordTime = components['schemas']['RecordTime'];
 export type RecordedConfig = components['schemas']['RecordedConfig'];
 export type RecordedHeadConfig = components['schemas']['RecordedHeadConfig'];
+export type Reference = components['schemas']['Reference'];
 export type Refused = components['schemas']['Refused'];
 export type ReplacedView = components['schemas']['ReplacedView'];
 export type ReplayConfig = components['schemas']['ReplayConfig'];

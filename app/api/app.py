@@ -48,6 +48,7 @@ from app.api.routes import (
     patients,
     people,
     plans,
+    reference,
     replacements,
     review,
     start,
@@ -80,6 +81,7 @@ PREFIX = "/api/v1"
 ROUTES = (
     stop,  # a request is compared with them in this order, and nothing is as urgent
     start,
+    reference,
     auth,
     accept_invitation,
     own_password,

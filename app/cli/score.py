@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.errors import InputError
+from app.scoring.measures import CIRCUMSTANCES, REACHED, REACHED_NAME, TRIAL_MEASURES
 
 if TYPE_CHECKING:
     from app.scoring.path_measures import Measures
@@ -21,26 +22,6 @@ FASTEST = 10.0  # m/s, mean speed; more means that x and y are not in metres, or
 FOLLOWING = ("dist_ratio", "e_diff", "cross_track_rms", "cross_track_max", "cross_track_mean")  # how well it followed
 
 CANCELLING = "Two loops around one place in opposite directions cancel in the area; the distance driven counts both."
-
-WORDS = {
-    "dist": ("distance driven", "m"),
-    "path_length": ("length of the path", "m"),
-    "dist_ratio": ("distance driven / length of the path", ""),
-    "e_diff": ("area off the path", "m²"),
-    "cross_track_rms": ("distance from the path, usual", "m"),
-    "cross_track_max": ("distance from the path, largest", "m"),
-    "cross_track_mean": ("distance from the path, mean, left positive", "m"),
-    "time": ("time", "s"),
-    "mean_speed": ("mean speed", "m/s"),
-    "stops": ("stops", ""),
-    "sparc": ("smoothness", ""),
-    "ldlj": ("smoothness, another measure", ""),
-    "reached": ("goal reached", ""),
-    "collisions": ("collisions", ""),
-    "contact_time": ("time in contact", "s"),
-    "turn_reversals": ("turn reversals", ""),
-    "pulses_per_metre": ("command pulses per metre", "1/m"),
-}
 
 
 def score(
@@ -108,10 +89,13 @@ def _check_units(trajectory: Path, rows: float, measures: "Measures") -> None:
 
 
 def _table(measures: "Measures") -> str:
-    lines = []
-    for name, value in measures.items():
-        label, unit = WORDS[name]
-        lines.append(f"{label:<44} {_written(value)} {unit}".rstrip())
+    known = TRIAL_MEASURES | CIRCUMSTANCES
+    lines = [
+        f"{REACHED_NAME:<44} {_written(value)}"
+        if name == REACHED
+        else f"{known[name].name:<44} {_written(value)} {known[name].unit}".rstrip()
+        for name, value in measures.items()
+    ]
     return "\n".join([*lines, "", CANCELLING])
 
 

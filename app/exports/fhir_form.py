@@ -8,8 +8,8 @@ from typing import Any
 
 from app import __version__
 from app.exports.export_material import ExportMaterial
-from app.exports.measure_units import MEASURES, TEST_MEASURES, is_number
 from app.scoring.interface_test.interface_course import COMPLETE
+from app.scoring.measures import EXPORTED, TEST_MEASURES, Measure, is_number
 from app.source import source_words
 from app.store.records.recorded_runs import RecordedRun, RecordedTest, RecordedTrial
 
@@ -30,7 +30,7 @@ def fhir_bundle(material: ExportMaterial, verdicts: dict[int, dict[str, str]]) -
     for run in material.runs:
         if run.trial is not None and run.trial.kept:
             method, verdict = f"{run.trial.title}, path {run.trial.path}", verdicts.get(run.trial.id, {})
-            found = _observations(run, run.trial, f"trial {run.trial.number}", method, MEASURES, verdict)
+            found = _observations(run, run.trial, f"trial {run.trial.number}", method, EXPORTED, verdict)
         elif run.test is not None and run.test.end == COMPLETE:
             found = _observations(run, run.test, f"two-minute test {run.test.number}", TEST_METHOD, TEST_MEASURES, {})
         else:
@@ -48,7 +48,7 @@ def _observations(
     done: RecordedTrial | RecordedTest,
     what: str,
     method: str,
-    measures: dict[str, tuple[str, str]],
+    measures: dict[str, Measure],
     verdicts: dict[str, str],
 ) -> dict[str, dict[str, Any]]:
     """Return an Observation for each measure that a trial or a test has, without its patient and device."""
@@ -61,14 +61,17 @@ def _observations(
             "resourceType": "Observation",
             **({"meta": {"security": [TEST_DATA]}} if run.source.simulated else {}),
             "status": "final",
-            "code": {"coding": [{"system": MEASURE_CODES, "code": name, "display": words}], "text": words},
+            "code": {
+                "coding": [{"system": MEASURE_CODES, "code": name, "display": measure.defined_as}],
+                "text": measure.defined_as,
+            },
             "effectiveDateTime": done.started.isoformat(),
-            "valueQuantity": {"value": done.measures[name], "unit": unit, "system": UCUM, "code": unit},
+            "valueQuantity": {"value": done.measures[name], "unit": measure.ucum, "system": UCUM, "code": measure.ucum},
             "method": {"text": method},
             **({"interpretation": [{"text": verdicts[name]}]} if verdicts.get(name) else {}),
             "note": [{"text": note}],
         }
-        for name, (words, unit) in measures.items()
+        for name, measure in measures.items()
         if is_number(done.measures.get(name))
     }
 

@@ -5,9 +5,9 @@ from collections.abc import Iterator
 from app import __version__
 from app.csv_cells import SPREADSHEET_BEGIN, csv_line
 from app.exports.export_material import SIMULATED_WORDS
-from app.exports.measure_units import TEST_MEASURES
 from app.exports.recorded_with import recorded_with
 from app.scoring.interface_test.workload import Workload
+from app.scoring.measures import TEST_MEASURES
 from app.source import source_words
 from app.store.records.recorded_runs import RecordedRun, RecordedTest
 
@@ -22,7 +22,7 @@ def interface_test_csv(code: str, runs: tuple[RecordedRun, ...]) -> str:
     rows = [csv_line(list(_cells(code, run, run.test))) for run in runs if run.test is not None]
     if not rows:
         return ""
-    measures = [f"{name} [{unit}]" for name, (_, unit) in TEST_MEASURES.items()]
+    measures = [f"{name} [{measure.ucum}]" for name, measure in TEST_MEASURES.items()]
     answers = [f"workload {name} [0-100]" for name in Workload.model_fields]
     return "".join([SPREADSHEET_BEGIN, csv_line([*ABOUT, *measures, *answers]), *rows])
 

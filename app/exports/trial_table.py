@@ -5,9 +5,8 @@ from collections.abc import Iterator
 from app import __version__
 from app.csv_cells import SPREADSHEET_BEGIN, csv_line
 from app.exports.export_material import SIMULATED_WORDS, ExportMaterial
-from app.exports.measure_units import MEASURES, is_number
 from app.exports.recorded_with import recorded_with
-from app.scoring.verdict.measure_verdict import VERDICT_WORDS
+from app.scoring.measures import EXPORTED, VERDICT_WORDS, is_number
 from app.scoring.verdict.verdicts import trial_verdicts
 from app.source import source_words
 from app.store.records.recorded_runs import RecordedRun
@@ -32,7 +31,7 @@ def verdict_words(material: ExportMaterial) -> dict[int, dict[str, str]]:
 
 def trial_csv(material: ExportMaterial, verdicts: dict[int, dict[str, str]]) -> str:
     """Return the trials as CSV; a measure that the trial does not have is an empty cell."""
-    heads = [column for name, (_, unit) in MEASURES.items() for column in (f"{name} [{unit}]", f"{name} verdict")]
+    heads = [column for name, measure in EXPORTED.items() for column in (f"{name} [{measure.ucum}]", f"{name} verdict")]
     lines = [csv_line([*ABOUT, *heads])]
     lines += [csv_line(list(_cells(material.code, run, verdicts))) for run in material.runs if run.trial is not None]
     return SPREADSHEET_BEGIN + "".join(lines)
@@ -46,7 +45,7 @@ def _cells(code: str, run: RecordedRun, verdicts: dict[int, dict[str, str]]) -> 
     yield from (source_words(run.source), SIMULATED_WORDS[run.source.simulated])
     yield from (trial.map_version, trial.parameters_hash, recorded_with(run.folder), __version__)
     yield from ("", "", "") if (origin := run.origin) is None else (origin.clinic, origin.person, origin.at.isoformat())
-    for name in MEASURES:
+    for name in EXPORTED:
         value = trial.measures.get(name)
         yield value if is_number(value) else None
         yield verdicts.get(trial.id, {}).get(name, "")

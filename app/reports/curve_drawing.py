@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 from app.number_words import with_minus
 from app.reports.document import Drawing
 from app.reports.svg import area, dot, label, line, nice_step, picture
-from app.scoring.learning_words import Measure
+from app.scoring.measures import Measure
 
 WIDTH, HEIGHT = 250.0, 128.0  # points
 LEFT, RIGHT, TOP, BOTTOM = 30.0, 6.0, 8.0, 20.0

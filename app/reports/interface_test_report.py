@@ -1,40 +1,15 @@
 """The report of two-minute tests of one kind of source: a table with a row for each, and verdicts on the newest."""
 
-from typing import Any, Final, NamedTuple
+from typing import Final
 
 from app.number_words import amount
 from app.reports.document import InterfaceTestReport, Table
 from app.reports.material import InterfaceTestMaterial, ReportedTest
 from app.scoring.interface_test.interface_course import counted_tests
 from app.scoring.interface_test.interface_verdicts import InterfaceVerdicts, interface_verdicts
+from app.scoring.measures import TEST_MEASURES, VERDICT_WORDS_OF_TESTS, WORKLOAD_NAME
 
 MOST_ROWS: Final = 12  # of a course: the first test and the newest ones
-
-
-class InterfaceMeasureWords(NamedTuple):
-    """How a measure of a two-minute test is written; equal to the pages (web_static/js/interface_test)."""
-
-    name: str
-    unit: str
-    digits: int
-    factor: float
-
-
-TEST_MEASURES: Final[dict[str, InterfaceMeasureWords]] = {
-    "acquisitions_per_minute": InterfaceMeasureWords("Targets per minute", "", 1, 1),
-    "throughput": InterfaceMeasureWords("Speed and precision together", "bit/s", 2, 1),
-    "first_entry": InterfaceMeasureWords("Time to a target", "s", 2, 1),
-    "dial_in": InterfaceMeasureWords("Time to settle in it", "s", 2, 1),
-    "path_efficiency": InterfaceMeasureWords("Straightness of the way", "%", 0, 100),
-}
-WORKLOAD: Final = "Workload, 0 to 100"
-VERDICTS: Final = {
-    "better": "better than noise",
-    "within": "within noise",
-    "worse": "worse than noise",
-    "too few": "too few tests",
-    "number": "–",
-}
 ENDS: Final = {
     "by hand": "ended early: does not count",
     "stopped": "stopped: does not count",
@@ -62,7 +37,7 @@ def interface_test_report(
     return InterfaceTestReport(
         lead=f"{source}{amount(len(counted), 'complete test')}{until}.{others}",
         table=Table(
-            ("Test", *(measure.name for measure in TEST_MEASURES.values()), WORKLOAD),
+            ("Test", *(measure.name for measure in TEST_MEASURES.values()), WORKLOAD_NAME),
             tuple(_row(one) for one in shown) + tuple(_verdicts(one) for one in compared),
         ),
     )
@@ -82,17 +57,14 @@ def _row(reported: ReportedTest) -> tuple[str, ...]:
     if end != "complete" or measures is None:
         return (head, ENDS[end or "fault"], *[""] * len(TEST_MEASURES))
     workload = "" if reported.workload is None else f"{reported.workload:.0f}"
-    return (head, *(_figure(measure, measures.get(name)) for name, measure in TEST_MEASURES.items()), workload)
-
-
-def _figure(measure: InterfaceMeasureWords, value: Any) -> str:
-    return "" if value is None else f"{value * measure.factor:.{measure.digits}f} {measure.unit}".rstrip()
+    levels = ("" if (value := measures.get(name)) is None else one.level(value) for name, one in TEST_MEASURES.items())
+    return (head, *levels, workload)
 
 
 def _verdicts(found: InterfaceVerdicts) -> tuple[str, ...]:
     words = (found.verdicts[name].word if name in found.verdicts else None for name in TEST_MEASURES)
     return (
         f"{found.later} against {found.earlier}",
-        *("" if word is None else VERDICTS[word] for word in words),
+        *("" if word is None else VERDICT_WORDS_OF_TESTS[word] for word in words),
         "",
     )

@@ -10,21 +10,14 @@ from app.reports.band_drawing import band_drawing
 from app.reports.curve_drawing import CurvePoint, curve_drawing
 from app.reports.document import Drawing, MeasureRow, TaskReport, Tone
 from app.reports.material import Rows, TaskMaterial
-from app.reports.measure_words import (
-    MEASURE_WORDS,
-    REACHED_WORDS,
-    noise_words,
-    share_words,
-    with_unit,
-)
+from app.reports.measure_words import noise_words, share_words, with_unit
 from app.reports.trajectory_drawing import Points, trajectory_drawing
 from app.scoring.interruptions import interruption_words
 from app.scoring.learning import learning_curves
-from app.scoring.learning_words import MEASURES
+from app.scoring.measures import REACHED, REACHED_NAME, TRIAL_MEASURES, VERDICT_WORDS, Word
 from app.scoring.verdict.leading_measures import leading_of_task
 from app.scoring.verdict.measure_comparison import from_scale, value_of
-from app.scoring.verdict.measure_verdict import VERDICT_WORDS, Verdict, Word, series_of
-from app.scoring.verdict.reaching import REACHED
+from app.scoring.verdict.measure_verdict import Verdict, series_of
 from app.scoring.verdict.verdicts import SessionVerdicts, task_verdicts
 
 MOST_NAMED = 6  # interrupted trials
@@ -60,7 +53,7 @@ def task_report(task: TaskMaterial, session: int | None, *, name_source: bool) -
         curve=None if curve is None else _curve(main, rows, newest, curve["fit"]),
         curve_words=f"{amount(len(rows), 'trial')}; session {newest} is orange. Rings: to get used to the task. "
         "S: a session begins.",
-        curve_title=f"Learning curve: {MEASURE_WORDS[main].lower()} in every trial",
+        curve_title=f"Learning curve: {TRIAL_MEASURES[main].name.lower()} in every trial",
         sentences=tuple(sentence for sentence in (*found.deterioration.values(), *said) if sentence),
         statistics=() if curve is None else tuple(curve["details"]),
     )
@@ -74,7 +67,7 @@ def _comparison(sessions: Sequence[SessionVerdicts], newest: int, *, course: boo
 
 def _measure(name: str, rows: Rows, newest: int, compared: SessionVerdicts | None) -> MeasureRow:
     verdict: Verdict | None = None if compared is None else compared.verdicts.get(name)
-    words = MEASURE_WORDS[name]
+    words = TRIAL_MEASURES[name].name
     if verdict is None:
         level = with_unit(name, _level(name, rows, newest))
         return MeasureRow(words, level, "", "", NOTHING_BEFORE, "", None)
@@ -90,9 +83,9 @@ def _reaching(rows: Rows, newest: int, compared: SessionVerdicts | None) -> tupl
     verdict: Verdict | None = None if compared is None else compared.verdicts.get(REACHED)
     if verdict is None:
         own = [bool(row.get("reached", True)) for row in rows if row["session"] == newest]
-        return (MeasureRow(REACHED_WORDS, share_words(sum(own) / len(own)), "", "", NOTHING_BEFORE, "", None),)
+        return (MeasureRow(REACHED_NAME, share_words(sum(own) / len(own)), "", "", NOTHING_BEFORE, "", None),)
     now, before = share_words(verdict.later), share_words(verdict.earlier)
-    return (MeasureRow(REACHED_WORDS, now, before, "", VERDICT_WORDS[verdict.word], TONES[verdict.word], None),)
+    return (MeasureRow(REACHED_NAME, now, before, "", VERDICT_WORDS[verdict.word], TONES[verdict.word], None),)
 
 
 def _level(name: str, rows: Rows, session: int) -> float | None:
@@ -174,5 +167,5 @@ def _curve(name: str, rows: Rows, newest: int, fit: dict[str, Any] | None) -> Dr
         for row in rows
         if (value := value_of(row, name)) is not None
     ]
-    words = f"{MEASURES[name].words} over {amount(len(points), 'trial')}."
-    return curve_drawing(points, fit, MEASURES[name], words)
+    words = f"{TRIAL_MEASURES[name].as_subject} over {amount(len(points), 'trial')}."
+    return curve_drawing(points, fit, TRIAL_MEASURES[name], words)

@@ -4,7 +4,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from app.scoring.learning_fit import Curve, LearningCurve, Numbers, fit_learning_curve
-from app.scoring.learning_words import MEASURES, details, plain_sessions, plain_words, session_details, too_few
+from app.scoring.learning_words import details, plain_sessions, plain_words, session_details, too_few
+from app.scoring.measures import TRIAL_MEASURES
 from app.scoring.retention import retention
 from app.scoring.verdict.change_over_sessions import course_change
 from app.scoring.verdict.leading_measures import leading_of_task
@@ -15,7 +16,7 @@ LARGEST = 1e100  # larger values are left out: sums of squares would overflow
 
 def learning_curves(
     trials: Sequence[Mapping[str, Any]],
-    names: Iterable[str] = MEASURES,
+    names: Iterable[str] = TRIAL_MEASURES,
     clinic: ClinicSpreads | None = None,
     *,
     every_model: bool = False,

@@ -1,69 +1,15 @@
 """Sentences on a learning curve: plain ones for people, and the statistics behind them."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from app.number_words import amount, with_minus
 from app.scoring.learning_fit import MIN_TRIALS, MIN_TRIALS_FOR_CONSTANT, LearningCurve
+from app.scoring.measures import TRIAL_MEASURES, VERDICT_WORDS, Measure
 from app.scoring.retention import Change, Retention
 from app.scoring.trend import theil_sen
 from app.scoring.verdict.change_over_sessions import CourseChange
-from app.scoring.verdict.measure_comparison import COMPARISONS
-from app.scoring.verdict.measure_verdict import VERDICT_WORDS
 
 EDGE = 3  # trials at either end whose medians are compared
-
-
-class Measure(NamedTuple):
-    """The words, the unit and the digits of a measure, and what a stored value is multiplied by to be in that unit."""
-
-    words: str
-    unit: str
-    digits: int  # behind the point
-    factor: float = 1.0
-
-    def figure(self, value: float) -> str:
-        """Return a stored value as people read it, without its unit."""
-        digits = self.digits
-        if not digits and not self.unit and value != round(value):
-            digits = 1  # a mean of counts
-        return with_minus(f"{round(value * self.factor, digits) + 0.0:.{digits}f}")  # + 0.0: never -0
-
-    def with_unit(self, figure: str) -> str:
-        """Return a figure with the unit behind it; a degree sign stands close to it."""
-        return f"{figure}{self.unit}" if self.unit == "°" else f"{figure} {self.unit}".rstrip()
-
-    def level(self, value: float) -> str:
-        """Return a stored value as people read it, with its unit."""
-        return self.with_unit(self.figure(value))
-
-
-MEASURES: dict[str, Measure] = {
-    "dist": Measure("The distance driven", "m", 2),
-    "dist_ratio": Measure("The distance driven over the length of the path", "", 2),
-    "e_diff": Measure("The area off the path", "m²", 2),
-    "time": Measure("The time for a trial", "s", 1),
-    "cross_track_rms": Measure("The usual distance from the path", "m", 2),
-    "cross_track_max": Measure("The largest distance from the path", "m", 2),
-    "mean_speed": Measure("The mean speed", "m/s", 2),
-    "stops": Measure("The number of stops", "", 0),
-    "collisions": Measure("The number of contacts with walls and obstacles", "", 0),
-    "contact_time": Measure("The time in contact with walls and obstacles", "s", 1),
-    "stages_done": Measure("The number of stages done", "", 0),
-    "follow_error_rms": Measure("The usual error of the distance to the leader", "m", 2),
-    "follow_error_max": Measure("The largest error of the distance to the leader", "m", 2),
-    "follow_near": Measure("The share of time near the asked distance", "%", 0, 100.0),
-    "heading_error_deg": Measure("The angle off the mark", "°", 0),
-    "turn_drift": Measure("The way off the spot", "m", 2),
-    "cones_touched": Measure("The number of cones touched", "", 0),
-    "gap_clearance": Measure("The narrowest clearance in a gap", "m", 2),
-    "door_contacts": Measure("The number of contacts with a door or gap", "", 0),
-    "turn_reversals": Measure("The number of changes between left and right turns", "", 0),
-    "pulses_per_metre": Measure("The number of commands per metre", "/m", 1),
-    "sparc": Measure("The smoothness of the speed (higher is smoother)", "", 2),
-    "ldlj": Measure("Another measure of the smoothness of the speed (higher is smoother)", "", 2),
-}
 
 
 def too_few(count: int) -> str:
@@ -76,9 +22,9 @@ def plain_words(name: str, learning: LearningCurve, change: CourseChange, sessio
 
     `sessions` is the number of sessions that the trials were driven in; 0 where that is not known.
     """
-    measure, count = MEASURES[name], len(learning.n)
+    measure, count = TRIAL_MEASURES[name], len(learning.n)
     over = f"over {count} trials" + (f" in {amount(sessions, 'session')}" if sessions else "")
-    what = f"{measure.words[0].lower()}{measure.words[1:]}"
+    what = f"{measure.as_subject[0].lower()}{measure.as_subject[1:]}"
     if change.word not in ("better", "worse"):
         begin = {"within": f"Within noise {over}", "too few": f"Too few sessions to tell a change from noise, {over}"}
         head = begin.get(change.word, over.capitalize())
@@ -92,7 +38,7 @@ def plain_words(name: str, learning: LearningCurve, change: CourseChange, sessio
 
 def plain_sessions(name: str, kept: Retention) -> str:
     """Say what changed within a session, and how much of it was kept until the next one."""
-    measure, (within, between) = MEASURES[name], kept
+    measure, (within, between) = TRIAL_MEASURES[name], kept
     if within.is_noise and between.is_noise:
         return (
             "Neither the change within a session nor the one over the pause to the next is more than noise "
@@ -115,12 +61,12 @@ def plain_sessions(name: str, kept: Retention) -> str:
 
 def details(name: str, learning: LearningCurve, change: CourseChange) -> str:
     """Return the statistics of the change and of the curve of a measure."""
-    measure, count = MEASURES[name], len(learning.n)
+    measure, count = TRIAL_MEASURES[name], len(learning.n)
     first, last = _ends(learning)
     # A few unusual trials at an end may contradict the change; the sentence must not.
     went = {(True, True): "fell", (False, False): "rose"}.get((change.falls, last < first), "went")
     said = (
-        f"{measure.words} {went if _is_change(change) else 'went'} from {measure.level(first)} to "
+        f"{measure.as_subject} {went if _is_change(change) else 'went'} from {measure.level(first)} to "
         f"{measure.level(last)} (medians of the first and the last {EDGE} of {count} trials)."
     )
     if change.p_value is not None:
@@ -138,7 +84,7 @@ def _is_change(change: CourseChange) -> bool:
 
 def session_details(name: str, kept: Retention) -> str:
     """Return the changes within and between sessions with their intervals."""
-    measure = MEASURES[name]
+    measure = TRIAL_MEASURES[name]
     return (
         f"In the mean of {kept.within.sessions} sessions it {_interval(measure, kept.within)} within a session, "
         f"and {_interval(measure, kept.between)} from its last trials to the first of the next."
@@ -151,7 +97,7 @@ def _ends(learning: LearningCurve) -> tuple[float, float]:
 
 
 def _is_better(name: str, change: float) -> bool:
-    better = COMPARISONS[name].better
+    better = TRIAL_MEASURES[name].better
     return better is not None and (change < 0) == (better == "low")
 
 

@@ -5,9 +5,9 @@ from typing import Annotated, Final, Self
 from pydantic import ConfigDict, Field, StrictBool, model_validator
 
 from app.quantities import Document, Finite, Name, Title
-from app.scoring.learning_words import MEASURES
+from app.scoring.measures import CIRCUMSTANCES, INTERRUPTIONS, TRIAL_MEASURES
 
-NUMBERS: Final = frozenset({*MEASURES, "path_length", "cross_track_mean", "stages", "cones", "gaps"})
+NUMBERS: Final = frozenset({*TRIAL_MEASURES, *INTERRUPTIONS, *CIRCUMSTANCES})
 MOST_PARTS: Final = 100  # of a course
 
 Figure = Finite | StrictBool | None

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from app import __version__
+from app.scoring.measures import TRIAL_MEASURES
 from app.source import STUDY_SOURCE, source_words
 from app.study.experiment import StudyResult
 from app.study.seeds import EARLY, MEASURES, MeasureOverSeeds, decimated, measure_over_seeds
@@ -25,8 +26,6 @@ from app.study.study_files import (
 
 if TYPE_CHECKING:
     import pyarrow as pa
-
-WORDS = {"dist": ("Distance driven", "m"), "e_diff": ("Area off the path", "m²")}
 
 
 def write_seeds(results: Sequence[StudyResult], folder: Path, draw: Draw, overwrite: bool = False) -> None:
@@ -106,14 +105,15 @@ def sentences(results: Sequence[StudyResult]) -> list[str]:
 
 
 def _sentence(measure: str, over: MeasureOverSeeds, seeds: int) -> str:
-    name, unit = WORDS[measure]
+    entry = TRIAL_MEASURES[measure]
 
     def number(value: float | None) -> str:
-        return "no trial that reached the goal" if value is None else f"{value:.2f} {unit}"
+        return "no trial that reached the goal" if value is None else entry.level(value)
 
     steepest = "" if over.median_step is None else f", the median's from trial {over.median_step} on"
     return (
-        f"{name}: median {number(over.median[0])} in trial 1, {number(over.median[-1])} in trial {len(over.median)}; "
+        f"{entry.name}: median {number(over.median[0])} in trial 1, {number(over.median[-1])} in trial "
+        f"{len(over.median)}; "
         f"of {seeds} people it fell in {over.falls}, rose in {over.rises} and stayed within noise in {over.no_trend}; "
         f"the largest step is among the first {EARLY} trials in {over.early_steps}{steepest}."
     )

@@ -37,6 +37,7 @@ FOR_EVERYONE = {
     "POST /auth/sign-out",
     "GET /auth/me",
     "GET /start",
+    "GET /reference",
     "POST /control/stop",
     "POST /patient-screen/pair",
     "GET /patient-screen/me",

@@ -49,7 +49,7 @@ def test_the_goals_radius_can_be_set(bodydrive, tables):
 def test_score_in_words(bodydrive, tables):
     code, out, _ = bodydrive("score", "driven.csv", "path.csv")
     assert code == 0
-    assert "area off the path                            5.000 m²" in out
+    assert "Area off the path                            5.000 m²" in out
     assert symbols_in(out) == []
 
 

@@ -22,12 +22,12 @@ from app.backup.contents import clinic_mark
 from app.clock import utc_now
 from app.exports.export_material import exported_material
 from app.exports.forms import Form
-from app.exports.measure_units import TEST_MEASURES as TEST_UNITS
 from app.exports.package import export_steps
 from app.exports.xdf_form import COMMANDS, POSE
 from app.recording.reader import read_run
 from app.refusals import Conflict
 from app.scoring.interface_test.workload import Workload
+from app.scoring.measures import TEST_MEASURES as TEST_UNITS
 from app.settings import Settings
 from app.store import people
 from app.store.database import Database

@@ -9,9 +9,10 @@ from stored_interface_test import MEASURES as TEST_MEASURES
 from stored_interface_test import store_interface_test
 
 from app.clock import utc_now
-from app.exports import measure_units
 from app.exports.export_material import exported_material
 from app.exports.fhir_form import fhir_bundle
+from app.scoring.measures import EXPORTED
+from app.scoring.measures import TEST_MEASURES as TEST_UNITS
 from app.store.database import Database
 from app.store.tables import Run, Trial
 
@@ -70,4 +71,4 @@ def test_each_measure_has_its_value_and_its_ucum_code(bundle) -> None:
 
 
 def test_no_measure_is_left_out_of_this_table() -> None:
-    assert set(CODES) == {*measure_units.MEASURES, *measure_units.TEST_MEASURES}
+    assert set(CODES) == {*EXPORTED, *TEST_UNITS}

@@ -1,6 +1,5 @@
 """Two-minute tests in a report: figures as on the pages, sources apart, and which tests the newest is compared with."""
 
-import re
 from dataclasses import replace
 
 import pytest
@@ -9,14 +8,13 @@ from stored_interface_test import SIMULATED, store_interface_test
 
 from app.reports.composition import compose
 from app.reports.html import render_html
-from app.reports.interface_test_report import ENDS, MOST_ROWS, TEST_MEASURES, VERDICTS, WORKLOAD
+from app.reports.interface_test_report import ENDS, MOST_ROWS
 from app.reports.pdf import render_pdf
+from app.scoring.measures import TEST_MEASURES, WORKLOAD_NAME
 from app.source import Source
 from app.store.database import Database
 from app.store.tables import InterfaceTest, PatientSession
-from folders import ROOT
 
-PAGES = ROOT / "web_static" / "js"
 SESSIONS = 3
 IN_A_SESSION = 6
 WORN = Source(shirt="udp", body=None, chair="virtual", simulated=False)
@@ -46,7 +44,7 @@ def rows_of(report, number=0):
 def test_a_session_shows_its_tests_and_those_that_the_newest_is_compared_with(tested):
     report = compose(material_of(*tested, 2))
     (tests,) = report.tests
-    assert tests.table.head == ("Test", *(measure.name for measure in TEST_MEASURES.values()), WORKLOAD)
+    assert tests.table.head == ("Test", *(measure.name for measure in TEST_MEASURES.values()), WORKLOAD_NAME)
     assert [row[0].split(",")[0] for row in tests.table.rows] == [
         *("1", "7", "8", "9", "10", "11", "12", "12 against 11", "12 against 1")
     ]
@@ -110,15 +108,3 @@ def test_both_renderers_show_the_tests(tested):
     assert "0.91 bit/s" in words
     assert len(render_pdf(report, "a4")) > len(render_pdf(replace(report, tests=()), "a4"))
     assert "Two-minute tests" not in render_html(replace(report, tests=()), "a4").decode()
-
-
-def test_the_words_and_digits_are_those_of_the_pages():
-    texts = (PAGES / "texts" / "en" / "results" / "interface_test.js").read_text()
-    shown = (PAGES / "interface_test" / "test_measures.js").read_text()
-    found = re.findall(r'  (\w+): \{ unit: "(.*?)", digits: (\d), better: "\w+", factor: (\d+) \}', shown)
-    assert [(name, unit, int(digits), int(factor)) for name, unit, digits, factor in found] == [
-        (name, measure.unit, measure.digits, measure.factor) for name, measure in TEST_MEASURES.items()
-    ]
-    assert all(f'"test.measure.{name}": "{measure.name}"' in texts for name, measure in TEST_MEASURES.items())
-    assert all(f'"test.verdict.{word}": "{words}"' in texts for word, words in VERDICTS.items())
-    assert f'"test.workload.mean": "{WORKLOAD}"' in texts

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from api_types import NODE
+from app.api.routes.reference import reference
 from app.settings import static_folder
 
 
@@ -17,6 +18,14 @@ def modules(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("modules")
     (folder / "package.json").write_text('{"type": "module"}')
     return Path(shutil.copytree(static_folder() / "js", folder / "js"))
+
+
+@pytest.fixture(scope="session")
+def reference_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A file with what the pages look up, as the server answers it; `served.mjs` gives it to the modules."""
+    file = tmp_path_factory.mktemp("reference") / "reference.json"
+    file.write_text(reference().model_dump_json(), encoding="utf-8")
+    return file
 
 
 @pytest.fixture(scope="session")

@@ -17,6 +17,7 @@ import { PAGES, rail } from "./shell/rail.js";
 import { stopOnSpace } from "./shell/stop.js";
 import { pageTitle } from "./shell/subject.js";
 import { followSystem } from "./shell/theme.js";
+import { readReference } from "./reference.js";
 import { questionPlace } from "./widgets/question.js";
 import { Toasts } from "./shell/toast.js";
 import { TypedEvents } from "./live/typed_events.js";
@@ -101,7 +102,10 @@ export class App extends TypedEvents {
   async enter() {
     const code = takeCode(DEMO_LINK);
     if (code) await this.toasts.attempt(() => this.api.post("/auth/demo", { code }));
-    const start = await this.toasts.attempt(() => this.api.get("/start"));
+    const [start] = await Promise.all([
+      this.toasts.attempt(() => this.api.get("/start")),
+      readReference().catch(() => null), // the page that is shown reads it again
+    ]);
     this.isNearby = start?.is_nearby ?? true;
     this.#setPractice(start?.practice ?? null);
     await this.#signedIn(start?.me ?? null, start?.session ?? null);
@@ -204,6 +208,7 @@ export class App extends TypedEvents {
     this.setSubject(null);
     this.frame.classList.toggle("alone", !this.me?.signed_in);
     try {
+      await readReference();
       const page = await import(`./pages/${name}/${name}.js`);
       if (leave.signal.aborted) return;
       this.setShowsTrial(false);

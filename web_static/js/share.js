@@ -9,9 +9,9 @@ import { day, number } from "./widgets/format.js";
 import { h, put, s } from "./widgets/dom.js";
 import { icon } from "./widgets/icons.js";
 import { followSystem } from "./shell/theme.js";
-import { comparable, MEASURES } from "./results/measures.js";
+import { comparable, measureNames, nameOf, REACHED } from "./results/measures.js";
 import { storyParts } from "./results/story.js";
-import { REACHED } from "./results/verdict_words.js";
+import { readReference, REFERENCE } from "./reference.js";
 
 const HERE = "/api/v1/shared";
 const main = /** @type {HTMLElement} */ (document.getElementById("main"));
@@ -25,7 +25,10 @@ async function show() {
     return;
   }
   const answer = await fetch(HERE).catch(() => null);
-  if (answer?.ok) showShared(await answer.json());
+  if (answer?.ok) {
+    await readReference();
+    showShared(await answer.json());
+  }
   else askPin(answer ? "" : t("share.failed"));
 }
 
@@ -104,7 +107,7 @@ function helpButton() {
 
 /** @param {TaskLearning} task */
 function taskCard(task) {
-  const words = [REACHED, ...Object.keys(MEASURES)].filter((name) => task.words[name]);
+  const words = [REACHED, ...measureNames()].filter((name) => task.words[name]);
   const areas = task.trials
     .filter((trial) => comparable("e_diff", trial))
     .map((trial) => ({ number: Number(trial.number), value: Number(trial.e_diff) }));
@@ -119,7 +122,7 @@ function taskCard(task) {
     areas.length > 0 && h("p", {}, t("share.values", { first: number(areas[0].value, 2), newest: number(areas[areas.length - 1].value, 2) })),
     h("p", {}, t("share.verdicts")),
     words.length
-      ? h("dl", {}, words.map((name) => [h("dt", {}, t(`measure.${name}`)), h("dd", {}, t(`verdict.${task.words[name]}`))]))
+      ? h("dl", {}, words.map((name) => [h("dt", {}, nameOf(name)), h("dd", {}, REFERENCE.measures.verdicts[task.words[name]])]))
       : h("p", { class: "quiet" }, t("share.no_verdict")),
   );
 }

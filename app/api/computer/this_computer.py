@@ -16,7 +16,7 @@ from app.settings import Settings
 router = APIRouter(prefix="/computer", tags=["this computer"])
 
 
-class Measure(Document):
+class MeasurementRequest(Document):
     """How long to measure the loop."""
 
     seconds: Annotated[int, Field(strict=True, ge=1, le=60)]
@@ -30,7 +30,7 @@ class ComputerView(Document):
 
 
 @router.post("/measurement")
-async def measure(body: Measure, _who: Owner, parts: PeopleParts, web: Web) -> ComputerView:
+async def measure(body: MeasurementRequest, _who: Owner, parts: PeopleParts, web: Web) -> ComputerView:
     """Measure this computer; answered afterwards. Refused while a chair is armed or something is recorded."""
     web.measurement.refuse_while_busy()
     asking = asyncio.create_task(web.graphics.ask())

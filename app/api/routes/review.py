@@ -13,7 +13,7 @@ from app.api.sign_in.identity import SignedInPerson
 from app.quantities import Document
 from app.refusals import Conflict
 from app.scoring.learning import learning_curves
-from app.scoring.learning_words import MEASURES
+from app.scoring.measures import TRIAL_MEASURES
 from app.scoring.verdict.verdicts import TaskVerdicts, TrialVerdicts, task_verdicts, trial_verdicts
 from app.session.clinic_spread import Task
 from app.source import SourceGroup
@@ -31,8 +31,8 @@ MOST_TRAJECTORIES = 30  # the newest; more could not be told apart
 
 
 def _known_measure(name: str) -> str:
-    if name not in MEASURES:
-        raise ValueError(f"is no measure: choose one of {', '.join(MEASURES)}")
+    if name not in TRIAL_MEASURES:
+        raise ValueError(f"is no measure: choose one of {', '.join(TRIAL_MEASURES)}")
     return name
 
 
@@ -77,7 +77,7 @@ def learning(
     clinic = web.spread.of_others(Task(who.clinic_id, floorplan, path, source), patient_id)
     counted = [one for one in every if one.group == source]
     rows = [one.row() for one in counted]
-    names = list(MEASURES) if measure is None else [measure]
+    names = list(TRIAL_MEASURES) if measure is None else [measure]
     return LearningView(
         source=source,
         others=dict(Counter(one.group for one in every if one.group != source)),

@@ -6,7 +6,7 @@ from app.api.parts import WebParts
 from app.api.routes.review import MOST_TRAJECTORIES, TrialLine
 from app.quantities import Document
 from app.scoring.learning import learning_curves
-from app.scoring.learning_words import MEASURES
+from app.scoring.measures import TRIAL_MEASURES, Word
 from app.scoring.verdict.verdicts import task_verdicts
 from app.session.clinic_spread import Task
 from app.source import SourceGroup
@@ -25,7 +25,7 @@ class TaskLearning(Document):
     source: SourceGroup
     trials: list[dict[str, Any]]
     curves: dict[str, Any]
-    words: dict[str, str]  # measure -> verdict word on the newest session against the one before
+    words: dict[str, Word]  # measure -> verdict word on the newest session against the one before
     path: list[tuple[float, float]]
     trajectories: list[TrialLine]
 
@@ -64,7 +64,7 @@ def _learning(
         path_title=path_title(web.own_floorplans, task.floorplan, task.path),
         source=task.group,
         trials=rows,
-        curves=web.computing.ask(learning_curves, rows, tuple(MEASURES), clinic),
+        curves=web.computing.ask(learning_curves, rows, tuple(TRIAL_MEASURES), clinic),
         words=words,
         path=[(x, y) for x, y in newest[-1].path_points],
         trajectories=[

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 from app.quantities import Document
 from app.scoring.interface_test.interface_verdicts import InterfaceVerdicts, interface_verdicts
 from app.scoring.learning_fit import fit_learning_curve
-from app.scoring.verdict.measure_comparison import INTERFACE_COMPARISONS
+from app.scoring.measures import TEST_MEASURES
 from app.world.cursor_task import CursorPlan
 
 COMPLETE = "complete"
@@ -52,7 +52,7 @@ def counted_tests(tests: Sequence[StoredTest]) -> list[dict[str, Any]]:
 def interface_course(tests: Sequence[Mapping[str, Any]]) -> InterfaceCourse:
     """Return the course of complete tests, in the order done; each has `number` and its measures by name."""
     curves = {}
-    for name in INTERFACE_COMPARISONS:
+    for name in TEST_MEASURES:
         found = [(float(test["number"]), float(test[name])) for test in tests if test.get(name) is not None]
         fitted = fit_learning_curve([number for number, _ in found], [value for _, value in found])
         if fitted is not None and fitted.curve.form != "level":

@@ -7,8 +7,8 @@ from typing import Any, Final
 import numpy as np
 
 from app.quantities import Document
-from app.scoring.verdict.leading_measures import LEADING_OF_TESTS
-from app.scoring.verdict.measure_comparison import INTERFACE_COMPARISONS, least_spread, to_scale
+from app.scoring.measures import LEADING_OF_TESTS, TEST_MEASURES
+from app.scoring.verdict.measure_comparison import least_spread, to_scale
 from app.scoring.verdict.measure_verdict import FEWEST, Difference, Verdict, variance_of, verdicts_on
 from app.scoring.verdict.spread import OwnSpread, Series, Variance, own_spread
 
@@ -42,7 +42,7 @@ def verdicts_between(tests: Tests, earlier: int, later: int) -> InterfaceVerdict
 
 def _against(tests: Tests, place: int) -> InterfaceVerdicts:
     """Compare the newest test with that at `place`."""
-    found = {name: _difference(name, tests, place) for name in INTERFACE_COMPARISONS}
+    found = {name: _difference(name, tests, place) for name in TEST_MEASURES}
     differences = {name: one for name, one in found.items() if one is not None}
     return InterfaceVerdicts(
         earlier=tests[place]["number"],

@@ -6,12 +6,12 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from app.scoring.verdict.measure_comparison import COMPARISONS, Rows, least_spread
+from app.scoring.measures import TRIAL_MEASURES, Word
+from app.scoring.verdict.measure_comparison import Rows, least_spread
 from app.scoring.verdict.measure_verdict import (
     FEWEST,
     ClinicSpreads,
     Difference,
-    Word,
     difference_of,
     series_of,
     variance_of,
@@ -84,5 +84,5 @@ def course_change(name: str, rows: Rows, leading: Sequence[str], clinic: ClinicS
     p_value, level = min(TESTS * smallest, 1.0), LEVEL / len(leading)
     word: Word = "within"
     if p_value <= level:
-        word = "better" if falls == (COMPARISONS[name].better == "low") else "worse"
+        word = "better" if falls == (TRIAL_MEASURES[name].better == "low") else "worse"
     return CourseChange(word, falls, p_value, level)

@@ -6,11 +6,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from app.scoring.measures import REACHED, TRIAL_MEASURES
 from app.scoring.verdict.cusum import normal_score
 from app.scoring.verdict.leading_measures import leading_of_task
-from app.scoring.verdict.measure_comparison import COMPARISONS, Rows, least_spread
+from app.scoring.verdict.measure_comparison import Rows, least_spread
 from app.scoring.verdict.measure_verdict import series_of
-from app.scoring.verdict.reaching import REACHED, Counts, counts_of, fewer_than_foretold
+from app.scoring.verdict.reaching import Counts, counts_of, fewer_than_foretold
 from app.scoring.verdict.spread import Series, Spread, fit_curve, own_spread, pool_spreads
 
 EARLIER_SESSIONS = 2  # before the sessions that are judged
@@ -92,14 +93,14 @@ def _score(before: Series, judged: Series, clinic: Spread | None, least: float, 
     return None if normal is None else Score(normal, difference / math.sqrt(1 / earlier + 1 / later))
 
 
-def deteriorations(rows: Rows, clinic: Mapping[str, Spread], names: Collection[str] = COMPARISONS) -> dict[str, str]:
+def deteriorations(rows: Rows, clinic: Mapping[str, Spread], names: Collection[str] = TRIAL_MEASURES) -> dict[str, str]:
     """Return, for each measure of `names` that has become worse, a sentence that says since when, and what to do.
 
     `rows` are a person's trials in one task, `clinic` the median spread of each measure.
     """
     found = {}
     for name in leading_of_task(rows):
-        better = COMPARISONS[name].better
+        better = TRIAL_MEASURES[name].better
         series, _ = series_of(rows, name)
         if name in names and better is not None and len(series.value):
             found[name] = worse_since(series, clinic.get(name), better, least_spread(name, series.value))

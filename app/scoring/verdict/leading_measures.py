@@ -3,20 +3,9 @@
 from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
-from app.scoring.verdict.measure_comparison import COMPARISONS
+from app.scoring.measures import LEADING, TRIAL_MEASURES
 
 MOST_LEADING: Final = 3
-
-# What leads, by what a trial has: the first whose named measures are all there. The pages lead with the same.
-LEADING: Final[tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]] = (
-    (("stages_done",), ("stages_done", "time", "collisions")),
-    (("heading_error_deg",), ("heading_error_deg", "turn_drift", "time")),
-    (("follow_error_rms",), ("follow_error_rms", "follow_near", "e_diff")),
-    (("gaps", "gap_clearance"), ("gap_clearance", "e_diff", "time")),
-    (("cones_touched",), ("cones_touched", "e_diff", "time")),
-    ((), ("e_diff", "dist", "time")),
-)
-LEADING_OF_TESTS: Final = ("acquisitions_per_minute", "first_entry", "throughput")
 
 
 def leading_measures(trial: Mapping[str, Any]) -> tuple[str, ...]:
@@ -26,7 +15,7 @@ def leading_measures(trial: Mapping[str, Any]) -> tuple[str, ...]:
     """
     names = next(large for has, large in LEADING if all(trial.get(name) is not None for name in has))
     found = tuple(name for name in names if trial.get(name) is not None)
-    others = (name for name, one in COMPARISONS.items() if one.better is not None and trial.get(name) is not None)
+    others = (name for name, one in TRIAL_MEASURES.items() if one.better is not None and trial.get(name) is not None)
     return found or tuple(others)[:MOST_LEADING]
 
 

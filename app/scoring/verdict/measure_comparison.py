@@ -1,13 +1,14 @@
-"""How each measure of a trial is compared: the scale on which its noise is even, its direction, and when it counts."""
+"""How measures are compared: on a scale on which their noise is even, and only in trials in which they count."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any, Literal, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from app.scoring.measures import TEST_MEASURES, TRIAL_MEASURES, Measure
+
 Numbers = NDArray[np.float64]
-Scale = Literal["log", "root", "count", "plain"]
 Rows = Sequence[Mapping[str, Any]]
 
 LARGEST = 1e100  # larger values are left out, as in a learning curve
@@ -18,51 +19,9 @@ MISSED_RANK = 0.9  # share of the trials before that reached the goal, which a t
 LEAST_SPREAD = 0.01  # of the level: nobody repeats a trial more closely; equal trials would make any change count
 
 
-class MeasureComparison(NamedTuple):
-    """How one measure is compared."""
-
-    scale: Scale
-    better: Literal["low", "high"] | None  # None: neither way is better, so there is no verdict
-    needs_goal: bool = True  # a trial that did not reach the goal does not count
-
-
-COMPARISONS: dict[str, MeasureComparison] = {
-    "dist": MeasureComparison("log", "low"),
-    "dist_ratio": MeasureComparison("log", "low"),
-    "e_diff": MeasureComparison("log", "low"),
-    "time": MeasureComparison("log", "low"),
-    "cross_track_rms": MeasureComparison("log", "low"),
-    "cross_track_max": MeasureComparison("log", "low"),
-    "mean_speed": MeasureComparison("log", None),  # the person, the limits and the leader choose it
-    "stops": MeasureComparison("count", "low"),
-    "collisions": MeasureComparison("count", "low"),
-    "contact_time": MeasureComparison("root", "low"),
-    "stages_done": MeasureComparison("count", "high", needs_goal=False),
-    "follow_error_rms": MeasureComparison("log", "low"),
-    "follow_error_max": MeasureComparison("log", "low"),
-    "follow_near": MeasureComparison("plain", "high"),
-    "heading_error_deg": MeasureComparison("root", "low"),
-    "turn_drift": MeasureComparison("root", "low"),
-    "cones_touched": MeasureComparison("count", "low"),
-    "gap_clearance": MeasureComparison("plain", "high"),
-    "door_contacts": MeasureComparison("count", "low"),
-    "turn_reversals": MeasureComparison("count", "low"),
-    "pulses_per_metre": MeasureComparison("log", "low"),
-    "sparc": MeasureComparison("plain", "high"),
-    "ldlj": MeasureComparison("plain", "high"),
-}
-INTERFACE_COMPARISONS: dict[str, MeasureComparison] = {
-    "acquisitions_per_minute": MeasureComparison("root", "high"),
-    "first_entry": MeasureComparison("log", "low"),
-    "dial_in": MeasureComparison("root", "low"),
-    "path_efficiency": MeasureComparison("plain", "high"),
-    "throughput": MeasureComparison("log", "high"),
-}
-
-
-def comparison_of(name: str) -> MeasureComparison:
-    """Return how a measure of a trial or of an interface test is compared."""
-    return COMPARISONS.get(name) or INTERFACE_COMPARISONS[name]
+def measure_of(name: str) -> Measure:
+    """Return the entry of a measure of a trial or of an interface test."""
+    return TRIAL_MEASURES.get(name) or TEST_MEASURES[name]
 
 
 def value_of(trial: Mapping[str, Any], name: str) -> float | None:
@@ -70,7 +29,7 @@ def value_of(trial: Mapping[str, Any], name: str) -> float | None:
     value = trial.get(name)
     if value is None or not abs(value) < LARGEST:
         return None
-    if COMPARISONS[name].needs_goal and not trial.get("reached", True):
+    if TRIAL_MEASURES[name].needs_goal and not trial.get("reached", True):
         return None
     return float(value)
 
@@ -82,7 +41,7 @@ def with_missed(name: str, values: Numbers, missed: NDArray[np.bool_]) -> Number
     better than the worst tenth of the trials before it that reached it. Source of the rank: Lachin, Controlled Clinical
     Trials 20 (1999). `values` are in the order driven; those of missed trials are not looked at.
     """
-    rank = MISSED_RANK if comparison_of(name).better == "low" else 1.0 - MISSED_RANK
+    rank = MISSED_RANK if measure_of(name).better == "low" else 1.0 - MISSED_RANK
     found = values.copy()
     for place in np.flatnonzero(missed):
         before = values[:place][~missed[:place]]
@@ -92,7 +51,7 @@ def with_missed(name: str, values: Numbers, missed: NDArray[np.bool_]) -> Number
 
 def to_scale(name: str, values: Numbers) -> Numbers:
     """Return values (n,) on the scale on which their noise does not depend on their level."""
-    scale = comparison_of(name).scale
+    scale = measure_of(name).scale
     if scale == "log":
         return np.log(np.maximum(values, SMALLEST))
     if scale == "root":
@@ -104,7 +63,7 @@ def to_scale(name: str, values: Numbers) -> Numbers:
 
 def from_scale(name: str, value: float) -> float:
     """Return a value of the scale in the unit of the measure."""
-    scale = comparison_of(name).scale
+    scale = measure_of(name).scale
     if scale == "log":
         return float(np.exp(min(value, np.log(LARGEST))))
     if scale == "root":
@@ -116,7 +75,7 @@ def from_scale(name: str, value: float) -> float:
 
 def least_spread(name: str, scaled: Numbers) -> float:
     """Return the smallest spread between trials that is believed, on the measure's scale."""
-    scale = comparison_of(name).scale
+    scale = measure_of(name).scale
     if scale == "count":
         return POISSON_SPREAD
     if scale == "log":

@@ -2,18 +2,18 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Final, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.quantities import Document
+from app.scoring.measures import TRIAL_MEASURES, Word
 from app.scoring.verdict.measure_comparison import (
-    COMPARISONS,
     Rows,
-    comparison_of,
     from_scale,
     least_spread,
+    measure_of,
     to_scale,
     value_of,
     with_missed,
@@ -34,14 +34,6 @@ FEWEST = 5  # trials up to and with the later ones
 LEAST_DF = 2.0  # degrees of freedom that a spread needs; without a clinic's median, one session has none
 CONFIDENCE = 0.95
 
-Word = Literal["better", "within", "worse", "too few", "number"]
-VERDICT_WORDS: Final[dict[Word, str]] = {
-    "better": "better than noise",
-    "within": "within noise",
-    "worse": "worse than noise",
-    "too few": "too few trials",
-    "number": "–",
-}
 ClinicSpreads = Mapping[str, Spread]
 PeopleVariances = dict[str, dict[int, PersonVariances]]
 
@@ -116,7 +108,7 @@ def series_of(rows: Rows, name: str) -> tuple[Series, NDArray[np.int64]]:
     Trials for getting used to the task are left out. A trial that missed the goal is in a measure of the whole task
     with a bound (`with_missed`), and left out before the first trial that reached it.
     """
-    needs_goal = COMPARISONS[name].needs_goal
+    needs_goal = TRIAL_MEASURES[name].needs_goal
     compared = [(row, value_of(row, name)) for row in rows if not row["familiarisation"]]
     is_missed = [needs_goal and not row.get("reached", True) for row, _ in compared]
     known = [value is not None or missed for (_, value), missed in zip(compared, is_missed, strict=True)]
@@ -149,7 +141,7 @@ def difference_of(
     clinic
         The clinic's median spread in this task.
     """
-    if COMPARISONS[name].better is None or not earlier.any() or not later.any():
+    if TRIAL_MEASURES[name].better is None or not earlier.any() or not later.any():
         return None
     before = np.arange(len(later)) < np.flatnonzero(later)[0]
     first, second = series.where(earlier), series.where(later)
@@ -204,7 +196,7 @@ def _verdict(name: str, found: Difference, level: float | None, is_leading: bool
     if level is None or found.variance is None:
         word: Word = "too few" if is_leading else "number"
         return Verdict(word=word, low=None, high=None, trials=found.trials, **figures)
-    direction = comparison_of(name).better
+    direction = measure_of(name).better
     assert direction is not None
     mdc = _mdc(found.variance, level)
     low, high = from_scale(name, found.earlier - mdc), from_scale(name, found.earlier + mdc)
@@ -233,7 +225,7 @@ def people_variances(people: Mapping[int, Rows]) -> PeopleVariances:
     `people` are the rows of each person, as for `series_of`; who has too few trials is left out.
     """
     found: PeopleVariances = {}
-    for name in COMPARISONS:
+    for name in TRIAL_MEASURES:
         series = {person: one for person, rows in people.items() if len((one := series_of(rows, name)[0]).value)}
         if not series:
             continue

@@ -6,10 +6,10 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from app.scoring.measures import REACHED, Word
 from app.scoring.verdict.measure_comparison import Rows
-from app.scoring.verdict.measure_verdict import FEWEST, Verdict, Word
+from app.scoring.verdict.measure_verdict import FEWEST, Verdict
 
-REACHED: Final = "reached"  # its name beside those of the measures
 USUAL_DISPERSION: Final = 1.5  # variance of a session's count over the binomial one, where nothing is known of a person
 USUAL_WEIGHT: Final = 4.0  # sessions that this counts for
 LEAST_EXCESS: Final = 1.001  # of the variance of a count over the binomial one

@@ -5,9 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from app.quantities import Document
-from app.scoring.verdict.measure_comparison import COMPARISONS, Rows, from_scale, to_scale, value_of
+from app.scoring.measures import REACHED, TRIAL_MEASURES
+from app.scoring.verdict.measure_comparison import Rows, from_scale, to_scale, value_of
 from app.scoring.verdict.measure_verdict import ClinicSpreads, Verdict, series_of
-from app.scoring.verdict.reaching import REACHED
 from app.scoring.verdict.verdicts import session_verdicts
 
 
@@ -34,11 +34,11 @@ def compare_sessions(rows: Rows, clinic: ClinicSpreads, earlier: int, later: int
     `rows` and `clinic` as for `trial_verdicts`. Trials for getting used to the task are in no
     summary, as in no verdict.
     """
-    all_series = {name: series_of(rows, name)[0] for name in COMPARISONS}
+    all_series = {name: series_of(rows, name)[0] for name in TRIAL_MEASURES}
     driven = {row["session"] for row in rows if not row["familiarisation"]}
     verdicts = session_verdicts(rows, all_series, clinic, earlier, later) if {earlier, later} <= driven else {}
     found = {}
-    for name in COMPARISONS:
+    for name in TRIAL_MEASURES:
         first, second = (_summary(name, rows, session) for session in (earlier, later))
         if first is not None or second is not None or name in verdicts:
             found[name] = MeasureOfSessions(earlier=first, later=second, verdict=verdicts.get(name))

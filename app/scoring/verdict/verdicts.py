@@ -4,11 +4,12 @@ from collections.abc import Collection, Mapping
 from typing import Final
 
 from app.quantities import Document
+from app.scoring.measures import REACHED, TRIAL_MEASURES
 from app.scoring.verdict.deterioration import deteriorations
 from app.scoring.verdict.leading_measures import leading_of_task
-from app.scoring.verdict.measure_comparison import COMPARISONS, Rows, value_of
+from app.scoring.verdict.measure_comparison import Rows, value_of
 from app.scoring.verdict.measure_verdict import FEWEST, ClinicSpreads, Verdict, difference_of, series_of, verdicts_on
-from app.scoring.verdict.reaching import REACHED, counts_of, family_of, reaching_difference, reaching_verdict
+from app.scoring.verdict.reaching import counts_of, family_of, reaching_difference, reaching_verdict
 from app.scoring.verdict.spread import Series
 
 # Of all words on two sessions. A page compares the newest with the one before and with the first, and has a sentence on
@@ -58,7 +59,7 @@ def trial_verdicts(rows: Rows, clinic: ClinicSpreads, later: int, earlier: int |
         earlier = before[-1] if before and later not in warming else None
     pair_rows = [row for row in rows if row["id"] in (earlier, later)]
     differences = {}
-    for name in COMPARISONS:
+    for name in TRIAL_MEASURES:
         if all(value_of(row, name) is not None for row in pair_rows):
             series, driven = series_of(rows, name)
             found = difference_of(name, series, driven == earlier, driven == later, clinic.get(name))
@@ -73,7 +74,7 @@ def trial_verdicts(rows: Rows, clinic: ClinicSpreads, later: int, earlier: int |
 def _best(rows: Rows) -> dict[str, float]:
     """Return the best of each measure in these trials, without those in which the person got used to the task."""
     found = {}
-    for name, measure in COMPARISONS.items():
+    for name, measure in TRIAL_MEASURES.items():
         values = [value_of(row, name) for row in rows if not row["familiarisation"]]
         counted = [value for value in values if value is not None]
         if counted and measure.better is not None:
@@ -81,7 +82,7 @@ def _best(rows: Rows) -> dict[str, float]:
     return found
 
 
-def task_verdicts(rows: Rows, clinic: ClinicSpreads, names: Collection[str] = COMPARISONS) -> TaskVerdicts:
+def task_verdicts(rows: Rows, clinic: ClinicSpreads, names: Collection[str] = TRIAL_MEASURES) -> TaskVerdicts:
     """Compare the newest session with the one before and the first, and look for a deterioration in `names`.
 
     `rows` and `clinic` as for `trial_verdicts`. Sessions without a trial that is compared do not count. To look for a
@@ -90,7 +91,7 @@ def task_verdicts(rows: Rows, clinic: ClinicSpreads, names: Collection[str] = CO
     sessions = list(dict.fromkeys(row["session"] for row in rows if not row["familiarisation"]))
     if len(sessions) < 2:
         return TaskVerdicts(sessions=[], deterioration={})
-    all_series = {name: series_of(rows, name)[0] for name in COMPARISONS}
+    all_series = {name: series_of(rows, name)[0] for name in TRIAL_MEASURES}
     compared = []
     for earlier in dict.fromkeys((sessions[-2], sessions[0])):
         pair = _count(rows, earlier), _count(rows, sessions[-1])

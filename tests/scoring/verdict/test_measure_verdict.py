@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.stats import t
 
-from app.scoring.learning_words import MEASURES
-from app.scoring.verdict.measure_comparison import COMPARISONS, from_scale, to_scale, value_of
+from app.scoring.measures import TRIAL_MEASURES
+from app.scoring.verdict.measure_comparison import from_scale, to_scale, value_of
 from app.scoring.verdict.measure_verdict import clinic_spreads, noise_of, people_variances
 from app.scoring.verdict.spread import OwnSpread, Variance
 from app.scoring.verdict.verdicts import task_verdicts, trial_verdicts
@@ -46,10 +46,6 @@ def test_a_person_does_not_enter_the_median_that_their_own_verdict_is_drawn_towa
 
 def word(rows: list[Any], measure: str = "e_diff", clinic: Any = CLINIC) -> str:
     return task_verdicts(rows, clinic).sessions[0].verdicts[measure].word
-
-
-def test_every_measure_of_the_learning_curve_says_how_it_is_compared() -> None:
-    assert list(COMPARISONS) == list(MEASURES)
 
 
 def test_a_difference_below_what_the_eye_can_see_is_noise() -> None:
@@ -181,15 +177,15 @@ def test_the_mdc_is_the_formula_with_students_t() -> None:
     assert alone.mdc == pytest.approx(t.ppf(0.975, 8) * math.sqrt(2 * 0.04))
 
 
-@given(st.sampled_from(list(COMPARISONS)), st.floats(1e-6, 1e6))
+@given(st.sampled_from(list(TRIAL_MEASURES)), st.floats(1e-6, 1e6))
 def test_a_value_comes_back_from_its_scale(name: str, value: float) -> None:
-    signed = -value if COMPARISONS[name].scale == "plain" else value
+    signed = -value if TRIAL_MEASURES[name].scale == "plain" else value
     assert from_scale(name, float(to_scale(name, np.array([signed]))[0])) == pytest.approx(signed, rel=1e-6, abs=1e-9)
 
 
 @settings(max_examples=60, deadline=None)
 @given(
-    st.sampled_from([name for name, measure in COMPARISONS.items() if measure.better]),
+    st.sampled_from([name for name, measure in TRIAL_MEASURES.items() if measure.better]),
     st.lists(st.lists(st.floats(-1e99, 1e99), min_size=1, max_size=4), min_size=1, max_size=5),
 )
 def test_any_numbers_have_a_finite_verdict(name: str, sessions: list[list[float]]) -> None:

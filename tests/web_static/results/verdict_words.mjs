@@ -1,20 +1,18 @@
 // The words of verdicts, and how far an unfinished trial came, without a page. Run by test_verdict_words.py with the
-// folder js and a file that holds how the server compares each measure.
+// folder js and a file that holds the reference of the server.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
+import { serveReference } from "../served.mjs";
 
 const [folder, file] = process.argv.slice(2);
 const load = (name) => import(pathToFileURL(`${folder}/${name}`));
-const { MEASURES, largeMeasures } = await load("results/measures.js");
+const { largeMeasures, nameOf } = await load("results/measures.js");
 const { isFamiliarisation, verdictLine, verdictWords } = await load("results/verdict_words.js");
 const { wayDone } = await load("results/way_done.js");
 
-const compared = JSON.parse(readFileSync(file, "utf8"));
-assert.deepEqual(
-  Object.fromEntries(Object.entries(MEASURES).map(([name, { better, needsGoal }]) => [name, [better, needsGoal]])),
-  compared,
-);
+await serveReference(folder, file);
+assert.equal(nameOf("e_diff"), "Area off the path");
+assert.equal(nameOf("reached"), "Goal reached");
 
 const verdict = (word, more = {}) => ({ word, earlier: 3, later: 1.8, low: 2, high: 4.5, trials: 8, ...more });
 const line = (name, found) => verdictLine(verdictWords(name, found));

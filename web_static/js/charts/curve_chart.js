@@ -1,7 +1,7 @@
 /** A measure over trials with its fitted curve, the sessions behind it and the versions of the map above it. */
 import { t } from "../texts.js";
 import { ABOVE, mapAxis, mapTraces, sessionShapes, sessionWords } from "./curve_marks.js";
-import { comparable, inUnit, measured, MEASURES } from "../results/measures.js";
+import { comparable, entryOf, inUnit, measured, nameOf } from "../results/measures.js";
 import { extent } from "./extent.js";
 import { chart, faint } from "./plotly.js";
 
@@ -17,8 +17,8 @@ import { chart, faint } from "./plotly.js";
  */
 export function curveChart(learning, measure, fit, open, signal) {
   const rows = learning.trials.filter((row) => measured(row, measure) !== null);
-  const { unit, better } = MEASURES[measure];
-  const title = [t(`measure.${measure}`), unit && `(${unit})`].filter(Boolean).join(" ");
+  const { unit, better } = entryOf(measure);
+  const title = [nameOf(measure), unit && `(${unit})`].filter(Boolean).join(" ");
   // The fitted band may be far wider than all that was measured: it does not count.
   const values = [
     ...rows.map((row) => (comparable(measure, row) ? inUnit(measure, measured(row, measure)) : below(rows, measure))),
@@ -87,7 +87,7 @@ function lengthTrace(first, last, colours) {
  * @param {LearningTrial[]} rows @param {string} measure @param {Colours} colours
  */
 function trialTraces(rows, measure, colours) {
-  const { unit, digits } = MEASURES[measure];
+  const { unit, digits } = entryOf(measure);
   /** @param {LearningTrial[]} some @param {PlotlyTrace} more @returns {PlotlyTrace} */
   const trace = (some, more) => ({
     x: some.map(({ number }) => number),
@@ -126,5 +126,5 @@ function trialTraces(rows, measure, colours) {
 /** Where the trials stand that cannot be compared: at 0, or at the lowest of the others. @param {LearningTrial[]} rows @param {string} measure */
 function below(rows, measure) {
   const values = rows.flatMap((row) => (comparable(measure, row) ? inUnit(measure, measured(row, measure)) : []));
-  return MEASURES[measure].better === "low" || !values.length ? 0 : Math.min(...values);
+  return entryOf(measure).better === "low" || !values.length ? 0 : Math.min(...values);
 }

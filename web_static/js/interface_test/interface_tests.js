@@ -8,11 +8,10 @@ import { field, selection } from "../widgets/fields.js";
 import { moment, number } from "../widgets/format.js";
 import { scrollTable } from "../widgets/scroll_table.js";
 import { testChart } from "./test_chart.js";
+import { REFERENCE } from "../reference.js";
 import { groupMark } from "../results/source_group.js";
-import { TEST_MEASURES, testFigure, testMeasure } from "./test_measures.js";
+import { testEntry, testFigure, testMeasure, testNames } from "./test_measures.js";
 
-const NAMES = Object.keys(TEST_MEASURES);
-const LARGE = NAMES.slice(0, 3);
 /** @type {Record<string, string>} */
 const TONES = { better: "good", worse: "bad" };
 
@@ -48,6 +47,7 @@ export function newestTest({ tests }) {
 /** The figures of one test. @param {InterfaceTestView} test */
 export function testFigures(test) {
   const { measures, end, number: which, session, started } = test;
+  const large = REFERENCE.measures.leading_of_tests;
   const title = h("h2", {}, t("test.result", { number: which }), " ", h("span", { class: "quiet" }, `${t("test.session", { number: session })}, ${moment(started)}`));
   if (end !== "complete" || !measures) {
     const reached = measures ? t("test.so-far", { count: measures.acquired, seconds: number(measures.duration, 0) }) : "";
@@ -60,7 +60,7 @@ export function testFigures(test) {
     h(
       "div",
       { class: "test-large" },
-      LARGE.map((name) => h("div", {}, h("div", { class: "quiet" }, t(`test.measure.${name}`)), h("div", { class: "big" }, largeFigure(test, name)))),
+      large.map((name) => h("div", {}, h("div", { class: "quiet" }, testEntry(name).name), h("div", { class: "big" }, largeFigure(test, name)))),
     ),
     h("p", {}, t("test.reached", { acquired: measures.acquired, missed: measures.missed })),
     h(
@@ -79,8 +79,8 @@ export function testFigures(test) {
           ),
         ),
       ),
-      NAMES.filter((name) => !LARGE.includes(name)).map((name) => h("p", {}, `${t(`test.measure.${name}`)}: ${testFigure(test, name)}. `, h("span", { class: "quiet" }, t(`test.means.${name}`)))),
-      LARGE.map((name) => h("p", { class: "quiet small" }, `${t(`test.measure.${name}`)}: ${t(`test.means.${name}`)}`)),
+      testNames().filter((name) => !large.includes(name)).map((name) => h("p", {}, `${testEntry(name).name}: ${testFigure(test, name)}. `, h("span", { class: "quiet" }, testEntry(name).meaning))),
+      large.map((name) => h("p", { class: "quiet small" }, `${testEntry(name).name}: ${testEntry(name).meaning}`)),
       h("p", { class: "quiet small" }, t("test.publications")),
     ),
   );
@@ -88,7 +88,7 @@ export function testFigures(test) {
 
 /** A figure with its unit in small letters. @param {InterfaceTestView} test @param {string} name */
 function largeFigure(test, name) {
-  const { digits, unit } = TEST_MEASURES[name];
+  const { digits, unit } = testEntry(name);
   return [number(testMeasure(test, name), digits), " ", h("small", {}, unit)];
 }
 
@@ -96,7 +96,7 @@ function largeFigure(test, name) {
 export function courseCard(read, signal) {
   const { course, source } = read;
   const place = h("div", {});
-  let measure = NAMES[0];
+  let measure = testNames()[0];
   let drawn = new AbortController();
   signal.addEventListener("abort", () => drawn.abort());
   const draw = async () => {
@@ -106,7 +106,7 @@ export function courseCard(read, signal) {
     if (!until.aborted) put(place, made);
   };
   const choice = selection(
-    NAMES.map((name) => ({ value: name, label: t(`test.measure.${name}`) })),
+    testNames().map((name) => ({ value: name, label: testEntry(name).name })),
     measure,
     (name) => {
       measure = name;
@@ -135,14 +135,14 @@ function verdictTable({ course }) {
     h(
       "tbody",
       {},
-      NAMES.map((name) =>
+      testNames().map((name) =>
         h(
           "tr",
           {},
-          h("th", { scope: "row" }, t(`test.measure.${name}`)),
+          h("th", { scope: "row" }, testEntry(name).name),
           course.comparisons.map(({ verdicts }) => {
             const word = verdicts[name]?.word;
-            return h("td", { class: `change ${TONES[word ?? ""] ?? ""}` }, word ? t(`test.verdict.${word}`) : "–");
+            return h("td", { class: `change ${TONES[word ?? ""] ?? ""}` }, word ? REFERENCE.measures.verdicts_of_tests[word] : "–");
           }),
         ),
       ),
@@ -155,5 +155,5 @@ function workloadLine({ tests }) {
   const asked = tests.filter(({ raw_tlx: mean }) => mean !== null);
   if (!asked.length) return null;
   const values = asked.slice(-8).map(({ number: which, raw_tlx: mean }) => t("test.workload.of", { number: which, value: number(mean, 0) }));
-  return h("p", {}, h("b", {}, t("test.workload.mean")), ": ", values.join(", "), ".");
+  return h("p", {}, h("b", {}, REFERENCE.measures.workload), ": ", values.join(", "), ".");
 }

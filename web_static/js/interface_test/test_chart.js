@@ -1,6 +1,6 @@
 /** A measure of the two-minute test over a patient's tests, with its fitted curve where there is one. */
 import { t } from "../texts.js";
-import { testMeasure, TEST_MEASURES } from "./test_measures.js";
+import { testEntry, testMeasure } from "./test_measures.js";
 import { extent } from "../charts/extent.js";
 import { chart, faint } from "../charts/plotly.js";
 
@@ -8,14 +8,14 @@ import { chart, faint } from "../charts/plotly.js";
 
 /** @param {InterfaceTestsView} read @param {string} measure @param {AbortSignal} signal */
 export function testChart({ tests, course }, measure, signal) {
-  const { unit, digits, better, factor } = TEST_MEASURES[measure];
+  const { name, unit, digits, better, factor } = testEntry(measure);
   const counted = new Set(course.counted);
   const rows = tests.flatMap((test) => {
     const value = testMeasure(test, measure);
     return counted.has(test.number) && value !== null ? [{ test, value }] : [];
   });
   const fit = course.curves[measure];
-  const title = [t(`test.measure.${measure}`), unit && `(${unit})`].filter(Boolean).join(" ");
+  const title = [name, unit && `(${unit})`].filter(Boolean).join(" ");
   const band = { mode: "lines", line: { width: 0 }, hoverinfo: "skip", x: fit?.n };
   /** @param {number[]} values */
   const scaled = (values) => values.map((value) => value * factor);

@@ -1,27 +1,25 @@
-/** The measures of the two-minute test; directions are those of app/scoring/verdict/measure_comparison.py. */
+/** The measures of the two-minute test as pages write them, by the catalogue that the server serves. */
+import { REFERENCE } from "../reference.js";
 import { joined } from "../results/measures.js";
 import { number } from "../widgets/format.js";
 
 /** @typedef {import("types/api").InterfaceTestView} InterfaceTestView */
 
-/** @type {Record<string, {unit: string, digits: number, better: "low" | "high", factor: number}>} */
-export const TEST_MEASURES = {
-  acquisitions_per_minute: { unit: "", digits: 1, better: "high", factor: 1 },
-  throughput: { unit: "bit/s", digits: 2, better: "high", factor: 1 },
-  first_entry: { unit: "s", digits: 2, better: "low", factor: 1 },
-  dial_in: { unit: "s", digits: 2, better: "low", factor: 1 },
-  path_efficiency: { unit: "%", digits: 0, better: "high", factor: 100 },
-};
+/** The keys of the measures, in the order in which they are shown. */
+export const testNames = () => Object.keys(REFERENCE.measures.test);
+
+/** Name, unit, digits and direction of a measure. @param {string} name */
+export const testEntry = (name) => REFERENCE.measures.test[name];
 
 /** A measure of a test, as people read it; null where it has none. @param {InterfaceTestView} test @param {string} name */
 export function testMeasure({ measures }, name) {
   const value = measures?.[/** @type {"throughput"} */ (name)];
-  return typeof value === "number" ? value * TEST_MEASURES[name].factor : null;
+  return typeof value === "number" ? value * testEntry(name).factor : null;
 }
 
 /** @param {InterfaceTestView} test @param {string} name */
 export function testFigure(test, name) {
   const value = testMeasure(test, name);
-  const { digits, unit } = TEST_MEASURES[name];
+  const { digits, unit } = testEntry(name);
   return value === null ? "–" : joined(number(value, digits), unit);
 }

@@ -2,30 +2,30 @@
  * Tables of two-minute tests: each test with its figures, and the tests of two sessions side by side.
  * @import { ComparedTests, InterfaceTestView } from "types/api"
  */
+import { REFERENCE } from "../reference.js";
 import { groupMark, groupOf } from "../results/source_group.js";
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
 import { scrollTable } from "../widgets/scroll_table.js";
-import { TEST_MEASURES, testFigure } from "./test_measures.js";
+import { testEntry, testFigure, testNames } from "./test_measures.js";
 
-const NAMES = Object.keys(TEST_MEASURES);
 /** @type {Record<string, string>} */
 const TONES = { better: "good", worse: "bad" };
 
 /** A row for each test, with its figures, or why it does not count. @param {InterfaceTestView[]} tests */
 export function testTable(tests) {
-  const head = [t("test.number"), ...NAMES.map((name) => t(`test.measure.${name}`)), t("test.workload.mean"), t("review.column.source")];
+  const head = [t("test.number"), ...testNames().map((name) => testEntry(name).name), REFERENCE.measures.workload, t("review.column.source")];
   /** @param {InterfaceTestView} test */
   const row = (test) => {
     const counts = test.end === "complete" && test.measures;
-    const figures = NAMES.map((name) => h("td", {}, testFigure(test, name)));
+    const figures = testNames().map((name) => h("td", {}, testFigure(test, name)));
     const workload = h("td", {}, test.raw_tlx === null ? "–" : number(test.raw_tlx, 0));
     return h(
       "tr",
       { class: counts ? null : "discarded" },
       h("th", { scope: "row" }, String(test.number)),
-      counts ? [figures, workload] : h("td", { colspan: String(NAMES.length + 1) }, t(test.status === "done" ? `test.end.${test.end ?? "fault"}` : "test.phase.running")),
+      counts ? [figures, workload] : h("td", { colspan: String(testNames().length + 1) }, t(test.status === "done" ? `test.end.${test.end ?? "fault"}` : "test.phase.running")),
       h("td", { title: test.source.words }, groupMark(groupOf(test)) ?? t("source.group.worn")),
     );
   };
@@ -47,16 +47,16 @@ export function comparedTests({ earlier, later, verdicts }, sessions) {
     return h(
       "tr",
       {},
-      h("th", { scope: "row" }, t(`test.measure.${name}`)),
+      h("th", { scope: "row" }, testEntry(name).name),
       h("td", {}, before),
       h("td", { class: "own" }, now),
-      h("td", { class: `change ${TONES[word ?? ""] ?? ""}` }, word ? t(`test.verdict.${word}`) : "–"),
+      h("td", { class: `change ${TONES[word ?? ""] ?? ""}` }, word ? REFERENCE.measures.verdicts_of_tests[word] : "–"),
     );
   };
   return scrollTable(
     t("record.tests"),
     "measures",
     h("thead", {}, h("tr", {}, head.map((words) => h("th", { scope: "col" }, words)))),
-    h("tbody", {}, NAMES.map(row)),
+    h("tbody", {}, testNames().map(row)),
   );
 }

@@ -1,51 +1,24 @@
 /**
- * The measures of all tasks, in the order in which pages and reports show them: unit, digits, which way is better, and
- * in which trials they can stand beside others.
+ * The measures of trials as pages write them, by the catalogue that the server serves.
  * @typedef {{readonly [name: string]: unknown}} Measures of a trial, as the server answers them: most are numbers
  */
+import { REFERENCE } from "../reference.js";
 import { t } from "../texts.js";
 import { number, signed } from "../widgets/format.js";
 
-/**
- * Directions and needsGoal are those of app/scoring/verdict/measure_comparison.py. factor: what a stored value is
- * multiplied by to be in its unit (100 for a share in percent); of: the measure that says how many there are.
- * @type {Record<string, {unit: string, digits: number, factor?: number, better: "low" | "high" | null, needsGoal: boolean, of?: string}>}
- */
-export const MEASURES = {
-  stages_done: { unit: "", digits: 0, better: "high", needsGoal: false, of: "stages" },
-  follow_error_rms: { unit: "m", digits: 2, better: "low", needsGoal: true },
-  follow_error_max: { unit: "m", digits: 2, better: "low", needsGoal: true },
-  follow_near: { unit: "%", digits: 0, factor: 100, better: "high", needsGoal: true },
-  heading_error_deg: { unit: "°", digits: 0, better: "low", needsGoal: true },
-  turn_drift: { unit: "m", digits: 2, better: "low", needsGoal: true },
-  cones_touched: { unit: "", digits: 0, better: "low", needsGoal: true, of: "cones" },
-  gap_clearance: { unit: "m", digits: 2, better: "high", needsGoal: true },
-  door_contacts: { unit: "", digits: 0, better: "low", needsGoal: true },
-  e_diff: { unit: "m²", digits: 2, better: "low", needsGoal: true },
-  dist: { unit: "m", digits: 2, better: "low", needsGoal: true },
-  time: { unit: "s", digits: 1, better: "low", needsGoal: true },
-  dist_ratio: { unit: "", digits: 2, better: "low", needsGoal: true },
-  cross_track_rms: { unit: "m", digits: 2, better: "low", needsGoal: true },
-  cross_track_max: { unit: "m", digits: 2, better: "low", needsGoal: true },
-  mean_speed: { unit: "m/s", digits: 2, better: null, needsGoal: true },
-  stops: { unit: "", digits: 0, better: "low", needsGoal: true },
-  collisions: { unit: "", digits: 0, better: "low", needsGoal: true },
-  contact_time: { unit: "s", digits: 1, better: "low", needsGoal: true },
-  turn_reversals: { unit: "", digits: 0, better: "low", needsGoal: true },
-  pulses_per_metre: { unit: "/m", digits: 1, better: "low", needsGoal: true },
-  sparc: { unit: "", digits: 2, better: "high", needsGoal: true },
-  ldlj: { unit: "", digits: 2, better: "high", needsGoal: true },
-};
+/** The keys of the measures, in the order in which they are shown. */
+export const measureNames = () => Object.keys(REFERENCE.measures.trial);
 
-/** What leads, by what a trial has: the first whose named measures are all there. Equal to LEADING of app/reports/measure_words.py. */
-const LARGE = [
-  { has: ["stages_done"], large: ["stages_done", "time", "collisions"] },
-  { has: ["heading_error_deg"], large: ["heading_error_deg", "turn_drift", "time"] },
-  { has: ["follow_error_rms"], large: ["follow_error_rms", "follow_near", "e_diff"] },
-  { has: ["gaps", "gap_clearance"], large: ["gap_clearance", "e_diff", "time"] }, // only where the task has gaps, not at every door
-  { has: ["cones_touched"], large: ["cones_touched", "e_diff", "time"] },
-  { has: [], large: ["e_diff", "dist", "time"] },
-];
+/** Unit, digits and direction of a measure. @param {string} name */
+export const entryOf = (name) => REFERENCE.measures.trial[name];
+
+/** Reaching the goal: it has a verdict between sessions, beside the measures of a trial. */
+export const REACHED = "reached";
+
+/** What people call a measure. @param {string} name */
+export function nameOf(name) {
+  return name === REACHED ? REFERENCE.measures.reached : (entryOf(name)?.name ?? name);
+}
 
 /** A measure as a number; null when it was not measured. @param {Measures | null} measures @param {string} name */
 export function measured(measures, name) {
@@ -55,7 +28,7 @@ export function measured(measures, name) {
 
 /** The three measures that say most about a task, by what was measured. @param {Measures} measures @returns {string[]} */
 export function leadingMeasures(measures) {
-  return LARGE.find(({ has }) => has.every((name) => measured(measures, name) !== null))?.large ?? [];
+  return REFERENCE.measures.leading.find(({ has }) => has.every((name) => measured(measures, name) !== null))?.names ?? [];
 }
 
 /** The measures in large figures: none of a trial that does not count. @param {{kept: boolean, measures: Measures | null}} trial */
@@ -65,22 +38,22 @@ export function largeMeasures({ kept, measures }) {
 
 /** A measure's value in its unit; NaN without one. @param {string} name @param {number | null | undefined} value */
 export function inUnit(name, value) {
-  return (value ?? NaN) * (MEASURES[name].factor ?? 1);
+  return (value ?? NaN) * entryOf(name).factor;
 }
 
 /** A measure's value as a figure without its unit. @param {string} name @param {number | null | undefined} value */
 export function figure(name, value) {
-  return number(inUnit(name, value), MEASURES[name].digits);
+  return number(inUnit(name, value), entryOf(name).digits);
 }
 
 /** A difference of two values of a measure, with its sign and unit. @param {string} name @param {number} difference */
 export function signedWithUnit(name, difference) {
-  return joined(signed(inUnit(name, difference), MEASURES[name].digits), MEASURES[name].unit);
+  return joined(signed(inUnit(name, difference), entryOf(name).digits), entryOf(name).unit);
 }
 
 /** @param {string} name @param {number | null | undefined} value */
 export function withUnit(name, value) {
-  return Number.isFinite(value) ? joined(figure(name, value), MEASURES[name].unit) : figure(name, value);
+  return Number.isFinite(value) ? joined(figure(name, value), entryOf(name).unit) : figure(name, value);
 }
 
 /** A degree sign stands close to its figure. @param {string} words @param {string} unit */
@@ -90,12 +63,12 @@ export function joined(words, unit) {
 
 /** What stands small behind a measure: its unit, or of how many. @param {string} name @param {Measures} measures */
 export function unitOf(name, measures) {
-  const { unit, of } = MEASURES[name];
+  const { unit, of } = entryOf(name);
   const count = of ? measured(measures, of) : null;
   return count === null ? unit : t("measure.of", { count });
 }
 
 /** Tell whether a trial's measure can stand beside others. @param {string} name @param {Measures | null} measures */
 export function comparable(name, measures) {
-  return Boolean(measures?.reached || !MEASURES[name].needsGoal) && measured(measures, name) !== null;
+  return Boolean(measures?.reached || !entryOf(name).needs_goal) && measured(measures, name) !== null;
 }

@@ -7,7 +7,7 @@
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
-import { comparable, figure, largeMeasures, leadingMeasures, measured, MEASURES, unitOf, withUnit } from "./measures.js";
+import { comparable, entryOf, figure, largeMeasures, leadingMeasures, measured, measureNames, nameOf, unitOf, withUnit } from "./measures.js";
 import { interruptionWords, isInterrupted } from "./interruptions.js";
 import { originWords } from "./origin_words.js";
 import { planPicture } from "../plan/plan_svg.js";
@@ -15,9 +15,6 @@ import { scrollTable } from "../widgets/scroll_table.js";
 import { groupOf } from "./source_group.js";
 import { isFamiliarisation, noiseNote, verdictLine, verdictWords } from "./verdict_words.js";
 import { wayDone } from "./way_done.js";
-
-/** Of the whole path or task: in an unfinished trial they say nothing. */
-const OF_WHOLE = ["dist", "dist_ratio", "e_diff", "time", "heading_error_deg"];
 
 /** The trials before this one of the same source, on the same path, that count and were measured. @param {TrialDetail} trial @param {TrialView[]} trials */
 function earlierTrials(trial, trials) {
@@ -70,7 +67,7 @@ function largeFigure(name, measures, found) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t(`measure.${name}`)),
+    h("h2", {}, nameOf(name)),
     h("div", { class: "big" }, figureOf(name, measures)),
     h(
       "p",
@@ -87,7 +84,7 @@ function largeFigure(name, measures, found) {
 /** A figure with its unit small behind it; a degree sign is as large as the figure. @param {string} name @param {Measures} measures */
 function figureOf(name, measures) {
   const value = measured(measures, name);
-  if (MEASURES[name].unit === "°") return withUnit(name, value);
+  if (entryOf(name).unit === "°") return withUnit(name, value);
   return [figure(name, value), " ", h("small", {}, unitOf(name, measures))];
 }
 
@@ -107,7 +104,7 @@ function stagesCard(parts) {
       h("th", { scope: "row" }, `${index + 1}. ${title}`),
       h("td", { class: reached ? "change good" : "change" }, t(reached ? "over.stage.done" : "over.stage.open")),
       h("td", {}, reached ? withUnit("time", time) : "–"),
-      h("td", {}, first ? `${t(`measure.${first}`)}: ${withUnit(first, measured(own, first))}` : ""),
+      h("td", {}, first ? `${nameOf(first)}: ${withUnit(first, measured(own, first))}` : ""),
     );
   };
   return h(
@@ -135,17 +132,17 @@ function drivenCard(trial, plan) {
 
 /** @param {Measures} measures @param {TrialView[]} earlier @param {TrialVerdicts | null} found */
 function tableCard(measures, earlier, found) {
-  const compares = Object.keys(MEASURES).some((name) => comparable(name, measures));
+  const compares = measureNames().some((name) => comparable(name, measures));
   const previous = (compares && earlier.find(({ id }) => id === found?.earlier)) || null;
   const title = t(previous ? "over.table" : "over.measures");
-  const rows = Object.keys(MEASURES)
-    .filter((name) => measured(measures, name) !== null && (measures.reached || !OF_WHOLE.includes(name)))
+  const rows = measureNames()
+    .filter((name) => measured(measures, name) !== null && (measures.reached || !entryOf(name).of_whole))
     .map((name) => {
       const verdict = verdictWords(name, found?.verdicts[name]);
       return h(
         "tr",
         {},
-        h("th", { scope: "row" }, t(`measure.${name}`)),
+        h("th", { scope: "row" }, nameOf(name)),
         h("td", { class: "own" }, withUnit(name, measured(measures, name))),
         previous && [
           h("td", { class: `change ${verdict?.tone ?? ""}` }, verdict ? `${verdict.arrow} ${verdict.words}` : "–"),

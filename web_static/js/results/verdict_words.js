@@ -3,16 +3,14 @@
  * @import { TrialVerdicts, Verdict } from "types/api"
  * @typedef {{words: string, arrow: string, amount: string, noise: string, tone: "good" | "bad" | ""}} VerdictWords
  */
+import { REFERENCE } from "../reference.js";
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
-import { figure, joined, MEASURES, signedWithUnit } from "./measures.js";
+import { entryOf, figure, joined, REACHED, signedWithUnit } from "./measures.js";
 
 /** @type {Record<Verdict["word"], VerdictWords["tone"]>} */
 const TONES = { better: "good", within: "", worse: "bad", "too few": "", number: "" };
-
-/** How often the goal was reached: it has a verdict between sessions, beside the measures of a trial. */
-export const REACHED = "reached";
 
 /**
  * A change within noise has neither an arrow nor an amount: there is nothing to be seen in it.
@@ -25,10 +23,10 @@ export function verdictWords(name, verdict) {
   const difference = (later ?? NaN) - (earlier ?? NaN);
   const isChange = TONES[word] !== "";
   return {
-    words: t(`verdict.${word}`),
+    words: REFERENCE.measures.verdicts[word],
     arrow: isChange ? (difference < 0 ? "↓" : "↑") : "",
     amount: isChange && name !== REACHED ? signedWithUnit(name, difference) : "",
-    noise: low === null ? "–" : joined(t("verdict.range", { low: figure(name, low), high: figure(name, high) }), MEASURES[name].unit),
+    noise: low === null ? "–" : joined(t("verdict.range", { low: figure(name, low), high: figure(name, high) }), entryOf(name).unit),
     tone: TONES[word],
   };
 }

@@ -6,7 +6,7 @@
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
-import { comparable, measured, MEASURES, signedWithUnit, withUnit } from "../../results/measures.js";
+import { comparable, measured, measureNames, nameOf, signedWithUnit, withUnit } from "../../results/measures.js";
 import { interruptionWords } from "../../results/interruptions.js";
 import { groupOf } from "../../results/source_group.js";
 import { isFamiliarisation, noiseNote, verdictWords } from "../../results/verdict_words.js";
@@ -25,7 +25,7 @@ export function compareTable(trials, found) {
     return h(
       "tr",
       {},
-      h("th", { scope: "row" }, t(`measure.${name}`)),
+      h("th", { scope: "row" }, nameOf(name)),
       [first, second].map((measures) => h("td", { class: "own" }, withUnit(name, measured(measures, name)))),
       found && h("td", { class: `change ${verdict?.tone ?? ""}` }, verdict ? `${verdict.arrow} ${verdict.words}` : "–"),
       h("td", {}, isMixed || ![first, second].every((one) => comparable(name, one)) ? "–" : difference(name, first, second)),
@@ -41,7 +41,7 @@ export function compareTable(trials, found) {
     h("td", {}, "–"),
     found && [h("td", {}, "–"), h("td", {}, "–")],
   );
-  const names = Object.keys(MEASURES).filter((name) => [first, second].some((one) => measured(one, name) !== null));
+  const names = measureNames().filter((name) => [first, second].some((one) => measured(one, name) !== null));
   const head = [
     t("over.measure"),
     ...trials.map((one) => t("compare.trial", { number: one.number })),

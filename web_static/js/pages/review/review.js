@@ -10,7 +10,7 @@ import { followTrials } from "./follow_trials.js";
 import { h, put } from "../../widgets/dom.js";
 import { firstPath, inOrder, keyOf, pathsOf, pathWords } from "./path_choice.js";
 import { field, selection } from "../../widgets/fields.js";
-import { measured, MEASURES, leadingMeasures } from "../../results/measures.js";
+import { entryOf, measured, measureNames, leadingMeasures, nameOf } from "../../results/measures.js";
 import { emptyPage } from "../../shell/nobody.js";
 import { firstGroup, groupChoice, groupMark } from "../../results/source_group.js";
 import { testsPlace } from "../../interface_test/interface_tests.js";
@@ -74,7 +74,7 @@ export async function show(app, root, { signal, rest }) {
     choosePath();
     chooseMeasure();
     const where = `floorplan=${encodeURIComponent(path.floorplan)}&path=${encodeURIComponent(path.name)}&source=${group}`;
-    const ofMeasure = MEASURES[measure] ? `&measure=${measure}` : "";
+    const ofMeasure = entryOf(measure) ? `&measure=${measure}` : "";
     chooseGroup();
     const known = plans.some(({ name }) => name === path.floorplan);
     const [answer, plan] = await Promise.all([
@@ -151,11 +151,11 @@ export async function show(app, root, { signal, rest }) {
   /** Offer the measures that the task has: a turn on the spot has no distance driven. */
   const chooseMeasure = () => {
     const all = trials.flatMap(({ measures, ...trial }) => (measures && keyOf(trial) === path.key ? [measures] : []));
-    const names = Object.keys(MEASURES).filter((name) => all.some((measures) => measured(measures, name) !== null));
+    const names = measureNames().filter((name) => all.some((measures) => measured(measures, name) !== null));
     if (!names.length) names.push(measure);
     if (!names.includes(measure)) measure = leadingMeasures(all[all.length - 1]).find((name) => names.includes(name)) ?? names[0];
     const choice = selection(
-      names.map((name) => ({ value: name, label: t(`measure.${name}`) })),
+      names.map((name) => ({ value: name, label: nameOf(name) })),
       measure,
       (name) => {
         measure = name;

@@ -5,8 +5,8 @@
  */
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
-import { MEASURES, withUnit } from "../../results/measures.js";
-import { noiseNote, REACHED, shareWords, verdictLine, verdictWords } from "../../results/verdict_words.js";
+import { measureNames, nameOf, REACHED, withUnit } from "../../results/measures.js";
+import { noiseNote, shareWords, verdictLine, verdictWords } from "../../results/verdict_words.js";
 import { day } from "../../widgets/format.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 
@@ -55,7 +55,7 @@ function comparison(compared, measure, needed, days) {
       h(
         "p",
         {},
-        `${t(`measure.${measure}`)}: ${withUnit(measure, verdicts[measure].earlier)} → ${withUnit(measure, verdicts[measure].later)} `,
+        `${nameOf(measure)}: ${withUnit(measure, verdicts[measure].earlier)} → ${withUnit(measure, verdicts[measure].later)} `,
         verdicts[measure].word !== "number" && h("b", { class: `change ${verdict.tone}` }, verdictLine(verdict)),
         ` ${lackWords(verdicts[measure], needed)}`,
       ),
@@ -70,7 +70,7 @@ function reachedLine(verdict) {
   return h(
     "p",
     {},
-    `${t(`measure.${REACHED}`)}: ${shareWords(verdict.earlier)} → ${shareWords(verdict.later)} `,
+    `${nameOf(REACHED)}: ${shareWords(verdict.earlier)} → ${shareWords(verdict.later)} `,
     said && h("b", { class: `change ${said.tone}` }, verdictLine(said)),
   );
 }
@@ -83,7 +83,7 @@ function table({ earlier, later, verdicts }, title) {
     return h(
       "tr",
       {},
-      h("th", { scope: "row" }, t(`measure.${name}`)),
+      h("th", { scope: "row" }, nameOf(name)),
       h("td", { class: `change ${verdict?.tone ?? ""}` }, verdict ? `${verdict.arrow} ${verdict.words}` : "–"),
       h("td", {}, withUnit(name, verdicts[name].earlier)),
       h("td", { class: "own" }, withUnit(name, verdicts[name].later)),
@@ -101,6 +101,6 @@ function table({ earlier, later, verdicts }, title) {
     title,
     "measures",
     h("thead", {}, h("tr", {}, head.map((words) => h("th", { scope: "col" }, words)))),
-    h("tbody", {}, Object.keys(MEASURES).filter((name) => verdicts[name]).map(row)),
+    h("tbody", {}, measureNames().filter((name) => verdicts[name]).map(row)),
   );
 }

@@ -6,7 +6,7 @@ import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { moment } from "../../widgets/format.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
-import { comparable, measured, leadingMeasures, withUnit } from "../../results/measures.js";
+import { comparable, measured, leadingMeasures, nameOf, withUnit } from "../../results/measures.js";
 import { interruptionMark } from "../../results/interruptions.js";
 import { originWords } from "../../results/origin_words.js";
 import { groupMark, groupOf } from "../../results/source_group.js";
@@ -54,7 +54,7 @@ export function trialList(patient, trials, used, compare, unread) {
     t("review.column.number"),
     t("review.column.when"),
     t("review.column.end"),
-    ...listed.map((name) => t(`measure.${name}`)),
+    ...listed.map(nameOf),
     t("review.column.source"),
     t("review.column.kept"),
     t("compare.column"),

@@ -4,9 +4,9 @@
  */
 import { differenceWords } from "../chair/difference_words.js";
 import { comparedTests } from "../../interface_test/test_table.js";
-import { figure, joined, MEASURES } from "../../results/measures.js";
+import { entryOf, figure, joined, measureNames, nameOf, REACHED } from "../../results/measures.js";
 import { groupMark } from "../../results/source_group.js";
-import { noiseNote, REACHED, shareWords, verdictWords } from "../../results/verdict_words.js";
+import { noiseNote, shareWords, verdictWords } from "../../results/verdict_words.js";
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { moment } from "../../widgets/format.js";
@@ -47,7 +47,7 @@ export async function show(app, root, { signal, rest: [, first, second] }) {
 /** @param {SessionComparison} found @param {TaskComparison} task */
 function taskCard({ earlier, later }, { floorplan_title: plan, path_title: path, source, trials, counted, measures }) {
   const title = t("record.compare.task", { plan, path });
-  const names = [REACHED, ...Object.keys(MEASURES)].filter((name) => measures[name]);
+  const names = [REACHED, ...measureNames()].filter((name) => measures[name]);
   const compared = /** @type {const} */ (["earlier", "later"]).map((when) => Math.max(0, ...names.map((name) => measures[name][when]?.trials ?? 0)));
   /** @param {string} name */
   const row = (name) => {
@@ -56,7 +56,7 @@ function taskCard({ earlier, later }, { floorplan_title: plan, path_title: path,
     return h(
       "tr",
       {},
-      h("th", { scope: "row" }, t(`measure.${name}`)),
+      h("th", { scope: "row" }, nameOf(name)),
       h("td", { class: `change ${inWords?.tone ?? ""}` }, inWords ? `${inWords.arrow} ${inWords.words}` : "–"),
       h("td", {}, name === REACHED ? shareWords(verdict?.earlier ?? null) : summaryWords(name, before)),
       h("td", { class: "own" }, name === REACHED ? shareWords(verdict?.later ?? null) : summaryWords(name, now)),
@@ -107,7 +107,7 @@ function summaryWords(name, summary) {
   if (!summary) return "–";
   const [median, low, high] = [summary.median, summary.low, summary.high].map((value) => figure(name, value));
   return [
-    h("span", { class: "whole" }, joined(median, MEASURES[name].unit)),
+    h("span", { class: "whole" }, joined(median, entryOf(name).unit)),
     " ",
     h("span", { class: "whole small" }, t("record.compare.range", { low, high })),
   ];

@@ -1,28 +1,5 @@
-/** Names of the measures. */
+/** Words beside the measures of a trial. */
 export default {
-  "measure.dist": "Distance driven",
-  "measure.e_diff": "Area off the path",
-  "measure.time": "Time",
-  "measure.dist_ratio": "Distance over path length",
-  "measure.cross_track_rms": "Usual distance from the path",
-  "measure.cross_track_max": "Largest distance from the path",
-  "measure.mean_speed": "Mean speed",
-  "measure.stops": "Stops",
-  "measure.collisions": "Contacts",
-  "measure.contact_time": "Time in contact",
-  "measure.turn_reversals": "Changes of turning",
-  "measure.pulses_per_metre": "Commands per metre",
-  "measure.sparc": "Smoothness",
-  "measure.follow_error_rms": "Usual error of the distance to the leader",
-  "measure.follow_error_max": "Largest error of the distance to the leader",
-  "measure.follow_near": "Share of time near the asked distance",
-  "measure.cones_touched": "Cones touched",
-  "measure.gap_clearance": "Narrowest clearance in a gap",
-  "measure.door_contacts": "Contacts with door or gap",
-  "measure.heading_error_deg": "Angle off the mark",
-  "measure.turn_drift": "Moved off the spot",
-  "measure.reached": "Goal reached",
-  "measure.stages_done": "Stages done",
   "measure.of": "of {count}",
   "measure.details": "Details: what these are called in publications",
   "measure.details.words":
@@ -34,5 +11,4 @@ export default {
   "interruption.ask": "This trial counts when you say so.",
   "interruption.column": "Interruptions",
   "interruption.none": "none",
-  "measure.ldlj": "Smoothness, another measure",
 };

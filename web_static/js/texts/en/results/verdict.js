@@ -1,10 +1,5 @@
 /** Texts of the verdicts on changes. */
 export default {
-  "verdict.better": "better than noise",
-  "verdict.within": "within noise",
-  "verdict.worse": "worse than noise",
-  "verdict.too few": "too few trials",
-  "verdict.number": "–",
   "verdict.range": "{low} to {high}",
   "verdict.title": "Better, or noise?",
   "verdict.column": "Verdict",
