@@ -142,7 +142,7 @@ worlds: $(VENV)/.installed-test
 	$(BIN)/python -m pytest tests/worlds/each_task.py
 
 bench: $(VENV)/.installed-test
-	$(BIN)/python -m bench $(PART)
+	$(BIN)/python -m bench $(or $(PART),--out docs/speed.md)
 
 # Simulated people who are called better or worse than noise: the tables of docs/learning/verdicts.md; about five minutes.
 verdicts: $(VENV)/.installed-test

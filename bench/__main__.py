@@ -5,17 +5,15 @@ It exits with 0 whether targets are met or not, and with 1 when a part failed.
 
 import argparse
 import json
-import os
-import platform
 import sys
 import traceback
-from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from app.pipeline.compiled import IS_COMPILED
 from bench.row import Row
+from bench.tables import here, machine, page, tables
 
 
 class Part(NamedTuple):
@@ -26,8 +24,6 @@ class Part(NamedTuple):
     words: str
 
 
-RATIOS = "Ratios to what the same machine did in the same run:"
-ABSOLUTE = "What depends on how fast this machine is:"
 PARTS = {
     "chain": Part("bench.chain", "measure_chain_step", "a step from signals to the chair"),
     "gate": Part("bench.gate", "measure_gate", "a step of the safety gate"),
@@ -63,12 +59,17 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m bench", description=main.__doc__)
     parser.add_argument("parts", nargs="*", metavar="PART", help=f"What to measure, all of it when left out: {words}.")
     parser.add_argument("--json", action="store_true", help="Print one JSON object and nothing else.")
+    parser.add_argument("--out", type=Path, help="Write the page of all parts here, as docs/speed.md.")
     given = parser.parse_args()
+    if given.out and given.parts:
+        parser.error("--out writes all parts: name none")
     chosen = given.parts or list(PARTS)
     for part in chosen:
         if part not in PARTS:
             parser.error(f"there is no part '{part}' to measure: use any of {', '.join(PARTS)}")
+    measured = here()
     rows: list[Row] = []
+    left_out: list[str] = []
     has_failed = False
     for part in chosen:
         module, function, words = PARTS[part]
@@ -78,15 +79,18 @@ def main() -> None:
             rows += getattr(import_module(module), function)()
         except RuntimeError as error:  # for example without a browser: the other parts are measured all the same
             sys.stderr.write(f"{part} is not measured: {error}\n")
+            left_out.append(part)
         except Exception:  # what the other parts have measured, perhaps for an hour, is not lost
             sys.stderr.write(f"{part} is not measured, because it failed:\n{traceback.format_exc()}")
+            left_out.append(part)
             has_failed = True
     if given.json:
         sys.stdout.write(json.dumps({"machine": machine(), "rows": [document(row) for row in rows]}) + "\n")
     else:
-        sys.stdout.write(table(RATIOS, [row for row in rows if row.is_ratio]))
-        sys.stdout.write(table(ABSOLUTE, [row for row in rows if not row.is_ratio]))
-        sys.stdout.write(f"{machine()}\n")
+        sys.stdout.write(f"{tables(rows)}{machine()}\n")
+    if given.out:
+        old = given.out.read_text(encoding="utf-8") if given.out.exists() else ""
+        given.out.write_text(page(old, rows, measured, left_out, compiled=IS_COMPILED), encoding="utf-8")
     sys.exit(1 if has_failed else 0)
 
 
@@ -101,50 +105,6 @@ def document(row: Row) -> dict[str, Any]:
         "better": row.better,
         "details": row.details,
     }
-
-
-def table(title: str, rows: Sequence[Row]) -> str:
-    """Return the rows as a Markdown table below its title; an empty text without rows."""
-    if not rows:
-        return ""
-    head = "| what | measured (of each run) | to be reached | details |\n|---|---|---|---|\n"
-    return f"{title}\n\n{head}{''.join(map(line, rows))}\n"
-
-
-def line(row: Row) -> str:
-    """Return the row as a line of a Markdown table."""
-    sign = "<=" if row.better == "lower" else ">="
-    reached = "" if row.is_reached else " **not reached**"
-    asked = "" if row.reach is None else f"{sign} {row.reach:g}"
-    spread = f" ({number(min(row.runs))} to {number(max(row.runs))})" if len(row.runs) > 1 else ""
-    return f"| {row.what} | {number(row.figure)} {row.unit}{spread} | {asked} | {row.details}{reached} |\n"
-
-
-def number(figure: float) -> str:
-    """Return a figure with three digits that count, without an exponent."""
-    return f"{figure:.0f}" if abs(figure) >= 100 else f"{figure:.3g}"
-
-
-def machine() -> str:
-    """Return processor, cores, system and Python version of this machine, and whether bodydrive runs compiled."""
-    name = platform.processor() or platform.machine()
-    for entry in _lines_of(Path("/proc/cpuinfo")):
-        if entry.startswith("model name"):
-            name = entry.split(":", 1)[1].strip()
-            break
-    python = f"Python {platform.python_version()}, bodydrive {'compiled' if IS_COMPILED else 'not compiled'}"
-    return f"{name}, {_cores()} cores, {platform.system()} {platform.release()}, {python}"
-
-
-def _cores() -> int:
-    return len(os.sched_getaffinity(0))
-
-
-def _lines_of(file: Path) -> list[str]:
-    try:
-        return file.read_text().splitlines()
-    except OSError:
-        return []
 
 
 if __name__ == "__main__":
