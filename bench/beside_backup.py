@@ -91,7 +91,7 @@ class _Backups:
             target = self._folder / f"stick-{self.made}"
             target.mkdir()
             job = {"state": str(self._settings.state), "target": str(target), "with_keys": False}
-            job |= {"key": None, "salt": None}
+            job |= {"secret": None}
             command = module("app.backup.backup_process")
             pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.DEVNULL}
             self._process = subprocess.Popen(command, text=True, cwd=ROOT, **pipes)  # type: ignore[call-overload]

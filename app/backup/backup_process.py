@@ -11,9 +11,9 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Final
 
+from app.backup.age_files import Secret
 from app.backup.making import make_backup
 from app.backup.quiet_files import take_lowest_priority
-from app.backup.sealing import Secret
 from app.clock import monotonic
 from app.file_modes import keep_new_files_private
 from app.refusals import Refusal
@@ -28,7 +28,7 @@ def main() -> None:
     take_lowest_priority()
     keep_new_files_private()
     job = json.loads(sys.stdin.readline())
-    secret = None if job["key"] is None else Secret(bytes.fromhex(job["salt"]), bytes.fromhex(job["key"]))
+    secret = None if job["secret"] is None else Secret(**job["secret"])
     last = [monotonic()]
 
     def progress(step: str, done: int, total: int) -> None:

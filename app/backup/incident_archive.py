@@ -19,10 +19,10 @@ from pathlib import Path
 from typing import Any, Final
 
 from app import __version__
-from app.backup.manifest import MOST_BYTES, NAME
-from app.backup.quiet_files import Beginning, Nowhere, QuietReader, QuietWriter, copy_hashed
+from app.backup.hashed_tar import hashed_tar, members_of
+from app.backup.manifest import DAMAGED, MOST_BYTES, NAME
+from app.backup.quiet_files import QuietReader, QuietWriter, hash_of
 from app.backup.signing import fingerprint, is_signed, sign
-from app.backup.tar_stream import DAMAGED, TarStream, members_of
 from app.clock import monotonic, utc_now
 from app.refusals import Refusal
 from app.settings import Settings
@@ -84,13 +84,12 @@ def archive_incident(
         size = log.tell()
         log.seek(0)
         when_read()
-        with TarStream(out) as tar:
+        with hashed_tar(out) as tar:
             hashes = {"log.jsonl": tar.add("log.jsonl", log, size)}
             hashes |= {name: tar.add_bytes(name, text.encode()) for name, text in texts.items()}
             for path, file in _recorded(settings, runs):
                 with suppress(FileNotFoundError), QuietReader(file) as reader:
-                    beginning = Beginning(reader)
-                    hashes[path] = tar.add(path, beginning, beginning.size)
+                    hashes[path] = tar.add(path, reader, reader.size())  # without what is added meanwhile
             manifest = json.dumps(
                 {
                     "format": FORMAT,
@@ -127,7 +126,7 @@ def check_incident(file: Path, public: bytes | None = None) -> ArchivedIncident:
             if member.path in {NAME, SIGNATURE, PUBLIC_KEY}:
                 own[member.path] = content.read(MOST_BYTES)
             else:
-                _, hashes[member.path] = copy_hashed(content, Nowhere())
+                _, hashes[member.path] = hash_of(content)
     if own.keys() != {NAME, SIGNATURE, PUBLIC_KEY}:
         raise Refusal(DAMAGED)
     if public is not None and fingerprint(public) != fingerprint(own[PUBLIC_KEY]):

@@ -7,11 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app import __version__
+from app.backup.age_files import Secret
+from app.backup.backup_file import add_sources, read_backup, write_backup
 from app.backup.backup_folder import BackupFolder
 from app.backup.contents import clinic_mark, contents_of
+from app.backup.hashed_tar import HashedTar
 from app.backup.manifest import Manifest, left_out_words
-from app.backup.sealing import Secret
-from app.backup.single_file import read_backup, write_backup
+from app.clock import utc_now
 from app.file_modes import OWNER_FOLDER
 from app.refusals import Conflict, Refusal
 from app.settings import Settings
@@ -68,14 +70,18 @@ def _in_one_file(
     if not target.absolute().parent.is_dir():
         raise Refusal(f"There is no folder {target.absolute().parent}: make it, or choose another place.")
     with contents_of(settings, with_keys=with_keys) as contents:
-        written = write_backup(
-            target,
-            contents,
-            __version__,
-            secret,
-            with_keys=with_keys,
-            progress=lambda done, total: progress("store", done, total),
-        )
+        total, done = sum(source.size for source in contents.sources), 0
+
+        def count(size: int) -> None:
+            nonlocal done
+            done += size
+            progress("store", done, total)
+
+        def fill(tar: HashedTar) -> Manifest:
+            files = tuple(add_sources(tar, contents.sources, count))
+            return Manifest(utc_now().isoformat(), __version__, contents.rows, with_keys, contents.left_out, files)
+
+        written = write_backup(target, secret, fill)
     progress("verify", 0, written.size)
     try:
         if read_backup(target, secret) != written:

@@ -1,6 +1,7 @@
 """The manifest of a backup: every file with its size and SHA-256, what was left out, and a hash of all of it."""
 
 import json
+import re
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from hashlib import sha256
@@ -9,11 +10,13 @@ from typing import Any, Final
 
 from app.refusals import Refusal
 
-FORMAT: Final = 1
+FORMAT: Final = 2
 NAME: Final = "manifest.json"
 DATABASE: Final = "bodydrive.sqlite"  # the name of the database's copy within a backup
 MOST_BYTES: Final = 256 << 20  # of a manifest
-HEX = frozenset("0123456789abcdef")
+HEX: Final = frozenset("0123456789abcdef")
+PART_NAME: Final = re.compile(r"[0-9A-Za-z-]*")
+DAMAGED: Final = "This file is damaged or was cut off: take another one."
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,7 +26,8 @@ class StoredFile:
     path: str  # relative to the state folder, with /
     size: int
     sha256: str
-    changed: int  # ns since 1970: a file with equal size and time is not hashed again
+    changed: int  # ns since 1970: a file with equal size and time is not copied again
+    part: str = ""  # the part that holds it, in a folder of backups; empty: it is in the backup's own file
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,6 +40,11 @@ class Manifest:
     with_keys: bool  # whether the chairs' keys, the authority's and the signing key are in it
     left_out: tuple[str, ...]  # recordings that were going on
     files: tuple[StoredFile, ...]
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """Return the names of the parts that lie beside the backup."""
+        return tuple(dict.fromkeys(file.part for file in self.files if file.part))
 
     @property
     def size(self) -> int:
@@ -61,15 +70,20 @@ def read_manifest(content: bytes) -> Manifest:
             raise ValueError
         document = json.loads(text)
         if document.pop("format") != FORMAT:
-            raise Refusal("This backup was made by a newer bodydrive: restore it with that version.")
+            raise Refusal("This backup was made by another version of bodydrive: restore it with that version.")
         files = tuple(StoredFile(**file) for file in document.pop("files"))
         left_out = tuple(map(str, document.pop("left_out")))
         manifest = Manifest(**document, left_out=left_out, files=files)
-        if not all(is_safe(file.path) and set(file.sha256) <= HEX and len(file.sha256) == 64 for file in files):
+        if not all(map(_is_right, files)):
             raise ValueError
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise Refusal("This is no backup of bodydrive, or it was changed: take another one.") from error
     return manifest
+
+
+def _is_right(file: StoredFile) -> bool:
+    is_hash = set(file.sha256) <= HEX and len(file.sha256) == 64
+    return is_safe(file.path) and is_hash and PART_NAME.fullmatch(file.part) is not None
 
 
 def is_safe(path: Any) -> bool:

@@ -4,8 +4,8 @@ import json
 from pathlib import Path
 from typing import Final
 
-from app.backup.backup_folder import HEADER, BackupFolder, folder_salt
-from app.backup.sealing import Secret, secret_of
+from app.backup.age_files import Secret, new_secret, opened_secret
+from app.backup.backup_folder import HEADER, BackupFolder, sealed_key_of_folder
 from app.file_modes import OWNER_FILE
 from app.files import write_atomically
 from app.refusals import Refusal
@@ -14,12 +14,12 @@ FILE: Final = "night-key.json"
 
 
 def read_secret(folder: Path) -> Secret | None:
-    """Return the key that is kept in a folder, None when the backups of every night are not sealed."""
+    """Return the key that is kept in a folder, None when the backups of every night are not encrypted."""
     try:
         document = json.loads((folder / FILE).read_bytes())
     except FileNotFoundError:
         return None
-    return Secret(bytes.fromhex(document["salt"]), bytes.fromhex(document["key"]))
+    return Secret(document["identity"], document["sealed"])
 
 
 def keep_secret(folder: Path, secret: Secret | None) -> None:
@@ -27,7 +27,7 @@ def keep_secret(folder: Path, secret: Secret | None) -> None:
     if secret is None:
         (folder / FILE).unlink(missing_ok=True)
     else:
-        document = {"salt": secret.salt.hex(), "key": secret.key.hex()}
+        document = {"identity": secret.identity, "sealed": secret.sealed}
         write_atomically(folder / FILE, json.dumps(document).encode(), OWNER_FILE)
 
 
@@ -38,11 +38,16 @@ def opened_folder(folder: Path, passphrase: str, kept: Secret | None, clinic: st
     can; for the computing process, because making the key takes long.
     """
     try:
-        salt = folder_salt(folder) if (folder / HEADER).is_file() else None
-        secret = secret_of(passphrase, salt) if passphrase else kept
+        secret = secret_of_folder(folder, passphrase) if passphrase else kept
         BackupFolder(folder, secret).open(clinic)
     except Refusal as refusal:
         return None, str(refusal)
     except OSError as error:
         return None, f"The folder {folder} cannot be written ({error.strerror}): choose another one."
     return secret, ""
+
+
+def secret_of_folder(folder: Path, passphrase: str) -> Secret:
+    """Return the key of a folder of backups, a new one when the folder has none; Refusal for a wrong passphrase."""
+    sealed = sealed_key_of_folder(folder) if (folder / HEADER).is_file() else None
+    return new_secret(passphrase) if sealed is None else opened_secret(sealed, passphrase)

@@ -90,20 +90,6 @@ class QuietReader:
         self._file.close()
 
 
-class Beginning:
-    """What a file has when this is made, `size` bytes; what is added to the file later is not read."""
-
-    def __init__(self, reader: QuietReader) -> None:
-        self._reader = reader
-        self.size = self._left = reader.size()
-
-    def read(self, size: int, /) -> bytes:
-        """Return the next bytes, none at the end."""
-        part = self._reader.read(min(size, self._left)) if self._left else b""
-        self._left -= len(part)
-        return part
-
-
 class QuietWriter:
     """Writes a file in parts that are on the disk before the next; it has its name only when `keep` was called."""
 
@@ -125,6 +111,17 @@ class QuietWriter:
         if self._at - self._synced >= SYNC_EVERY:
             self._sync()
         return len(part)
+
+    @property
+    def written(self) -> int:
+        """How many bytes were written."""
+        return self._at
+
+    def overwrite(self, at: int, part: bytes) -> None:
+        """Write other bytes in place of those at `at`."""
+        self._file.seek(at)
+        self._file.write(part)
+        self._file.seek(self._at)
 
     def keep(self) -> None:
         """Give the file its name; it is on the disk then."""
@@ -164,12 +161,13 @@ def copy_hashed(reader: Reader, writer: Writer) -> tuple[int, str]:
     return size, digest.hexdigest()
 
 
-class Nowhere:
-    """A writer that keeps nothing: what is copied to it is only hashed."""
-
-    def write(self, part: bytes, /) -> int:
-        """Return the number of bytes."""
-        return len(part)
+def hash_of(reader: Reader) -> tuple[int, str]:
+    """Read all bytes; return their number and their SHA-256 (hexadecimal)."""
+    digest, size = sha256(), 0
+    for part in parts_of(reader):
+        digest.update(part)
+        size += len(part)
+    return size, digest.hexdigest()
 
 
 def _forget_pages(descriptor: int, start: int, size: int) -> None:

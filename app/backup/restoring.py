@@ -2,16 +2,14 @@
 
 import os
 import shutil
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from app.backup.backup_folder import HEADER, BackupFolder, folder_salt
+from app.backup.age_files import Secret
+from app.backup.backup_file import read_backup
 from app.backup.manifest import Manifest, StoredFile
-from app.backup.quiet_files import Nowhere, QuietReader, QuietWriter, Reader, copy_hashed
-from app.backup.sealing import Secret
-from app.backup.single_file import read_backup, salt_of_file
+from app.backup.quiet_files import QuietReader, QuietWriter, Reader, copy_hashed, hash_of
 from app.file_modes import OWNER_FOLDER
 from app.refusals import Refusal
 from app.settings import IN_USE, Settings
@@ -22,9 +20,6 @@ from app.store.log import write_log
 
 WORK: Final = ".restoring"  # within the state folder, so that everything can be moved and nothing is copied again
 
-Unlock = Callable[[bytes], Secret]
-"""Returns the secret of a passphrase for a salt."""
-
 
 @dataclass(frozen=True, slots=True)
 class Restored:
@@ -32,21 +27,6 @@ class Restored:
 
     manifest: Manifest
     erased_again: int  # patients who were erased after the backup was made
-
-
-def needs_passphrase(backup: Path) -> bytes | None:
-    """Return the passphrase's salt of a backup, None when it is not sealed."""
-    return folder_salt(backup.parent) if _is_in_folder(backup) else salt_of_file(backup)
-
-
-def check_backup(backup: Path, secret: Secret | None) -> Manifest:
-    """Read a whole backup and check every hash; Refusal in one sentence when one is wrong."""
-    if not _is_in_folder(backup):
-        return read_backup(backup, secret)
-    folder = BackupFolder(backup.parent, secret)
-    manifest = folder.manifest(backup.name)
-    folder.check(manifest, lambda *_: None)
-    return manifest
 
 
 def restore(backup: Path, settings: Settings, secret: Secret | None, more: frozenset[Tombstone]) -> Restored:
@@ -87,10 +67,6 @@ def require_empty(settings: Settings) -> None:
             )
 
 
-def _is_in_folder(backup: Path) -> bool:
-    return (backup.parent / HEADER).is_file() and (backup.parent / "objects").is_dir()
-
-
 def _read_into(state: Path, backup: Path, secret: Secret | None) -> Manifest:
     def store(file: StoredFile, content: Reader) -> tuple[int, str]:
         with QuietWriter(state / file.path) as out:
@@ -99,25 +75,13 @@ def _read_into(state: Path, backup: Path, secret: Secret | None) -> Manifest:
         os.utime(state / file.path, ns=(file.changed, file.changed))
         return found
 
-    if not _is_in_folder(backup):
-        return read_backup(backup, secret, store)
-    folder = BackupFolder(backup.parent, secret)
-    manifest = folder.manifest(backup.name)
-    for file in manifest.files:
-        try:
-            with QuietWriter(state / file.path) as out:
-                folder.read(file, out)
-                out.keep()
-        except FileNotFoundError as error:
-            raise Refusal(f"This backup is damaged: {file.path} is missing. Take another one.") from error
-        os.utime(state / file.path, ns=(file.changed, file.changed))
-    return manifest
+    return read_backup(backup, secret, store)
 
 
 def _check_written(state: Path, manifest: Manifest) -> None:
     for file in manifest.files:
         with QuietReader(state / file.path) as written:
-            if copy_hashed(written, Nowhere()) != (file.size, file.sha256):
+            if hash_of(written) != (file.size, file.sha256):
                 raise Refusal(f"{file.path} is not equal to what was backed up: take another backup, or another disk.")
 
 

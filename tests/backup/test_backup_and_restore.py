@@ -12,14 +12,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from pyrage import x25519
 from store.keeping.filled_clinic import mentions, two_patients
 
 from app.backup import backup_folder, contents, making
+from app.backup.age_files import Secret
+from app.backup.backup_file import read_backup, sealed_key_of
 from app.backup.backup_folder import BackupFolder
 from app.backup.making import make_backup
-from app.backup.restoring import check_backup, needs_passphrase, restore
-from app.backup.sealing import Secret
-from app.backup.single_file import read_backup
+from app.backup.restoring import restore
 from app.refusals import Conflict, Refusal
 from app.settings import Settings
 from app.store.database import Database
@@ -30,7 +31,7 @@ from app.store.log_chain import verify_log
 from app.store.patients import delete_patient
 from app.store.tables import LogEntry
 
-SECRET = Secret(b"s" * 16, b"k" * 32)
+SECRET, OTHER = (Secret(str(x25519.Identity.generate()), f"sealed key {number}") for number in range(2))
 GOES, STAYS = "Zebra", "Heron"
 NOBODY: frozenset[Any] = frozenset()
 
@@ -61,6 +62,12 @@ def target(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
 def made(settings: Settings, target: Path, secret: Secret | None = None, *, with_keys: bool = False) -> Path:
     report = make_backup(settings, target, secret, with_keys=with_keys, progress=lambda *_: None)
     return target / report.name if target.is_dir() else target
+
+
+def places_in(archive: Path) -> list[int]:
+    """Return places within the contents of some files: bytes that fill an archive up mean nothing."""
+    with tarfile.open(archive) as tar:
+        return [member.offset_data + member.size // 2 for member in tar if member.size][-3:]
 
 
 def files_of(settings: Settings) -> dict[str, str]:
@@ -97,7 +104,7 @@ def log_of(settings: Settings) -> list[str]:
 def test_a_restored_clinic_is_equal_by_hash(settings: Settings, target: Path, secret: Secret | None) -> None:
     other = Settings(state=settings.state.parent / "other")
     file = made(settings, target, secret)
-    assert (needs_passphrase(file) is None) == (secret is None)
+    assert sealed_key_of(file) == (None if secret is None else secret.sealed)
     done = restore(file, other, secret, NOBODY)
     assert done.erased_again == 0
     assert files_of(other) == files_of(settings)
@@ -138,27 +145,27 @@ def test_any_changed_or_missing_byte_is_found_and_nothing_is_restored(settings: 
             shutil.rmtree(target)
             target.mkdir()
         file = made(settings, place, secret)
-        parts = [file, *place.glob("objects/*/*")] if target.is_dir() else [file]
+        parts = [file, *place.glob("parts/*")] if target.is_dir() else [file]
         for part in sorted(parts, key=lambda each: -each.stat().st_size)[:5]:
             whole = part.read_bytes()
-            for at in (len(whole) // 3, len(whole) * 2 // 3):
+            for at in places_in(part) if secret is None else (len(whole) // 3, len(whole) * 2 // 3):
                 part.write_bytes(whole[:at] + bytes([whole[at] ^ 1]) + whole[at + 1 :])
                 with pytest.raises(Refusal):
-                    check_backup(file, secret)
-            part.write_bytes(whole[: len(whole) // 2])
+                    read_backup(file, secret)
+            part.write_bytes(whole[:at])
             with pytest.raises(Refusal):
                 restore(file, Settings(state=settings.state.parent / "other"), secret, NOBODY)
             assert not any((settings.state.parent / "other").iterdir())
             part.write_bytes(whole)
-        check_backup(file, secret)
+        read_backup(file, secret)
 
 
 def test_another_passphrase_is_one_sentence(settings: Settings, target: Path) -> None:
     file = made(settings, target, SECRET)
     with pytest.raises(Refusal, match="passphrase is wrong"):
-        check_backup(file, Secret(SECRET.salt, b"x" * 32))
+        read_backup(file, OTHER)
     if target.is_dir():
-        for secret in (None, Secret(b"t" * 16, b"k" * 32), Secret(SECRET.salt, b"x" * 32)):
+        for secret in (None, OTHER):
             with pytest.raises(Refusal, match="passphrase"):
                 made(settings, target, secret)
 
@@ -172,30 +179,35 @@ def test_a_backup_in_one_file_is_read_by_tar(settings: Settings, tmp_path: Path)
         assert {member.mode for member in tar} == {0o600}
 
 
-def test_content_is_stored_once_and_an_unchanged_clinic_writes_next_to_nothing(
-    settings: Settings, tmp_path: Path
-) -> None:
+def test_a_recording_is_copied_once_and_so_are_uploads_until_one_is_changed(settings: Settings, tmp_path: Path) -> None:
     stick = tmp_path / "stick"
     stick.mkdir()
-    shutil.copy(settings.floorplans / "ward.json", settings.floorplans / "copy.json")
     made(settings, stick)
-    first = {file: file.stat().st_mtime_ns for file in stick.glob("objects/*/*")}
-    assert sum(file.stat().st_size == 2_000_000 for file in first) == 1
+
+    def parts() -> dict[str, int]:
+        return {file.name: file.stat().st_mtime_ns for file in stick.glob("parts/*")}
+
+    first = parts()
+    assert sorted(name.partition("-")[0] for name in first) == ["database", *["recording"] * 3, "uploads"]
     made(settings, stick)
-    second = {file: file.stat().st_mtime_ns for file in stick.glob("objects/*/*")}
-    assert {file: second.get(file) for file in first} == first
-    assert len(second) - len(first) <= 1  # the database's copy, when its bytes differ
+    new = parts().items() - first.items()
+    assert [name.partition("-")[0] for name, _ in new] == ["database"]
+    (settings.floorplans / "ward.json").write_bytes(b"changed")
+    file = made(settings, stick)
+    assert len([name for name in parts() if name.startswith("uploads")]) == 1  # of one day the newest backup stays
+    restore(file, Settings(state=tmp_path / "other"), None, NOBODY)
+    assert (tmp_path / "other" / "floorplans" / "ward.json").read_bytes() == b"changed"
 
 
-def test_a_damaged_object_is_stored_again(settings: Settings, tmp_path: Path) -> None:
+def test_a_damaged_part_is_stored_again(settings: Settings, tmp_path: Path) -> None:
     stick = tmp_path / "stick"
     stick.mkdir()
     first = made(settings, stick)
-    largest = max(stick.glob("objects/*/*"), key=lambda each: each.stat().st_size)
-    largest.write_bytes(b"rotten")
-    with pytest.raises(Refusal, match="is missing or was changed"):
-        check_backup(first, None)
-    check_backup(made(settings, stick), None)
+    (uploads,) = stick.glob("parts/uploads-*")
+    uploads.write_bytes(b"rotten")
+    with pytest.raises(Refusal, match=f"{uploads.name} is missing or was changed"):
+        read_backup(first, None)
+    read_backup(made(settings, stick), None)
 
 
 def test_what_a_killed_backup_has_left_goes_with_the_next_one(settings: Settings, tmp_path: Path) -> None:
@@ -220,8 +232,11 @@ def test_only_the_backups_to_keep_stay_with_their_contents(
     names = BackupFolder(stick, None).names()
     assert len(names) == 8  # 7 daily ones, and that of Sunday 4 January, the newest of its week
     for name in names:
-        check_backup(stick / name, None)
-    stored = {each.read_bytes() for each in stick.glob("objects/*/*") if 0 < each.stat().st_size < 10}
+        read_backup(stick / name, None)
+    stored = set()
+    for part in stick.glob("parts/uploads-*"):
+        with tarfile.open(part) as tar:
+            stored.add(tar.extractfile("files/changing.csv").read())  # type: ignore[union-attr]
     assert stored == {f"day {day}".encode() for day in (3, *range(5, 12))}
 
 

@@ -9,15 +9,15 @@ from pathlib import Path
 
 from store.keeping.filled_clinic import two_patients
 
+from app.backup.backup_file import read_backup
 from app.backup.backup_folder import BackupFolder
-from app.backup.restoring import check_backup
 from app.settings import Settings
 
 KILLS = 4
 
 
 def begin(settings: Settings, stick: Path) -> subprocess.Popen[str]:
-    job = {"state": str(settings.state), "target": str(stick), "with_keys": False, "salt": None, "key": None}
+    job = {"state": str(settings.state), "target": str(stick), "with_keys": False, "secret": None}
     process = subprocess.Popen(
         [sys.executable, "-m", "app.backup.backup_process"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
     )
@@ -46,10 +46,10 @@ def test_a_killed_backup_harms_nothing(tmp_path: Path) -> None:
         process.kill()
         process.communicate()
         if first in BackupFolder(stick, None).names():  # otherwise one of the same day has taken its place
-            check_backup(stick / first, None)
+            read_backup(stick / first, None)
     out, _ = begin(settings, stick).communicate()
     made = json.loads(out.splitlines()[-1])["made"]
-    manifest = check_backup(stick / made["name"], None)
+    manifest = read_backup(stick / made["name"], None)
     assert len([file for file in manifest.files if file.path.endswith("/end.json")]) == KILLS + 2
     assert [file.name for file in stick.rglob(".*")] == []
     assert sorted(file.name for file in settings.backup.iterdir()) == ["lock"]

@@ -87,6 +87,7 @@ HOME = {
     "ezdxf": {"world"},
     "msgspec": {"scene"},
     "cryptography": {"host", "backup"},
+    "pyrage": {"backup"},
     "psutil": {"host"},
     "typst": {"reports"},
 }

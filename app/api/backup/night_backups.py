@@ -10,6 +10,7 @@ import sys
 from asyncio.subprocess import PIPE
 from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Final, NamedTuple
 
@@ -88,8 +89,7 @@ class NightBackups:
             "state": str(self._settings.state),
             "target": kept.folder,
             "with_keys": kept.with_keys,
-            "salt": None if secret is None else secret.salt.hex(),
-            "key": None if secret is None else secret.key.hex(),
+            "secret": None if secret is None else asdict(secret),
         }
 
     async def _make(self, job: dict[str, Any], person: str | None) -> None:

@@ -16,8 +16,8 @@ from app.refusals import Refusal
 from app.settings import Settings, state_folder
 
 if TYPE_CHECKING:
+    from app.backup.age_files import Secret
     from app.backup.making import MadeReport
-    from app.backup.sealing import Secret
 
 COMMAND = "command line"  # who did it, in the log
 PASSPHRASE = "BODYDRIVE_PASSPHRASE"  # noqa: S105  (the name of a variable)
@@ -125,10 +125,10 @@ def restore(
 
 
 def _check(target: Path, as_json: bool) -> None:
-    from app.backup.restoring import check_backup
+    from app.backup.backup_file import read_backup
 
     try:
-        manifest = check_backup(target.absolute(), _secret_to_read(target))
+        manifest = read_backup(target.absolute(), _secret_to_read(target))
     except Refusal as refusal:
         raise InputError(str(refusal)) from refusal
     facts = {"made": manifest.made, "files": len(manifest.files), "bytes": manifest.size, "hash": manifest.hash}
@@ -142,29 +142,29 @@ def _settings(state: Path | None) -> Settings:
 
 def _secret_to_make(target: Path, encrypt: bool) -> "Secret | None":
     """Return the secret of a new backup; a folder that is encrypted already asks for its passphrase by itself."""
-    from app.backup.backup_folder import HEADER, folder_salt
-    from app.backup.sealing import secret_of
+    from app.backup.age_files import new_secret
+    from app.backup.backup_folder import HEADER, sealed_key_of_folder
+    from app.backup.night_secret import secret_of_folder
 
-    salt = folder_salt(target) if (target / HEADER).is_file() else None
-    if salt is not None:
-        return secret_of(_passphrase(is_new=False), salt)
-    return secret_of(_passphrase(is_new=True)) if encrypt else None
+    if (target / HEADER).is_file() and sealed_key_of_folder(target) is not None:
+        return secret_of_folder(target, _passphrase(is_new=False))
+    return new_secret(_passphrase(is_new=True)) if encrypt else None
 
 
 def _secret_to_read(source: Path) -> "Secret | None":
-    from app.backup.restoring import needs_passphrase
-    from app.backup.sealing import secret_of
+    from app.backup.age_files import opened_secret
+    from app.backup.backup_file import sealed_key_of
 
     newest = max(source.glob("*.backup"), default=None)  # the names of a folder begin with the time
     if newest is not None:
         raise InputError(f"{source} is a folder of backups: name one of its files; the newest is {newest}.")
     if not source.is_file():
         raise InputError(f"There is no backup {source}: name a file.")
+    sealed = sealed_key_of(source)
     try:
-        salt = needs_passphrase(source.absolute())
+        return None if sealed is None else opened_secret(sealed, _passphrase(is_new=False))
     except Refusal as refusal:
         raise InputError(str(refusal)) from refusal
-    return None if salt is None else secret_of(_passphrase(is_new=False), salt)
 
 
 def _passphrase(*, is_new: bool) -> str:

@@ -9,9 +9,9 @@ import pytest
 from fake_clinic import Clinic
 
 from app.api.backup.schedule import is_due
-from app.backup import sealing
-from app.backup.restoring import check_backup
-from app.backup.sealing import secret_of
+from app.backup.age_files import opened_secret
+from app.backup.backup_file import read_backup, sealed_key_of
+from app.backup.contents import clinic_mark
 from app.clock import utc_now
 from app.settings import Settings
 from app.store.keeping import made_backups
@@ -22,7 +22,6 @@ from app.store.keeping.made_backups import backup_warning
 @pytest.fixture(autouse=True)
 def _cheap(monkeypatch: pytest.MonkeyPatch, signed_in: Clinic) -> None:
     """Make keys in this process, where they cost little."""
-    monkeypatch.setattr(sealing, "COST", {"n": 2, "r": 1, "p": 1})
     monkeypatch.setattr(signed_in.web.computing, "ask", lambda function, *given, **named: function(*given, **named))
 
 
@@ -55,12 +54,10 @@ def test_a_folder_is_chosen_and_a_backup_is_made(signed_in: Clinic, tmp_path: Pa
         False,
     )
     assert (after["warning"], after["last_good"]) == ("", made["at"])
-    secret = (
-        None
-        if passphrase is None
-        else secret_of(passphrase, sealing.salt_of(next(stick.glob("*.backup")).read_bytes()))
-    )
-    assert len(check_backup(stick / made["name"], secret).files) == made["files"]
+    sealed = sealed_key_of(stick / made["name"])
+    assert (sealed is None) == (passphrase is None)
+    secret = None if sealed is None else opened_secret(sealed, str(passphrase))
+    assert len(read_backup(stick / made["name"], secret).files) == made["files"]
     logged = [row for row in signed_in.log() if row.what == "backup made"]
     assert [(row.person, row.details["encrypted"]) for row in logged] == [(logged[0].person, bool(passphrase))]
     assert passphrase is None or passphrase not in json.dumps([row.details for row in signed_in.log()])
@@ -84,7 +81,7 @@ def test_a_folder_that_another_clinic_took_is_a_failed_backup(signed_in: Clinic,
     stick = tmp_path / "stick"
     stick.mkdir()
     chosen(signed_in, stick)
-    (stick / "bodydrive-backups.json").write_text('{"format": 1, "salt": null, "clinic": "another"}')
+    (stick / "bodydrive-backups.json").write_text('{"format": 2, "identity": null, "clinic": "another"}')
     assert signed_in("POST", "/backups").status_code == 202
     after = signed_in.until("/backups", lambda view: view["course"] is None)
     assert (after["made"][0]["good"], "of another clinic" in after["made"][0]["words"]) == (False, True)
@@ -95,8 +92,9 @@ def test_a_folder_that_cannot_be_used_is_one_sentence(signed_in: Clinic, setting
     foreign.mkdir()
     neighbour = tmp_path / "neighbour"
     neighbour.mkdir()
-    (neighbour / "bodydrive-backups.json").write_text('{"format": 1, "salt": null, "clinic": "another"}')
-    (foreign / "bodydrive-backups.json").write_text('{"salt": "00"}')
+    (neighbour / "bodydrive-backups.json").write_text('{"format": 2, "identity": null, "clinic": "another"}')
+    own = {"format": 2, "identity": "a key", "clinic": clinic_mark(settings)}
+    (foreign / "bodydrive-backups.json").write_text(json.dumps(own))
     for folder, words in (
         (tmp_path / "none", "is not there"),
         (Path("relative"), "whole path"),

@@ -12,8 +12,7 @@ from fake_clinic import Clinic
 from running_app import running
 
 from app.api.backup import night_backups
-from app.backup import sealing
-from app.backup.restoring import check_backup
+from app.backup.backup_file import read_backup
 from app.clock import utc_now
 from app.settings import Settings
 from app.store import log
@@ -45,9 +44,8 @@ def database_of(clinic: Clinic) -> Database:
 
 
 @pytest.fixture
-def night(settings: Settings, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def night(settings: Settings, tmp_path: Path) -> Path:
     """A clinic that has ended: a folder is chosen, the hour is now, patients were deleted 31 and 29 days ago."""
-    monkeypatch.setattr(sealing, "COST", {"n": 2, "r": 1, "p": 1})
     stick = tmp_path / "stick"
     stick.mkdir()
     for clinic in running(settings):
@@ -76,7 +74,7 @@ def test_a_program_that_runs_makes_the_backup_and_erases(settings: Settings, nig
         assert "P-31" not in codes
         assert [row.what for row in clinic.log()].count("patient erased") == 1
     (backup,) = night.glob("*.backup")
-    check_backup(backup, None)
+    read_backup(backup, None)
 
 
 def test_a_start_with_a_clock_31_days_ahead_erases_nobody_and_says_so(

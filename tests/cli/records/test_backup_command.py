@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from store.keeping.filled_clinic import two_patients
 
-from app.backup import quiet_files, sealing
+from app.backup import quiet_files
 from app.cli.clinic_folder import held
 from app.settings import Settings
 from app.store.database import Database
@@ -19,7 +19,6 @@ from app.store.tables import LogEntry
 def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(quiet_files, "take_lowest_priority", lambda: None)  # this process goes on with other tests
     monkeypatch.setattr(quiet_files, "WORKING", 1.0)
-    monkeypatch.setattr(sealing, "COST", {"n": 2, "r": 1, "p": 1})
 
 
 @pytest.fixture

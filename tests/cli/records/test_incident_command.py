@@ -14,8 +14,7 @@ from sqlalchemy import text
 from store.keeping.filled_clinic import two_patients
 
 from app.backup import incident_archive, quiet_files
-from app.backup.quiet_files import Beginning
-from app.backup.tar_stream import TarStream
+from app.backup.hashed_tar import hashed_tar
 from app.cli.clinic_folder import held
 from app.clock import utc_now
 from app.refusals import Conflict
@@ -138,11 +137,11 @@ def test_a_long_recording_is_not_built_in_memory_and_the_priority_is_the_lowest(
 def test_a_recording_that_grows_is_taken_as_it_was(settings: Settings, tmp_path: Path) -> None:
     growing = tmp_path / "growing"
     growing.write_bytes(b"first")
-    with quiet_files.QuietReader(growing) as reader, TarStream(io.BytesIO()) as tar:
-        beginning = Beginning(reader)
+    with quiet_files.QuietReader(growing) as reader, hashed_tar(io.BytesIO()) as tar:
+        size = reader.size()
         with growing.open("ab") as file:
             file.write(b" second")
-        assert tar.add("growing", beginning, beginning.size) == sha256(b"first").hexdigest()
+        assert tar.add("growing", reader, size) == sha256(b"first").hexdigest()
 
 
 def test_a_change_of_any_part_is_found(bodydrive: Any, settings: Settings, tmp_path: Path) -> None:

@@ -1,53 +1,68 @@
-"""Write and read a tar archive in one pass, each content hashed as it goes by."""
+"""Write and read a tar archive in one pass, with the SHA-256 of each file."""
 
 import io
 import tarfile
 from collections.abc import Iterator
+from contextlib import contextmanager
+from hashlib import sha256
 from typing import Any, Final
 
-from app.backup.manifest import StoredFile, is_safe
-from app.backup.quiet_files import PART, Reader, Writer, copy_hashed
+from app.backup.manifest import DAMAGED, StoredFile, is_safe
+from app.backup.quiet_files import PART, Reader, Writer
 from app.refusals import Refusal
 
-DAMAGED: Final = "This file is damaged or was cut off: take another one."
 NANOSECONDS: Final = 1_000_000_000
 
 
-class TarStream:
+class HashedTar:
     """Writes an archive of files that only their owner can read."""
 
-    def __init__(self, out: Writer) -> None:
-        sink: Any = out
-        self._tar: Any = tarfile.open(  # noqa: SIM115  (closed by __exit__)
-            fileobj=sink, mode="w|", format=tarfile.PAX_FORMAT, bufsize=PART
-        )
+    def __init__(self, tar: tarfile.TarFile) -> None:
+        self._tar = tar
 
     def add(self, path: str, content: Reader, size: int, changed: int = 0) -> str:
-        """Add a file, and return the SHA-256 of its content; Refusal when its size is not `size`."""
+        """Add the next `size` bytes of `content` as a file, and return their SHA-256; Refusal when there are fewer.
+
+        `changed` is when the file was changed, in ns since 1970.
+        """
         header = tarfile.TarInfo(path)
         header.size, header.mode, header.mtime = size, 0o600, changed // NANOSECONDS
-        self._tar.addfile(header)
-        stream: Any = self._tar.fileobj
-        found, digest = copy_hashed(content, stream)
-        if found != size:
-            raise Refusal(f"{path} was changed while it was copied: try again.")
-        padding = -size % tarfile.BLOCKSIZE
-        stream.write(b"\0" * padding)
-        self._tar.offset += size + padding
-        return digest
+        hashed: Any = _Hashed(path, content)
+        self._tar.addfile(header, hashed)
+        return str(hashed.digest.hexdigest())
 
     def add_bytes(self, path: str, content: bytes) -> str:
         """Add a file with this content, and return its SHA-256."""
         return self.add(path, io.BytesIO(content), len(content))
 
-    def __enter__(self) -> "TarStream":
-        """Return the writer."""
-        return self
 
-    def __exit__(self, kind: object, *_error: object) -> None:
-        """Write the end of the archive, unless an exception was raised."""
-        if kind is None:
-            self._tar.close()
+@contextmanager
+def hashed_tar(out: Writer) -> Iterator[HashedTar]:
+    """Yield an archive that is written to `out`; its end is written unless an exception is raised."""
+    sink: Any = out
+    tar = tarfile.open(  # noqa: SIM115  (`with` would write the end after an exception too)
+        fileobj=sink, mode="w|", format=tarfile.PAX_FORMAT, bufsize=PART
+    )
+    yield HashedTar(tar)
+    tar.close()
+
+
+class _Hashed:
+    """Hashes what is read, and gives as many bytes as it is asked for."""
+
+    def __init__(self, path: str, content: Reader) -> None:
+        self._path, self._content = path, content
+        self.digest = sha256()
+
+    def read(self, size: int, /) -> bytes:
+        found = bytearray()
+        while len(found) < size:
+            part = self._content.read(size - len(found))
+            if not part:
+                raise Refusal(f"{self._path} was changed while it was copied: try again.")
+            found += part
+        self.digest.update(found)
+        return bytes(found)
 
 
 class _Content:
@@ -84,6 +99,6 @@ def members_of(reader: Reader) -> Iterator[tuple[StoredFile, Reader]]:
                     _Content(content),
                 )
         while reader.read(PART):
-            pass  # of a sealed archive, the last chunk proves that nothing was cut off
+            pass  # of an encrypted archive, the last chunk proves that nothing was cut off
     except (tarfile.TarError, EOFError, ValueError) as error:
         raise Refusal(DAMAGED) from error
