@@ -12,7 +12,7 @@ OWN := $(INSTALL) --no-index --no-deps --no-build-isolation
 # A module is compiled once, and not by each of the many processes that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test test-calculations test-programs browser check lint python-types javascript-types api-types demo-profile simulated-prior schema icons fonts safety compiled drills soak long-recording people-soak pins vendor large-clinic pictures photographs promises worlds bench verdicts priors bench-compare clean
+.PHONY: demo test test-calculations test-programs browser check lint python-types javascript-types api-types demo-profile simulated-prior icons fonts safety compiled drills soak long-recording people-soak pins vendor large-clinic pictures photographs promises worlds bench verdicts priors bench-compare clean
 
 $(VENV)/.installed: pyproject.toml hatch_build.py requirements/run.txt requirements/build.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -86,10 +86,6 @@ demo-profile: $(VENV)/.installed-test
 # The prior of simulated people that ships with the simulated shirt.
 simulated-prior: $(VENV)/.installed-test
 	PYTHONPATH=.:tests $(BIN)/python tests/cli/shipped_prior.py
-
-# The tables of a new clinic, to be made anew after each new migration.
-schema: $(VENV)/.installed-test
-	PYTHONPATH=.:tests $(BIN)/python tests/store/newest_schema.py
 
 icons: $(VENV)/.installed-test
 	PYTHONPATH=.:tests $(BIN)/python tests/web_static/home_screen_icons.py

@@ -1,3 +1,3 @@
 """bodydrive: a body-machine interface for powered wheelchairs."""
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"

@@ -5743,7 +5743,7 @@ export interface components {
         ConsentRow: {
             /** Format: date */
             given: string;
-            person: string | null;
+            person: string;
             written: string;
             withdrawn: string | null;
             withdrawn_by: string | null;
@@ -5752,7 +5752,6 @@ export interface components {
             /** @enum {string} */
             consent: "recording" | "clinic_prior" | "sharing";
             given: string | null;
-            is_confirmed: boolean;
             history: components["schemas"]["ConsentRow"][];
         };
         ConsentsView: {

@@ -1,4 +1,4 @@
-"""The schema of a database file: its revision, and the migration to the revision of this program."""
+"""The schema of a database: the metadata of its tables, its revision, the migration to that of this program."""
 
 import sqlite3
 from contextlib import closing
@@ -10,16 +10,21 @@ from sqlalchemy import Engine
 
 from app import __version__
 from app.refusals import Refusal
+from app.store.access import person_tables  # noqa: F401  (tables belong to the metadata once they are imported)
 from app.store.backup import back_up
+from app.store.keeping import keeping_tables  # noqa: F401
+from app.store.prior import prior_tables  # noqa: F401
+from app.store.records import import_tables, record_tables  # noqa: F401
+from app.store.sharing import sharing_tables  # noqa: F401
+from app.store.tables import Table
 
 if TYPE_CHECKING:
     from alembic.config import Config
 
 MIGRATIONS = Path(__file__).parent / "migrations"
-NEWEST = "0020"  # the last revision there; a start with a database of this revision does not load alembic
-NEWEST_SCHEMA = MIGRATIONS / "newest.sql"
-"""What all migrations together make of an empty database; `make schema` writes it, a test compares."""
-BETWEEN = ";\n\n"  # between two statements there
+NEWEST = "0001"  # the last revision there; a start with a new database, or one of this revision, loads no alembic
+METADATA = Table.metadata
+"""What all migrations together make of an empty database; a test compares."""
 
 
 def connect(file: Path) -> sqlite3.Connection:
@@ -73,8 +78,12 @@ def bring_up_to_date(file: Path, engine: Engine) -> None:
 def _make_tables(engine: Engine) -> None:
     """Make the tables of the newest revision in an empty database, in one transaction."""
     with engine.begin() as connection:
-        for statement in NEWEST_SCHEMA.read_text(encoding="utf-8").split(BETWEEN):
-            connection.exec_driver_sql(statement)
+        METADATA.create_all(connection, checkfirst=False)
+        connection.exec_driver_sql(
+            "CREATE TABLE alembic_version "
+            "(version_num VARCHAR(32) NOT NULL, CONSTRAINT alembic_version_pkc PRIMARY KEY (version_num))"
+        )
+        connection.exec_driver_sql("INSERT INTO alembic_version (version_num) VALUES (?)", (NEWEST,))
 
 
 def migrate(engine: Engine, revision: str = "head") -> None:

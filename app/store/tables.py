@@ -3,7 +3,19 @@
 from datetime import UTC, datetime
 from typing import Any
 
-from sqlalchemy import JSON, DateTime, Float, ForeignKey, Index, MetaData, String, UniqueConstraint, text
+from sqlalchemy import (
+    JSON,
+    Connection,
+    DateTime,
+    Float,
+    ForeignKey,
+    Index,
+    MetaData,
+    String,
+    UniqueConstraint,
+    event,
+    text,
+)
 from sqlalchemy.engine import Dialect
 from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column, relationship
 from sqlalchemy.types import TypeDecorator
@@ -96,9 +108,9 @@ class PatientSession(Table):
     result: Mapped[dict[str, Any] | None]  # the fitted profile before it is accepted
     accepted: Mapped[bool]
     screen: Mapped[dict[str, Any] | None]  # settings of the patient's screens; None: the standard ones
-    goal: Mapped[str] = mapped_column(String(1000), default="", server_default="")  # in the patient's words
+    goal: Mapped[str] = mapped_column(String(1000), default="")  # in the patient's words
     # Of the software that it began with; "": not recorded.
-    version: Mapped[str] = mapped_column(String(40), default="", server_default="")
+    version: Mapped[str] = mapped_column(String(40), default="")
 
 
 class PatientScreen(Table):
@@ -298,3 +310,12 @@ class LogEntry(Table):
     details: Mapped[dict[str, Any]]
     previous_hash: Mapped[str] = mapped_column(String(64))
     hash: Mapped[str] = mapped_column(String(64))
+
+
+@event.listens_for(LogEntry.__table__, "after_create")
+def _only_append(_table: object, connection: Connection, **_options: object) -> None:
+    for change in ("UPDATE", "DELETE"):
+        connection.exec_driver_sql(
+            f"CREATE TRIGGER log_no_{change.lower()} BEFORE {change} ON log "
+            "BEGIN SELECT RAISE(ABORT, 'the log is only ever appended to'); END"
+        )

@@ -50,7 +50,7 @@ def make_clinic(state: Path, *, consent: bool = True) -> Settings:
             ended=utc_now(),
             accepted=True,
             goal="To cross the yard.",
-            version="0.1.0",
+            version="0.2.0",
         )
         db.add(session)
         db.flush()

@@ -28,7 +28,7 @@ def slow(tmp_path: Any) -> Any:
 
 
 def test_bids_says_the_measured_rate_of_the_chair_and_the_real_durations(slow: Any, tmp_path: Any) -> None:
-    facts = {"software": "0.1.0"}
+    facts = {"software": "0.2.0"}
     files = write_bids(slow, facts, tmp_path / "bids", PLACE)
     said = {file.name: json.loads(file.read_text()) for file in files if file.suffix == ".json"}
     for name, one in said.items():
@@ -40,7 +40,7 @@ def test_bids_says_the_measured_rate_of_the_chair_and_the_real_durations(slow: A
 
 
 def test_xdf_says_no_even_rate_for_what_the_loop_makes(slow: Any, tmp_path: Any) -> None:
-    (file,) = write_xdf(slow, {"software": "0.1.0"}, tmp_path, "slow")
+    (file,) = write_xdf(slow, {"software": "0.2.0"}, tmp_path, "slow")
     streams, _ = pyxdf.load_xdf(file)
     rates = {stream["info"]["name"][0]: float(stream["info"]["nominal_srate"][0]) for stream in streams}
     assert rates.pop("shirt") == SHIRT

@@ -1,42 +1,18 @@
-"""The migrations up and down, and that they make the tables of the code."""
+"""Transactions are whole, durable and refused in a sentence."""
 
 from pathlib import Path
 
 import pytest
-from alembic.autogenerate import compare_metadata
-from alembic.migration import MigrationContext
-from sqlalchemy import inspect, text
+from sqlalchemy import text
 from sqlalchemy.exc import IntegrityError, OperationalError
-from sqlalchemy.orm import Session
 
 from app.clock import utc_now
 from app.refusals import DiskFull, Unavailable
-from app.speeds import HIGHEST_SPEEDS
 from app.store import database as database_module
-from app.store.chairs import add_chair, limits_of
 from app.store.database import Database, make_engine
 from app.store.patients import add_patient
 from app.store.people import add_clinic
-from app.store.schema import MIGRATIONS, migrate
-from app.store.tables import Clinic, Patient, Table
-
-
-def test_the_migrations_make_exactly_the_tables_of_the_code(tmp_path: Path) -> None:
-    engine = make_engine(tmp_path / "a.sqlite")
-    migrate(engine)
-    with engine.connect() as connection:
-        assert compare_metadata(MigrationContext.configure(connection), Table.metadata) == []
-    engine.dispose()
-
-
-def test_down_leaves_nothing_and_up_again_works(tmp_path: Path) -> None:
-    engine = make_engine(tmp_path / "a.sqlite")
-    migrate(engine)
-    migrate(engine, "base")
-    assert set(inspect(engine).get_table_names()) == {"alembic_version"}
-    migrate(engine)
-    assert "trial" in inspect(engine).get_table_names()
-    engine.dispose()
+from app.store.tables import Clinic, Patient
 
 
 def test_every_connection_is_durable_and_keeps_references_whole(tmp_path: Path) -> None:
@@ -78,40 +54,6 @@ def test_a_patient_of_no_clinic_is_refused(tmp_path: Path) -> None:
     with pytest.raises(IntegrityError), database.transaction() as db:
         db.add(Patient(clinic_id=7, code="A", pseudonym="A", note="", created=utc_now(), deleted=None))
     database.close()
-
-
-def test_what_a_clinic_had_before_real_chairs_is_there_after_going_up_and_down(tmp_path: Path) -> None:
-    engine = make_engine(tmp_path / "a.sqlite")
-    migrate(engine, "0001")
-    with engine.begin() as connection:
-        connection.execute(
-            text(
-                "INSERT INTO clinic (id, name, created, shirt, body, unused) "
-                "VALUES (1, 'Old', '2025-01-01 00:00:00', '{\"kind\": \"simulator\"}', NULL, '[\"a\"]')"
-            )
-        )
-        connection.execute(
-            text(
-                "INSERT INTO patient (id, clinic_id, code, pseudonym, note, created) "
-                "VALUES (1, 1, 'P-1', 'Heron', '', '2025-01-01 00:00:00')"
-            )
-        )
-    migrate(engine)
-    with Session(engine) as db, db.begin():
-        clinic = db.get_one(Clinic, 1)
-        assert (clinic.shirt, clinic.unused, clinic.chair, clinic.limits) == ({"kind": "simulator"}, ["a"], None, None)
-        assert limits_of(clinic) == HIGHEST_SPEEDS
-        clinic.limits = {"forward": 0.4}
-        add_chair(db, clinic, "Blue", "10.0.0.7", 5354, 1, HIGHEST_SPEEDS)
-    for _later in list((MIGRATIONS / "versions").glob("v*.py"))[1:]:
-        migrate(engine, "-1")
-    with engine.connect() as connection:
-        row = connection.execute(text("SELECT name, shirt, unused FROM clinic")).one()
-        patients = connection.execute(text("SELECT pseudonym FROM patient")).scalars().all()
-    assert tuple(row) == ("Old", '{"kind": "simulator"}', '["a"]')
-    assert patients == ["Heron"]
-    assert {"chair", "drive"}.isdisjoint(inspect(engine).get_table_names())
-    engine.dispose()
 
 
 def add_many_patients(database: Database, clinic_id: int) -> None:

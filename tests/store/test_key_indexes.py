@@ -2,8 +2,7 @@
 
 import sqlite3
 from contextlib import closing
-
-from app.store.schema import NEWEST_SCHEMA
+from pathlib import Path
 
 
 def leading_columns(database: sqlite3.Connection, table: str) -> set[str]:
@@ -16,9 +15,8 @@ def leading_columns(database: sqlite3.Connection, table: str) -> set[str]:
     return {name for name, place in columns if place == 1} | {name for (name,) in database.execute(query, (table,))}
 
 
-def test_each_key_leads_an_index_except_that_of_the_clinic() -> None:
-    with closing(sqlite3.connect(":memory:")) as database:
-        database.executescript(NEWEST_SCHEMA.read_text())
+def test_each_key_leads_an_index_except_that_of_the_clinic(new_database: Path) -> None:
+    with closing(sqlite3.connect(new_database / "clinic.sqlite")) as database:
         keys = database.execute(
             'SELECT one.name, key."from" FROM sqlite_master one, pragma_foreign_key_list(one.name) key '
             "WHERE one.type = 'table' AND key.\"table\" != 'clinic'"

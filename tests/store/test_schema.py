@@ -1,25 +1,27 @@
-"""Databases of older and newer programs: copied and migrated completely, or left unchanged."""
+"""The schema: made by migrations or from the metadata it is the same; databases of older and newer programs."""
 
 import shutil
 import sqlite3
 import stat
+from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from alembic.autogenerate import compare_metadata
 from alembic.config import Config
+from alembic.migration import MigrationContext
 from alembic.script import ScriptDirectory
-from sqlalchemy import text
-from store.newest_schema import newest_schema, statements
+from store.later_schema import COLUMN, LATER, use_later_schema
 
 from app.refusals import DiskFull, Refusal, Unavailable
 from app.store.backup import back_up
 from app.store.database import Database, make_engine
 from app.store.log import write_log
-from app.store.migrations.versions import v0005_learning
-from app.store.people import the_clinic
-from app.store.schema import MIGRATIONS, NEWEST, NEWEST_SCHEMA, migrate, revision_of
+from app.store.patients import add_patient
+from app.store.people import add_clinic, the_clinic
+from app.store.schema import METADATA, MIGRATIONS, NEWEST, migrate, revision_of
 
 CONFIG = Config()
 CONFIG.set_main_option("script_location", str(MIGRATIONS))
@@ -27,24 +29,29 @@ REVISIONS = [script.revision for script in ScriptDirectory.from_config(CONFIG).w
 PATIENTS = 3
 
 
-def make_old(file: Path, revision: str) -> Path:
-    """Make a database of an older program, with content."""
+def migrated(file: Path, revision: str = "head") -> Path:
+    """Make a database by the migrations up to `revision`."""
     engine = make_engine(file)
-    migrate(engine, REVISIONS[0])
-    with engine.begin() as connection:
-        connection.execute(
-            text("INSERT INTO clinic (name, created, unused) VALUES ('Old', '2025-01-01 00:00:00.000000', '[]')")
-        )
-        for number in range(PATIENTS):
-            connection.execute(
-                text(
-                    "INSERT INTO patient (clinic_id, code, pseudonym, note, created) "
-                    f"VALUES (1, 'P-{number}', 'Heron', '{'n' * 2000}', '2025-01-01 00:00:00.000000')"
-                )
-            )
-    if revision != REVISIONS[0]:
-        migrate(engine, revision)
+    migrate(engine, revision)
     engine.dispose()
+    return file
+
+
+@pytest.fixture
+def file(database: Database, tmp_path: Path) -> Path:
+    """Return the database of a clinic with some patients, of this program's schema."""
+    with database.transaction() as db:
+        clinic = add_clinic(db, "Old")
+        for number in range(PATIENTS):
+            add_patient(db, clinic.id, f"P-{number}", "Heron", "n" * 2000)
+    database.close()
+    return tmp_path / "clinic.sqlite"
+
+
+@pytest.fixture
+def older(file: Path, tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Return that database, for a program with a later schema."""
+    use_later_schema(tmp_path_factory.mktemp("later"), monkeypatch)
     return file
 
 
@@ -52,6 +59,11 @@ def count(file: Path, table: str) -> int:
     with closing(sqlite3.connect(file)) as connection:
         found: int = connection.execute(f"SELECT COUNT(*) FROM {table}").fetchone()[0]
         return found
+
+
+def columns(file: Path, table: str) -> set[str]:
+    with closing(sqlite3.connect(file)) as connection:
+        return {row[1] for row in connection.execute(f"PRAGMA table_info({table})")}
 
 
 def contents(folder: Path) -> dict[str, bytes]:
@@ -68,92 +80,129 @@ def copies(folder: Path) -> list[Path]:
     return sorted(folder.glob("*.backup"))
 
 
+def parts(definition: str) -> Iterator[str]:
+    """Yield the parts between the outer commas of `a, b(c, d), e`."""
+    depth, part = 0, ""
+    for letter in " ".join(definition.split()):
+        depth += {"(": 1, ")": -1}.get(letter, 0)
+        if letter == "," and depth == 0:
+            yield part.strip()
+            part = ""
+        else:
+            part += letter
+    yield part.strip()
+
+
+def structure(file: Path) -> dict[str, set[str]]:
+    """Return the columns and constraints of each table and the statement of each index and trigger, by their names.
+
+    SQLite has them as text. Migrations add columns and constraints in another order than the metadata.
+    """
+    with closing(sqlite3.connect(file)) as connection:
+        found = connection.execute("SELECT type, name, sql FROM sqlite_master WHERE sql IS NOT NULL").fetchall()
+    return {
+        name: set(parts(sql.partition("(")[2].rstrip().removesuffix(")"))) if kind == "table" else {sql}
+        for kind, name, sql in found
+    }
+
+
 def test_the_newest_revision_is_that_of_the_last_migration() -> None:
     assert REVISIONS[-1] == NEWEST
 
 
-def test_a_new_database_has_exactly_the_tables_that_all_migrations_make(tmp_path: Path) -> None:
-    assert NEWEST_SCHEMA.read_text() == newest_schema(tmp_path), "a migration is newer: run `make schema`"
-    Database(tmp_path / "clinic.sqlite").close()
-    assert statements(tmp_path / "clinic.sqlite") == statements(tmp_path / "newest.sqlite")
-    assert revision_of(tmp_path / "clinic.sqlite") == NEWEST
+def test_the_migrations_make_exactly_the_tables_of_the_metadata(tmp_path: Path) -> None:
+    engine = make_engine(migrated(tmp_path / "migrated.sqlite"))
+    with engine.connect() as connection:
+        context = MigrationContext.configure(connection, opts={"compare_server_default": True})
+        assert compare_metadata(context, METADATA) == []
+    engine.dispose()
 
 
-@pytest.mark.parametrize("revision", REVISIONS)
-def test_a_database_of_any_version_is_copied_and_goes_up_and_down(tmp_path: Path, revision: str) -> None:
-    file = make_old(tmp_path / "clinic.sqlite", revision)
-    database = Database(file)
+def test_a_new_database_is_equal_to_one_of_the_migrations_in_indexes_constraints_and_triggers(tmp_path: Path) -> None:
+    """Alembic compares no triggers, no conditions of indexes and no names of primary keys."""
+    Database(tmp_path / "new.sqlite").close()
+    new = structure(tmp_path / "new.sqlite")
+    assert new == structure(migrated(tmp_path / "migrated.sqlite"))
+    assert revision_of(tmp_path / "new.sqlite") == NEWEST
+    assert {"log_no_update", "uq_session_open", "ix_trial_counted", "alembic_version"} <= set(new)
+    assert "CONSTRAINT uq_patient_clinic_id_code UNIQUE (clinic_id, code)" in new["patient"]
+
+
+def test_down_leaves_nothing_and_up_again_works(tmp_path: Path) -> None:
+    file = migrated(tmp_path / "a.sqlite")
+    before = structure(file)
+    assert set(structure(migrated(file, "base"))) == {"alembic_version"}
+    assert structure(migrated(file)) == before
+
+
+def test_an_older_database_is_copied_goes_up_and_its_copy_is_the_way_back(older: Path, tmp_path: Path) -> None:
+    database = Database(older)
     with database.transaction() as db:
         assert the_clinic(db).name == "Old"  # type: ignore[union-attr]
         write_log(db, None, "opened")
     database.close()
-    assert revision_of(file) == NEWEST
-    assert count(file, "patient") == PATIENTS
-    if revision == REVISIONS[-1]:
-        assert copies(tmp_path) == []
-        return
+    assert (revision_of(older), count(older, "patient")) == (LATER, PATIENTS)
+    assert COLUMN in columns(older, "patient")
     (copy,) = copies(tmp_path)
-    assert copy.name.startswith(f"clinic.sqlite.schema-{revision}.2")
+    assert copy.name.startswith(f"clinic.sqlite.schema-{NEWEST}.2")
     assert stat.S_IMODE(copy.stat().st_mode) == 0o600
-    assert (revision_of(copy), count(copy, "patient")) == (revision, PATIENTS)
-    engine = make_engine(file)
-    for _ in range(REVISIONS.index(revision), len(REVISIONS) - 1):
-        migrate(engine, "-1")
-    engine.dispose()
-    assert (revision_of(file), count(file, "patient")) == (revision, PATIENTS)
-    copy.replace(file)  # the way back: the copy takes the place of the database
-    Database(file).close()
-    assert count(file, "patient") == PATIENTS
+    assert (revision_of(copy), count(copy, "patient")) == (NEWEST, PATIENTS)
+    assert COLUMN not in columns(copy, "patient")
+    copy.replace(older)
+    Database(older).close()
+    assert count(older, "patient") == PATIENTS
 
 
-def test_a_newer_database_is_one_sentence_and_nothing_is_touched(tmp_path: Path) -> None:
-    file = tmp_path / "clinic.sqlite"
+def test_a_database_of_this_schema_is_not_copied(file: Path, tmp_path: Path) -> None:
     Database(file).close()
-    change(file, "UPDATE alembic_version SET version_num = '9999'")
+    assert copies(tmp_path) == []
+
+
+def test_a_newer_database_is_one_sentence_and_nothing_is_touched(file: Path, tmp_path: Path) -> None:
+    change(file, f"UPDATE alembic_version SET version_num = '{LATER}'")
     before = contents(tmp_path)
-    with pytest.raises(Refusal, match=rf"newer bodydrive: its schema is 9999, .* up to {NEWEST}") as refused:
+    with pytest.raises(Refusal, match=rf"newer bodydrive: its schema is {LATER}, .* up to {NEWEST}") as refused:
         Database(file)
     assert "\n" not in str(refused.value)
     assert contents(tmp_path) == before
 
 
-def test_without_room_for_the_copy_nothing_is_migrated(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    file = make_old(tmp_path / "clinic.sqlite", REVISIONS[0])
+def test_without_room_for_the_copy_nothing_is_migrated(
+    older: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     before = contents(tmp_path)
     monkeypatch.setattr("app.store.backup.shutil.disk_usage", lambda _folder: SimpleNamespace(free=4_000_000))
     with pytest.raises(DiskFull, match=r"no room for a copy .* free 4 MB .* Nothing was changed"):
-        Database(file)
+        Database(older)
     assert contents(tmp_path) == before
 
 
 def test_a_migration_that_fails_midway_leaves_the_old_database_usable(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    older: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    file = make_old(tmp_path / "clinic.sqlite", "0003")
-    add = v0005_learning.op.add_column
+    from alembic import op
+
+    add = op.add_column
 
     def fails(table: str, column: object) -> None:
         add(table, column)
-        if table == "patient":
-            raise OSError("the machine is tired")
+        raise OSError("the machine is tired")
 
     with monkeypatch.context() as patch:
         patch.setattr("alembic.op.add_column", fails)
         with pytest.raises(
-            Refusal, match=r"could not be brought from schema 0003 .*\(the machine is tired\).* as it was"
+            Refusal, match=rf"could not be brought from schema {NEWEST} .*\(the machine is tired\).* as it was"
         ):
-            Database(file)
-    assert (revision_of(file), count(file, "patient")) == ("0003", PATIENTS)
-    with closing(sqlite3.connect(file)) as connection:
-        columns = {row[1] for row in connection.execute("PRAGMA table_info(profile)")}
+            Database(older)
+    assert (revision_of(older), count(older, "patient")) == (NEWEST, PATIENTS)
+    with closing(sqlite3.connect(older)) as connection:
         assert connection.execute("PRAGMA integrity_check").fetchone() == ("ok",)
-    assert "origin" not in columns
-    Database(file).close()
-    assert revision_of(file) == NEWEST
+    assert COLUMN not in columns(older, "patient")
+    Database(older).close()
+    assert revision_of(older) == LATER
 
 
-def test_a_copy_is_of_one_moment_while_somebody_writes(tmp_path: Path) -> None:
-    file = make_old(tmp_path / "clinic.sqlite", REVISIONS[-1])
+def test_a_copy_is_of_one_moment_while_somebody_writes(file: Path, tmp_path: Path) -> None:
     writer = sqlite3.connect(file)
     writer.execute("DELETE FROM patient WHERE id = 1")
     try:
@@ -165,8 +214,9 @@ def test_a_copy_is_of_one_moment_while_somebody_writes(tmp_path: Path) -> None:
     assert [file.name for file in tmp_path.glob("*.backup*")] == [copy.file.name]
 
 
-def test_a_copy_that_is_not_equal_or_cannot_be_made_is_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    file = make_old(tmp_path / "clinic.sqlite", REVISIONS[-1])
+def test_a_copy_that_is_not_equal_or_cannot_be_made_is_none(
+    file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     folder = tmp_path / "copies"
     folder.mkdir()
     counted = iter([{"patient": 3}, {"patient": 4}])

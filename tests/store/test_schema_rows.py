@@ -1,16 +1,19 @@
-"""Each row of a filled clinic goes through every migration, down and up again, with the same content."""
+"""Each row goes through every migration since 0.2.0, up and down, with the same content."""
 
 import shutil
 import sqlite3
 from collections.abc import Iterator
 from contextlib import closing
+from datetime import UTC, date, datetime
 from pathlib import Path
 from typing import Any
 
 import pytest
+import sqlalchemy as sa
 from exports.exported_clinic import make_clinic
 from store.keeping.filled_clinic import fill
-from store.test_schema import REVISIONS
+from store.later_schema import LATER, use_later_schema
+from store.test_schema import REVISIONS, migrated
 
 from app.store.database import Database, make_engine
 from app.store.log import write_log
@@ -18,11 +21,20 @@ from app.store.patients import add_patient
 from app.store.people import add_person, the_clinic
 from app.store.schema import NEWEST, migrate, revision_of
 
+FIRST = "0001"  # of 0.2.0
 FILLED = {
     *("patient", "session", "trial", "run", "profile", "parameters", "session_note", "note_revision", "outcome_scale"),
     *("moment_comment", "comment_revision", "share_link", "patient_consent", "session_sign_off", "interface_test"),
 }
-SHOWN_PATIENTS = "0008"  # the version since which a reviewer sees chosen patients only
+VALUES: dict[type, Any] = {
+    bool: True,
+    int: 1,
+    float: 1.5,
+    str: "word",
+    object: {"word": "Zebra"},  # JSON
+    date: date(2026, 3, 1),
+    datetime: datetime(2026, 3, 1, 12, tzinfo=UTC),
+}
 Rows = dict[str, list[dict[str, Any]]]
 
 
@@ -36,6 +48,12 @@ def filled(tmp_path_factory: pytest.TempPathFactory) -> Path:
         add_person(db, the_clinic(db), "Rita", "reviewer", None, patients=[1, 2])
         write_log(db, "Ada", "patient added", patient=2)
     return settings.database
+
+
+@pytest.fixture
+def _later(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A migration after the newest one, so that there is a way up and down also while there is one migration."""
+    use_later_schema(tmp_path_factory.mktemp("later"), monkeypatch)
 
 
 def rows_of(file: Path) -> Rows:
@@ -64,6 +82,26 @@ def lost(before: Rows, after: Rows) -> Iterator[str]:
             )
 
 
+def down_to(file: Path, revision: str) -> None:
+    engine = make_engine(file)
+    while revision_of(file) != revision:
+        migrate(engine, "-1")
+    engine.dispose()
+
+
+def fill_by_its_own_tables(file: Path) -> None:
+    """Put a row into each table of a database, as its own schema describes them."""
+    engine = make_engine(file)
+    tables = sa.MetaData()
+    tables.reflect(engine)
+    with engine.begin() as connection:
+        for table in tables.sorted_tables:
+            if table.name != "alembic_version":
+                row = {column.name: VALUES[column.type.python_type] for column in table.columns}
+                connection.execute(sa.insert(table).values(row))
+    engine.dispose()
+
+
 def test_the_clinic_is_filled(filled: Path) -> None:
     rows = rows_of(filled)
     assert {table for table in FILLED if len(rows[table]) < 2} == set()
@@ -72,6 +110,19 @@ def test_the_clinic_is_filled(filled: Path) -> None:
     assert revision_of(filled) == NEWEST
 
 
+@pytest.mark.usefixtures("_later")
+def test_a_database_of_0_2_0_is_upgraded_with_all_its_rows(tmp_path: Path) -> None:
+    file = migrated(tmp_path / "clinic.sqlite", FIRST)
+    fill_by_its_own_tables(file)
+    before = rows_of(file)
+    assert {table for table, rows in before.items() if not rows} == set()
+    Database(file).close()
+    after = rows_of(file)
+    assert revision_of(file) == LATER
+    assert (before.keys() - after.keys(), sorted(lost(before, after | {"log": after["log"][:1]}))) == (set(), [])
+
+
+@pytest.mark.usefixtures("_later")
 def test_a_migration_changes_the_database_and_leaves_every_other_file_as_it_is(filled: Path, tmp_path: Path) -> None:
     """So the copy before a migration needs the database only."""
     state = Path(shutil.copytree(filled.parent, tmp_path / "state"))
@@ -79,17 +130,13 @@ def test_a_migration_changes_the_database_and_leaves_every_other_file_as_it_is(f
     for name in ("files/layout.json", "keys/1.key"):
         (state / name).parent.mkdir()
         (state / name).write_text("{}")
-    engine = make_engine(file)
-    for _ in REVISIONS[1:]:
-        migrate(engine, "-1")
-    engine.dispose()
-    assert revision_of(file) == REVISIONS[0]
+    down_to(file, FIRST)
     before = other_files(state, file.name)
     assert any(name.endswith("run.parquet") for name in before)
     Database(file).close()
-    assert revision_of(file) == NEWEST
+    assert revision_of(file) == LATER
     assert other_files(state, file.name) == before
-    (copy,) = state.glob(f"{file.name}.schema-{REVISIONS[0]}.*.backup")
+    (copy,) = state.glob(f"{file.name}.schema-{FIRST}.*.backup")
     assert len(rows_of(copy)["patient"]) == 3
 
 
@@ -102,27 +149,19 @@ def other_files(state: Path, database: str) -> dict[str, tuple[bytes, int]]:
     }
 
 
-@pytest.mark.parametrize("revision", REVISIONS[:-1])
+@pytest.mark.usefixtures("_later")
+@pytest.mark.parametrize("revision", REVISIONS)
 def test_no_row_is_changed_by_the_way_down_to_a_version_and_up_again(
     filled: Path, tmp_path: Path, revision: str
 ) -> None:
     file = Path(shutil.copy(filled, tmp_path / "clinic.sqlite"))
+    migrated(file)
     newest = rows_of(file)
-    engine = make_engine(file)
-    for _ in range(REVISIONS.index(revision), len(REVISIONS) - 1):
-        migrate(engine, "-1")
+    down_to(file, revision)
     older = rows_of(file)
-    assert revision_of(file) == revision
-    changed = sorted(lost(newest, older))
-    if revision < SHOWN_PATIENTS:  # an older program would show the reviewer every patient
-        assert [one.partition(": None")[0] for one in changed] == ["person.disabled"]
-        assert next(row for row in older["person"] if row["name"] == "Rita")["disabled"]
-    else:
-        assert changed == []
-    migrate(engine)
-    engine.dispose()
-    again = rows_of(file)
-    assert revision_of(file) == NEWEST
+    assert sorted(lost(newest, older)) == []
+    again = rows_of(migrated(file))
+    assert revision_of(file) == LATER
     assert sorted(lost(older, again)) == []
     assert {table: list(rows[0]) for table, rows in again.items() if rows} == {
         table: list(rows[0]) for table, rows in newest.items() if again[table]

@@ -33,7 +33,7 @@ class ConsentRow(Answer):
     """A consent of a patient, in force while `withdrawn` is null."""
 
     given: date
-    person: str | None  # who entered it; None: carried over from before consents were kept, to be confirmed
+    person: str  # who entered it
     written: MomentText
     withdrawn: MomentText | None
     withdrawn_by: str | None
@@ -44,7 +44,6 @@ class ConsentView(Document):
 
     consent: Consent
     given: date | None
-    is_confirmed: bool  # a person has entered it
     history: list[ConsentRow]
 
 
@@ -104,7 +103,6 @@ def _view(db: Transaction, clinic_id: int, patient_id: int) -> ConsentsView:
             ConsentView(
                 consent=consent,
                 given=None if now is None else now.given,
-                is_confirmed=now is not None and now.person is not None,
                 history=[ConsentRow.of(row) for row in own],
             )
         )

@@ -62,7 +62,7 @@ def give_consent(db: Session, patient_id: int, consent: Consent, day: date, pers
     if day > now.astimezone().date():
         raise Conflict("A consent is given today or was given before: choose a day that is not in the future.")
     before = _in_force(db, patient_id, consent)
-    if before is not None and before.given == day and before.person is not None:
+    if before is not None and before.given == day:
         return False
     if before is not None:
         before.withdrawn, before.withdrawn_by = now, person

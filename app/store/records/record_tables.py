@@ -68,7 +68,7 @@ class PatientConsent(Table):
     patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"), index=True)
     consent: Mapped[str] = mapped_column(String(16))  # recording, clinic_prior, sharing
     given: Mapped[date] = mapped_column(Date)
-    person: Mapped[str | None] = mapped_column(String(80))  # who wrote it down; None: the migration (decision 24)
+    person: Mapped[str] = mapped_column(String(80))  # who wrote it down
     written: Mapped[datetime]
     withdrawn: Mapped[datetime | None]
     withdrawn_by: Mapped[str | None] = mapped_column(String(80))

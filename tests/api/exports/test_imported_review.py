@@ -51,7 +51,7 @@ def exporting(tmp_path: Path) -> Settings:
     settings = make_clinic(tmp_path / "first")
     with closing(Database(settings.database)) as database, database.transaction() as db:
         second = PatientSession(
-            clinic_id=1, patient_id=1, number=2, started=utc_now(), ended=utc_now(), accepted=True, version="0.1.0"
+            clinic_id=1, patient_id=1, number=2, started=utc_now(), ended=utc_now(), accepted=True, version="0.2.0"
         )
         db.add(second)
         db.flush()

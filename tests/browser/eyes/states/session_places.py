@@ -124,7 +124,7 @@ def revised_note(page: Any, clinic: EyesClinic) -> None:
 
 def without_sharing(page: Any, clinic: EyesClinic) -> None:
     def withdrawn(found: Any) -> Any:
-        none = {"given": None, "is_confirmed": False, "history": []}
+        none = {"given": None, "history": []}
         return {**found, "consents": [{**one, **none} for one in found["consents"]]}
 
     answered("/patients/1/consents", "session/patient/1", withdrawn)(page, clinic)

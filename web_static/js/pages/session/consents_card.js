@@ -26,30 +26,29 @@ export function consentsCard(app, found, onChange) {
   };
   /** @param {ConsentView} one */
   const row = (one) => {
-    const { consent, given, is_confirmed: isConfirmed, history } = one;
+    const { consent, given, history } = one;
     const name = t(`consent.${consent}`);
     const path = /** @type {const} */ (`/patients/${found.patient_id}/consents/${consent}`);
     const date = h("input", { type: "date", required: true });
-    date.defaultValue = date.value = given ?? today();
+    date.defaultValue = date.value = today();
     date.max = today();
     /** @param {SubmitEvent} event */
     const give = (event) => {
       event.preventDefault();
       change(() => app.api.put(path, { given: date.value }), consent);
     };
-    const action = given ? "consent.confirm" : "consent.give";
     const past = history.filter(({ withdrawn }) => withdrawn);
     return h(
       "section",
       { class: "consent", "data-consent": consent },
       h("div", { class: "grow" }, h("h3", {}, name), h("p", { class: "quiet small" }, t(`consent.${consent}.hint`)), h("p", {}, standWords(one))),
       mayChange &&
-        !isConfirmed &&
+        !given &&
         h(
           "form",
           { class: "spread consent-form", onsubmit: give },
           field(t("consent.day"), date),
-          h("button", { class: "btn", "aria-label": t(`${action}.label`, { consent: name }) }, t(action)),
+          h("button", { class: "btn", "aria-label": t("consent.give.label", { consent: name }) }, t("consent.give")),
         ),
       mayChange &&
         given &&
@@ -80,9 +79,8 @@ export function consentsCard(app, found, onChange) {
 }
 
 /** @param {ConsentView} one */
-function standWords({ given, is_confirmed: isConfirmed, history }) {
+function standWords({ given, history }) {
   if (!given) return t("consent.off");
-  if (!isConfirmed) return t("consent.carried", { day: day(given) });
   const person = history.find(({ withdrawn }) => !withdrawn)?.person;
   return t("consent.by", { day: day(given), person });
 }
