@@ -4,6 +4,7 @@ import json
 import random
 import types
 from collections.abc import Iterator
+from contextlib import suppress
 from typing import Annotated, Any, Union, get_args, get_origin
 
 import pytest
@@ -61,13 +62,15 @@ def test_the_fields_are_found() -> None:
     assert len(FIELDS) > 30
 
 
-@pytest.mark.parametrize("place", sorted(FIELDS))
-def test_no_text_takes_what_nobody_sees(place: str) -> None:
-    field = TypeAdapter(FIELDS[place])
-    for character in UNSEEN:
-        for text in (f"ab{character}cdefgh", character, f"abcdefgh{character}"):
-            with pytest.raises(ValidationError):
-                field.validate_python(text)
+def test_no_text_takes_what_nobody_sees() -> None:
+    taken = []
+    for place, kind in FIELDS.items():
+        field = TypeAdapter(kind)
+        for character in UNSEEN:
+            for text in (f"ab{character}cdefgh", character, f"abcdefgh{character}"):
+                with suppress(ValidationError):
+                    taken.append((place, field.validate_python(text)))
+    assert taken == []
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 """The plain sentences on a learning curve: a verdict word, how much, and no statistics."""
 
 import re
+from itertools import product
 
 import numpy as np
 import pytest
@@ -63,16 +64,13 @@ def test_the_level_of_a_count_is_never_below_none() -> None:
     assert "\u2212" not in text
 
 
-@pytest.mark.parametrize("name", list(TRIAL_MEASURES))
-@pytest.mark.parametrize("count", [5, 8, 12, 28])
-@pytest.mark.parametrize("sign", [1.0, -1.0, 0.0])
-def test_no_plain_sentence_has_a_statistic_and_all_of_them_are_in_the_details(
-    name: str, count: int, sign: float
-) -> None:
-    curve = curve_of(name, sign * FALLING[:count], sessions=4 if count == 28 else 1)
-    assert STATISTICS.findall(f"{curve['text']} {curve['sessions'] or ''}") == []
-    details = curve["details"]
-    assert isinstance(details, list)
-    of_sessions = count == 28 and name != "mean_speed"  # which leads in no task
-    assert len(details) == (0 if count == 5 else 2 if of_sessions else 1)
-    assert all("99 %" in one or "medians of" in one for one in details)
+def test_no_plain_sentence_has_a_statistic_and_all_of_them_are_in_the_details() -> None:
+    for case in product(TRIAL_MEASURES, (5, 8, 12, 28), (1.0, -1.0, 0.0)):
+        name, count, sign = case
+        curve = curve_of(name, sign * FALLING[:count], sessions=4 if count == 28 else 1)
+        assert STATISTICS.findall(f"{curve['text']} {curve['sessions'] or ''}") == [], case
+        details = curve["details"]
+        assert isinstance(details, list), case
+        of_sessions = count == 28 and name != "mean_speed"  # which leads in no task
+        assert len(details) == (0 if count == 5 else 2 if of_sessions else 1), case
+        assert all("99 %" in one or "medians of" in one for one in details), case

@@ -19,17 +19,17 @@ FAULTS = [fault for fault in Fault if fault is not Fault.NONE]
 OF_THE_SHIRT = {Fault.SHIRT_SILENT, Fault.SHIRT_LOSSY}
 
 
-@pytest.mark.parametrize(("state", "fault"), list(product(State, Fault)))
-def test_in_every_state_and_fault_a_sentence_names_who_is_waited_for(state: State, fault: Fault) -> None:
-    for drives, shirt_alive in product([True, False], repeat=2):
+def test_in_every_state_and_fault_a_sentence_names_who_is_waited_for() -> None:
+    for case in product(State, Fault, [True, False], [True, False]):
+        state, fault, drives, shirt_alive = case
         words = patient_words(state, fault, drives=drives, shirt_alive=shirt_alive)
-        assert NAMES[words.actor] in words.wait
-        assert sum(name in words.wait for name in NAMES.values()) == 1
-        assert bool(words.happened) == (state is State.FAULT)
+        assert NAMES[words.actor] in words.wait, case
+        assert sum(name in words.wait for name in NAMES.values()) == 1, case
+        assert bool(words.happened) == (state is State.FAULT), case
         for sentence in filter(None, words):
-            assert not TECHNICAL.search(sentence)
-            assert len(sentence) < 70  # read from 2 m
-        assert words.wait.endswith(".")
+            assert not TECHNICAL.search(sentence), case
+            assert len(sentence) < 70, case  # read from 2 m
+        assert words.wait.endswith("."), case
 
 
 @pytest.mark.parametrize("fault", FAULTS)

@@ -97,17 +97,16 @@ def test_an_unknown_charge_is_not_a_number():
     assert math.isnan(telemetry.battery)
 
 
-@pytest.mark.parametrize("position", range(68))
-def test_every_flipped_bit_is_seen(position):
+def test_every_flipped_bit_is_seen():
     for datagram, decode in (
         (encode_command(COMMAND, KEY, NONCE), lambda bytes_: decode_command(bytes_, KEY, NONCE)),
         (encode_telemetry(TELEMETRY, KEY), lambda bytes_: decode_telemetry(bytes_, KEY)),
     ):
         assert decode(datagram) is not None
-        for bit in range(8):
+        for bit in range(8 * len(datagram)):
             flipped = bytearray(datagram)
-            flipped[position] ^= 1 << bit
-            assert decode(bytes(flipped)) is None
+            flipped[bit // 8] ^= 1 << bit % 8
+            assert decode(bytes(flipped)) is None, bit
 
 
 @given(st.binary(max_size=80))
@@ -139,9 +138,9 @@ def test_a_right_tag_over_a_wrong_head_does_not_help(at, value):
         assert decode_telemetry(forged, KEY) is None
 
 
-@pytest.mark.parametrize("length", [*range(68), 69, 70, 136])
-def test_only_whole_frames_count(length):
+def test_only_whole_frames_count():
     for datagram, nonce in ((encode_command(COMMAND, KEY, NONCE), NONCE), (encode_telemetry(TELEMETRY, KEY), b"")):
-        cut = (datagram * 2)[:length]
-        assert decode_command(cut, KEY, nonce) is None
-        assert decode_telemetry(cut, KEY) is None
+        for length in (*range(68), 69, 70, 136):
+            cut = (datagram * 2)[:length]
+            assert decode_command(cut, KEY, nonce) is None, length
+            assert decode_telemetry(cut, KEY) is None, length

@@ -136,8 +136,13 @@ FORGED = [
 REPEATS = -(-CASES // len(FORGED))
 
 
-@pytest.mark.parametrize(("way", "reach"), FORGED, ids=lambda part: getattr(part, "__name__", part))
-def test_a_forgery_changes_nothing(way, reach, earlier):
+def test_a_forgery_changes_nothing(earlier):
+    for way, reach in FORGED:
+        changes_nothing(way, reach, earlier)
+
+
+def changes_nothing(way, reach, earlier):
+    case = f"{way}, {reach.__name__}"
     rng = random.Random(f"{way} {reach.__name__}")
     chair = CommandedReceiver()
     seen = listened_to(chair)
@@ -146,13 +151,13 @@ def test_a_forgery_changes_nothing(way, reach, earlier):
     before, nonces = everything(chair.receiver), chair.nonces
     for _ in range(REPEATS):
         make = forgeries(chair, seen, earlier, rng)[way]
-        assert not chair.receiver.take(make(), chair.t)
-    assert everything(chair.receiver) == before
-    assert chair.nonces == nonces
+        assert not chair.receiver.take(make(), chair.t), case
+    assert everything(chair.receiver) == before, case
+    assert chair.nonces == nonces, case
     chair.conditions = {}
     chair.step()
     true = {"v": 0.5, "flags": DRIVE} if reach is driving else {}
-    assert chair.send(**true, epoch=chair.epoch + (not is_running(chair))), "what is true is still taken"
+    assert chair.send(**true, epoch=chair.epoch + (not is_running(chair))), f"{case}: what is true is not taken"
 
 
 def test_every_bit_of_a_command_counts():
