@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from app.recording.format import ADDED_SCALARS, PER_CHANNEL, PER_GESTURE, SCALARS
+from app.recording.format import PER_CHANNEL, PER_GESTURE, SCALARS
 from app.recording.groups import RunGroups
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ def flat_tables(run: RunGroups) -> Iterator["pa.Table"]:
 
     parts = {PER_CHANNEL: channel_names(run.meta), **{name: gesture_names(run.meta) for name in PER_GESTURE}}
     for columns in run.groups:
-        arrays = {name: _array(columns[name]) for name in (*SCALARS, *ADDED_SCALARS)}
+        arrays = {name: _array(columns[name]) for name in SCALARS}
         for name in (*PER_GESTURE, PER_CHANNEL):
             for place, part in enumerate(parts[name]):
                 arrays[f"{name}.{part}"] = _array(columns[name][:, place])

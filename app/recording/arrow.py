@@ -12,7 +12,7 @@ import pyarrow.parquet as pa_parquet
 from numpy.typing import NDArray
 
 from app.messages import TICK
-from app.recording.format import ADDED_SCALARS, META_KEY, PER_CHANNEL, PER_GESTURE, SCALARS, rows_to_columns
+from app.recording.format import META_KEY, PER_CHANNEL, PER_GESTURE, SCALARS, rows_to_columns
 
 ROW_GROUP = 4_000  # rows in memory while the segments become a Parquet file
 CHUNK = 1 << 20  # bytes read at once for a checksum
@@ -22,7 +22,7 @@ class Encoder:
     """Encodes the ticks of one run as messages of an Arrow IPC stream."""
 
     def __init__(self, meta: bytes, n_channels: int, n_gestures: int) -> None:
-        fields = [pa.field(name, pa.from_numpy_dtype(TICK[name])) for name in (*SCALARS, *ADDED_SCALARS)]
+        fields = [pa.field(name, pa.from_numpy_dtype(TICK[name])) for name in SCALARS]
         if n_gestures:  # Parquet knows no lists of length 0
             fields += [pa.field(name, pa.list_(pa.float64(), n_gestures)) for name in PER_GESTURE]
         fields.append(pa.field(PER_CHANNEL, pa.list_(pa.float32(), n_channels)))

@@ -29,8 +29,6 @@ END_OF_STREAM = b"\xff\xff\xff\xff\x00\x00\x00\x00"  # the end marker of an Arro
 SCALARS = (
     *("t", "run_t", "t_device", "has_frame", "frame_seq", "u1", "u2", "v", "omega", "x", "y", "theta"),
     *("state", "fault", "cue", "in_contact", "contacts"),
-)
-ADDED_SCALARS = (  # older recordings do not have these columns
     *("driven_v", "driven_omega", "scene_t", "head_yaw", "head_pitch", "head_roll"),
     "dial",  # the speed dial, without which the commands cannot be computed again
 )
@@ -84,7 +82,7 @@ def parse_end(content: bytes) -> dict[str, Any] | None:
 
 def rows_to_columns(rows: NDArray[np.void], n_channels: int, n_gestures: int) -> dict[str, NDArray[Any]]:
     """Return the columns of ticks (n,): scalars (n,), `values` (n, n_channels), per gesture (n, n_gestures)."""
-    columns: dict[str, NDArray[Any]] = {name: np.ascontiguousarray(rows[name]) for name in (*SCALARS, *ADDED_SCALARS)}
+    columns: dict[str, NDArray[Any]] = {name: np.ascontiguousarray(rows[name]) for name in SCALARS}
     for name in PER_GESTURE:
         columns[name] = np.ascontiguousarray(rows[name][:, :n_gestures])
     columns[PER_CHANNEL] = np.ascontiguousarray(rows[PER_CHANNEL][:, :n_channels])

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from app.messages import TICK
 from app.recording.format import (
-    ADDED_SCALARS,
     DAMAGE_FILE,
     END_FILE,
     END_OF_STREAM,
@@ -46,8 +45,7 @@ class Run:
     """One recorded run.
 
     `columns` holds arrays (n_rows,), for `values` (n_rows, n_channels), for `score`, `rate` and `activation`
-    (n_rows, n_gestures). A row without `has_frame` is a tick in which no frame came: its values are NaN. Columns that
-    an older recording does not have are NaN.
+    (n_rows, n_gestures). A row without `has_frame` is a tick in which no frame came: its values are NaN.
     """
 
     meta: dict[str, Any]  # the content of `run.json`; empty when it cannot be read
@@ -120,7 +118,7 @@ def _read_parquet(file: Path, end: dict[str, Any] | None, scalars_only: bool) ->
     try:
         with pa_parquet.ParquetFile(file, page_checksum_verification=True) as opened:
             schema = opened.schema_arrow
-            names = [name for name in schema.names if name in (*SCALARS, *ADDED_SCALARS)] if scalars_only else None
+            names = [name for name in schema.names if name in SCALARS] if scalars_only else None
             table = opened.read(names)
         table.validate(full=True)
         is_whole = _has_all_columns(schema)
@@ -199,9 +197,6 @@ def columns_of(tables: list["pa.Table"], meta: dict[str, Any]) -> Columns:
         return _no_rows(meta)
     rows = pa.concat_tables(tables)
     columns: Columns = {name: rows.column(name).to_numpy() for name in SCALARS}
-    for name in ADDED_SCALARS:
-        known = name in rows.column_names
-        columns[name] = rows.column(name).to_numpy() if known else np.full(rows.num_rows, np.nan, TICK[name])
     for name in (*PER_GESTURE, PER_CHANNEL):
         if name in rows.column_names:
             lists: Any = rows.column(name)
@@ -216,7 +211,7 @@ def columns_of(tables: list["pa.Table"], meta: dict[str, Any]) -> Columns:
 
 
 def _no_rows(meta: dict[str, Any]) -> Columns:
-    columns: Columns = {name: np.empty(0, TICK[name]) for name in (*SCALARS, *ADDED_SCALARS)}
+    columns: Columns = {name: np.empty(0, TICK[name]) for name in SCALARS}
     columns |= {name: np.empty((0, len(meta.get("gestures") or ()))) for name in PER_GESTURE}
     layout = meta.get("layout")
     channels = layout.get("channels") if isinstance(layout, dict) else None

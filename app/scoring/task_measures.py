@@ -31,7 +31,7 @@ def task_measures(plan: FloorPlan, path: PrescribedPath, columns: Mapping[str, A
     plan, path
         The floor plan, and the path with its task.
     columns
-        (n,) each: t (s), x, y (m), theta (rad), v (m/s), scene_t (s; NaN in recordings made before scenes existed),
+        (n,) each: t (s), x, y (m), theta (rad), v (m/s), scene_t (s),
         in_contact, contacts (number up to each row), u1, u2 (-1..1). With `state` and `fault` of each row, only the
         time in which motion was permitted counts, and the trial's interruptions are measures, too.
 
@@ -50,7 +50,6 @@ def task_measures(plan: FloorPlan, path: PrescribedPath, columns: Mapping[str, A
         When nothing was driven, lengths differ, a number is not finite, or time goes backwards.
     """
     rows = {name: np.asarray(columns[name], dtype=np.float64) for name in NEEDED}
-    rows["scene_t"] = np.where(np.isfinite(rows["scene_t"]), rows["scene_t"], rows["t"] - rows["t"][:1])
     if "state" not in columns:
         return _measures(plan, path, {**rows, **_no_interruption(rows)})
     measures = _measures(plan, path, driven_rows({**rows, "state": np.asarray(columns["state"])}))

@@ -119,7 +119,7 @@ def timeline_of(folder: FilePath, path_points: list[Any], end: str | None) -> Ti
     decimation = Decimation(run.rows, MOST_POINTS)
     x, y = decimation.sampled(rows["x"]), decimation.sampled(rows["y"])
     along, across = _path_coordinates(path_points, x, y)
-    scene_t, plan = decimation.sampled(scene_times(rows, t)), plan_of(run)
+    scene_t, plan = decimation.sampled(rows["scene_t"]), plan_of(run)
     return Timeline(
         t=column(decimation.sampled(t)),
         x=column(x),
@@ -173,7 +173,7 @@ def poses_of(run: Run, most_per_second: float) -> Poses:
     return Poses(
         t=t[chosen],
         **{name: rows[name][chosen] for name in ("x", "y", "theta", "v")},
-        scene_t=scene_times(rows, t)[chosen],
+        scene_t=rows["scene_t"][chosen],
         head=np.stack(head, axis=1).astype(np.float64),
     )
 
@@ -184,11 +184,6 @@ def since_armed(rows: Columns) -> Numbers:
     armed = np.flatnonzero(rows["state"] == State.ARMED)
     since: Numbers = t - t[armed[0] if len(armed) else 0]
     return since
-
-
-def scene_times(rows: Columns, t: Numbers) -> Numbers:
-    """Return the scene's times (n,) s; recordings made before scenes existed have none, and no mover."""
-    return np.where(np.isfinite(rows["scene_t"]), rows["scene_t"], np.maximum(t, 0.0))
 
 
 def column(values: NDArray[Any]) -> Column:

@@ -141,9 +141,7 @@ def measure_recording(folder: Path, plan: FloorPlan, path: PrescribedPath) -> di
     The time in which motion was not permitted any more is left out, and counted by its reason.
     """
     rows = since_armed(read_run(folder).columns)
-    # The speed that the chair reported; older recordings hold only the commanded one.
-    v = np.where(np.isfinite(rows["driven_v"]), rows["driven_v"], rows["v"])
-    measures = task_measures(plan, path, {**rows, "t": rows["t"] - rows["t"][0], "v": v})
+    measures = task_measures(plan, path, {**rows, "t": rows["t"] - rows["t"][0], "v": rows["driven_v"]})
     return {**measures, "measures_version": MEASURES_VERSION}
 
 

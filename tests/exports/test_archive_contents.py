@@ -10,7 +10,6 @@ from typing import Any
 import pytest
 from archive_clinics import bring, empty_clinic, rewrite
 from exported_clinic import make_clinic
-from sqlalchemy import func, select
 
 from app.clock import utc_now
 from app.exports.archive.archive_list import LIST, REPORT
@@ -119,21 +118,6 @@ def test_a_comment_without_author_or_with_hidden_signs_is_refused(
     rewrite(tmp_path / "heron.zip", tmp_path / "wrong.zip", patient=change)
     with pytest.raises(ValueError, match=words):
         bring(empty_clinic(tmp_path / "other"), tmp_path / "wrong.zip")
-
-
-def test_an_archive_of_before_comments_and_reports_has_none(
-    open_clinic: Database, clinic: Settings, tmp_path: Path
-) -> None:
-    make_archive(open_clinic, 1, 1, "Ana", clinic.runs, tmp_path / "heron.zip")
-
-    def older(rows: dict[str, Any]) -> None:
-        del rows["moment_comment"], rows["comment_revision"]
-
-    rewrite(tmp_path / "heron.zip", tmp_path / "older.zip", patient=older, listed={"schema_version": 1})
-    other = empty_clinic(tmp_path / "other")
-    assert bring(other, tmp_path / "older.zip").is_new
-    with closing(Database(other.database)) as database, database.transaction() as db:
-        assert db.scalar(select(func.count(MomentComment.id))) == 0
 
 
 def test_the_report_of_the_course_lies_in_the_archive_and_is_outside_its_hash(

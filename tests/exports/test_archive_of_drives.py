@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from archive_clinics import bring, empty_clinic, rewrite
+from archive_clinics import bring, empty_clinic
 from exported_clinic import make_clinic
 from recorded_trial import record_trial
 
@@ -106,9 +106,3 @@ def test_a_second_patient_with_drives_refers_to_the_same_chair(driven: Any, tmp_
         second = add_patient_rows(db, 1, check_rows(rows))
         assert len(drives_of(db, 1, second)) == 2
         assert db.query(Chair).count() == 1
-
-
-def test_an_archive_of_before_drives_went_along_has_none(driven: Any, tmp_path: Path) -> None:
-    rewrite(driven[0], tmp_path / "older.zip", patient=lambda tables: tables.pop("drive"))
-    other = empty_clinic(tmp_path / "other")
-    assert figures(other, bring(other, tmp_path / "older.zip").patient_id) == []

@@ -13,9 +13,7 @@ import app.recording.writer as recording_module
 from app.faults import State
 from app.messages import Tick
 from app.process.ring import RING_SLOTS, TickRing
-from app.recording import arrow as recording_arrow
-from app.recording import format as recording_format
-from app.recording.format import ADDED_SCALARS, SCALARS
+from app.recording.format import SCALARS
 from app.recording.reader import read_run
 from app.recording.writer import RunWriter
 from building import make_layout
@@ -91,23 +89,11 @@ def test_what_is_recorded_is_read(ring, tmp_path):
     assert run.rows == 400
     assert run.dropped == 0
     assert_rows_begin(run, 400)
-    assert set(run.columns) == {*SCALARS, *ADDED_SCALARS, "score", "rate", "activation", "values"}
+    assert set(run.columns) == {*SCALARS, "score", "rate", "activation", "values"}
     assert run.columns["state"].tolist() == [State.ARMED] * 400
     assert run.columns["cue"].tolist() == [i // 10 for i in range(400)]
     assert run.columns["driven_v"].tolist() == [0.5] * 400
     assert sorted(file.name for file in folder.iterdir()) == ["end.json", "run.json", "run.parquet"]
-
-
-def test_a_recording_from_before_the_driven_columns_is_read(ring, tmp_path, monkeypatch):
-    with monkeypatch.context() as before:
-        for module in (recording_arrow, recording_format):
-            before.setattr(module, "ADDED_SCALARS", {})
-        folder = record(ring, tmp_path / "run", 40)
-    run = read_run(folder)
-    assert run.damage == ""
-    assert_rows_begin(run, 40)
-    assert np.isnan(run.columns["driven_v"]).all()
-    assert run.columns["driven_omega"].shape == (40,)
 
 
 def test_only_the_rows_of_the_run_are_recorded(ring, tmp_path):
@@ -255,7 +241,7 @@ def test_scalars_alone_are_those_of_the_whole_run_or_damaged(ring, tmp_path):
         content[place] ^= 0x01
         file.write_bytes(content)
         scalars = read_run(folder, scalars_only=True)
-        for name in (*SCALARS, *ADDED_SCALARS):
+        for name in SCALARS:
             assert scalars.damage or np.array_equal(scalars.columns[name], whole.columns[name], equal_nan=True)
         content[place] ^= 0x01
     file.write_bytes(content)

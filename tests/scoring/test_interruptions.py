@@ -60,7 +60,7 @@ def driven(v, waits=(), y=0.0):
         "x": x,
         "y": np.full(n, y),
         "v": v,
-        "scene_t": np.full(n, np.nan),
+        "scene_t": np.arange(n) / RATE,
         "u1": np.where(state == State.ARMED, 0.5, 0.0),
         "state": state,
         "fault": fault,

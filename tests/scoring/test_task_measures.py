@@ -175,9 +175,3 @@ def test_a_course_is_measured_stage_by_stage():
     assert measures["parts"][0]["dist"] == pytest.approx(6, abs=0.6)
     assert measures["parts"][1]["reached"]
     assert "e_diff" not in measures
-
-
-def test_older_recordings_without_scene_time():
-    driven = ahead()
-    driven["scene_t"][:] = math.nan
-    assert task_measures(*plan_of(task=FOLLOW, movers=(GUIDE,)), driven)["follow_error_rms"] >= 0

@@ -14,7 +14,7 @@ from pydantic import Field
 
 from app.quantities import Document
 
-SCHEMA = 2  # 1: without report and comments
+SCHEMA = 1
 LIST, PATIENT, REPORT = "archive.json", "patient.json", "report.html"
 RUN_ID = re.compile(r"[0-9A-Za-z-]{1,36}")
 RUN_FILE = re.compile(

@@ -23,7 +23,7 @@ from app.pipeline.replay.rerun import chair_of, sample_rate_of
 from app.pipeline.safety_gate import Conditions
 from app.recording.reader import Run
 from app.sentences import one_sentence
-from app.speeds import HIGHEST_SPEEDS, Speeds
+from app.speeds import Speeds
 
 DIAL_DIGITS = 6  # the dial is recorded in single precision; people set it in steps of 0.01
 
@@ -48,7 +48,7 @@ def replay_run(run: Run, parameters: DriveParameters) -> Rerun:
     """Drive a recorded drive again through `parameters`, on the virtual chair.
 
     With the parameters of the recorded drive every number equals the recorded number, bit for bit, as long as no
-    frame waited more than 50 ms for its tick. Recordings without the speed dial (`dial`) count as driven at 1.
+    frame waited more than 50 ms for its tick.
 
     Raises
     ------
@@ -78,7 +78,7 @@ def _drive(chain: Chain, gate: RecordedGate, columns: dict[str, NDArray[Any]]) -
     count, gestures = len(columns["t"]), len(chain.parameters.gestures) if chain.parameters else 0
     numbers = {name: np.empty(count) for name in ("u1", "u2", "v", "omega", "x", "y", "theta")}
     lists = {name: np.empty((count, gestures)) for name in ("score", "rate", "activation")}
-    dial = np.where(np.isfinite(columns["dial"]), columns["dial"], 1.0).astype(np.float64)
+    dial = columns["dial"].astype(np.float64)
     for i in range(count):
         share = round(float(dial[i]), DIAL_DIGITS)
         if share != chain.dial:
@@ -99,8 +99,8 @@ def _frame(columns: dict[str, NDArray[Any]], row: int, t: float) -> SensorFrame 
 
 
 def _clinic(meta: dict[str, Any]) -> Speeds:
-    """Return the clinic's limits of a recording; older recordings do not hold any, and count as unlimited."""
+    """Return the clinic's limits of a recording."""
     try:
-        return Speeds.model_validate(meta["clinic"]) if meta.get("clinic") else HIGHEST_SPEEDS
+        return Speeds.model_validate(meta.get("clinic"))
     except ValidationError as error:
         raise ValueError(one_sentence(error, "its run.json, clinic")) from error

@@ -38,9 +38,6 @@ KINDS: Final[tuple[tuple[type[Table], str], ...]] = (
     (CommentRevision, "comment_id"),
 )
 
-ADDED_LATER: Final = frozenset({"drive", "interface_test", "moment_comment", "comment_revision"})
-"""Tables that archives of older programs do not have."""
-
 LEFT_OUT: Final = {
     "clinic_id": "the clinic that has the rows",
     "folder": "of a recording, which is named by the recording's id",

@@ -11,7 +11,7 @@ from sqlalchemy.orm import Session
 
 from app.store.access.person_tables import Person
 from app.store.chairs import chair_elsewhere
-from app.store.records.archive_kinds import ADDED_LATER, KINDS, LEFT_OUT
+from app.store.records.archive_kinds import KINDS, LEFT_OUT
 from app.store.records.archived_rows import wrong_value, wrong_versions
 from app.store.sharing.sharing_tables import MomentComment
 from app.store.tables import Moment, Table
@@ -80,30 +80,27 @@ def insert_row(db: Session, clinic_id: int, table: SqlTable, values: dict[str, A
 
 def check_rows(rows: Any) -> Rows:
     """Return the rows of a foreign document when it has the tables and columns of this program; WrongRows otherwise."""
-    if not isinstance(rows, dict):
-        raise WrongRows("its tables are others")
-    found: Rows = {**{name: [] for name in ADDED_LATER}, **rows}
-    if set(found) != {table_of(kind).name for kind, _ in KINDS}:
+    if not isinstance(rows, dict) or set(rows) != {table_of(kind).name for kind, _ in KINDS}:
         raise WrongRows("its tables are others")
     for kind, _ in KINDS:
         table = table_of(kind)
         names = {column.name for column in exchanged(table)}
-        if not isinstance(found[table.name], list) or any(
-            not isinstance(row, dict) or set(row) != names for row in found[table.name]
+        if not isinstance(rows[table.name], list) or any(
+            not isinstance(row, dict) or set(row) != names for row in rows[table.name]
         ):
             raise WrongRows(f"the columns of its table '{table.name}' are others")
-    if sum(map(len, found.values())) > MOST_ROWS:
+    if sum(map(len, rows.values())) > MOST_ROWS:
         raise WrongRows(f"it has more than {MOST_ROWS:,} rows")
-    if len(found["patient"]) != 1:
+    if len(rows["patient"]) != 1:
         raise WrongRows("it has not exactly one patient")
     tables = (table_of(kind) for kind, _ in KINDS)
-    wrong = (wrong_value(table, exchanged(table), found[table.name]) for table in tables)
-    words = next(filter(None, wrong), "") or wrong_versions(found)
+    wrong = (wrong_value(table, exchanged(table), rows[table.name]) for table in tables)
+    words = next(filter(None, wrong), "") or wrong_versions(rows)
     if words:
         raise WrongRows(words)
-    if any(row["ended"] is None for row in found["session"]):
+    if any(row["ended"] is None for row in rows["session"]):
         raise WrongRows("one of its sessions has not ended")
-    return found
+    return rows
 
 
 def table_of(kind: type[Table]) -> SqlTable:
