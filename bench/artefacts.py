@@ -209,7 +209,7 @@ def _added(profile: CalibrationProfile, sample_rate: float, artefact: Artefact) 
     for joint in profile.joints:
         if artefact.all_joints or joint.name == "right_elbow":
             channels = list(joint.channels)
-            size[channels] = half_range[channels] * (joint.sign * np.sign(joint.weights) if artefact.along else 1.0)
+            size[channels] = half_range[channels] * (np.sign(joint.direction) if artefact.along else 1.0)
     return np.asarray(np.outer(course, size), dtype=np.float64)
 
 

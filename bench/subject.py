@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from app.calibration.linear_map import LinearMap
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import PAPER_VOCABULARY, ControlMode, DriveParameters, standard_parameters
 from app.layout import Channel, Joint, ShirtLayout
@@ -33,15 +34,13 @@ def bench_parameters(sample_rate: float, mode: ControlMode = "acceleration") -> 
             JointMap(
                 name=joint,
                 channels=tuple(channels),
-                weights=tuple((weights / np.linalg.norm(weights)).tolist()),
                 mean=(0.0,) * len(channels),
-                sign=1,
-                span=3.0,
                 evr=0.9,
                 prompted=True,
                 rest_rate=0.02,
-                dead_zone=0.2,
-                full=1.0,
+                pca=LinearMap(
+                    rates=(tuple((weights / np.linalg.norm(weights) / 3.0).tolist()),), dead_zone=0.2, full=1.0
+                ),
                 grade="good",
                 reason="made for measuring",
             )
@@ -69,7 +68,7 @@ def bench_signals(parameters: DriveParameters, seconds: float) -> NDArray[np.flo
         rise = np.clip(phase / STROKE_TIME, 0, 1)
         fall = np.clip((phase - 2 * STROKE_TIME) / (2 * STROKE_TIME), 0, 1)
         posture = 0.6 * (rise**2 * (3 - 2 * rise) - fall**2 * (3 - 2 * fall))
-        values[:, list(joint.channels)] += np.outer(posture * joint.span, joint.weights)
+        values[:, list(joint.channels)] += np.outer(posture * joint.span, joint.direction)
     return values.astype(np.float32)
 
 

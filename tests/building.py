@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from app.calibration.profile import RATE_LAGS, CalibrationProfile, JointMap, MapCheck, PriorMap
+from app.calibration.linear_map import RATE_LAGS, LinearMap, MapCheck
+from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.layout import Channel, Joint, ShirtLayout
 
@@ -28,20 +29,16 @@ def make_profile(n_channels=52, sample_rate=100.0, seed=1, joints=PAPER_JOINTS, 
     maps = []
     for name, channels in layout.channels_of_joint.items():
         weights = rng.normal(size=len(channels))
-        weights /= np.linalg.norm(weights)
+        rates = tuple((weights / np.linalg.norm(weights) / 3.0).tolist())  # a span of 3
         maps.append(
             JointMap(
                 name=name,
                 channels=tuple(channels),
-                weights=tuple(weights.tolist()),
                 mean=tuple(rng.normal(size=len(channels)).tolist()),
-                sign=1,
-                span=3.0,
                 evr=0.9,
                 prompted=True,
                 rest_rate=0.02,
-                dead_zone=dead_zone,
-                full=full,
+                pca=LinearMap(rates=(rates,), dead_zone=dead_zone, full=full),
                 grade="good",
                 reason="made for a test",
             )
@@ -66,10 +63,9 @@ def taught_by_others(profile, repetitions=0, joints=None, **of_prior):
             maps.append(joint)
             continue
         part = (0.1,) * len(joint.channels)
-        earlier = (part,) * (len(RATE_LAGS) - 1)
-        size = {"dead_zone": joint.dead_zone, "full": joint.full}
+        size = {"dead_zone": joint.pca.dead_zone, "full": joint.pca.full}
         own = {"people": 8, "repetitions": repetitions, **of_prior}
-        prior = PriorMap(rate=part, earlier=earlier, short=part, long=part, **size, **own)
+        prior = LinearMap(rates=(part,) * len(RATE_LAGS), short=part, long=part, **size, **own)
         maps.append(joint.model_copy(update={"map": "prior", "prior": prior, "prompted": repetitions > 0}))
     return profile.model_copy(update={"joints": tuple(maps)})
 
@@ -95,5 +91,5 @@ def make_signals(parameters, n=2000, seed=0, strokes=True):
             posture += 0.6 * (phase**2 * (3 - 2 * phase) - back**2 * (3 - 2 * back))
             start += int(1.5 * len(profile.joints) * rate)
         channels = list(joint.channels)
-        values[:, channels] += np.array(joint.mean) + np.outer(posture * joint.span, joint.weights)
+        values[:, channels] += np.array(joint.mean) + np.outer(posture * joint.span, joint.direction)
     return values.astype(np.float32)

@@ -1,5 +1,6 @@
 """A small real calibration profile: two joints, two channels each."""
 
+from app.calibration.linear_map import LinearMap
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.layout import Channel, Joint, ShirtLayout
 
@@ -14,15 +15,11 @@ def small_profile(joints: tuple[str, ...] = ("right_elbow", "left_elbow")) -> Ca
         JointMap(
             name=joint,
             channels=(i,),
-            weights=(1.0,),
             mean=(0.0,),
-            sign=1,
-            span=1.0,
             evr=0.9,
             prompted=True,
             rest_rate=0.04,
-            dead_zone=0.2,
-            full=1.0,
+            pca=LinearMap(rates=((1.0,),), dead_zone=0.2, full=1.0),
             grade="good",
             reason="Clear.",
         )

@@ -5472,9 +5472,9 @@ export interface components {
         };
         Arrangement: {
             /** @default 0 */
-            shift?: number;
+            shift: number;
             /** @default false */
-            mirrored?: boolean;
+            mirrored: boolean;
         };
         AttentionView: {
             /** @enum {string} */
@@ -6276,17 +6276,6 @@ export interface components {
             /** @default [] */
             dunes: components["schemas"]["Dune"][];
         };
-        GuidedMap: {
-            rate: number[];
-            short: number[];
-            long: number[];
-            dead_zone: number;
-            full: number;
-            lag: number;
-            repetitions: number;
-            pca_check: components["schemas"]["MapCheck"];
-            guided_check: components["schemas"]["MapCheck"];
-        };
         HeadMoment: {
             yaw: number | null;
             pitch: number | null;
@@ -6397,7 +6386,29 @@ export interface components {
             of: number;
         };
         JointMap: {
-            [key: string]: unknown;
+            name: string;
+            channels: number[];
+            mean: number[];
+            evr: number;
+            prompted: boolean;
+            angle_deg: number | null;
+            signal_to_noise: number | null;
+            repeatability: number | null;
+            rest_rate: number;
+            step: number | null;
+            filtered_step: number | null;
+            /** @enum {string} */
+            grade: "good" | "usable" | "repeat";
+            reason: string;
+            /**
+             * @default pca
+             * @enum {string}
+             */
+            map: "pca" | "guided" | "prior";
+            pca: components["schemas"]["LinearMap"];
+            guided: components["schemas"]["LinearMap"] | null;
+            prior: components["schemas"]["LinearMap"] | null;
+            covariance: number[][] | null;
         };
         JointQuality: {
             name: string;
@@ -6494,6 +6505,32 @@ export interface components {
                 number,
                 number
             ];
+        };
+        LinearMap: {
+            rates: number[][];
+            /** @default [] */
+            short: number[];
+            /** @default [] */
+            long: number[];
+            dead_zone: number;
+            full: number;
+            /** @default 0 */
+            people: number;
+            /** @default 0 */
+            repetitions: number;
+            lag: number | null;
+            check: components["schemas"]["MapCheck"] | null;
+            pca_check: components["schemas"]["MapCheck"] | null;
+            /** @default [] */
+            dropped: string[];
+            arrangement: {
+                [key: string]: components["schemas"]["Arrangement"];
+            };
+            as_worn: {
+                [key: string]: components["schemas"]["Arrangement"];
+            };
+            hits: components["schemas"]["Forecast"] | null;
+            false_per_minute: components["schemas"]["Forecast"] | null;
         };
         LinkView: {
             person: components["schemas"]["PersonView"];
@@ -7053,28 +7090,6 @@ export interface components {
         };
         PriorChoice: {
             on: boolean;
-        };
-        PriorMap: {
-            rate: number[];
-            short: number[];
-            long: number[];
-            dead_zone: number;
-            full: number;
-            earlier: number[][];
-            people: number;
-            repetitions: number;
-            /** @default [] */
-            dropped?: string[];
-            arrangement?: {
-                [key: string]: components["schemas"]["Arrangement"];
-            };
-            as_worn?: {
-                [key: string]: components["schemas"]["Arrangement"];
-            };
-            hits?: components["schemas"]["Forecast"] | null;
-            false_per_minute?: components["schemas"]["Forecast"] | null;
-            prior_check?: components["schemas"]["MapCheck"] | null;
-            pca_check?: components["schemas"]["MapCheck"] | null;
         };
         PriorView: {
             on: boolean;
@@ -7897,7 +7912,6 @@ export type GestureLine = components['schemas']['GestureLine'];
 export type GivenConsent = components['schemas']['GivenConsent'];
 export type Goal = components['schemas']['Goal'];
 export type Ground = components['schemas']['Ground'];
-export type GuidedMap = components['schemas']['GuidedMap'];
 export type HeadMoment = components['schemas']['HeadMoment'];
 export type HeadTrackerChoice = components['schemas']['HeadTrackerChoice'];
 export type HeadView = components['schemas']['HeadView'];
@@ -7923,6 +7937,7 @@ export type LearningView = components['schemas']['LearningView'];
 export type LevelView = components['schemas']['LevelView'];
 export type Lifting = components['schemas']['Lifting'];
 export type Lights = components['schemas']['Lights'];
+export type LinearMap = components['schemas']['LinearMap'];
 export type LinkView = components['schemas']['LinkView'];
 export type ListedTrial = components['schemas']['ListedTrial'];
 export type LiveMessage = components['schemas']['LiveMessage'];
@@ -7987,7 +8002,6 @@ export type PracticeView = components['schemas']['PracticeView'];
 export type Prediction = components['schemas']['Prediction'];
 export type PrescribedPath = components['schemas']['PrescribedPath'];
 export type PriorChoice = components['schemas']['PriorChoice'];
-export type PriorMap = components['schemas']['PriorMap'];
 export type PriorView = components['schemas']['PriorView'];
 export type ProposalChoice = components['schemas']['ProposalChoice'];
 export type ProposalView = components['schemas']['ProposalView'];

@@ -27,24 +27,16 @@ export type CalibrationStep = {
   words: string;
 };
 
-/** Both maps of a joint on repetitions that they had not seen. */
-export type GuidedMapResult = {
-  offered: boolean;
-  repetitions: number;
-  pca_check: MapCheck;
-  guided_check: MapCheck;
-};
-
 /** An expected number with its uncertainty, one standard deviation. */
 export type Forecast = { value: number; uncertainty: number };
 
 /** How a ring of so many sensors sits otherwise than on other people; at which places it has its front and its outer side, null: not known. */
 export type Arrangement = { shift: number; mirrored: boolean; sensors: number; front: number | null; outside: number | null };
 
-/** What a map learnt from other people comes from, its checks, and what is expected of it; null: not known. */
-export type PriorResult = {
+/** What a map that is not the standard one is learnt from, its checks, and what is expected of it; null: not known. */
+export type MapResult = {
   offered: boolean;
-  people: number;
+  people: number; // 0: from own prompts alone
   repetitions: number;
   dropped: string[];
   arrangement: Record<string, Arrangement>;
@@ -52,8 +44,8 @@ export type PriorResult = {
   hits: Forecast | null;
   hits_with_prompts: Forecast | null; // after three repetitions of a movement that was not prompted yet
   false_per_minute: Forecast | null;
-  prior_check: MapCheck | null;
-  pca_check: MapCheck | null;
+  check: MapCheck | null; // on repetitions that the map had not seen
+  pca_check: MapCheck | null; // of the standard map, on the same ones
 };
 
 /** A joint of a calibration's result; what was not measured is null. */
@@ -67,8 +59,8 @@ export type JointResult = {
   signal_to_noise: number | null;
   repeatability: number | null;
   map: "pca" | "guided" | "prior" | null;
-  guided: GuidedMapResult | null;
-  prior: PriorResult | null;
+  guided: MapResult | null;
+  prior: MapResult | null;
 };
 
 export type CalibrationResult = {
@@ -124,9 +116,6 @@ export type MapDifference = {
 };
 
 export type MapVersion = Omit<MapView, "difference"> & { difference: MapDifference | null };
-
-/** The map of a joint inside a profile, as far as pages read it. */
-export type JointMap = { name: string; dead_zone: number; full: number };
 
 export type CurveForm = "exponential" | "power" | "level";
 

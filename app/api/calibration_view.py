@@ -4,9 +4,10 @@ from typing import Any
 
 from app.api.answers import Answer, MomentText
 from app.calibration.fit.profile_fit import joints_without_map
+from app.calibration.linear_map import LinearMap
 from app.calibration.prior.landmarks import landmarks
 from app.calibration.prior.prompting import hits_with_prompts
-from app.calibration.profile import CalibrationProfile, GuidedMap, PriorMap
+from app.calibration.profile import CalibrationProfile
 from app.layout import ShirtLayout
 from app.quantities import Document
 from app.session.calibration.calibration_flow import RESULT
@@ -88,53 +89,45 @@ def _steps(progress: Progress) -> list[dict[str, Any]]:
     return steps
 
 
-def _guided(guided: GuidedMap | None) -> dict[str, Any] | None:
-    """Return the checks of the study's map and the guided map on the held-out repetitions."""
-    if guided is None:
+def _map(linear: LinearMap | None, layout: ShirtLayout) -> dict[str, Any] | None:
+    """Return what a map that is not the standard one is learnt from, its checks, and what is expected of it."""
+    if linear is None:
         return None
-    checks = {"pca_check": guided.pca_check, "guided_check": guided.guided_check}
-    return {
-        "offered": guided.is_better,
-        "repetitions": guided.repetitions,
-        **{name: check.model_dump(mode="json") for name, check in checks.items()},
-    }
-
-
-def _prior(prior: PriorMap | None, layout: ShirtLayout) -> dict[str, Any] | None:
-    """Return what the map learnt from other people comes from, its checks, and what is expected of it."""
-    if prior is None:
-        return None
-    fields = {"people", "repetitions", "dropped", "hits", "false_per_minute", "prior_check", "pca_check"}
+    fields = ("people", "repetitions", "dropped", "hits", "false_per_minute", "check", "pca_check")
+    values = {name: getattr(linear, name) for name in fields}
     sits = {
         name: {
             ring: {**sits.model_dump(), "sensors": len(layout.rings[ring]), **landmarks(layout, ring)._asdict()}
             for ring, sits in found.items()
         }
-        for name, found in (("arrangement", prior.arrangement), ("as_worn", prior.as_worn))
+        for name, found in (("arrangement", linear.arrangement), ("as_worn", linear.as_worn))
     }
-    more = None if prior.hits is None or prior.repetitions else hits_with_prompts(prior.hits).model_dump()
+    with_prompts = None if linear.hits is None or linear.repetitions else hits_with_prompts(linear.hits)
     return {
-        "offered": prior.is_better,
+        "offered": linear.is_better,
         **sits,
-        "hits_with_prompts": more,
-        **prior.model_dump(mode="json", include=fields),
+        **{
+            name: value.model_dump(mode="json") if isinstance(value, Document) else value
+            for name, value in {**values, "hits_with_prompts": with_prompts}.items()
+        },
     }
 
 
 def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
     labels = {joint.name: joint.label for joint in profile.layout.joints}
     steps = {step.joint: step.id for step in progress.steps if step.joint is not None}
-    fields = {"name", "evr", "span", "sign", "signal_to_noise", "repeatability", "angle_deg"}
+    fields = {"name", "evr", "signal_to_noise", "repeatability", "angle_deg"}
     joints = [
         {
             **joint.model_dump(mode="json", include=fields),
+            "span": joint.span,
             "has_to_be_repeated": joint.has_to_be_repeated,
             "advice": joint.advice,
             "dead_zone": joint.thresholds[0],
             "full": joint.thresholds[1],
             "map": joint.map,
-            "guided": _guided(joint.guided),
-            "prior": _prior(joint.prior, profile.layout),
+            "guided": _map(joint.guided, profile.layout),
+            "prior": _map(joint.prior, profile.layout),
             "label": labels[joint.name],
             "step": steps.get(joint.name),
         }
@@ -142,7 +135,7 @@ def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
     ]
     missing = [
         {
-            **dict.fromkeys(fields | {"dead_zone", "full", "map", "guided", "prior"}),
+            **dict.fromkeys(fields | {"span", "dead_zone", "full", "map", "guided", "prior"}),
             "name": name,
             "label": labels[name],
             "step": steps.get(name),

@@ -1,6 +1,6 @@
 """Whether a person's own movements agree with maps that are learnt from other people, as a real chair needs it."""
 
-from app.calibration.profile import PriorMap
+from app.calibration.linear_map import LinearMap
 from app.calibration.vocabulary import DriveParameters
 
 LEAST_IN_PHASE = 0.8  # of the activation of the person's own repetitions: the direction is right
@@ -19,9 +19,9 @@ def joints_without_own_movement(parameters: DriveParameters) -> list[str]:
     ]
 
 
-def agrees(prior: PriorMap) -> bool:
+def agrees(prior: LinearMap) -> bool:
     """Return whether at least one prompted repetition of the person's own agrees with the map in direction and size."""
-    check = prior.prior_check
+    check = prior.check
     return check is not None and check.in_phase >= LEAST_IN_PHASE and check.hit_rate >= LEAST_HIT
 
 

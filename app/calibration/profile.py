@@ -1,175 +1,49 @@
-"""The calibration profile: the map of one body in one shirt, as a versioned document."""
+"""The calibration profile: the maps of one body in one shirt, as a versioned document."""
 
-import operator
-from typing import Annotated, Any, Literal, Self
+import math
+from collections.abc import Sequence
+from typing import Annotated, Literal, Self
 
-from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
+from pydantic import Field, model_validator
 
+from app.calibration.linear_map import LinearMap, MapKind, Numbers
 from app.layout import MAX_CHANNELS, MAX_JOINTS, ShirtLayout, is_missing
 from app.quantities import Document, Finite, Fraction, Hertz, Name, Threshold
 
 Grade = Literal["good", "usable", "repeat"]
 
-Numbers = Annotated[tuple[Finite, ...], Field(max_length=MAX_CHANNELS)]
-Span = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=1e12)]
 Covariances = Annotated[
     tuple[Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-1e24, le=1e24)], ...],
     Field(max_length=MAX_CHANNELS),
 ]
 Noise = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1e12)]
 
-MapKind = Literal["pca", "guided", "prior"]
-
-# s: time constants of the two slow averages that a linear map subtracts from a channel's level; they are those of the
-# fabric's relaxation.
-AVERAGING_TIMES = (1.5, 10.0)
-# s: ages of the rates that a prior's map reads; the joint's recent past tells a stroke from its way back.
-RATE_LAGS = (0.0, 0.05, 0.1, 0.15, 0.2)
-LEAST_GAIN = 0.01  # of in-phase share that a guided map must gain over the PCA map
-LARGEST_LOSS = 0.03  # of the hit rate that a guided map may lose
-FEWEST_JUDGED = 3  # repetitions: what one or two say of a map does not agree with how it does later
-LEAST_HITS = 0.25  # hit rate on a person's own repetitions below which a map from other people is not offered
-MOSTLY_IN_PHASE = 0.5  # in-phase share below which it is not: most of the activation would come without the movement
-
-
-class Arrangement(Document):
-    """How a ring of sensors sits on the body: turned by so many places, and perhaps mirrored."""
-
-    # At place p of the ring lies the sensor that belongs at place p + shift.
-    shift: Annotated[int, Field(strict=True, ge=0, lt=MAX_CHANNELS)] = 0
-    mirrored: bool = False
-
-
-class MapCheck(Document):
-    """The check of one map on held-out repetitions (docs/learning/guided-map.md)."""
-
-    in_phase: Fraction  # share of all activation during the prompted movements
-    hit_rate: Fraction  # share of the time of the prompted movements with activation; of movements: `PriorMap.hits`
-    false_per_minute: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1e6)]  # activations at rest
-    false_count: Annotated[int, Field(strict=True, ge=0)]  # number of activations at rest
-
-
-class LinearMap(Document):
-    """A linear map: low-pass(rate . dx/dt + short . (x - slow x) + long . (x - slower x)).
-
-    Scaled so that the prompted movements have the same rate in FS/s as with the joint's PCA map.
-    """
-
-    rate: Numbers  # FS per signal unit; one per entry of the joint's `channels`, like the next two
-    short: Numbers  # FS/s per signal unit, of the level above its average over AVERAGING_TIMES[0]
-    long: Numbers  # FS/s per signal unit, of the level above its average over AVERAGING_TIMES[1]
-    dead_zone: Threshold  # FS/s, suggested
-    full: Threshold  # FS/s, suggested
-
-    @property
-    def rates(self) -> tuple[tuple[float, ...], ...]:
-        """The weights (FS per signal unit) of the rates as they were RATE_LAGS ago, or of the newest rates only."""
-        return (self.rate,)
-
-    @property
-    def parts(self) -> tuple[tuple[float, ...], ...]:
-        """All weights, one number per channel in each part: those of the rates, then `short` and `long`."""
-        return (*self.rates, self.short, self.long)
-
-
-class GuidedMap(LinearMap):
-    """A linear map fitted to the prompts, with its check on held-out repetitions."""
-
-    lag: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-10, le=10)]  # s of the person behind the cues
-    repetitions: Annotated[int, Field(strict=True, ge=1)]
-    pca_check: MapCheck
-    guided_check: MapCheck
-
-    @property
-    def is_better(self) -> bool:
-        """Whether the guided map beats the PCA map on the held-out repetitions and may be offered."""
-        pca, guided = self.pca_check, self.guided_check
-        return (
-            guided.in_phase >= pca.in_phase + LEAST_GAIN
-            and guided.hit_rate >= pca.hit_rate - LARGEST_LOSS
-            and guided.false_count <= pca.false_count + 1
-        )
-
-
-class Forecast(Document):
-    """What is expected of a map in use, with its uncertainty (one standard deviation)."""
-
-    value: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1e4)]
-    uncertainty: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1e4)]
-
-
-class PriorMap(LinearMap):
-    """A linear map learnt from other people, alone or together with this person's own prompted movements.
-
-    Besides the newest rates it reads those of 50 to 200 ms ago (`earlier`, one part for each further one of RATE_LAGS).
-    """
-
-    earlier: Annotated[tuple[Numbers, ...], Field(min_length=len(RATE_LAGS) - 1, max_length=len(RATE_LAGS) - 1)]
-    people: Annotated[int, Field(strict=True, ge=1)]  # how many other people it is learnt from
-    repetitions: Annotated[int, Field(strict=True, ge=0)]  # of this person's own; 0: from other people alone
-    dropped: tuple[Name, ...] = ()  # channels that moved too little on this person and have no weight
-    # Per ring of the layout that was found to sit otherwise than on other people: the weights go by this.
-    arrangement: dict[Name, Arrangement] = Field(default_factory=dict)
-    # Per ring that looked so, and that a person is sure sits right: the weights go by the layout. Left out where it is
-    # empty, so that profiles from before keep their hash.
-    as_worn: dict[Name, Arrangement] = Field(default_factory=dict, exclude_if=operator.not_)
-    hits: Forecast | None = None  # of 100 movements, how many should reach half of a full activation; None: not known
-    false_per_minute: Forecast | None = None  # expected activations without a prompt; None: not known
-    prior_check: MapCheck | None = None  # on this person's own held-out repetitions; None without any
-    pca_check: MapCheck | None = None  # of the joint's PCA map, on the same frames
-
-    @property
-    def rates(self) -> tuple[tuple[float, ...], ...]:
-        """The weights (FS per signal unit) of the rates as they were RATE_LAGS ago."""
-        return (self.rate, *self.earlier)
-
-    @property
-    def source(self) -> str:
-        """Where the map comes from, in words."""
-        return "from other people and own movement" if self.repetitions else "from other people"
-
-    @property
-    def is_better(self) -> bool:
-        """Whether nothing says that the PCA map is better on this person's own repetitions.
-
-        Fewer hits alone do not: the dead-zone is other people's, and that of PCA is fitted to these repetitions. They
-        do where nothing is gained in phase. A map that mostly acts outside of the movement is never better, also where
-        the PCA map does not act at all.
-        """
-        prior, pca = self.prior_check, self.pca_check
-        if prior is None or pca is None or self.repetitions < FEWEST_JUDGED:
-            return True
-        gain, loss = prior.in_phase - pca.in_phase, pca.hit_rate - prior.hit_rate
-        gains_nothing = gain < LEAST_GAIN and loss > LARGEST_LOSS
-        does_its_work = prior.in_phase >= MOSTLY_IN_PHASE and prior.hit_rate >= LEAST_HITS
-        return does_its_work and gain >= -LARGEST_LOSS and not gains_nothing
-
 
 class JointMap(Document):
-    """The map of one joint: score = sign * weights . (x[channels] - mean) / span."""
+    """The maps of one joint, one of which decodes it.
+
+    The score is the place on the axis of the PCA map, whichever map decodes:
+    score = pca.rates[0] . (x[channels] - mean), in FS.
+    """
 
     name: Name
     channels: Annotated[tuple[int, ...], Field(min_length=1, max_length=MAX_CHANNELS)]  # indices into a frame
-    weights: Numbers  # unit length, one per entry of `channels`
-    mean: Numbers
-    sign: Literal[1, -1]
-    span: Span  # signal units per FS: 1st to 99th percentile of the PC
+    mean: Numbers  # one per entry of `channels`
     evr: Fraction  # explained variance ratio of PC1 in free movement
-    prompted: bool  # whether prompts fixed the sign; otherwise it is arbitrary
+    prompted: bool  # whether prompts fixed which way the score rises; otherwise that is arbitrary
     angle_deg: Annotated[float, Field(ge=0, le=90)] | None = None  # between the free and the prompted PC1
     signal_to_noise: Annotated[float, Field(ge=0)] | None = None
     repeatability: Annotated[float, Field(ge=0)] | None = None  # spread of the repetitions' peaks / their mean
     rest_rate: Threshold  # FS/s, standard deviation of the rate at rest
-    dead_zone: Threshold  # FS/s, suggested
-    full: Threshold  # FS/s, suggested
     # FS: larger changes from one rest to another are no movement, within 0.02 s and within 0.1 s; None: unknown.
-    step: Threshold | None = None
-    filtered_step: Threshold | None = None
+    step: Threshold | None = Field(default=None, exclude_if=is_missing)
+    filtered_step: Threshold | None = Field(default=None, exclude_if=is_missing)
     grade: Grade
     reason: str
-    map: MapKind = "pca"  # the map that gives the rate; the score is always that of PC1
-    guided: GuidedMap | None = None  # the fitted guided map, with its check
-    prior: PriorMap | None = None  # the map learnt from other people
+    map: MapKind = "pca"  # the map that decodes
+    pca: LinearMap  # of the main component of free movement
+    guided: LinearMap | None = Field(default=None, exclude_if=is_missing)  # learnt from own prompts alone
+    prior: LinearMap | None = Field(default=None, exclude_if=is_missing)  # learnt from other people
     # (k, k) of the channels' movement in the calibration, squared signal units: it tells what a bad channel would show,
     # and how exactly that is known. None, and left out for their hash, in profiles from before it was stored.
     covariance: Annotated[tuple[Covariances, ...], Field(max_length=MAX_CHANNELS)] | None = Field(
@@ -178,14 +52,16 @@ class JointMap(Document):
 
     @model_validator(mode="after")
     def _lengths_agree(self) -> Self:
-        if not len(self.channels) == len(self.weights) == len(self.mean):
-            raise ValueError(f"joint '{self.name}': channels, weights and mean must be of one length")
-        for kind, linear in (("guided", self.guided), ("prior", self.prior)):
+        if len(self.channels) != len(self.mean):
+            raise ValueError(f"joint '{self.name}': channels and mean must be of one length")
+        for kind, linear in (("pca", self.pca), ("guided", self.guided), ("prior", self.prior)):
             if linear is None:
                 if self.map == kind:
                     raise ValueError(f"joint '{self.name}': its map is '{kind}', but it has no {kind} map")
             elif any(len(part) != len(self.channels) for part in linear.parts):
                 raise ValueError(f"joint '{self.name}': the {kind} map must have one number per channel in each part")
+        if not any(self.pca.rates[0]):
+            raise ValueError(f"joint '{self.name}': the pca map reads no channel")
         if self.covariance is not None:
             self._check_covariance(self.covariance)
         return self
@@ -199,16 +75,21 @@ class JointMap(Document):
         if any(covariance[i][i] < 0.0 for i in range(count)):
             raise ValueError(f"joint '{self.name}': the covariance has a variance below 0")
 
-    @model_serializer(mode="wrap")
-    def _without_defaults(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        """Leave out default values, so that profiles from before the linear maps keep their hash."""
-        document: dict[str, Any] = handler(self)
-        if document.get("map") == "pca":
-            del document["map"]
-        for name in ("guided", "prior", "step", "filtered_step"):
-            if document.get(name, ...) is None:
-                del document[name]
-        return document
+    @property
+    def span(self) -> float:
+        """Signal units per FS: the extent of the full movement along the axis of the score."""
+        return 1.0 / math.hypot(*self.pca.rates[0])
+
+    @property
+    def direction(self) -> tuple[float, ...]:
+        """The axis of the score, of unit length, one number per channel; it points along the prompted movement."""
+        span = self.span
+        return tuple(weight * span for weight in self.pca.rates[0])
+
+    def with_direction(self, direction: Sequence[float]) -> Self:
+        """Return the joint with another axis of its score, of unit length, and the same span."""
+        pca = self.pca.model_copy(update={"rates": (tuple(float(part) / self.span for part in direction),)})
+        return self.model_copy(update={"pca": pca})
 
     @property
     def has_to_be_repeated(self) -> bool:
@@ -221,9 +102,9 @@ class JointMap(Document):
         return None if self.grade == "good" else self.reason
 
     @property
-    def linear(self) -> LinearMap | None:
-        """The linear map that decodes; None when the PCA map does."""
-        return {"pca": None, "guided": self.guided, "prior": self.prior}[self.map]
+    def linear(self) -> LinearMap:
+        """The map that decodes."""
+        return {"pca": None, "guided": self.guided, "prior": self.prior}[self.map] or self.pca
 
     @property
     def best_map(self) -> MapKind:
@@ -239,9 +120,8 @@ class JointMap(Document):
 
     @property
     def thresholds(self) -> tuple[float, float]:
-        """Dead-zone and full (FS/s) that the calibration suggests for the chosen map."""
-        chosen = self.linear or self
-        return chosen.dead_zone, chosen.full
+        """Dead-zone and full (FS/s) that the calibration suggests for the map that decodes."""
+        return self.linear.dead_zone, self.linear.full
 
 
 class CalibrationProfile(Document):

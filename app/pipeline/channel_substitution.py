@@ -14,10 +14,9 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.profile import AVERAGING_TIMES
+from app.calibration.linear_map import RATE_LAGS
 from app.calibration.vocabulary import DriveParameters
-from app.pipeline.linear_rate import linear_projection
-from app.pipeline.projection import channels_used, projection
+from app.pipeline.projection import projections
 
 RIDGE: Final = 0.01  # of each channel's variance: the covariance of a short calibration is not exact
 LARGEST_ERROR: Final = 0.1  # of what a gesture's projection moves by: measured on knit (decisions/0038)
@@ -86,7 +85,8 @@ class ChannelSubstitution:
 
     def __init__(self, parameters: DriveParameters) -> None:
         profile = parameters.profile
-        self._uses = channels_used(parameters)
+        read = projections(parameters)
+        self._uses = read.uses
         watched = np.asarray(self._uses.any(axis=0))
         self._joints = [
             _joint_channels(np.array(joint.channels), np.array(joint.mean), joint.covariance, watched)
@@ -95,7 +95,8 @@ class ChannelSubstitution:
         self._width = np.array(profile.high) - np.array(profile.low)
         self._low: Array = np.array(profile.low) - SLACK * self._width
         self._high: Array = np.array(profile.high) + SLACK * self._width
-        self._moving, self._levels = _readings(parameters)
+        self._moving = read.parts[:, : len(RATE_LAGS)].sum(axis=1)  # the projection whose movement counts, per gesture
+        self._levels = read.parts[:, len(RATE_LAGS) :]  # those whose levels count
         self._dead_zones = [gesture.dead_zone for gesture in parameters.gestures]
         self._margins = [MARGINS[gesture.feature] for gesture in parameters.gestures]
         self._none_bad = np.zeros(len(watched), dtype=np.bool_)
@@ -284,20 +285,6 @@ def _conditional(covariance: Array, wrong: Flags) -> tuple[Array, Array]:
     np.fill_diagonal(errors, np.maximum(np.diag(errors), 0.0))
     scale = unit[wrong]
     return gains * np.outer(scale, 1.0 / unit[good]), errors * np.outer(scale, scale)
-
-
-def _readings(parameters: DriveParameters) -> tuple[list[Array], list[Array]]:
-    """Return what each gesture reads: the projection whose movement counts, and those whose levels do.
-
-    Per gesture, (n_channels,) in FS per signal unit and (levels, n_channels) in FS/s per signal unit.
-    """
-    weights = projection(parameters)[0]
-    rows, places = linear_projection(parameters)
-    moving, levels = list(weights), [weights[:0] for _ in weights]
-    for gesture, place in places.items():
-        parts = rows[place]
-        moving[gesture], levels[gesture] = parts[: -len(AVERAGING_TIMES)].sum(axis=0), parts[-len(AVERAGING_TIMES) :]
-    return moving, levels
 
 
 def _deviation(row: Array, error: Array) -> float:

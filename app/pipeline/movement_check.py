@@ -122,7 +122,7 @@ class HalfWaves:
 
 def _channels_read(joint: JointMap) -> list[int]:
     """Return the channels of a joint that count, which are finite unless they are reported as bad."""
-    return [i for i, weight in zip(joint.channels, joint.weights, strict=True) if weight] or list(joint.channels)
+    return [i for i, weight in zip(joint.channels, joint.pca.rates[0], strict=True) if weight] or list(joint.channels)
 
 
 class _StepKind(NamedTuple):
@@ -175,7 +175,7 @@ class MovementCheck:
         self._counts = [len(one) for one in read]
         self._count = len(channels)
         self._waves = [
-            HalfWaves(joint.dead_zone, joint.rest_rate, period, displaced=True)
+            HalfWaves(joint.pca.dead_zone, joint.rest_rate, period, displaced=True)
             if gesture.feature == "displacement"
             else HalfWaves(gesture.dead_zone, joint.rest_rate, period)
             for gesture, joint in ((one, joints[place[one.joint]]) for one in parameters.gestures)

@@ -1,30 +1,46 @@
 """How gestures read a frame: the projections of their joints."""
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
+from app.calibration.linear_map import KINDS
 from app.calibration.vocabulary import DriveParameters
-from app.pipeline.linear_rate import linear_projection
+
+Array = NDArray[np.float64]
 
 
-def projection(parameters: DriveParameters) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return weights (n_gestures, n_channels) and offsets (n_gestures,): score = weights . values - offsets, in FS."""
-    profile = parameters.profile
-    joints = {joint.name: joint for joint in profile.joints}
-    weights = np.zeros((len(parameters.gestures), len(profile.layout.channels)))
-    offsets = np.zeros(len(parameters.gestures))
+class Projections(NamedTuple):
+    """The weights of g gestures; those of a gesture against the prompted direction have the opposite sign."""
+
+    score: Array  # (g, n_channels) FS per signal unit
+    offset: Array  # (g,) FS: score = score . values - offset
+    parts: Array  # (g, KINDS, n_channels) of `LinearMap.parts`: FS, then FS/s per signal unit
+
+    @property
+    def is_read(self) -> NDArray[np.bool_]:
+        """Which parts (g, KINDS) each gesture reads."""
+        return np.asarray((self.parts != 0.0).any(axis=2))
+
+    @property
+    def uses(self) -> NDArray[np.bool_]:
+        """Which channels (g, n_channels) each gesture reads, by its score or by its map."""
+        return np.asarray((self.score != 0.0) | (self.parts != 0.0).any(axis=1))
+
+
+def projections(parameters: DriveParameters) -> Projections:
+    """Return how the gestures read a frame. A displacement gesture reads its score, whichever map decodes its joint."""
+    joints = {joint.name: joint for joint in parameters.profile.joints}
+    count = len(parameters.profile.layout.channels)
+    score = np.zeros((len(parameters.gestures), count))
+    offset = np.zeros(len(score))
+    parts = np.zeros((len(score), KINDS, count))
     for row, gesture in enumerate(parameters.gestures):
         joint = joints[gesture.joint]
-        scale = gesture.direction * joint.sign / joint.span
-        weights[row, list(joint.channels)] = scale * np.array(joint.weights)
-        offsets[row] = weights[row, list(joint.channels)] @ np.array(joint.mean)
-    return weights, offsets
-
-
-def channels_used(parameters: DriveParameters) -> NDArray[np.bool_]:
-    """Return which channels (n_gestures, n_channels) each gesture reads, by its score or by its linear map."""
-    uses = projection(parameters)[0] != 0.0
-    rows, places = linear_projection(parameters)
-    for gesture, place in places.items():
-        uses[gesture] |= (rows[place] != 0.0).any(axis=0)
-    return np.asarray(uses)
+        channels = list(joint.channels)
+        score[row, channels] = gesture.direction * np.array(joint.pca.rates[0])
+        offset[row] = score[row, channels] @ np.array(joint.mean)
+        linear = joint.linear if gesture.feature == "rate" else joint.pca
+        parts[row][:, channels] = gesture.direction * np.array(linear.parts)
+    return Projections(score, offset, parts)

@@ -11,10 +11,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.profile import AVERAGING_TIMES
+from app.calibration.linear_map import AVERAGING_TIMES, RATE_LAGS
 from app.calibration.vocabulary import DriveParameters
-from app.pipeline.linear_rate import linear_projection
-from app.pipeline.projection import projection
+from app.pipeline.projection import projections
 
 BASELINE_TIME: Final = 30.0  # s: time constant of the baseline of a displacement gesture
 LEAST: Final = 1e-9  # FS/s or FS: smaller doubts are none
@@ -27,24 +26,24 @@ class ReturnDoubt:
     """How much less each gesture reads, so that no reading of a return activates it; 0 or below."""
 
     def __init__(self, parameters: DriveParameters, sample_rate: float) -> None:
-        weights = projection(parameters)[0]
-        rows, places = linear_projection(parameters)
+        read = projections(parameters)
         levels: list[Array] = []
         self._owners: list[int] = []
         self._times: list[float] = []
         for gesture, chosen in enumerate(parameters.gestures):
+            averages = read.parts[gesture, len(RATE_LAGS) :]
             if chosen.feature == "displacement":
-                levels.append(weights[gesture])
+                levels.append(read.score[gesture])
                 self._owners.append(gesture)
                 self._times.append(BASELINE_TIME)
-            elif gesture in places:
-                levels.extend(rows[places[gesture]][-len(AVERAGING_TIMES) :])
+            elif averages.any():
+                levels.extend(averages)
                 self._owners.extend([gesture] * len(AVERAGING_TIMES))
                 self._times.extend(AVERAGING_TIMES)
-        self._rows = np.array(levels).reshape(len(levels), weights.shape[1])
+        self._rows = np.array(levels).reshape(len(levels), read.score.shape[1])
         self._per_frame = -1.0 / (sample_rate * np.array(self._times))
         self._is_displacement = np.array([time == BASELINE_TIME for time in self._times], dtype=np.bool_)
-        self._count = len(weights)
+        self._count = len(read.score)
         self.largest = [-LARGEST * (gesture.full - gesture.dead_zone) for gesture in parameters.gestures]
         """The doubt of each gesture below which it counts as bad, FS/s or FS."""
         self.reset()

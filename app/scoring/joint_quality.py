@@ -88,8 +88,8 @@ def joint_quality(
     """
     names = layout.channel_names
     label = next(one.label for one in layout.joints if one.name == joint.name)
-    guided = joint.linear is not None
-    weights = np.array([joint.weights[joint.channels.index(channel)] for channel in channels])
+    guided = joint.map != "pca"
+    weights = np.array([joint.direction[joint.channels.index(channel)] for channel in channels])
     length = float(np.linalg.norm(weights))
     known = JointQuality(
         name=joint.name,
@@ -105,7 +105,7 @@ def joint_quality(
     rates = np.diff(smoothed, axis=0, prepend=smoothed[:1]) * (sample_rate / joint.span)
     # A joint moves when its rate, in any direction, is that of a command along the map; leakage from other joints is
     # slower.
-    least = joint.dead_zone + ON * (joint.full - joint.dead_zone)
+    least = joint.pca.dead_zone + ON * (joint.pca.full - joint.pca.dead_zone)
     moving = usable & (np.linalg.norm(rates, axis=1) > least)
     fit = map_fit(smoothed, moving, weights / length, sample_rate)
     place = smoothed[usable] @ weights

@@ -285,5 +285,5 @@ def _weights(parameters: DriveParameters | None, n_channels: int) -> Numbers:
     """Return each channel's absolute weight (n_channels,) in the map of its joint; 0 where it is in none."""
     weights = np.zeros(n_channels)
     for joint in parameters.profile.joints if parameters else ():
-        weights[list(joint.channels)] = np.abs(joint.weights)
+        weights[list(joint.channels)] = np.abs(joint.direction)
     return weights

@@ -255,7 +255,7 @@ def _angles(before: DriveParameters, after: DriveParameters) -> list[float]:
     """
     angles = []
     for one, other in zip(before.profile.joints, after.profile.joints, strict=True):
-        was, will_be = one.sign * np.array(one.weights), other.sign * np.array(other.weights)
+        was, will_be = np.array(one.direction), np.array(other.direction)
         half = math.atan2(float(np.linalg.norm(was - will_be)), float(np.linalg.norm(was + will_be)))
         angles.append(math.degrees(2.0 * half))
     return angles

@@ -18,7 +18,7 @@ from app.calibration.script import calibration_script
 from app.calibration.vocabulary import PAPER_VOCABULARY, standard_parameters
 from app.hardware.shirt.fabric import Fabric
 from app.pipeline.channel_health import ChannelHealth
-from app.pipeline.projection import channels_used
+from app.pipeline.projection import projections
 from app.scoring.map_losses.losses import MOST_SILENT
 from app.study.experiment import SEEDS_APART
 from app.study.participant import Participant
@@ -69,7 +69,7 @@ def _answers(profile: CalibrationProfile, fabric: Fabric) -> NDArray[np.float64]
     """Return how much the score (n_gestures,) of each joint's map changes in `fabric` when the joint moves."""
     return np.array(
         [
-            abs(float(np.array(joint.weights) @ fabric.gains[list(joint.channels), fabric.joints.index(joint.name)]))
+            abs(float(np.array(joint.direction) @ fabric.gains[list(joint.channels), fabric.joints.index(joint.name)]))
             for joint in profile.joints
             if joint.name in PAPER_VOCABULARY
         ]
@@ -79,7 +79,7 @@ def _answers(profile: CalibrationProfile, fabric: Fabric) -> NDArray[np.float64]
 def _silenced(profile: CalibrationProfile, values: NDArray[np.floating]) -> int:
     """Return how many bound gestures S5 silences for more than 5 % of frames (n, n_channels)."""
     parameters = standard_parameters(profile)
-    uses = channels_used(parameters)
+    uses = projections(parameters).uses
     health = ChannelHealth(profile, np.asarray(uses.any(axis=0)), profile.sample_rate)
     bad = health.block(np.asarray(values, dtype=np.float64), None)
     return sum(float((bad & uses[i]).any(axis=1).mean()) > MOST_SILENT for i in parameters.bound_gestures)

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import Prompt, repetitions_of_prompts, stretches_of_prompts
 from app.calibration.guided.guided_map import GuidedFit, with_guided_maps
-from app.calibration.profile import CalibrationProfile, MapKind
+from app.calibration.linear_map import MapKind
+from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import standard_parameters
 from app.layout import Channel, Joint, ShirtLayout
 from app.pipeline.replay.batch import decode_block

@@ -11,12 +11,13 @@ from numpy.typing import NDArray
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import repetitions_of_prompts
 from app.calibration.guided.guided_map import with_guided_maps
+from app.calibration.linear_map import LARGEST_LOSS, Arrangement, Forecast
 from app.calibration.prior import solving
 from app.calibration.prior.documents import OwnPrior, PersonEntry
 from app.calibration.prior.entry import PersonRecording, person_entry
 from app.calibration.prior.map_prior import MapPrior
 from app.calibration.prior.prior_map import find_arrangements, with_prior_maps
-from app.calibration.profile import LARGEST_LOSS, Arrangement, CalibrationProfile, Forecast
+from app.calibration.profile import CalibrationProfile
 from bench.prior.knit import FOLDER, knit_people
 from bench.prior.simulated import simulated_people
 from bench.prior.step_cost import step_cost

@@ -5,7 +5,8 @@ import statistics
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.profile import RATE_LAGS, JointMap, PriorMap
+from app.calibration.linear_map import RATE_LAGS, LinearMap
+from app.calibration.profile import JointMap
 from app.calibration.vocabulary import DriveParameters
 from app.clock import stopwatch
 from app.geometry import Pose
@@ -41,17 +42,14 @@ def _compared(plain: DriveParameters, prior: DriveParameters, values: NDArray[np
 
 
 def _with_prior(joint: JointMap) -> JointMap:
-    weights = np.array(joint.weights)
-    part = tuple((weights / 6.0).tolist())
-    prior = PriorMap(
-        rate=part,
-        earlier=(part,) * (len(RATE_LAGS) - 1),
+    part = tuple((np.array(joint.direction) / 6.0).tolist())
+    prior = LinearMap(
+        rates=(part,) * len(RATE_LAGS),
         short=part,
         long=part,
-        dead_zone=joint.dead_zone,
-        full=joint.full,
+        dead_zone=joint.pca.dead_zone,
+        full=joint.pca.full,
         people=8,
-        repetitions=0,
     )
     return joint.model_copy(update={"map": "prior", "prior": prior})
 

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from app.calibration.fit.repetitions import Prompt, Stretch, stretches_of_prompts
 from app.calibration.gestures.prediction import HIT_ACTIVATION
-from app.calibration.profile import CalibrationProfile, MapKind
+from app.calibration.linear_map import MapKind
+from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import standard_parameters
 from app.layout import ShirtLayout
 from app.pipeline.replay.batch import decode_block

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.api.live.screens import Screen
+from app.calibration.linear_map import LinearMap
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.clock import monotonic
 from app.faults import Fault, State
@@ -41,16 +42,12 @@ def profile_for(layout: ShirtLayout) -> CalibrationProfile:
         JointMap(
             name=joint,
             channels=tuple(indices),
-            weights=(1.0,) + (0.0,) * (len(indices) - 1),
             mean=(0.0,) * len(indices),
-            sign=1,
-            span=1.0,
             evr=0.85,
             prompted=True,
             signal_to_noise=20.0,
             rest_rate=0.04,
-            dead_zone=0.2,
-            full=1.0,
+            pca=LinearMap(rates=((1.0,) + (0.0,) * (len(indices) - 1),), dead_zone=0.2, full=1.0),
             grade="good",
             reason="Clear.",
         )

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from app.calibration.cued_runs import CuedRun
 from app.calibration.gestures.discovery import discover, discovery_from_profile
 from app.calibration.gestures.numbers import ratios, score_of
-from app.calibration.profile import GuidedMap, MapCheck
+from app.calibration.linear_map import LinearMap, MapCheck
 from app.layout import ShirtLayout
 
 CHANNELS = simulated_participant().layout.channels_of_joint
@@ -81,7 +81,7 @@ def test_the_suggestions_gestures_have_the_profiles_handles(participant, steps, 
     profile = profile_of(participant.layout, steps)
     gestures = {gesture.name: gesture for gesture in found.suggestion.gestures}
     for joint in profile.joints:
-        assert (gestures[joint.name].dead_zone, gestures[joint.name].full) == (joint.dead_zone, joint.full)
+        assert (gestures[joint.name].dead_zone, gestures[joint.name].full) == (joint.pca.dead_zone, joint.pca.full)
 
 
 @pytest.mark.parametrize("noisy", ["left_wrist", "left_elbow"])
@@ -189,18 +189,15 @@ def test_a_guided_map_is_judged_by_what_it_decodes(participant, steps, found):
         check = MapCheck(in_phase=0.9, hit_rate=0.9, false_per_minute=0.0, false_count=0)
         joints = []
         for joint in profile.joints:
-            rate = tuple(faster * joint.sign / joint.span * weight for weight in joint.weights)
-            still = (0.0,) * len(rate)
-            candidate = GuidedMap(
-                rate=rate,
-                short=still,
-                long=still,
-                dead_zone=faster * joint.dead_zone,
-                full=faster * joint.full,
+            rate = tuple(faster * weight for weight in joint.pca.rates[0])
+            candidate = LinearMap(
+                rates=(rate,),
+                dead_zone=faster * joint.pca.dead_zone,
+                full=faster * joint.pca.full,
                 lag=0.0,
                 repetitions=3,
                 pca_check=check,
-                guided_check=check,
+                check=check,
             )
             joints.append(joint.model_copy(update={"map": "guided", "guided": candidate}))
         return profile.model_copy(update={"joints": tuple(joints)})

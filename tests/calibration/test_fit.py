@@ -15,7 +15,7 @@ SEEDS = st.integers(0, 2**32 - 1)
 
 
 def scores(joint, values):
-    return joint.sign * (values[:, joint.channels] - np.array(joint.mean)) @ np.array(joint.weights) / joint.span
+    return (values[:, joint.channels] - np.array(joint.mean)) @ np.array(joint.pca.rates[0])
 
 
 @pytest.fixture
@@ -33,8 +33,8 @@ def test_a_person_who_follows_the_cues_gets_a_good_profile(person):
         assert joint.evr > 0.8
         assert joint.repeatability < 0.2
         assert joint.angle_deg < 30
-        assert joint.dead_zone >= max(0.15, 4 * joint.rest_rate) - 1e-3
-        assert joint.full > joint.dead_zone
+        assert joint.pca.dead_zone >= max(0.15, 4 * joint.rest_rate) - 1e-3
+        assert joint.pca.full > joint.pca.dead_zone
     assert np.array(profile.cross_talk) == pytest.approx(np.eye(4), abs=0.05)
 
 
@@ -100,8 +100,8 @@ def test_the_order_of_channels_does_not_matter(seed):
     )
     for before, after in zip(one.joints, other.joints, strict=True):
         assert scores(after, free[:, order]) == pytest.approx(scores(before, free), abs=1e-6)
-        assert after.dead_zone == pytest.approx(before.dead_zone, abs=1e-3)
-        assert after.full == pytest.approx(before.full, abs=1e-3)
+        assert after.pca.dead_zone == pytest.approx(before.pca.dead_zone, abs=1e-3)
+        assert after.pca.full == pytest.approx(before.pca.full, abs=1e-3)
 
 
 @settings(max_examples=10, deadline=None)
@@ -120,7 +120,7 @@ def test_the_unit_of_the_signals_does_not_matter(scale):
     for before, after in zip(one.joints, other.joints, strict=True):
         assert after.span == pytest.approx(before.span * scale)
         assert scores(after, free * scale) == pytest.approx(scores(before, free), abs=1e-6)
-        assert after.dead_zone == pytest.approx(before.dead_zone, abs=1e-3)
+        assert after.pca.dead_zone == pytest.approx(before.pca.dead_zone, abs=1e-3)
         assert after.grade == before.grade
 
 
@@ -128,14 +128,14 @@ def test_without_prompts_the_sign_is_arbitrary_reported_and_reproducible(person)
     free, rest = person.free(), person.rest()
     profile = fit_profile(LAYOUT, 100.0, free=free, rest=rest)
     again = fit_profile(LAYOUT, 100.0, free=free, rest=rest)
-    assert [joint.sign for joint in profile.joints] == [joint.sign for joint in again.joints]
+    assert profile.joints == again.joints
     assert profile.cross_talk is None
     for joint in profile.joints:
         assert joint.grade == "usable"
         assert "which way it counts is not known" in joint.reason
         assert not joint.prompted
-        heaviest = np.argmax(np.abs(joint.weights))
-        assert joint.sign * joint.weights[heaviest] > 0
+        heaviest = np.argmax(np.abs(joint.direction))
+        assert joint.direction[heaviest] > 0
 
 
 def test_the_prompted_direction_wins_when_the_free_movement_was_another(person):
@@ -148,7 +148,7 @@ def test_the_prompted_direction_wins_when_the_free_movement_was_another(person):
         assert "prompted direction is used" in joint.reason
         assert joint.grade == "usable"
         gains = person.gains[row, list(joint.channels)]
-        assert joint.sign * np.dot(joint.weights, gains) / np.linalg.norm(gains) > 0.95
+        assert np.dot(joint.direction, gains) / np.linalg.norm(gains) > 0.95
 
 
 def test_a_joint_that_was_forgotten_in_the_free_movement_takes_its_span_from_the_prompts(person):
@@ -208,8 +208,8 @@ def test_a_joint_that_moves_in_many_ways_has_a_low_evr_which_is_reported():
 def test_dead_zone_is_four_times_the_noise_at_rest_where_that_is_more():
     restless = SimulatedPerson(LAYOUT, noise=0.2)
     for joint in calibrate(restless).joints:
-        assert joint.dead_zone == pytest.approx(4 * joint.rest_rate, abs=1e-4)
-        assert joint.dead_zone > 0.15
+        assert joint.pca.dead_zone == pytest.approx(4 * joint.rest_rate, abs=1e-4)
+        assert joint.pca.dead_zone > 0.15
 
 
 @pytest.mark.parametrize("sample_rate", [50.0, 100.0, 250.0, 1000.0])
@@ -218,7 +218,7 @@ def test_the_map_does_not_depend_on_the_sample_rate(sample_rate):
     for joint in profile.joints:
         assert joint.grade == "good", joint.reason
         # A smooth movement of 1 s has its largest rate at 1.875 of its size; the span is a little less than its size.
-        assert joint.full == pytest.approx(1.9, abs=0.35)
+        assert joint.pca.full == pytest.approx(1.9, abs=0.35)
 
 
 def test_drift_between_the_recordings_does_no_harm(person):

@@ -13,7 +13,8 @@ from app.calibration.fit.repetitions import (
     stretch_of_run,
     stretches_of_prompts,
 )
-from app.calibration.guided.guided_map import features, with_guided_maps
+from app.calibration.guided.guided_map import with_guided_maps
+from app.calibration.prior.features import features
 from app.calibration.script import calibration_script
 from app.cues import cue_index
 
@@ -61,8 +62,8 @@ def test_a_guided_map_is_offered_where_the_main_movement_is_not_the_prompted_one
     joint = fitted(misleading_limb(rate)).profile.joints[0]
     assert joint.map == "pca"
     assert joint.guided.is_better
-    assert joint.guided.guided_check.in_phase > 0.95
-    assert joint.guided.guided_check.in_phase > joint.guided.pca_check.in_phase + 0.02
+    assert joint.guided.check.in_phase > 0.95
+    assert joint.guided.check.in_phase > joint.guided.pca_check.in_phase + 0.02
     assert joint.guided.repetitions == 3
     assert joint.guided.lag == pytest.approx(0.3, abs=0.15)
     assert joint.guided.full > joint.guided.dead_zone
@@ -72,8 +73,8 @@ def test_prompted_movements_are_as_fast_as_on_the_paper_s_map():
     person = misleading_limb()
     joint = fitted(person).profile.joints[0]
     _, values, _ = recorded(person)
-    rate = features(values, 100.0) @ np.concatenate((joint.guided.rate, joint.guided.short, joint.guided.long))
-    assert np.percentile(rate[rate > joint.guided.dead_zone], 90) == pytest.approx(joint.full, rel=0.25)
+    rate = features(values, 100.0) @ np.concatenate(joint.guided.parts)
+    assert np.percentile(rate[rate > joint.guided.dead_zone], 90) == pytest.approx(joint.pca.full, rel=0.25)
 
 
 def test_no_guided_map_is_offered_where_the_pca_map_is_perfect():
@@ -86,7 +87,7 @@ def test_a_channel_without_signal_gets_nearly_no_weight():
     person = SimulatedPerson(LAYOUT, second=0.0)
     person.gains[0, 2] = 0.0
     guided = fitted(person).profile.joints[0].guided
-    share = np.abs(guided.rate) * features(recorded(person)[1], 100.0)[:, :5].std(axis=0)
+    share = np.abs(guided.rates[0]) * features(recorded(person)[1], 100.0)[:, :5].std(axis=0)
     assert share[2] < 0.1 * share.max()
 
 
@@ -96,8 +97,8 @@ def test_the_unit_of_a_channel_does_not_matter():
     large.second *= 1000.0
     large.noise *= 1000.0
     one, other = fitted(plain).profile.joints[0].guided, fitted(large).profile.joints[0].guided
-    assert other.guided_check.in_phase == pytest.approx(one.guided_check.in_phase, abs=0.01)
-    np.testing.assert_allclose(np.array(other.rate) * 1000.0, one.rate, rtol=0.2, atol=0.02)
+    assert other.check.in_phase == pytest.approx(one.check.in_phase, abs=0.01)
+    np.testing.assert_allclose(np.array(other.rates) * 1000.0, one.rates, rtol=0.2, atol=0.02)
 
 
 def test_missing_samples_are_bridged():
@@ -107,7 +108,7 @@ def test_missing_samples_are_bridged():
     profile = fit_profile(LAYOUT, 100.0, person.free(), person.rest(), repetitions)
     values[::97, 1] = np.nan
     guided = with_guided_maps(profile, stretches_of_prompts(t, values, prompts, 100.0), person.rest())
-    assert guided.profile.joints[0].guided.guided_check.in_phase > 0.95
+    assert guided.profile.joints[0].guided.check.in_phase > 0.95
 
 
 @pytest.mark.parametrize(
@@ -171,7 +172,7 @@ def test_a_step_of_the_application_is_one_stretch():
     profile = fit_profile(LAYOUT, 100.0, person.free(), person.rest(), repetitions)
     guided = with_guided_maps(profile, [stretch], person.rest()).profile.joints[0].guided
     assert guided.repetitions == 3
-    assert guided.guided_check.in_phase > 0.95
+    assert guided.check.in_phase > 0.95
     assert guided.lag == pytest.approx(0.3, abs=0.2)
 
 

@@ -67,8 +67,8 @@ def test_activation_falls_into_the_rising_phase(signals, angle_rates, lead, long
     for joint in profile.joints:
         assert joint.evr >= 0.98
         assert joint.prompted
-        place = (signals.values[:, joint.channels] - np.array(joint.mean)) @ np.array(joint.weights)
-        smoothed = smooth(joint.sign * place / joint.span, CUTOFF, signals.sample_rate)
+        place = (signals.values[:, joint.channels] - np.array(joint.mean)) @ np.array(joint.direction)
+        smoothed = smooth(place / joint.span, CUTOFF, signals.sample_rate)
         drive = np.maximum(0.0, np.diff(smoothed, prepend=smoothed[0]) * signals.sample_rate - DEAD_ZONE)
         rate = angle_rates[joint.name]
         assert drive[rate > RISING].sum() / drive.sum() >= RISING_SHARE[joint.name]
@@ -78,7 +78,7 @@ def test_activation_falls_into_the_rising_phase(signals, angle_rates, lead, long
 def test_span_is_that_of_the_first_ten_seconds(signals, angle_rates):
     profile = calibrated(signals, prompts(signals, angle_rates))
     for joint in profile.joints:
-        place = (signals.values[:1000, joint.channels] - np.array(joint.mean)) @ np.array(joint.weights)
+        place = (signals.values[:1000, joint.channels] - np.array(joint.mean)) @ np.array(joint.direction)
         assert joint.span == pytest.approx(np.subtract(*np.percentile(place, (99, 1))))
-        assert joint.dead_zone >= 0.15
-        assert joint.full > joint.dead_zone
+        assert joint.pca.dead_zone >= 0.15
+        assert joint.pca.full > joint.pca.dead_zone

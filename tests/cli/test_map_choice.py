@@ -7,7 +7,8 @@ import pytest
 from cli.symbols import symbols_in
 from typer.testing import CliRunner
 
-from app.calibration.profile import CalibrationProfile, GuidedMap, MapCheck
+from app.calibration.linear_map import LinearMap, MapCheck
+from app.calibration.profile import CalibrationProfile
 from app.cli.calibration.map_choice import checks, choose, comparison
 from app.cli.decoded_file import read_parameters
 from app.cli.errors import InputError
@@ -21,16 +22,14 @@ REASON = "Nothing is learnt from 1 prompted repetition: prompt at least 3."
 
 
 def guided(pca, own):
-    return GuidedMap(
-        rate=(0.1, 0.1),
-        short=(0.0, 0.0),
-        long=(0.0, 0.0),
+    return LinearMap(
+        rates=((0.1, 0.1),),
         dead_zone=0.3,
         full=1.5,
         lag=0.3,
         repetitions=3,
         pca_check=pca,
-        guided_check=own,
+        check=own,
     )
 
 

@@ -50,10 +50,10 @@ def random_parameters(random, seed, rate):
     guided = set()
     for joint in profile["joints"]:
         if random.random() < 0.35:
-            joint["map"], joint["guided"] = "guided", guided_map(random, np.array(joint["weights"]) / 3.0)
+            joint["map"], joint["guided"] = "guided", guided_map(random, np.array(joint["pca"]["rates"][0]))
             guided.add(joint["name"])
         elif random.random() < 0.35:
-            joint["map"], joint["prior"] = "prior", prior_map(random, np.array(joint["weights"]) / 3.0)
+            joint["map"], joint["prior"] = "prior", prior_map(random, np.array(joint["pca"]["rates"][0]))
             guided.add(joint["name"])
     for gesture in document["gestures"]:
         if random.random() < 0.2 and gesture["joint"] not in guided:
@@ -64,7 +64,7 @@ def random_parameters(random, seed, rate):
 def guided_map(random, weights):
     noise = 0.01 * random.normal(size=len(weights))
     return {
-        "rate": weights.tolist(),
+        "rates": [weights.tolist()],
         "short": (0.3 * weights + noise).tolist(),
         "long": (0.2 * weights).tolist(),
         "dead_zone": 0.2,
@@ -72,14 +72,14 @@ def guided_map(random, weights):
         "lag": 0.0,
         "repetitions": 3,
         "pca_check": CHECK,
-        "guided_check": CHECK,
+        "check": CHECK,
     }
 
 
 def prior_map(random, weights):
     earlier = [(weights * random.uniform(-0.5, 1.0)).tolist() for _ in range(4)]
-    parts = {"rate": weights.tolist(), "earlier": earlier, "short": (0.3 * weights).tolist(), "long": weights.tolist()}
-    return {**parts, "dead_zone": 0.2, "full": 1.0, "people": 8, "repetitions": 0}
+    levels = {"short": (0.3 * weights).tolist(), "long": weights.tolist()}
+    return {"rates": [weights.tolist(), *earlier], **levels, "dead_zone": 0.2, "full": 1.0, "people": 8}
 
 
 def random_signals(random, parameters, seed, rate):

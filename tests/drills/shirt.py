@@ -129,7 +129,7 @@ async def loose_connector(runs, dice):
             size = dice.uniform(0.043, 0.3)
             changes = {
                 channel: size * elbow.span * weight
-                for channel, weight in zip(elbow.channels, elbow.weights, strict=True)
+                for channel, weight in zip(elbow.channels, elbow.direction, strict=True)
             }
             began = monotonic()
             made.shirt.loose = round(dice.uniform(0.25, 1.0) * RATE), changes

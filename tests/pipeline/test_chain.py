@@ -60,7 +60,7 @@ def test_the_way_back_to_rest_does_nothing():
     ride.arm_at_rest(make_signals(parameters, strokes=False))
     joint = parameters.profile.joints[0]
     rest = make_signals(parameters, 200, strokes=False)
-    rest[:, list(joint.channels)] += np.outer(np.linspace(0, -1, 200), joint.weights) * joint.span
+    rest[:, list(joint.channels)] += np.outer(np.linspace(0, -1, 200), joint.direction) * joint.span
     assert all(ride.feed(frame).u1 == 0.0 for frame in rest)
 
 
@@ -70,7 +70,7 @@ def test_frames_that_stop_coming_neutralise_after_50_ms_and_stop_after_200_ms():
     ride.arm_at_rest(make_signals(parameters, strokes=False))
     joint = parameters.profile.joints[0]
     bend = make_signals(parameters, 60, strokes=False)
-    bend[:, list(joint.channels)] += np.outer(np.linspace(0, 0.8, 60), joint.weights) * joint.span
+    bend[:, list(joint.channels)] += np.outer(np.linspace(0, 0.8, 60), joint.direction) * joint.span
     for frame in bend:
         tick = ride.feed(frame)
     assert tick.u1 > 0.5
@@ -97,7 +97,7 @@ def test_both_elbows_together_stop_in_every_mode():
         ride.arm_at_rest(make_signals(parameters, strokes=False))
         both = make_signals(parameters, 60, strokes=False)
         for joint in parameters.profile.joints[:2]:
-            both[:, list(joint.channels)] += np.outer(np.linspace(0, 0.8, 60), joint.weights) * joint.span
+            both[:, list(joint.channels)] += np.outer(np.linspace(0, 0.8, 60), joint.direction) * joint.span
         ticks = [(tick.state, tick.fault) for tick in map(ride.feed, both)]
         assert ticks[-1] == (State.FAULT, Fault.STOP_GESTURE)
         assert ride.chain.gate.last == (0.0, 0.0)
@@ -151,7 +151,7 @@ def bend(parameters, n, full):
     """Return frames in which the first joint moves evenly, by `full` FS in all."""
     joint = parameters.profile.joints[0]
     frames = make_signals(parameters, n, strokes=False)
-    frames[:, list(joint.channels)] += np.outer(np.linspace(0, full, n), joint.weights) * joint.span
+    frames[:, list(joint.channels)] += np.outer(np.linspace(0, full, n), joint.direction) * joint.span
     return frames
 
 
@@ -199,6 +199,6 @@ def test_a_channel_that_comes_back_moves_nothing():
     ride.arm_at_rest(make_signals(parameters, strokes=False))
     joint = parameters.profile.joints[0]
     frames = make_signals(parameters, 150, strokes=False)
-    frames[40:, list(joint.channels)] += np.array(joint.weights, dtype=np.float32) * joint.span * 0.5
+    frames[40:, list(joint.channels)] += np.array(joint.direction, dtype=np.float32) * joint.span * 0.5
     frames[30:60, joint.channels[0]] = np.nan  # the limb moved while the channel was bad
     assert all(ride.feed(frame).v == 0.0 for frame in frames)

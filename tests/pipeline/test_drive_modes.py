@@ -65,7 +65,7 @@ class Ride:
         frames = make_signals(self.parameters, count, seed=5, strokes=False)
         for joint in self.parameters.profile.joints:
             if joint.name in joints:
-                frames[:, list(joint.channels)] += np.outer(np.linspace(0, 0.8, count), joint.weights) * joint.span
+                frames[:, list(joint.channels)] += np.outer(np.linspace(0, 0.8, count), joint.direction) * joint.span
         return frames
 
     def moving(self):

@@ -32,7 +32,7 @@ def shifted(parameters, course, joints=("right_elbow",), along=True):
     frames = make_signals(parameters, len(course), strokes=False).astype(np.float64)
     for joint in parameters.profile.joints:
         if joint.name in joints:
-            direction = np.array(joint.weights) if along else np.abs(joint.weights)
+            direction = np.array(joint.direction) if along else np.abs(joint.direction)
             frames[:, list(joint.channels)] += np.outer(course, direction) * joint.span
     return frames.astype(np.float32)
 
@@ -151,7 +151,7 @@ def test_all_joints_alike_are_no_movement_and_two_are_one(along):
     size = (np.array(profile.high) - np.array(profile.low)) / 2.0
     if along:
         for joint in profile.joints:
-            size[list(joint.channels)] *= np.sign(joint.weights)
+            size[list(joint.channels)] *= np.sign(joint.direction)
     sway = np.outer(stroke(t, 1.0, 0.6, 0.8), size)
     frames = make_signals(parameters, 400, strokes=False) + sway.astype(np.float32)
     seen = looked_at(parameters, frames)[:, 1]
@@ -216,7 +216,7 @@ def rested(rate=RATE):
     profile = parameters.profile
     low = [0.0] * len(profile.low)
     for joint in profile.joints:
-        for channel, mean, weight in zip(joint.channels, joint.mean, joint.weights, strict=True):
+        for channel, mean, weight in zip(joint.channels, joint.mean, joint.direction, strict=True):
             low[channel] = mean - max(0.1, abs(weight) * joint.span)
     high = [0.0] * len(low)
     for joint in profile.joints:

@@ -201,7 +201,7 @@ def test_a_sensor_that_its_joint_does_not_tell_is_not_estimated(simulated):
 def test_estimated_channels_are_named(simulated):
     parameters = simulated[0].parameters["pca"]
     values = simulated[0].wearer.values[:400].astype(np.float32)
-    weakest = simulated[0].channels[int(np.abs(parameters.profile.joints[0].weights).argmin())]
+    weakest = simulated[0].channels[int(np.abs(parameters.profile.joints[0].direction).argmin())]
     values[200:300, weakest] = np.nan
     decoder = Decoder(parameters, 100.0)
     seen = []
@@ -215,7 +215,7 @@ def test_estimated_channels_are_named(simulated):
 def test_the_tick_says_which_channels_are_estimated_and_the_chair_goes_on(simulated):
     parameters = simulated[0].parameters["pca"]
     values = simulated[0].wearer.values[:300].astype(np.float32)
-    weakest = simulated[0].channels[int(np.abs(parameters.profile.joints[0].weights).argmin())]
+    weakest = simulated[0].channels[int(np.abs(parameters.profile.joints[0].direction).argmin())]
     values[:, weakest] = np.nan  # dead from the start
     chain = Chain(100.0, parameters.model_copy(update={"mode_u1": "velocity"}), VirtualChair(None, Pose(0.0, 0.0, 0.0)))
     ring = TickRing.create("test_estimated")

@@ -125,7 +125,7 @@ class Person:
             if joint.name in self.stuck:
                 posture = self.stuck[joint.name]
                 values[channels] = REST[channels] + self.noise * TREMBLE * (self.steps % 2)
-            values[channels] += posture * joint.span * np.array(joint.weights)
+            values[channels] += posture * joint.span * np.array(joint.direction)
             if joint.name in self.broken:
                 values[joint.channels[0]] = math.nan
         t = self.steps / RATE

@@ -68,7 +68,7 @@ class UdpShirtSender:
         posture = 0.6 * (
             self._done(self._stroke_at) + (0.0 if self._back_at is None else 1.0 - self._done(self._back_at))
         )
-        values[list(elbow.channels)] += (posture * elbow.span * np.array(elbow.weights)).astype(np.float32)
+        values[list(elbow.channels)] += (posture * elbow.span * np.array(elbow.direction)).astype(np.float32)
         # a constant channel would count as broken
         return values + np.float32(1e-3) * np.random.default_rng(self._frames).standard_normal(len(values), np.float32)
 

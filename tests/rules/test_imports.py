@@ -17,11 +17,11 @@ LEAVES = "leaf"
 PURE_CHAIN = tuple(
     f"pipeline.{name}"
     for name in (
-        *("chain", "channel_health", "channel_substitution", "controls", "decoder", "low_pass", "linear_rate"),
-        *("person_brakes", "prior_rates", "projection", "return_doubt"),
+        *("chain", "channel_health", "channel_substitution", "controls", "decoder", "map_readings"),
+        *("person_brakes", "projection", "return_doubt"),
         *("frame_rate", "movement_check"),
         *("ramp", "safety_gate", "shaping"),
-        *("replay.batch", "replay.linear_batch"),
+        "replay.batch",
     )
 )
 # Packages, or single modules of them, that each package may import besides its own.

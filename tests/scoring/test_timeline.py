@@ -47,8 +47,8 @@ def test_a_joint_shows_the_channels_that_weigh_most(folder):
     line, profile = timeline_of(folder, PATH, None), make_parameters().profile
     joint, shown = profile.joints[0], line.joints[0]
     assert (shown.name, shown.of, len(shown.channels)) == (joint.name, len(joint.channels), CHANNELS_SHOWN)
-    least = min(abs(joint.weights[[f"c{i}" for i in joint.channels].index(one.name)]) for one in shown.channels)
-    assert sum(abs(weight) > least for weight in joint.weights) == CHANNELS_SHOWN - 1
+    least = min(abs(joint.direction[[f"c{i}" for i in joint.channels].index(one.name)]) for one in shown.channels)
+    assert sum(abs(weight) > least for weight in joint.direction) == CHANNELS_SHOWN - 1
 
 
 def test_the_events_are_on_the_time_line(folder):

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from app.calibration.linear_map import LinearMap
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import Binding, DriveParameters, Gesture
 from app.layout import Channel, Joint, ShirtLayout
@@ -25,15 +26,11 @@ def parameters(bound: tuple[str, ...] = JOINTS, *, stop: bool = False) -> DriveP
         JointMap(
             name=joint,
             channels=tuple(range(COUNT * place, COUNT * place + COUNT)),
-            weights=(1.0, 0.0, 0.0, 0.0),
             mean=(0.0,) * COUNT,
-            sign=1,
-            span=2.0,
             evr=0.9,
             prompted=True,
             rest_rate=0.01,
-            dead_zone=0.15,
-            full=1.0,
+            pca=LinearMap(rates=((0.5, 0.0, 0.0, 0.0),), dead_zone=0.15, full=1.0),
             grade="good",
             reason="Clear.",
         )

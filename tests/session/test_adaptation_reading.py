@@ -11,6 +11,7 @@ from session.test_recordings import JOINTS, LAYOUT, RATE, record
 
 from app.calibration.adaptation.joint_loss import JointLoss
 from app.calibration.adaptation.proposal import propose
+from app.calibration.linear_map import LinearMap
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.faults import State
@@ -27,15 +28,11 @@ def parameters() -> DriveParameters:
         JointMap(
             name=joint,
             channels=(2 * i, 2 * i + 1),
-            weights=tuple(gain / SIZE for gain in AS_CALIBRATED),
             mean=(0.0, 0.0),
-            sign=1,
-            span=SIZE,
             evr=0.95,
             prompted=True,
             rest_rate=0.04,
-            dead_zone=0.2,
-            full=3.0,
+            pca=LinearMap(rates=(tuple(gain / SIZE**2 for gain in AS_CALIBRATED),), dead_zone=0.2, full=3.0),
             grade="good",
             reason="Clear.",
         )

@@ -128,7 +128,7 @@ def test_a_calibration_is_fitted_from_its_recordings_alone(recorded):
     for joint in profile.joints:
         assert joint.prompted
         assert joint.evr > 0.95
-        assert joint.sign * joint.weights[0] > 0  # the first channel rises with the movement
+        assert joint.direction[0] > 0  # the first channel rises with the movement
     without = fit_recordings(LAYOUT, recorded, ["left_elbow_1"], None)
     assert "left_elbow_1" in without.left_out
 

@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 
 from app.calibration.fit.profile_fit import fit_profile
+from app.calibration.linear_map import Arrangement
 from app.calibration.prior.map_prior import MapPrior
 from app.calibration.prior.prior_map import find_arrangements, with_best_maps, with_prior_maps
 from app.calibration.prior.shipped import SHIPPED_SEED, shipped_prior
-from app.calibration.profile import Arrangement, CalibrationProfile
+from app.calibration.profile import CalibrationProfile
 from app.calibration.script import calibration_script
 from app.calibration.vocabulary import standard_parameters
 from app.hardware.shirt.standard import standard_layout

@@ -11,7 +11,7 @@ from app.api.deps import Clinician, People, PeopleParts
 from app.api.parts import Web, WebParts
 from app.api.sign_in.identity import SignedInPerson
 from app.calibration.gestures.discovery import Discovery
-from app.calibration.profile import MapKind
+from app.calibration.linear_map import MapKind
 from app.calibration.vocabulary import standard_parameters
 from app.quantities import Document, Line, Name
 from app.refusals import Conflict

@@ -73,7 +73,7 @@ def with_ranges(profile: CalibrationProfile, low: Numbers, high: Numbers) -> Cal
 
 def sound_channels(profile: CalibrationProfile, joint: JointMap, movements: Sequence[Movement]) -> list[int]:
     """Return the joint's channels that have a weight in the map and were neither flat nor railed nor missing."""
-    sound = {channel for channel, weight in zip(joint.channels, joint.weights, strict=True) if weight != 0.0}
+    sound = {channel for channel, weight in zip(joint.channels, joint.pca.rates[0], strict=True) if weight != 0.0}
     groups = [profile.layout.channels_of_joint[joint.name]]
     for one in movements:
         if len(one.values):

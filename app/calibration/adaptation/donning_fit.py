@@ -5,9 +5,10 @@ from numpy.typing import NDArray
 
 from app.calibration.adaptation.donning_range import fit_ranges
 from app.calibration.adaptation.movement import Movement
+from app.calibration.linear_map import Arrangement, LinearMap
 from app.calibration.prior.map_prior import MapPrior
 from app.calibration.prior.prior_map import find_arrangements
-from app.calibration.profile import Arrangement, CalibrationProfile, PriorMap
+from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
 
 ANEW = "Or go on with the movements that follow: they make a new calibration."
@@ -68,7 +69,7 @@ def joints_followed(before: CalibrationProfile, after: CalibrationProfile) -> li
 def _refuse_turned_rings(profile: CalibrationProfile, today: dict[str, Arrangement]) -> None:
     """Refuse a ring that sits otherwise than when it was calibrated, where the calibration compared it with others."""
     labels = {joint.name: joint.label for joint in profile.layout.joints}
-    priors: dict[str, PriorMap] = {joint.name: joint.prior for joint in profile.joints if joint.prior is not None}
+    priors: dict[str, LinearMap] = {joint.name: joint.prior for joint in profile.joints if joint.prior is not None}
     for ring, arrangement in today.items():
         if ring not in profile.layout.rings:  # it was calibrated before the layout named this ring
             continue

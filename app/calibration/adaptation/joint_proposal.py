@@ -56,7 +56,7 @@ def assess_joint(evidence: AdaptationInput, joint: JointMap, gesture: Gesture) -
 
     A joint that loses nothing stays as it is.
     """
-    limits, old = evidence.limits, np.array(joint.weights)
+    limits, old = evidence.limits, np.array(joint.direction)
     now = Thresholds(gesture.dead_zone, gesture.full)
     values: dict[str, Any] = {
         "name": joint.name,
@@ -102,7 +102,7 @@ def _reason_to_skip(evidence: AdaptationInput, joint: JointMap, loss: JointLoss 
         return "unchanged", "No trial was driven since the calibration last changed."
     if loss is None:
         return "unchanged", "The calibration fits it as well as before."
-    weighed = {channel for channel, weight in zip(joint.channels, joint.weights, strict=True) if weight != 0.0}
+    weighed = {channel for channel, weight in zip(joint.channels, joint.pca.rates[0], strict=True) if weight != 0.0}
     broken = sorted(weighed - set(sound_channels(evidence.parameters.profile, joint, evidence.movements)))
     if broken:
         name = evidence.parameters.profile.layout.channel_names[broken[0]]
@@ -121,7 +121,7 @@ class _Turn(NamedTuple):
 
 def _turn(evidence: AdaptationInput, joint: JointMap, moved: Numbers) -> _Turn:
     """Return one limited turn towards the main direction of the movements `moved` (m, k), unless a limit refuses it."""
-    limits, old = evidence.limits, np.array(joint.weights)
+    limits, old = evidence.limits, np.array(joint.direction)
     sample_rate = evidence.trials[-1].sample_rate
     used = old != 0.0  # a weight of zero stays zero: the decoder does not read such a channel, and S5 does not check it
     covariance = exponential_covariance(moved * used, sample_rate) if len(moved) else np.zeros((len(old), len(old)))
@@ -133,7 +133,7 @@ def _turn(evidence: AdaptationInput, joint: JointMap, moved: Numbers) -> _Turn:
     weights = np.where(used, turn_towards(old, found.weights, most), 0.0) if asked > limits.worth_it_deg else old
     calibrated = evidence.calibrated.get(joint.name, joint)
     same = calibrated.channels == joint.channels  # directions of another shirt cannot be compared
-    away, before = (angle(np.array(calibrated.weights), one) if same else 180.0 for one in (weights, old))
+    away, before = (angle(np.array(calibrated.direction), one) if same else 180.0 for one in (weights, old))
     gesture = gesture_of(evidence.parameters, joint.name)
     assert gesture is not None
     talk = tuple(_cross_talk(evidence, joint, gesture, direction) for direction in (old, weights))

@@ -56,10 +56,11 @@ def _map_trial(parameters: DriveParameters, movement: Movement) -> MappedTrial:
     armed = np.asarray(movement.armed, dtype=np.bool_)
     rate, speed, fast = {}, {}, {}
     for joint in parameters.profile.joints:
-        rate[joint.name] = rate_along(joint, np.array(joint.weights), values, movement.sample_rate, parameters.cutoff)
+        rate[joint.name] = rate_along(joint, np.array(joint.direction), values, movement.sample_rate, parameters.cutoff)
         gesture = gesture_of(parameters, joint.name)
         on_pc1 = gesture is not None and joint.map == "pca"  # the thresholds of a guided map have another scale
-        dead_zone, full = (gesture.dead_zone, gesture.full) if gesture and on_pc1 else (joint.dead_zone, joint.full)
+        handles = gesture if gesture and on_pc1 else joint.pca
+        dead_zone, full = handles.dead_zone, handles.full
         size = np.abs(rate[joint.name])
         speed[joint.name], fast[joint.name] = size / max(full, 1e-9), size > dead_zone
     own = {}
@@ -79,7 +80,7 @@ def gesture_of(parameters: DriveParameters, joint: str) -> Gesture | None:
 def rate_along(joint: JointMap, weights: Numbers, values: Numbers, sample_rate: float, cutoff: float) -> Numbers:
     """Return the rate (n,) in FS/s of a joint with `weights`, computed as by the decoder."""
     place = (values[:, list(joint.channels)] - np.array(joint.mean)) @ weights
-    smoothed = smooth(place * (joint.sign / joint.span), cutoff, sample_rate)
+    smoothed = smooth(place / joint.span, cutoff, sample_rate)
     return np.diff(smoothed, prepend=smoothed[0]) * sample_rate
 
 

@@ -92,7 +92,7 @@ def _joints_moved(before: CalibrationProfile, after: CalibrationProfile) -> set[
 def _new_parameters(
     parameters: DriveParameters, profile: CalibrationProfile, found: Sequence[JointAssessment]
 ) -> DriveParameters:
-    """Return the parameters with new weights and thresholds; sign, span and all else stay."""
+    """Return the parameters with new weights and thresholds; the span and all else stay."""
     new = {one.change.name: one for one in found}
     joints = tuple(_with_weights(joint, new.get(joint.name)) for joint in profile.joints)
     gestures = tuple(_with_handles(parameters, gesture, new.get(gesture.joint)) for gesture in parameters.gestures)
@@ -103,7 +103,8 @@ def _new_parameters(
 
 
 def _with_weights(joint: JointMap, new: JointAssessment | None) -> JointMap:
-    return joint if new is None else joint.model_copy(update={"weights": tuple(float(w) for w in new.weights)})
+    is_new = new is not None and new.weights.tolist() != list(joint.direction)
+    return joint.with_direction(new.weights.tolist()) if new is not None and is_new else joint
 
 
 def _with_handles(parameters: DriveParameters, gesture: Gesture, new: JointAssessment | None) -> Gesture:

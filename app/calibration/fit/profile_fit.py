@@ -14,6 +14,7 @@ from app.calibration.fit.omissions import channels_left_out
 from app.calibration.fit.pieces import check_pieces, fill_forward, value_range
 from app.calibration.fit.repetitions import Repetition
 from app.calibration.grades import JointMeasurements, grade
+from app.calibration.linear_map import LinearMap
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.clock import utc_now
 from app.layout import ShirtLayout
@@ -158,18 +159,18 @@ def _joint_map(
     return JointMap(
         name=name,
         channels=joint.direction.channels,
-        weights=tuple(map(float, joint.direction.weights)),
         mean=tuple(map(float, joint.direction.mean)),
-        sign=1 if joint.sign > 0 else -1,
-        span=joint.span,
         evr=min(1.0, joint.evr),
         prompted=joint.agreement is not None,
         angle_deg=joint.angle_deg,
         signal_to_noise=ratio,
         repeatability=joint.repeatability,
         rest_rate=joint.rest_rate,
-        dead_zone=joint.dead_zone,
-        full=joint.full,
+        pca=LinearMap(
+            rates=(tuple(map(float, joint.direction.weights * (joint.sign / joint.span))),),
+            dead_zone=joint.dead_zone,
+            full=joint.full,
+        ),
         step=joint.steps.sudden,
         filtered_step=joint.steps.filtered,
         grade=letter,

@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 from app.calibration.cued_runs import CuedRun, Phase
 from app.calibration.fit.joint_evidence import CUTOFF, LAG, SETTLING
 from app.calibration.fit.pieces import Frames
-from app.calibration.guided.guided_map import features
-from app.calibration.prior.features import features as prior_features
+from app.calibration.prior.features import features
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.signals.smoothing import smooth
 
@@ -63,11 +62,9 @@ def gather_evidence(profile: CalibrationProfile, runs: Sequence[CuedRun]) -> Evi
         places = smooth(_scores(profile, run.values), CUTOFF, rate_of)
         rates = np.diff(places, axis=0, prepend=places[:1]) * rate_of
         for column, joint in enumerate(profile.joints):
-            if joint.linear is not None:
-                made = features if joint.map == "guided" else prior_features
-                rates[:, column] = made(run.values[:, list(joint.channels)], rate_of) @ np.concatenate(
-                    joint.linear.parts
-                )
+            if joint.map != "pca":
+                made = features(run.values[:, list(joint.channels)], rate_of)
+                rates[:, column] = made @ np.concatenate(joint.linear.parts)
         for index, phase in enumerate(run.phases):
             _add_phase(evidence, profile, run.phases, index, phase, places, rates)
     return evidence
@@ -78,7 +75,7 @@ def _scores(profile: CalibrationProfile, values: Frames) -> Frames:
     offsets = np.zeros(len(profile.joints))
     for column, joint in enumerate(profile.joints):
         channels = list(joint.channels)
-        weights[channels, column] = joint.sign / joint.span * np.array(joint.weights)
+        weights[channels, column] = joint.pca.rates[0]
         offsets[column] = weights[channels, column] @ np.array(joint.mean)
     return values @ weights - offsets
 

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.profile import MapCheck
+from app.calibration.linear_map import MapCheck
 
 SHORTEST_REST = 2.0  # s: less rest is too short to count false activations in
 # s before and after a movement that count neither as rest nor as movement: the lag is not known more exactly, and the

@@ -15,7 +15,8 @@ from app.calibration.fit.pieces import fill_forward
 from app.calibration.fit.repetitions import Stretch
 from app.calibration.guided.check import SHORTEST_REST, check, dead_zone_of
 from app.calibration.guided.labels import CuedMovement, labels, lags_of
-from app.calibration.profile import AVERAGING_TIMES, CalibrationProfile, GuidedMap, JointMap, MapCheck
+from app.calibration.linear_map import AVERAGING_TIMES, LinearMap, MapCheck
+from app.calibration.profile import CalibrationProfile, JointMap
 from app.number_words import amount
 from app.signals.smoothing import slow_average, smooth
 
@@ -91,7 +92,7 @@ def with_guided_maps(
     return GuidedFit(profile.model_copy(update={"joints": tuple(joints)}), reasons)
 
 
-def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | None, sample_rate: float) -> GuidedMap:
+def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | None, sample_rate: float) -> LinearMap:
     """Return the guided map of one joint, or raise GuidedMapError."""
     pieces = [_piece(joint, one, sample_rate) for one in stretches]
     count = sum(len(piece.cued) for piece in pieces)
@@ -118,7 +119,7 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
             f"Nothing is learnt from cues, because it is nowhere at rest for {SHORTEST_REST:g} s in all: record a "
             f"rest, or leave pauses between the prompted movements."
         )
-    pca_check = check(data.pca, data.label, data.repetition, joint.dead_zone, joint.full, sample_rate)
+    pca_check = check(data.pca, data.label, data.repetition, joint.pca.dead_zone, joint.pca.full, sample_rate)
     candidates = [_candidate(data, level, joint, pca_check, sample_rate) for level in LEVEL_RIDGES]
     best = max(candidate.check.in_phase for candidate in candidates)
     chosen = next(candidate for candidate in candidates if candidate.check.in_phase >= best - LEVELS_MUST_GAIN)
@@ -128,22 +129,23 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
         raise GuidedMapError(
             "Nothing is learnt from cues, because the signals are too small: give them in a smaller unit."
         )
-    return GuidedMap(
-        rate=tuple(map(float, weights[:k])),
-        short=tuple(map(float, weights[k : 2 * k])),
-        long=tuple(map(float, weights[2 * k :])),
+    short, long = weights[k : 2 * k], weights[2 * k :]
+    return LinearMap(
+        rates=(tuple(map(float, weights[:k])),),
+        short=tuple(map(float, short)) if short.any() else (),
+        long=tuple(map(float, long)) if long.any() else (),
         dead_zone=chosen.dead_zone,
         full=chosen.full,
         lag=float(np.median(np.concatenate(lags))) / sample_rate - DELAY,
         repetitions=count,
         pca_check=pca_check,
-        guided_check=chosen.check,
+        check=chosen.check,
     )
 
 
 def _piece(joint: JointMap, stretch: Stretch, sample_rate: float) -> _Piece:
     values = fill_forward(bridge_gaps(stretch.values, sample_rate))[:, list(joint.channels)]
-    place = (values - np.array(joint.mean)) @ np.array(joint.weights) * (joint.sign / joint.span)
+    place = (values - np.array(joint.mean)) @ np.array(joint.pca.rates[0])
     smoothed = smooth(place, CUTOFF, sample_rate)
     return _Piece(
         features=features(values, sample_rate),
@@ -240,13 +242,13 @@ def _candidate(
         raise GuidedMapError(
             "Nothing is learnt from cues: the repetitions have nothing in common, so repeat the prompts."
         )
-    scale = joint.full / strong
+    scale = joint.pca.full / strong
     held_out = held_out * scale
     resting = held_out[data.repetition < 0]
     noise = float(resting.std()) if len(resting) else 0.0
-    same_hits = min(dead_zone_of(held_out, data.label, pca.hit_rate), LARGEST_DEAD_ZONE * joint.full)
+    same_hits = min(dead_zone_of(held_out, data.label, pca.hit_rate), LARGEST_DEAD_ZONE * joint.pca.full)
     dead_zone = round(min(max(same_hits, REST_NOISE_FACTOR * noise, SMALLEST_DEAD_ZONE), LARGEST_THRESHOLD), 4)
-    full = round(min(max(joint.full, dead_zone + LEAST_RANGE), LARGEST_THRESHOLD + LEAST_RANGE), 4)
+    full = round(min(max(joint.pca.full, dead_zone + LEAST_RANGE), LARGEST_THRESHOLD + LEAST_RANGE), 4)
     return _Candidate(
         weights=ridge.weights() * scale,
         dead_zone=dead_zone,

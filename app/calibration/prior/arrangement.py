@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.fit.joint_evidence import CUTOFF
+from app.calibration.linear_map import Arrangement
 from app.calibration.prior.scale import log_ranges
-from app.calibration.profile import Arrangement
 from app.signals.smoothing import smooth
 
 LARGEST_CORRELATION = 0.999  # keeps atanh finite

@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ConfigDict, Field, model_validator
 
+from app.calibration.linear_map import KINDS
 from app.calibration.prior.arrangement import RingMoments
-from app.calibration.prior.features import KINDS
 from app.calibration.prior.moments import Moments
 from app.calibration.profile import CalibrationProfile
 from app.layout import MAX_CHANNELS, ShirtLayout

@@ -4,10 +4,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.fit.joint_evidence import CUTOFF
-from app.calibration.profile import AVERAGING_TIMES, RATE_LAGS
+from app.calibration.linear_map import AVERAGING_TIMES, RATE_LAGS
 from app.signals.smoothing import slow_average, smooth
-
-KINDS = len(RATE_LAGS) + len(AVERAGING_TIMES)  # features of one channel
 
 Array = NDArray[np.float64]
 

@@ -9,7 +9,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.prior.features import KINDS
+from app.calibration.linear_map import KINDS
 
 Array = NDArray[np.float64]
 

@@ -11,15 +11,16 @@ from app.calibration.fit.joint_fit import LEAST_RANGE
 from app.calibration.fit.repetitions import Stretch
 from app.calibration.grades import UNPROMPTED
 from app.calibration.guided.check import check
+from app.calibration.linear_map import KINDS, RATE_LAGS, Arrangement, LinearMap, MapCheck
 from app.calibration.prior.arrangement import find_arrangement, ring_movement, sensors_at
 from app.calibration.prior.documents import FEWEST_PEOPLE
-from app.calibration.prior.features import KINDS, features
+from app.calibration.prior.features import features
 from app.calibration.prior.forecasts import expected_false, expected_hits, held_out_rate, own_full, own_peaks
 from app.calibration.prior.frames import prompted_frames, without_gaps
 from app.calibration.prior.map_prior import JointPrior, MapPrior, check_layout
 from app.calibration.prior.scale import channels_alive, first_movement, log_ranges, scales
 from app.calibration.prior.solving import OwnFrames, solve, thresholds
-from app.calibration.profile import RATE_LAGS, Arrangement, CalibrationProfile, JointMap, MapCheck, PriorMap
+from app.calibration.profile import CalibrationProfile, JointMap
 from app.layout import ShirtLayout
 
 DIRECTED = "It was not prompted: which way its movement counts is known from other people."
@@ -165,22 +166,21 @@ def _joint(
     in_free = features(moved[:, list(used.channels)] / used.scale, rate)
     held_out = None if frames is None else held_out_rate(frames, others, rate)
     peaks = own_peaks(in_free @ weights, dead_zone, held_out, frames)
-    in_fs = joint.full / own_full(peaks, dead_zone, full_of_others)
+    full = joint.pca.full
+    in_fs = full / own_full(peaks, dead_zone, full_of_others)
     by_pca = _pca_weights(joint, used)
-    sign = joint.sign
     if not joint.prompted and float((in_free @ weights) @ (in_free @ by_pca)) < 0.0:
-        sign = 1 if joint.sign < 0 else -1
+        joint = joint.with_direction([-part for part in joint.direction])
     per_unit = _per_unit(weights * in_fs, used, joint)
     if np.abs(per_unit).max() > LARGEST_WEIGHT:
         raise PriorMapError("The signals are too small: give them in a smaller unit.")
-    lowest = max(dead_zone * in_fs, LEAST_DEAD_ZONE * joint.full)
-    fitted = PriorMap(
-        rate=_numbers(per_unit[0]),
-        earlier=tuple(_numbers(part) for part in per_unit[1 : len(RATE_LAGS)]),
+    lowest = max(dead_zone * in_fs, LEAST_DEAD_ZONE * full)
+    fitted = LinearMap(
+        rates=tuple(_numbers(part) for part in per_unit[: len(RATE_LAGS)]),
         short=_numbers(per_unit[-2]),
         long=_numbers(per_unit[-1]),
-        dead_zone=round(min(lowest, joint.full - LEAST_RANGE), 4),
-        full=joint.full,
+        dead_zone=round(min(lowest, full - LEAST_RANGE), 4),
+        full=full,
         people=people.people,
         repetitions=0 if frames is None else frames.repetitions,
         dropped=tuple(profile.layout.channels[i].name for i in used.dropped),
@@ -194,12 +194,12 @@ def _joint(
         pca = frames.features @ by_pca
         found |= {
             "false_per_minute": expected_false(held_out, frames, fitted.dead_zone, rate),
-            "prior_check": _check(held_out, frames, fitted.dead_zone, fitted.full, rate),
-            "pca_check": _check(pca, frames, joint.dead_zone, joint.full, rate),
+            "check": _check(held_out, frames, fitted.dead_zone, fitted.full, rate),
+            "pca_check": _check(pca, frames, joint.pca.dead_zone, full, rate),
         }
     fitted = fitted.model_copy(update=found)
     reason = joint.reason.replace(UNPROMPTED, DIRECTED)
-    return joint.model_copy(update={"prior": fitted, "sign": sign, "reason": reason})
+    return joint.model_copy(update={"prior": fitted, "reason": reason})
 
 
 def _used_channels(
@@ -245,7 +245,7 @@ def _pca_weights(joint: JointMap, used: _UsedChannels) -> Array:
     """Return the weights (d,) with which the prior's features give the rate of the joint's PCA map, FS/s."""
     weights = np.zeros((KINDS, len(used.channels)))
     for column, (channel, scale) in enumerate(zip(used.channels, used.scale, strict=True)):
-        weights[0, column] = joint.sign / joint.span * joint.weights[joint.channels.index(channel)] * scale
+        weights[0, column] = joint.pca.rates[0][joint.channels.index(channel)] * scale
     return weights.ravel()
 
 

@@ -2,7 +2,7 @@
 
 import math
 
-from app.calibration.profile import Forecast
+from app.calibration.linear_map import Forecast
 from app.calibration.script import REPETITIONS
 
 # Measured on the real knit with people kept apart: the deviation within which the hits of about two recordings of

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.prior.features import KINDS
+from app.calibration.linear_map import KINDS
 from app.calibration.prior.moments import Moments
 
 RIDGE = 0.01  # of each feature's own power

@@ -8,7 +8,8 @@ from app.calibration.profile import CalibrationProfile
 from app.cli.calibration.map_choice import checks, comparison
 
 KINDS = {"pca": "standard", "guided": "cues", "prior": "people"}
-PRINTED = ("evr", "span", "sign", "has_to_be_repeated", "reason", "dead_zone", "full")
+HANDLES = ("dead_zone", "full")
+PRINTED = ("evr", "span", "has_to_be_repeated", "reason", *HANDLES)
 
 
 def _rate(share: float) -> str:
@@ -23,8 +24,8 @@ def summary(profile: CalibrationProfile, reasons: dict[str, str], out: Path) -> 
         for name, reason in joints_without_map(profile).items()
     }
     mapped = {
-        joint.name: {word: getattr(joint, word) for word in PRINTED}
-        | dict(zip(("dead_zone", "full"), joint.thresholds, strict=True))
+        joint.name: {word: getattr(joint, word) for word in PRINTED[: -len(HANDLES)]}
+        | dict(zip(HANDLES, joint.thresholds, strict=True))
         for joint in profile.joints
     }
     maps = {joint.name: checks(joint, reasons) for joint in profile.joints}
@@ -41,17 +42,17 @@ def report(
     without = joints_without_map(profile)
     width = max(len(name) for name in ("joint", *profile.layout.joint_names))
     titles = ("hits of 100", "at rest a minute")
-    head = [f"{'clear':>6}  {'span':>10}  sign", *(f"{title:>18}" for title in titles)]
+    head = [f"{'clear':>6}  {'span':>10}", *(f"{title:>18}" for title in titles)]
     lines = ["  ".join([f"{'joint':{width}}", *head, f"{'counts from':>11}  {'full at':>9}  calibration"])]
     for joint in profile.joints:
         cells = [
             f"{joint.name:{width}}",
-            f"{joint.evr:6.1%}  {joint.span:10.4g}  {'+' if joint.sign > 0 else '-':>4}",
+            f"{joint.evr:6.1%}  {joint.span:10.4g}",
             *(f"{figure:>18}" for figure in expected[joint.name]),
             f"{_rate(joint.thresholds[0]):>11}  {_rate(joint.thresholds[1]):>9}  {KINDS[joint.map]}",
         ]
         lines.append("  ".join(cells))
-    nothing = "  ".join(f"{'-':>{size}}" for size in (6, 10, 4, 18, 18, 11, 9))
+    nothing = "  ".join(f"{'-':>{size}}" for size in (6, 10, 18, 18, 11, 9))
     lines += [f"{name:{width}}  {nothing}  -" for name in without]
     lines += [
         "",

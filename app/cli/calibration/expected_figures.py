@@ -1,9 +1,10 @@
 """What is expected of each joint of a calibration, as `bodydrive calibrate` prints it."""
 
 from app.calibration.gestures.discovery import Discovery
+from app.calibration.linear_map import Forecast
 from app.calibration.prior.map_prior import JointPrior
 from app.calibration.prior.solving import solve, thresholds
-from app.calibration.profile import CalibrationProfile, Forecast, JointMap
+from app.calibration.profile import CalibrationProfile, JointMap
 
 UNKNOWN = "not known"
 ANY_RATE = 100.0  # Hz: without own frames the weights do not depend on it

@@ -6,7 +6,8 @@ from app.cli.errors import InputError
 from app.number_words import percent
 
 if TYPE_CHECKING:
-    from app.calibration.profile import CalibrationProfile, JointMap, MapCheck, MapKind
+    from app.calibration.linear_map import MapCheck, MapKind
+    from app.calibration.profile import CalibrationProfile, JointMap
 
 MapChoice = Literal["pca", "guided", "prior", "best"]
 KEPT = "It keeps the standard calibration."
@@ -71,9 +72,14 @@ def checks(joint: "JointMap", reasons: dict[str, str]) -> dict[str, object]:
         "repetitions": guided.repetitions,
         "dead_zone": guided.dead_zone,
         "full": guided.full,
-        "pca_check": guided.pca_check.model_dump(mode="json"),
-        "guided_check": guided.guided_check.model_dump(mode="json"),
+        "pca_check": check_facts(guided.pca_check),
+        "guided_check": check_facts(guided.check),
     }
+
+
+def check_facts(check: "MapCheck | None") -> object:
+    """Return what `--json` says of a check."""
+    return None if check is None else check.model_dump(mode="json")
 
 
 def comparison(profile: "CalibrationProfile", reasons: dict[str, str], width: int) -> list[str]:
@@ -90,7 +96,7 @@ def comparison(profile: "CalibrationProfile", reasons: dict[str, str], width: in
             f"{name:{width}}  "
             + "  ".join(
                 f"{one:>8}  {other:>6}"
-                for one, other in zip(_figures(guided.pca_check), _figures(guided.guided_check), strict=True)
+                for one, other in zip(_figures(guided.pca_check), _figures(guided.check), strict=True)
             )
             + f"  {'yes' if guided.is_better else 'no'}"
             for name, guided in both
@@ -98,5 +104,7 @@ def comparison(profile: "CalibrationProfile", reasons: dict[str, str], width: in
     return lines + [f"{name}: {reason}" for name, reason in reasons.items()]
 
 
-def _figures(check: "MapCheck") -> tuple[str, str, str]:
+def _figures(check: "MapCheck | None") -> tuple[str, ...]:
+    if check is None:
+        return "-", "-", "-"
     return percent(check.in_phase, 1), percent(check.hit_rate, 1), f"{check.false_per_minute:.1f}"

@@ -1,7 +1,9 @@
 """What the command line says of maps from other people."""
 
+from app.calibration.linear_map import Arrangement, Forecast
 from app.calibration.prior.prior_map import PriorFit
-from app.calibration.profile import Arrangement, Forecast, JointMap
+from app.calibration.profile import JointMap
+from app.cli.calibration.map_choice import check_facts
 
 
 def prior_summary(known: PriorFit) -> dict[str, object]:
@@ -32,8 +34,8 @@ def _facts(joint: JointMap, reasons: dict[str, str]) -> dict[str, object]:
         "full": prior.full,
         "hits_of_100": _forecast(prior.hits),
         "false_per_minute": _forecast(prior.false_per_minute),
-        "prior_check": None if prior.prior_check is None else prior.prior_check.model_dump(mode="json"),
-        "pca_check": None if prior.pca_check is None else prior.pca_check.model_dump(mode="json"),
+        "prior_check": check_facts(prior.check),
+        "pca_check": check_facts(prior.pca_check),
     }
 
 

@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from app.calibration.map_rates import map_rates
 from app.calibration.vocabulary import DriveParameters
 from app.faults import State
 from app.geometry import Twist
@@ -21,10 +22,8 @@ from app.pipeline.channel_health import ChannelHealth, LossWindow
 from app.pipeline.channel_substitution import ChannelSubstitution, Surprise
 from app.pipeline.controls import Controls
 from app.pipeline.decoder import LONGEST_GAP, Decoder
-from app.pipeline.linear_rate import linear_projection
-from app.pipeline.projection import channels_used, projection
+from app.pipeline.projection import Projections, projections
 from app.pipeline.ramp import Ramp
-from app.pipeline.replay.linear_batch import linear_rate
 from app.pipeline.return_doubt import ReturnDoubt
 from app.pipeline.safety_gate import (
     LARGEST_STEP,
@@ -34,7 +33,6 @@ from app.pipeline.safety_gate import (
     towards_zero,
 )
 from app.pipeline.shaping import Cruise, Shaper, forward_ramp, turn_ramp
-from app.signals.smoothing import smooth
 
 Array = NDArray[np.float64]
 CHUNK = 5_000  # frames at once, so that the temporary arrays stay in the processor's cache
@@ -91,8 +89,8 @@ def decode_block(
         The chair to drive; without one, a unicycle that starts at the origin of a floor without walls.
     """
     device = t if t_device is None else t_device
-    projected, silent, margins, surprises = _projected(parameters, sample_rate, values)
-    score = projected[:, : len(parameters.gestures)]
+    read = projections(parameters)
+    score, projected, silent, margins, surprises = _projected(parameters, read, sample_rate, values)
     periods = _periods(device, sample_rate)
     silent |= _too_lossy(t, periods)[:, np.newaxis]
     if any(gesture.feature == "displacement" for gesture in parameters.gestures):
@@ -100,7 +98,7 @@ def decode_block(
     else:
         dead_zone = np.array([gesture.dead_zone for gesture in parameters.gestures])
         reach = np.array([gesture.full for gesture in parameters.gestures]) - dead_zone
-        rate = _rates(parameters, sample_rate, periods, projected)
+        rate = map_rates(projected, read.is_read, periods, parameters.cutoff, sample_rate)
         doubt = ReturnDoubt(parameters, sample_rate)
         doubts = _doubts(doubt, periods, surprises)
         silent |= doubts < np.array(doubt.largest)
@@ -116,23 +114,21 @@ def decode_block(
 
 
 def _projected(
-    parameters: DriveParameters, sample_rate: float, values: NDArray[np.float32]
-) -> tuple[Array, NDArray[np.bool_], Array, list[Surprise]]:
-    """Return scores and projections of linear maps, which gestures are lost, their margins, and what returned.
+    parameters: DriveParameters, read: Projections, sample_rate: float, values: NDArray[np.float32]
+) -> tuple[Array, Array, NDArray[np.bool_], Array, list[Surprise]]:
+    """Return scores and projections of the maps, which gestures are lost, their margins, and what returned.
 
-    Projections (n, n_gestures + n_rows), where n_rows is that of `linear_projection`; lost gestures and margins
+    Scores (n, n_gestures); projections (n, n_parts), of every part that some gesture reads; lost gestures and margins
     (n, n_gestures) as `ChannelSubstitution` has them.
     """
-    weights, offsets = projection(parameters)
-    rows, _ = linear_projection(parameters)
-    weights = np.concatenate((weights, rows))
-    lost = np.zeros((len(values), len(offsets)), dtype=np.bool_)
-    margins = np.zeros((len(values), len(offsets)))
-    offsets = np.concatenate((offsets, np.zeros(len(rows))))
-    health = ChannelHealth(parameters.profile, np.asarray(channels_used(parameters).any(axis=0)), sample_rate)
+    count = len(read.score)
+    weights = np.concatenate((read.score, read.parts[read.is_read]))
+    lost = np.zeros((len(values), count), dtype=np.bool_)
+    margins = np.zeros((len(values), count))
+    health = ChannelHealth(parameters.profile, np.asarray(read.uses.any(axis=0)), sample_rate)
     substitution = ChannelSubstitution(parameters)
     surprises: list[Surprise] = []
-    score = np.empty((len(values), len(weights)))
+    projected = np.empty((len(values), len(weights)))
     for start in range(0, len(values), CHUNK):
         part = slice(start, start + CHUNK)
         wrong = health.bad_in_block(values[part], values[max(0, start - health.memory) : start] if start else None)
@@ -147,8 +143,8 @@ def _projected(
             surprises.extend(Surprise(start + row, step) for row, step in returned)
         elif not np.isfinite(frames.sum()):  # a channel that no gesture reads is NaN or infinite
             frames[~np.isfinite(frames)] = 0.0
-        score[part] = frames @ weights.T - offsets
-    return score, lost, margins, surprises
+        projected[part] = frames @ weights.T
+    return projected[:, :count] - read.offset, projected[:, count:], lost, margins, surprises
 
 
 def _doubts(doubt: ReturnDoubt, periods: Array, surprises: list[Surprise]) -> Array:
@@ -160,22 +156,6 @@ def _doubts(doubt: ReturnDoubt, periods: Array, surprises: list[Surprise]) -> Ar
         amounts[row:end] = doubt.over(periods[row + 1 : end])
         doubt.fade(float(periods[row + 1 : end + 1].sum()), was_quiet=False)
     return amounts
-
-
-def _rates(parameters: DriveParameters, sample_rate: float, periods: Array, projected: Array) -> Array:
-    """Return the rates (n, n_gestures) in FS/s of all gestures, none of which reads a displacement."""
-    count, places = len(parameters.gestures), linear_projection(parameters)[1]
-    plain = [i for i in range(count) if i not in places]
-    rate = np.empty((len(projected), count))
-    if plain:
-        smoothed = smooth(projected[:, plain], parameters.cutoff, sample_rate)
-        change = np.zeros_like(smoothed)
-        np.subtract(smoothed[1:], smoothed[:-1], out=change[1:])
-        rate[:, plain] = change * (sample_rate / periods)[:, np.newaxis]
-    for i, place in places.items():
-        parts = projected[:, count + place.start : count + place.stop]
-        rate[:, i] = linear_rate(parts, periods, parameters.cutoff, sample_rate)
-    return rate
 
 
 def _periods(device: Array, sample_rate: float) -> Array:

@@ -14,7 +14,7 @@ from app.calibration.adaptation.thresholds import dead_zone_for, least_dead_zone
 from app.calibration.fit.pieces import fill_forward
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.channel_health import ChannelHealth
-from app.pipeline.projection import channels_used
+from app.pipeline.projection import projections
 from app.pipeline.replay.batch import decode_block
 from app.scoring.map_losses.map_blindness import blindness
 
@@ -46,7 +46,7 @@ def gesture_trials(parameters: DriveParameters, movement: Movement) -> dict[str,
     if not len(movement.values) or not bound:
         return {}
     values, sample_rate = np.asarray(movement.values, dtype=np.float32), movement.sample_rate
-    uses = channels_used(parameters)
+    uses = projections(parameters).uses
     health = ChannelHealth(parameters.profile, np.asarray(uses.any(axis=0)), sample_rate)
     bad = health.block(values.astype(np.float64), None)
     decoded = decode_block(parameters, sample_rate, np.arange(len(values)) / sample_rate, values)

@@ -30,8 +30,8 @@ def blindness(joint: JointMap, values: Numbers, moving: NDArray[np.bool_], sampl
     sample_rate
         Hz.
     """
-    weights = np.array(joint.weights)
-    if joint.map != "pca" or not weights.any():
+    weights = np.array(joint.direction)
+    if joint.map != "pca":
         return None
     signals = values[:, list(joint.channels)] * (weights != 0.0)
     pieces = stretches(moving, LONGEST_BREAK, SHORTEST_PIECE, sample_rate)

@@ -1,6 +1,7 @@
 """Choose which map decodes a joint, on the result of a calibration before it is accepted."""
 
-from app.calibration.profile import CalibrationProfile, MapKind
+from app.calibration.linear_map import MapKind
+from app.calibration.profile import CalibrationProfile
 from app.refusals import Conflict, NotFound
 from app.store.database import Database
 from app.store.tables import PatientSession

@@ -28,8 +28,8 @@ def practised(clinic: Any, **taught: Any) -> Any:
     [
         {},
         {"repetitions": 1},
-        {"repetitions": 3, "prior_check": WRONG_WAY, "pca_check": AGREES},
-        {"repetitions": 3, "prior_check": TOO_SMALL, "pca_check": AGREES},
+        {"repetitions": 3, "check": WRONG_WAY, "pca_check": AGREES},
+        {"repetitions": 3, "check": TOO_SMALL, "pca_check": AGREES},
     ],
 )
 def test_a_map_that_no_own_movement_confirms_is_practised_and_not_armed(
@@ -47,7 +47,7 @@ def test_a_map_that_no_own_movement_confirms_is_practised_and_not_armed(
 
 
 def test_one_own_repetition_of_each_bound_movement_that_agrees_is_armed(calibrated: Any) -> None:
-    clinic = practised(calibrated, repetitions=1, prior_check=AGREES, pca_check=AGREES)
+    clinic = practised(calibrated, repetitions=1, check=AGREES, pca_check=AGREES)
     assert clinic.good("GET", "/drives/summary")["refusals"] == []
     with clinic.screen():
         assert arm(clinic).status_code == 201

@@ -4,7 +4,7 @@ from typing import Any
 
 from fake_clinic import Clinic
 
-from app.calibration.prior.features import KINDS
+from app.calibration.linear_map import KINDS
 
 OTHERS = (1, 2, 3, 4)  # their ids
 CHANNELS = 2  # of each joint of the test's shirt

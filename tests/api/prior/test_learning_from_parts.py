@@ -6,7 +6,7 @@ import pytest
 from calibrated_others import begin, entry, record
 from fake_clinic import profile_for
 
-from app.calibration.profile import Arrangement
+from app.calibration.linear_map import Arrangement
 from app.layout import Channel, ShirtLayout
 from app.store.prior.prior_tables import PriorEntry
 from building import taught_by_others

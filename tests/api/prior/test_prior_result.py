@@ -4,14 +4,14 @@ from typing import Any
 
 from fake_clinic import profile_for
 
-from app.calibration.profile import Forecast
+from app.calibration.linear_map import Forecast
 from building import AGREES, taught_by_others
 
 HITS, FALSE = Forecast(value=71.0, uncertainty=11.0), Forecast(value=1.8, uncertainty=1.2)
 
 
 def test_the_result_says_what_is_expected_of_each_joint_and_how_the_choice_was_made(in_session: Any) -> None:
-    found = {"hits": HITS, "false_per_minute": FALSE, "prior_check": AGREES, "pca_check": AGREES}
+    found = {"hits": HITS, "false_per_minute": FALSE, "check": AGREES, "pca_check": AGREES}
     in_session.readings["profile"] = lambda layout: taught_by_others(profile_for(layout), repetitions=3, **found)
     in_session.calibrate()
     for joint in in_session.good("GET", "/calibration")["result"]["joints"]:
@@ -20,14 +20,14 @@ def test_the_result_says_what_is_expected_of_each_joint_and_how_the_choice_was_m
         assert (prior["people"], prior["repetitions"], prior["offered"]) == (8, 3, True)
         assert (prior["hits"], prior["false_per_minute"]) == (HITS.model_dump(), FALSE.model_dump())
         assert prior["hits_with_prompts"] is None
-        assert prior["prior_check"] == prior["pca_check"] == AGREES.model_dump()
+        assert prior["check"] == prior["pca_check"] == AGREES.model_dump()
 
 
 def test_what_is_not_known_without_own_repetitions_is_null(in_session: Any) -> None:
     in_session.readings["profile"] = lambda layout: taught_by_others(profile_for(layout), hits=HITS)
     in_session.calibrate()
     prior = in_session.good("GET", "/calibration")["result"]["joints"][0]["prior"]
-    assert (prior["hits"]["value"], prior["false_per_minute"], prior["prior_check"]) == (71.0, None, None)
+    assert (prior["hits"]["value"], prior["false_per_minute"], prior["check"]) == (71.0, None, None)
     assert prior["hits_with_prompts"] == {"value": 71.0, "uncertainty": 2.2}  # what three repetitions would bring
 
 

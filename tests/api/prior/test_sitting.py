@@ -6,7 +6,7 @@ import pytest
 from fake_clinic import profile_for
 from prior.test_drive_now import record
 
-from app.calibration.profile import Arrangement
+from app.calibration.linear_map import Arrangement
 from app.layout import Channel, ShirtLayout
 from building import taught_by_others
 

@@ -5,23 +5,21 @@ from typing import Any
 import pytest
 import running_app
 
-from app.calibration.profile import GuidedMap, MapCheck
+from app.calibration.linear_map import LinearMap, MapCheck
 
 WORSE = MapCheck(in_phase=0.86, hit_rate=0.88, false_per_minute=11.4, false_count=2)
 BETTER = MapCheck(in_phase=0.95, hit_rate=0.88, false_per_minute=0.0, false_count=0)
 
 
-def guided(pca: MapCheck, own: MapCheck) -> GuidedMap:
-    return GuidedMap(
-        rate=(0.5, 0.1),
-        short=(0.0, 0.0),
-        long=(0.0, 0.0),
+def guided(pca: MapCheck, own: MapCheck) -> LinearMap:
+    return LinearMap(
+        rates=((0.5, 0.1),),
         dead_zone=0.4,
         full=1.5,
         lag=0.3,
         repetitions=3,
         pca_check=pca,
-        guided_check=own,
+        check=own,
     )
 
 
@@ -52,7 +50,7 @@ def test_both_figures_are_shown_and_the_study_s_map_is_chosen(fitted: Any) -> No
     assert (right["map"], left["map"], shoulder["map"]) == ("pca", "pca", "pca")
     assert right["guided"]["offered"] is True
     assert right["guided"]["pca_check"]["in_phase"] == 0.86
-    assert right["guided"]["guided_check"]["in_phase"] == 0.95
+    assert right["guided"]["check"]["in_phase"] == 0.95
     assert left["guided"]["offered"] is False
     assert shoulder["guided"] is None
     assert right["dead_zone"] == 0.2
@@ -65,14 +63,14 @@ def test_the_chosen_map_drives_once_the_result_is_accepted(fitted: Any) -> None:
     assert result["joints"][0]["map"] == "guided"
     assert (result["joints"][0]["dead_zone"], result["joints"][0]["full"]) == (0.4, 1.5)
     assert result["accepted"] is False
-    assert "map" not in fitted.process.parameters["profile"]["joints"][0]  # what is loaded is what was accepted
+    assert fitted.process.parameters["profile"]["joints"][0]["map"] == "pca"  # what is loaded is what was accepted
     fitted.good("POST", "/calibration/accept")
     loaded = fitted.process.parameters
     assert loaded["profile"]["joints"][0]["map"] == "guided"
     assert (loaded["gestures"][0]["dead_zone"], loaded["gestures"][0]["full"]) == (0.4, 1.5)
     choose(fitted, "right_elbow", "pca")
     fitted.good("POST", "/calibration/accept")
-    assert "map" not in fitted.process.parameters["profile"]["joints"][0]
+    assert fitted.process.parameters["profile"]["joints"][0]["map"] == "pca"
     assert fitted.process.parameters["gestures"][0]["dead_zone"] == 0.2
 
 

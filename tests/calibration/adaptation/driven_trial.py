@@ -4,7 +4,7 @@ import numpy as np
 from calibration.simulated_person import JOINTS
 
 from app.calibration.adaptation.movement import Movement
-from app.calibration.profile import GuidedMap, MapCheck, PriorMap
+from app.calibration.linear_map import LinearMap, MapCheck
 
 
 def trial(person, size=1.0, noise=1.0, repetitions=4, joints=JOINTS):
@@ -26,27 +26,21 @@ def put_on_again(person, share=0.25):
 def with_map_of(joint, kind):
     """Return the joint with a map of this kind, which reads it as its PCA map does."""
     if kind == "prior":
-        prior = PriorMap(
-            rate=tuple(weight * joint.sign / joint.span for weight in joint.weights),
-            earlier=((0.0,) * len(joint.channels),) * 4,
-            short=(0.0,) * len(joint.channels),
-            long=(0.0,) * len(joint.channels),
-            dead_zone=joint.dead_zone,
-            full=joint.full,
+        prior = LinearMap(
+            rates=(joint.pca.rates[0], *((0.0,) * len(joint.channels),) * 4),
+            dead_zone=joint.pca.dead_zone,
+            full=joint.pca.full,
             people=8,
-            repetitions=0,
         )
         return joint.model_copy(update={"map": kind, "prior": prior})
     checked = MapCheck(in_phase=0.9, hit_rate=0.8, false_per_minute=0.0, false_count=0)
-    guided = GuidedMap(
-        rate=tuple(weight * joint.sign / joint.span for weight in joint.weights),
-        short=(0.0,) * len(joint.channels),
-        long=(0.0,) * len(joint.channels),
-        dead_zone=joint.dead_zone,
-        full=joint.full,
+    guided = LinearMap(
+        rates=joint.pca.rates,
+        dead_zone=joint.pca.dead_zone,
+        full=joint.pca.full,
         lag=0.3,
         repetitions=3,
         pca_check=checked,
-        guided_check=checked,
+        check=checked,
     )
     return joint.model_copy(update={"map": kind, "guided": guided})

@@ -6,9 +6,9 @@ from calibration.prior.simulated_wearers import RATE, Wearer, prior_of, sleeve
 
 from app.calibration.adaptation.donning_fit import DonningError, fit_to_donning, joints_followed
 from app.calibration.fit.profile_fit import fit_profile
+from app.calibration.linear_map import Arrangement
 from app.calibration.prior.map_prior import MapPrior
 from app.calibration.prior.prior_map import with_prior_maps
-from app.calibration.profile import Arrangement
 from app.calibration.vocabulary import standard_parameters
 from app.pipeline.replay.batch import decode_block
 

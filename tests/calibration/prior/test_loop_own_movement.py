@@ -45,7 +45,7 @@ def ready_chair(control, chair, folder):
     control.live(0.01)
 
 
-@pytest.mark.parametrize("taught", [{}, {"repetitions": 1}, {"repetitions": 3, "prior_check": WRONG_WAY}])
+@pytest.mark.parametrize("taught", [{}, {"repetitions": 1}, {"repetitions": 3, "check": WRONG_WAY}])
 def test_a_map_that_no_own_movement_confirms_arms_the_virtual_chair_and_no_real_one(control, chair, tmp_path, taught):
     digest = use(control, **taught)
     control.live(0.1)
@@ -60,7 +60,7 @@ def test_a_map_that_no_own_movement_confirms_arms_the_virtual_chair_and_no_real_
 
 
 def test_one_own_repetition_that_agrees_is_enough(control, chair, tmp_path):
-    digest = use(control, repetitions=1, prior_check=AGREES)
+    digest = use(control, repetitions=1, check=AGREES)
     ready_chair(control, chair, tmp_path)
     control.done("arm", hash=digest)
     assert control.setup.chain.gate.state is State.CHECKING

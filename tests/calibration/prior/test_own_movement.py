@@ -6,9 +6,10 @@ import pytest
 from calibration.prior.simulated_wearers import Wearer, prior_of
 from calibration.prior.test_prior_map import fitted
 
+from app.calibration.linear_map import MapCheck
 from app.calibration.own_movement import agrees, own_movement_refusal
 from app.calibration.prior.map_prior import MapPrior
-from app.calibration.profile import CalibrationProfile, MapCheck
+from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.cli.demonstration import profile_file
 from building import taught_by_others
@@ -38,12 +39,12 @@ def test_repetitions_agree_with_a_map_of_the_right_way_and_not_with_the_opposite
 
 
 def test_own_repetitions_that_agree_are_enough() -> None:
-    assert own_movement_refusal(parameters(prior_check=GOOD, pca_check=GOOD)) == ""
+    assert own_movement_refusal(parameters(check=GOOD, pca_check=GOOD)) == ""
 
 
 @pytest.mark.parametrize("check", [None, WRONG_WAY, TOO_SMALL])
 def test_without_them_the_joint_is_named(check: MapCheck | None) -> None:
-    given = parameters() if check is None else parameters(prior_check=check, pca_check=GOOD)
+    given = parameters() if check is None else parameters(check=check, pca_check=GOOD)
     words = own_movement_refusal(given)
     assert words.startswith("Other people taught the movement of Right shoulder")
     assert "Calibrate page" in words

@@ -6,9 +6,9 @@ from calibration.prior.simulated_wearers import RATE, SENSORS, Wearer, prior_of,
 
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import Repetition
+from app.calibration.linear_map import Arrangement
 from app.calibration.prior.map_prior import MapPrior, PriorError
 from app.calibration.prior.prior_map import with_prior_maps
-from app.calibration.profile import Arrangement
 from app.calibration.vocabulary import standard_parameters
 from app.layout import ShirtLayout
 from app.pipeline.replay.batch import decode_block
@@ -163,7 +163,7 @@ def test_the_sign_of_the_paper_s_map_follows_other_people_where_nobody_prompted(
     for seed in STRANGERS:
         wearer = Wearer(seed)
         joint = fitted(wearer, prior).profile.joints[0]
-        place = joint.sign * (wearer.values[:, joint.channels] - np.array(joint.mean)) @ np.array(joint.weights)
+        place = (wearer.values[:, joint.channels] - np.array(joint.mean)) @ np.array(joint.direction)
         assert np.corrcoef(place, wearer.angle)[0, 1] > 0.5
 
 
@@ -171,7 +171,7 @@ def test_forecasts_come_with_their_uncertainty_and_what_is_not_known_is_none(pri
     wearer = Wearer(106)
     alone, prompted = (fitted(wearer, prior, prompts=count).profile.joints[0].prior for count in (0, 3))
     assert alone.false_per_minute is None
-    assert (alone.prior_check, alone.pca_check) == (None, None)
+    assert (alone.check, alone.pca_check) == (None, None)
     assert prompted.false_per_minute is not None
     assert prompted.hits.value > 80
     assert 0 < prompted.hits.uncertainty < alone.hits.uncertainty

@@ -36,6 +36,12 @@ def test_louder_rest_and_larger_strokes_are_measured(person, parameters) -> None
         assert one.blind < 0.02
 
 
+def twice_as_fast(joint, kind):
+    first, *earlier = joint.linear.rates
+    rates = (tuple(2 * rate for rate in first), *earlier)
+    return joint.model_copy(update={kind: joint.linear.model_copy(update={"rates": rates})})
+
+
 @pytest.mark.parametrize("kind", ["guided", "prior"])
 def test_the_figures_are_those_of_the_map_that_decodes(person, parameters, kind) -> None:
     driven = trial(person)
@@ -45,12 +51,7 @@ def test_the_figures_are_those_of_the_map_that_decodes(person, parameters, kind)
         usual = gesture_trials(parameters, driven)[name]
         assert one.blind is None
         assert (one.noise, one.size) == pytest.approx((usual.noise, usual.size), abs=1e-6)
-    doubled = tuple(
-        joint.model_copy(
-            update={kind: joint.linear.model_copy(update={"rate": tuple(2 * rate for rate in joint.linear.rate)})}
-        )
-        for joint in joints
-    )
+    doubled = tuple(twice_as_fast(joint, kind) for joint in joints)
     twice = linear.model_copy(update={"profile": linear.profile.model_copy(update={"joints": doubled})})
     for name, one in gesture_trials(twice, driven).items():
         assert one.noise - gesture_trials(linear, driven)[name].noise == pytest.approx(math.log(2.0), abs=1e-6)

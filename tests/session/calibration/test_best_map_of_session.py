@@ -49,7 +49,7 @@ def moving_the_other_way(entry: PersonEntry) -> PersonEntry:
 
 def test_other_people_s_help_is_used_where_it_is_better_on_repetitions_that_were_kept_apart(recorded, entry):
     joint = fitted(recorded, entry)[UNCLEAR]
-    assert joint.prior.prior_check.in_phase > joint.prior.pca_check.in_phase + 0.05
+    assert joint.prior.check.in_phase > joint.prior.pca_check.in_phase + 0.05
     assert (joint.map, joint.best_map, joint.prior.repetitions) == ("prior", "prior", 3)
     assert joint.prior.hits is not None
     assert joint.prior.false_per_minute is not None
@@ -57,13 +57,13 @@ def test_other_people_s_help_is_used_where_it_is_better_on_repetitions_that_were
 
 def test_the_own_map_is_kept_where_other_people_s_help_only_loses_hits(recorded, entry):
     joint = fitted(recorded, entry)[CLEAR]
-    assert joint.prior.prior_check.hit_rate < joint.prior.pca_check.hit_rate
+    assert joint.prior.check.hit_rate < joint.prior.pca_check.hit_rate
     assert (joint.map, joint.best_map, joint.prior.is_better) == ("pca", "pca", False)
 
 
 def test_the_map_learnt_from_the_cues_drives_where_other_people_move_otherwise(recorded, entry):
     joint = fitted(recorded, moving_the_other_way(entry))[UNCLEAR]
-    assert joint.prior.prior_check.in_phase < 0.5
+    assert joint.prior.check.in_phase < 0.5
     assert (joint.map, joint.best_map, joint.prior.is_better) == ("guided", "guided", False)
 
 

@@ -76,10 +76,15 @@ def test_the_calibration_under_way_is_judged_by_its_recordings_before_and_after_
     assert recorded.result() == recorded.newest() == found
 
 
+def with_twice_the_span(joint):
+    halved = tuple(weight / 2 for weight in joint.pca.rates[0])
+    return joint.model_copy(update={"pca": joint.pca.model_copy(update={"rates": (halved,)})})
+
+
 def test_an_adapted_map_is_judged_by_the_recordings_of_the_calibration_behind_it(recorded):
     recorded.accept()
     before = recorded.newest()
-    joints = tuple(joint.model_copy(update={"span": 2 * joint.span}) for joint in recorded.profile.joints)
+    joints = tuple(with_twice_the_span(joint) for joint in recorded.profile.joints)
     adapted = standard_parameters(recorded.profile.model_copy(update={"joints": joints}))
     with recorded.database.transaction() as db:
         save_adapted(db, recorded.patient, recorded.session, adapted, {"by": "hand"})

@@ -6,7 +6,7 @@ from browser.eyes.eyes_clinic import LAYOUT, EyesClinic
 from browser.eyes.opening import Open, answered, opened, tap
 from playwright.sync_api import expect
 
-from app.calibration.profile import Arrangement
+from app.calibration.linear_map import Arrangement
 from building import taught_by_others
 
 

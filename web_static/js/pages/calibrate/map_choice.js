@@ -42,8 +42,8 @@ export function mapChoice({ name, label, map, guided, prior }, onMap) {
 /** Each map that is not the standard one beside it, where both were tried. @param {Pick<JointResult, "guided" | "prior">} joint */
 export function checkTables({ guided, prior }) {
   return [
-    guided && checkTable("guided", guided.repetitions, guided.pca_check, guided.guided_check),
-    prior?.pca_check && prior.prior_check && checkTable("prior", prior.repetitions, prior.pca_check, prior.prior_check),
+    guided?.pca_check && guided.check && checkTable("guided", guided.repetitions, guided.pca_check, guided.check),
+    prior?.pca_check && prior.check && checkTable("prior", prior.repetitions, prior.pca_check, prior.check),
   ];
 }
 

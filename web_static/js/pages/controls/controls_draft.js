@@ -1,7 +1,6 @@
 /**
  * The controls as they are being edited: changes show at once, are sent when the hand rests, and go back when refused.
  * @import { Binding, ControlSettings, ControlsView, Gesture, Speeds } from "types/api"
- * @import { JointMap } from "types/documents"
  */
 import { failureWords } from "../../api.js";
 import { TypedEvents } from "../../live/typed_events.js";
@@ -109,8 +108,8 @@ export class ControlsDraft extends TypedEvents {
     let gesture = gestureFor(this.settings.gestures, joint, direction);
     if (!gesture) {
       const twin = gestureFor(this.settings.gestures, joint, -direction);
-      const maps = /** @type {JointMap[]} */ (this.profile.joints);
-      const suggested = twin ?? maps.find(({ name }) => name === joint);
+      const mapped = this.profile.joints.find(({ name }) => name === joint);
+      const suggested = twin ?? (mapped && (mapped[mapped.map] ?? mapped.pca));
       if (!suggested) return;
       gesture = {
         name: newGestureName(joint, direction),

@@ -1,4 +1,4 @@
-"""Guided and prior maps: decoding frame by frame and at once agree, and follow the definition."""
+"""Linear maps of all kinds: decoding frame by frame and at once agree, and follow the definition."""
 
 import numpy as np
 import pytest
@@ -6,8 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.signal import butter, lfilter
 
+from app.calibration.linear_map import AVERAGING_TIMES, LinearMap, MapCheck
 from app.calibration.prior.features import features
-from app.calibration.profile import AVERAGING_TIMES, GuidedMap, MapCheck, PriorMap
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.decoder import Decoder, periods_between
 from app.pipeline.replay.batch import decode_block
@@ -24,8 +24,8 @@ def guided_parameters(guided=(0, 2), levels=True, **changes):
         joint = document["profile"]["joints"][i]
         k = len(joint["channels"])
         joint["map"] = "guided"
-        joint["guided"] = GuidedMap(
-            rate=tuple((rng.normal(size=k) / 6).tolist()),
+        joint["guided"] = LinearMap(
+            rates=(tuple((rng.normal(size=k) / 6).tolist()),),
             short=tuple((levels * rng.normal(size=k) / 3).tolist()),
             long=tuple((levels * rng.normal(size=k) / 3).tolist()),
             dead_zone=0.2,
@@ -33,7 +33,7 @@ def guided_parameters(guided=(0, 2), levels=True, **changes):
             lag=0.3,
             repetitions=3,
             pca_check=CHECK,
-            guided_check=CHECK,
+            check=CHECK,
         ).model_dump(mode="json")
     return DriveParameters.model_validate(document)
 
@@ -47,15 +47,13 @@ def prior_parameters(joints=(0, 1, 2, 3), guided=(), **changes):
         k = len(joint["channels"])
         weights = rng.normal(size=(7, k)) / 6
         joint["map"] = "prior"
-        joint["prior"] = PriorMap(
-            rate=tuple(weights[0].tolist()),
-            earlier=tuple(tuple(part) for part in weights[1:5].tolist()),
+        joint["prior"] = LinearMap(
+            rates=tuple(tuple(part) for part in weights[:5].tolist()),
             short=tuple(weights[5].tolist()),
             long=tuple(weights[6].tolist()),
             dead_zone=0.2,
             full=1.0,
             people=8,
-            repetitions=0,
         ).model_dump(mode="json")
     return DriveParameters.model_validate(document)
 
@@ -128,7 +126,7 @@ def test_the_rate_is_what_the_definition_says():
     rate, activation = assert_alike(parameters, np.arange(3000) / 100, values)
     joint = parameters.profile.joints[1]
     own = values[:, joint.channels].astype(float)
-    total = np.diff(own @ joint.guided.rate, prepend=own[0] @ joint.guided.rate) * 100
+    total = np.diff(own @ joint.guided.rates[0], prepend=own[0] @ joint.guided.rates[0]) * 100
     for part, memory in zip((joint.guided.short, joint.guided.long), AVERAGING_TIMES, strict=True):
         level, slow = own @ part, own[0] @ part
         for k, now in enumerate(level):
@@ -143,11 +141,10 @@ def test_joints_without_a_guided_map_decode_as_ever():
     plain, mixed = make_parameters(), guided_parameters((0,))
     values = make_signals(plain, 2000)
     t = np.arange(2000) / 100
-    np.testing.assert_array_equal(
-        decode_block(plain, 100.0, t, values).rate[:, 1:], decode_block(mixed, 100.0, t, values).rate[:, 1:]
-    )
-    np.testing.assert_array_equal(stream(plain, t, values)[1][:, 1:], stream(mixed, t, values)[1][:, 1:])
-    np.testing.assert_array_equal(stream(plain, t, values)[0], stream(mixed, t, values)[0])
+    blocks = decode_block(plain, 100.0, t, values), decode_block(mixed, 100.0, t, values)
+    np.testing.assert_allclose(*(block.rate[:, 1:] for block in blocks), atol=1e-12)
+    np.testing.assert_allclose(*(stream(one, t, values)[1][:, 1:] for one in (plain, mixed)), atol=1e-12)
+    np.testing.assert_allclose(*(stream(one, t, values)[0] for one in (plain, mixed)), atol=1e-12)
 
 
 def test_a_guided_map_that_is_only_offered_does_not_decode():
@@ -192,8 +189,10 @@ def test_a_channel_that_breaks_silences_its_gesture_and_its_return_is_no_movemen
     assert np.abs(rate[500:, 0]).max() < 3 * quiet + 0.05
 
 
-def test_missing_frames_do_not_make_a_movement_faster():
-    parameters = guided_parameters((0,), levels=False)
+@pytest.mark.parametrize(
+    "parameters", [make_parameters(), guided_parameters((0,), levels=False)], ids=["pca", "guided"]
+)
+def test_missing_frames_do_not_make_a_movement_faster(parameters):
     t = np.arange(600) / 100
     values = np.outer(t, np.ones(52)).astype(np.float32)
     steady = stream(parameters, t, values)[1][-1, 0]
