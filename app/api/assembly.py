@@ -130,7 +130,7 @@ def make_parts(
         own_floorplans=settings.floorplans,
     )
 
-    control.screen_sign = web.driving_sign
+    control.follow_screen(web.driving_sign)
     return web
 
 

@@ -90,7 +90,7 @@ class AdaptationFlow:
         self._read = NOTHING_READ
         self._reasons: dict[int, str] = {}  # patient id -> sentence: why there is no proposal
         self.practice = PracticeHistory()
-        trials.on_finished = self.trial_over
+        trials.when_finished(self.trial_over)
 
     @property
     def is_proposing(self) -> bool:

@@ -75,7 +75,7 @@ class ControlLink:
 
     def __init__(self, start_process: Callable[[], Awaitable[LinkedProcess]]) -> None:
         self.state: ControlState = "starting"
-        self.screen_sign: Callable[[], ScreenSign] = ScreenSign  # of the screen that drives; from any thread
+        self._screen_sign: Callable[[], ScreenSign] = ScreenSign  # without a screen, nothing moves
         self.on_change: list[Callable[[ControlState], Awaitable[None]]] = []
         self._start_process = start_process
         self._process: LinkedProcess | None = None
@@ -175,13 +175,17 @@ class ControlLink:
         if self._thread is not None:
             self._thread.soon(lambda: self._tell("look", yaw=yaw, pitch=pitch, roll=roll))
 
+    def follow_screen(self, sign: Callable[[], ScreenSign]) -> None:
+        """Take the last report of the screen that drives from `sign`, which is called from any thread."""
+        self._screen_sign = sign
+
     def beat(self) -> None:
         """Send a heartbeat at once, because the screen that drives is out of view: the chair must stop now."""
         if self._thread is not None:
             self._thread.soon(self._beat)
 
     def _beat(self) -> None:
-        sign = self.screen_sign()
+        sign = self._screen_sign()
         self._tell("heartbeat", screen_age=sign.age, screen=sign.view)
 
     def _tell(self, do: str, **fields: Any) -> None:

@@ -82,7 +82,7 @@ class RunFlow(ABC, Generic[Current]):
         self._starting = self._finishing = False
         self.current: Current | None = None
         self.last_end: RunEnd | None = None  # since the program was started
-        self.on_finished: Callable[[int], None] = lambda _id: None  # called with the id, after closing and measuring
+        self._listeners: list[Callable[[int], None]] = []
 
     @property
     def running(self) -> bool:
@@ -93,6 +93,10 @@ class RunFlow(ABC, Generic[Current]):
     def measuring(self) -> bool:
         """Whether what ran is over, by itself or because its end was asked for, and is being closed and measured."""
         return self.current is not None and (self._finishing or self._end_asked.is_set())
+
+    def when_finished(self, notify: Callable[[int], None]) -> None:
+        """Call `notify` with the id of each that has ended, after it is closed and measured."""
+        self._listeners.append(notify)
 
     async def end(self) -> int:
         """End what runs by hand, and return its id when it is closed and measured."""
@@ -181,7 +185,8 @@ class RunFlow(ABC, Generic[Current]):
             finally:  # also when the database is gone: it is over
                 self.current, self._finishing = None, False
                 self._tell(self.words.event)
-        self.on_finished(current.id)
+        for notify in self._listeners:
+            notify(current.id)
 
     @abstractmethod
     async def _measure(self, current: Current, figures: dict[str, Any]) -> None:

@@ -93,7 +93,7 @@ async def main(chair: dict[str, Any], shirt_port: int, shirt_key: str, folder: P
             await asyncio.sleep(LOOK_EVERY)
         control = web_parts_of(app).control
         beats = _Beats()
-        control.screen_sign = beats.sign
+        control.follow_screen(beats.sign)
         digest = await _set_up(control, chair, shirt_port, shirt_key, folder)
         while word := (await asyncio.to_thread(sys.stdin.readline)).strip():
             if word == "arm":

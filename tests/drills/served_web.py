@@ -36,7 +36,7 @@ async def main(given):
             await asyncio.sleep(0.01)
         collect_garbage()
         control = web_parts_of(app).control
-        control.screen_sign = lambda: ScreenSign(0.0)  # a screen that is always in view
+        control.follow_screen(lambda: ScreenSign(0.0))  # a screen that is always in view
         parameters = make_parameters()
         await control.call("shirt", config=given["shirt"])
         await control.call("parameters", parameters=parameters.model_dump(mode="json"))

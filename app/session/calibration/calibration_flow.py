@@ -3,7 +3,7 @@
 import asyncio
 import math
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step, calibration_script
@@ -26,6 +26,16 @@ LOOK_EVERY = 0.05  # s
 STANDSTILL_LIMIT = 3.0  # s without progress of the run's time, after which the step fails
 CHECK_LIMIT = 30.0  # s for checking a closed recording and fitting the map, before a caller is told to look later
 RESULT = "result"
+
+
+class Outcome(NamedTuple):
+    """How a step ended."""
+
+    status: str
+    words: str  # why it failed, in a sentence; empty otherwise
+
+
+INTERRUPTED = Outcome("failed", "The program ended during this step: repeat it.")
 
 
 class CalibrationFlow:
@@ -51,6 +61,7 @@ class CalibrationFlow:
         self._computing = computing
         self._task: asyncio.Task[None] | None = None
         self._running: str | None = None
+        self._interruption = INTERRUPTED  # the outcome of a step whose task is cancelled
 
     @property
     def running(self) -> bool:
@@ -72,7 +83,7 @@ class CalibrationFlow:
         if progress.layout is None or progress.layout.without_rings != needed.without_rings:
             raise Conflict("The shirt is another one than when this calibration began: begin the calibration anew.")
         self._refuse_while_running()
-        self._running, self._task = step.id, None
+        self._running, self._task, self._interruption = step.id, None, INTERRUPTED
         try:
             run = await self._runs.begin(session_id, step.kind, step.cues, {"step": step.id})
         except BaseException:  # do not end the open run: it is not of this step
@@ -100,7 +111,7 @@ class CalibrationFlow:
         task = self._task if self._running == step_id else None
         if task is not None:
             if self._runs.open is not None:
-                return await self.stop("waiting", "")
+                return await self.stop(Outcome("waiting", ""))
             await asyncio.wait([task], timeout=CHECK_LIMIT)
         raise Conflict("This step is not being recorded, or no longer: start it, or choose another.")
 
@@ -156,12 +167,13 @@ class CalibrationFlow:
         """Add an accepted calibration to the clinic's prior; return whether it could be added."""
         return await asyncio.to_thread(self._fit.learn, session_id, await self.progress(session_id))
 
-    async def stop(self, status: str = "failed", words: str = "The program ended during this step: repeat it.") -> None:
-        """Stop the step that is being recorded, and give it this status."""
+    async def stop(self, outcome: Outcome = INTERRUPTED) -> None:
+        """Stop the step that is being recorded, and give it this outcome."""
         task, self._task = self._task, None
         if task is None:
             return
-        task.cancel(f"{status}\n{words}")
+        self._interruption = outcome
+        task.cancel()
         await asyncio.gather(task, return_exceptions=True)
 
     async def go(self, session_id: int, step_id: str) -> None:
@@ -193,8 +205,8 @@ class CalibrationFlow:
                 complaint = await asyncio.to_thread(self._computing.ask, check_recording, run.folder, step.duration)
                 words = complaint or ""
             status = "failed" if words else "done"
-        except asyncio.CancelledError as cancelled:
-            status, _, words = str(cancelled.args[0]).partition("\n") if cancelled.args else ("failed", "", "")
+        except asyncio.CancelledError:
+            status, words = self._interruption
             raise
         except (Refusal, ValueError, OSError) as error:
             words = str(error)

@@ -139,7 +139,7 @@ def test_a_socket_that_is_dead_but_open_gives_way_long_after_the_chair_stopped(
 
 
 def test_a_beat_out_of_turn_reaches_the_control_process(driving: Any) -> None:
-    driving.web.control.screen_sign = lambda: ScreenSign(0.125, "hidden")
+    driving.web.control.follow_screen(lambda: ScreenSign(0.125, "hidden"))
     driving.web.control.beat()
     assert (0.125, "hidden") in next_beats(driving)
 
