@@ -96,7 +96,7 @@ class UdpShirt:
             packet = self._packet(size, now)
             if packet is not None:
                 seq, microseconds, values = packet
-                if self._sequence.takes(seq) and self._is_in_time(microseconds, now):
+                if self._sequence.takes(seq) and (self._key is None or self._is_in_time(microseconds, now)):
                     self._frame_t = now
                     return SensorFrame(seq, microseconds * 1e-6, now, values)
             wait = deadline - now
@@ -127,11 +127,11 @@ class UdpShirt:
         return packet
 
     def _is_in_time(self, microseconds: int, now: float) -> bool:
-        """Return whether a frame of this device time is not late at `now` (monotonic s); count it when it is.
+        """Return whether a signed frame of this device time is not late at `now` (monotonic s); count it when it is.
 
         The clock of unsigned frames is not believed: anybody can write it, and a replay at another speed stretches it.
         """
-        self._late_by = 0.0 if self._key is None else self._lateness.of(microseconds, now)
+        self._late_by = self._lateness.of(microseconds, now)
         if self._late_by:
             self.late += 1
         return not self._late_by
