@@ -7,7 +7,7 @@ FIRST = "A device that warns of the certificate opens {page} first: the page the
 
 
 @dataclass(frozen=True, slots=True)
-class Trust:
+class CertificateTrust:
     """What the machine's certificate says, and what a tablet installs in order to trust it."""
 
     names: tuple[str, ...]  # in lower case; *.clinic.example stands for every name of one label more
@@ -24,7 +24,7 @@ class NetworkService:
 
     https_port: int
     page_port: int | None  # of the page that explains, over http; None: there is none
-    trust: Trust
+    trust: CertificateTrust
 
     def covers(self, host: str) -> bool:
         """Return whether the certificate names this host."""

@@ -17,7 +17,7 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import ControlMode, DriveParameters, Feature, standard_parameters
 from app.faults import Fault, State
 from app.hardware.base import ORIGIN
-from app.hardware.body.person import Person
+from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import PRACTISED
 from app.hardware.chair.simulator import VirtualChair
 from app.hardware.shirt.standard import standard_layout
@@ -152,7 +152,7 @@ def hums(sample_rate: float) -> tuple[Artefact, ...]:
 def subject(kind: StudyMap, sample_rate: float = 100.0, seed: int = 6) -> Subject:
     """Return a simulated person with a map of one kind, and the frames of the rest after the calibration."""
     if kind == "pca":
-        participant = Participant(Person(PRACTISED, seed), standard_layout(), sample_rate, seed)
+        participant = Participant(SimulatedPerson(PRACTISED, seed), standard_layout(), sample_rate, seed)
         profile = calibrate(participant)
     else:
         calibrated = calibrated_participant("steady", seed, kind)

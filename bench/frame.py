@@ -2,7 +2,7 @@
 
 from app.clock import stopwatch
 from app.hardware.chair.key import new_key
-from app.hardware.chair.packet import DIGEST_BYTES, DRIVE, NONCE_BYTES, Command, decode_command, encode_command
+from app.hardware.chair.packet import DIGEST_BYTES, DRIVE, NONCE_BYTES, ChairCommand, decode_command, encode_command
 from bench.datagram import against_datagram
 from bench.row import Row
 
@@ -24,7 +24,7 @@ def _frame_time() -> float:
     key, nonce, digest = new_key(1), bytes(NONCE_BYTES), bytes(DIGEST_BYTES)
     before = stopwatch()
     for i in range(FRAMES):
-        command = Command(DRIVE, key.id, 7, i, i, 0.5, 0.1, 0.8, 1.2, digest)
+        command = ChairCommand(DRIVE, key.id, 7, i, i, 0.5, 0.1, 0.8, 1.2, digest)
         if decode_command(encode_command(command, key, nonce), key, nonce) is None:
             raise RuntimeError("the chair of the benchmark did not take a frame")
     return (stopwatch() - before) / FRAMES

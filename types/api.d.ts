@@ -90,7 +90,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["Dial"];
+                    "application/json": components["schemas"]["DialShare"];
                 };
             };
             responses: {
@@ -99,7 +99,7 @@ export interface paths {
                         [name: string]: unknown;
                     };
                     content: {
-                        "application/json": components["schemas"]["Dial"];
+                        "application/json": components["schemas"]["DialShare"];
                     };
                 };
             };
@@ -995,7 +995,7 @@ export interface paths {
                         [name: string]: unknown;
                     };
                     content: {
-                        "application/json": components["schemas"]["Practice"];
+                        "application/json": components["schemas"]["app__api__routes__equipment__PracticeView"];
                     };
                 };
             };
@@ -1081,7 +1081,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["SenderChoice"];
+                    "application/json": components["schemas"]["ChosenSender"];
                 };
             };
             responses: {
@@ -5690,6 +5690,9 @@ export interface components {
             /** @enum {string} */
             dynamics: "unicycle" | "wheelchair";
         };
+        ChosenSender: {
+            sender: string;
+        };
         Code: {
             code: string;
         };
@@ -5881,7 +5884,7 @@ export interface components {
         DemoCode: {
             code: string;
         };
-        Dial: {
+        DialShare: {
             share: number;
         };
         DirectionMeasures: {
@@ -6019,7 +6022,7 @@ export interface components {
             files: components["schemas"]["FileView"][];
             shirt_keys: string[];
             chair: components["schemas"]["ChairStateView"];
-            head: components["schemas"]["HeadView"];
+            head: components["schemas"]["HeadTrackerView"];
             disk: components["schemas"]["DiskView"];
         };
         Event: {
@@ -6285,7 +6288,7 @@ export interface components {
         HeadTrackerChoice: {
             config: (components["schemas"]["OpentrackConfig"] | components["schemas"]["FreepieConfig"] | components["schemas"]["FlockOfBirdsConfig"] | components["schemas"]["SimulatedHeadConfig"] | components["schemas"]["RecordedHeadConfig"] | components["schemas"]["TabletHeadConfig"]) | null;
         };
-        HeadView: {
+        HeadTrackerView: {
             config: {
                 [key: string]: unknown;
             } | null;
@@ -7051,13 +7054,6 @@ export interface components {
         PlotsChoice: {
             open: boolean;
         };
-        Practice: {
-            kind: string | null;
-        };
-        PracticeView: {
-            trials: number;
-            last: string | null;
-        };
         Prediction: {
             false_per_minute: number | null;
             counted: number;
@@ -7279,9 +7275,6 @@ export interface components {
         ScreensView: {
             screens: components["schemas"]["ScreenView"][];
             settings: components["schemas"]["ScreenSettings"];
-        };
-        SenderChoice: {
-            sender: string;
         };
         SendersView: {
             shirt: string;
@@ -7527,7 +7520,7 @@ export interface components {
             chair: components["schemas"]["ChairSummary"] | null;
             parameters: components["schemas"]["ParametersSummary"] | null;
             speeds: components["schemas"]["Speeds"] | null;
-            practised: components["schemas"]["PracticeView"];
+            practised: components["schemas"]["app__api__routes__drives__PracticeView"];
             last_practised: components["schemas"]["LatestPractice"] | null;
             differences: (components["schemas"]["FieldDifference"] | components["schemas"]["BindingDifference"] | components["schemas"]["GestureDifference"])[];
             refusals: string[];
@@ -7811,6 +7804,13 @@ export interface components {
             effort: number | null;
             frustration: number | null;
         };
+        app__api__routes__drives__PracticeView: {
+            trials: number;
+            last: string | null;
+        };
+        app__api__routes__equipment__PracticeView: {
+            kind: string | null;
+        };
     };
     responses: never;
     parameters: never;
@@ -7848,6 +7848,7 @@ export type Channel = components['schemas']['Channel'];
 export type ChannelLine = components['schemas']['ChannelLine'];
 export type CheckView = components['schemas']['CheckView'];
 export type Choice = components['schemas']['Choice'];
+export type ChosenSender = components['schemas']['ChosenSender'];
 export type Code = components['schemas']['Code'];
 export type CommentRevisionView = components['schemas']['CommentRevisionView'];
 export type CommentView = components['schemas']['CommentView'];
@@ -7873,7 +7874,7 @@ export type Cylinder = components['schemas']['Cylinder'];
 export type DeletedPatientView = components['schemas']['DeletedPatientView'];
 export type Deletion = components['schemas']['Deletion'];
 export type DemoCode = components['schemas']['DemoCode'];
-export type Dial = components['schemas']['Dial'];
+export type DialShare = components['schemas']['DialShare'];
 export type DirectionMeasures = components['schemas']['DirectionMeasures'];
 export type Discard = components['schemas']['Discard'];
 export type Discovery = components['schemas']['Discovery'];
@@ -7914,7 +7915,7 @@ export type Goal = components['schemas']['Goal'];
 export type Ground = components['schemas']['Ground'];
 export type HeadMoment = components['schemas']['HeadMoment'];
 export type HeadTrackerChoice = components['schemas']['HeadTrackerChoice'];
-export type HeadView = components['schemas']['HeadView'];
+export type HeadTrackerView = components['schemas']['HeadTrackerView'];
 export type HitCheck = components['schemas']['HitCheck'];
 export type ImportCourseView = components['schemas']['ImportCourseView'];
 export type ImportedView = components['schemas']['ImportedView'];
@@ -7997,8 +7998,6 @@ export type PatientView = components['schemas']['PatientView'];
 export type PersonConfig = components['schemas']['PersonConfig'];
 export type PersonView = components['schemas']['PersonView'];
 export type PlotsChoice = components['schemas']['PlotsChoice'];
-export type Practice = components['schemas']['Practice'];
-export type PracticeView = components['schemas']['PracticeView'];
 export type Prediction = components['schemas']['Prediction'];
 export type PrescribedPath = components['schemas']['PrescribedPath'];
 export type PriorChoice = components['schemas']['PriorChoice'];
@@ -8032,7 +8031,6 @@ export type ScreenSettings = components['schemas']['ScreenSettings'];
 export type ScreenStateView = components['schemas']['ScreenStateView'];
 export type ScreenView = components['schemas']['ScreenView'];
 export type ScreensView = components['schemas']['ScreensView'];
-export type SenderChoice = components['schemas']['SenderChoice'];
 export type SendersView = components['schemas']['SendersView'];
 export type SessionComparison = components['schemas']['SessionComparison'];
 export type SessionDrive = components['schemas']['SessionDrive'];
@@ -8090,5 +8088,7 @@ export type ViewState = components['schemas']['ViewState'];
 export type VisitorConfig = components['schemas']['VisitorConfig'];
 export type Waiting = components['schemas']['Waiting'];
 export type Workload = components['schemas']['Workload'];
+export type AppApiRoutesDrivesPracticeView = components['schemas']['app__api__routes__drives__PracticeView'];
+export type AppApiRoutesEquipmentPracticeView = components['schemas']['app__api__routes__equipment__PracticeView'];
 export type $defs = Record<string, never>;
 export type operations = Record<string, never>;

@@ -68,7 +68,7 @@ from app.api.view.view_controls import view_controls
 from app.api.view.view_keeper import OpenScene, may_view
 from app.computing_process import ComputingProcess
 from app.scene.role_servers import Role
-from app.scene.session_scene import Scene
+from app.scene.session_scene import LiveScene
 from app.settings import Settings, docs_folder, static_folder
 from app.store.database import Database
 from app.store.files.plans import OwnPlans
@@ -183,7 +183,7 @@ def create_app(
         openapi_url=None,  # document.py serves it, to owners; FastAPI's pages for it load foreign scripts
     )
 
-    def scene_now() -> Scene | None:
+    def scene_now() -> LiveScene | None:
         return web_parts_of(app).view.scene
 
     def port_of(role: Role) -> int | None:

@@ -38,18 +38,18 @@ class Bodies:
 
     def __init__(self, now: Callable[[], float] = monotonic) -> None:
         self._now = now
-        self._large: set[Body] = set()
+        self._large: set[RequestBody] = set()
 
-    def of(self, connection: HTTPConnection, receive: Receive) -> "Body":
+    def of(self, connection: HTTPConnection, receive: Receive) -> "RequestBody":
         """Return the body of a request; the caller ends it when the request has been answered."""
-        return Body(connection, receive, self._large, self._now)
+        return RequestBody(connection, receive, self._large, self._now)
 
 
-class Body:
+class RequestBody:
     """The body of a request, which raises HTTPException in place of what may not be read."""
 
     def __init__(
-        self, connection: HTTPConnection, receive: Receive, large: "set[Body]", now: Callable[[], float]
+        self, connection: HTTPConnection, receive: Receive, large: "set[RequestBody]", now: Callable[[], float]
     ) -> None:
         self._connection = connection
         self._receive = receive

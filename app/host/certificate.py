@@ -27,7 +27,7 @@ from app.host.authority import (
     subjects_of,
 )
 from app.host.machine import Machine, this_machine
-from app.network import Trust
+from app.network import CertificateTrust
 from app.refusals import Refusal
 
 KEY = b"-----BEGIN PRIVATE KEY-----"
@@ -62,7 +62,7 @@ class ServerCertificate(Protocol):
     """A certificate in use: new connections get the newest."""
 
     context: ssl.SSLContext
-    trust: Trust
+    trust: CertificateTrust
 
     def look(self) -> list[str]:
         """Renew the certificate, or read it anew, if that is due; return sentences for the person who runs this."""
@@ -163,7 +163,7 @@ class LocalCertificate:
         except (FileNotFoundError, ValueError, TypeError):
             return None
 
-    def _trust(self, machine: Machine) -> Trust:
+    def _trust(self, machine: Machine) -> CertificateTrust:
         root = self._root.certificate.public_bytes(serialization.Encoding.DER)
         return _trust_of(self._leaf.certificate, root, [str(address) for address in machine.addresses])
 
@@ -202,7 +202,7 @@ class OwnCertificate:
             why = error.strerror or error
             raise Refusal(f"{error.filename} cannot be read ({why}): name the files of your certificate.") from error
 
-    def _load(self) -> tuple[list[bytes], Trust]:
+    def _load(self) -> tuple[list[bytes], CertificateTrust]:
         content = self._contents()
         certificate, key = self._files
         try:
@@ -219,7 +219,7 @@ class OwnCertificate:
         self.context.load_cert_chain(certificate, key)
         return content, trust
 
-    def _check_time(self, trust: Trust) -> None:
+    def _check_time(self, trust: CertificateTrust) -> None:
         now, file = self._now(), self._files[0]
         if now > trust.end:
             raise Refusal(
@@ -260,13 +260,13 @@ def _store(file: Path, identity: Identity, above: bytes = b"") -> None:
     write_atomically(file, identity.certificate_pem + above + identity.key_pem, OWNER_FILE)
 
 
-def _trust_of(certificate: x509.Certificate, root: bytes | None, order: list[str]) -> Trust:
+def _trust_of(certificate: x509.Certificate, root: bytes | None, order: list[str]) -> CertificateTrust:
     """Return the facts of a certificate; its addresses are put in this order."""
     subjects = certified(certificate)
     addresses = {str(each.value) for each in subjects if isinstance(each, x509.IPAddress)}
     names = sorted(each.value.lower() for each in subjects if isinstance(each, x509.DNSName))
     own = certificate.public_bytes(serialization.Encoding.DER)
-    return Trust(
+    return CertificateTrust(
         names=tuple(names),
         addresses=tuple([each for each in order if each in addresses] or sorted(addresses, key=_readable)),
         start=certificate.not_valid_before_utc,

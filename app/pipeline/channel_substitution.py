@@ -45,7 +45,7 @@ class Estimate(NamedTuple):
     margins: list[float]  # per gesture, FS/s or FS: what the estimate's error may feign
 
 
-class Change(NamedTuple):
+class SubstitutionChange(NamedTuple):
     """From which row of a block on gestures are lost, or have another margin."""
 
     row: int
@@ -119,7 +119,7 @@ class ChannelSubstitution:
 
     def fill(
         self, frames: Array, bad: Flags | None, before: NDArray[np.floating] | None
-    ) -> tuple[Array, list[Change], list[Surprise]]:
+    ) -> tuple[Array, list[SubstitutionChange], list[Surprise]]:
         """Return frames (n, n_channels) with estimates in place of bad channels.
 
         Parameters
@@ -144,7 +144,7 @@ class ChannelSubstitution:
         if not self.is_active:
             self._last = None if before is None else np.where(np.isfinite(before), before, 0.0).astype(np.float64)
             self.is_active = True
-        changes: list[Change] = []
+        changes: list[SubstitutionChange] = []
         surprises: list[Surprise] = []
         for start, stop in _segments(bad, len(frames)):
             mask = self._none_bad if bad is None else bad[start]
@@ -153,7 +153,7 @@ class ChannelSubstitution:
                 surprise = self._change(filled, start, mask)
                 if surprise is not None:
                     surprises.append(Surprise(start, surprise))
-                changes.append(Change(start, self.lost, self.margins))
+                changes.append(SubstitutionChange(start, self.lost, self.margins))
                 first += 1
             if self._estimate is not None:
                 part = filled[first:stop]
@@ -162,7 +162,7 @@ class ChannelSubstitution:
             self._last = filled[stop - 1]
         return filled, changes, surprises
 
-    def _support(self, estimate: Estimate, frames: Array, start: int) -> Iterator[Change]:
+    def _support(self, estimate: Estimate, frames: Array, start: int) -> Iterator[SubstitutionChange]:
         """Yield where gestures are lost because an estimate begins or ends to lie beyond what calibration saw."""
         known_by = estimate.known_by
         known: Array = frames[:, known_by]
@@ -173,7 +173,7 @@ class ChannelSubstitution:
             if lost is not self.lost:
                 self.lost = lost
                 self.replaced = self._replaced(estimate)
-                yield Change(row, lost, self.margins)
+                yield SubstitutionChange(row, lost, self.margins)
 
     def _replaced(self, estimate: Estimate) -> list[int]:
         """Return the channels of an estimate that gestures go on with."""

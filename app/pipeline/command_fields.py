@@ -34,7 +34,7 @@ class Device(Document):
     config: dict[str, Any]
 
 
-class Head(Document):
+class HeadDevice(Document):
     """The configuration of a head tracker, which the registry checks; None: no head tracker."""
 
     config: dict[str, Any] | None
@@ -85,7 +85,7 @@ class Dial(Document):
     share: Share
 
 
-class Run(Document):
+class RunFields(Document):
     """The run to record."""
 
     run_id: Name

@@ -13,7 +13,7 @@ from app.hardware.registry import parse_body, parse_chair, parse_head, parse_shi
 from app.pipeline import command_fields
 from app.pipeline.arming_refusals import device_refusal, refusal
 from app.pipeline.loop import ControlLoop
-from app.pipeline.opening import Change, Openings, defect
+from app.pipeline.opening import DeviceChange, Openings, defect
 from app.pipeline.runs import Runs
 from app.pipeline.setup import CommandRefused
 from app.pipeline.status import status
@@ -57,7 +57,7 @@ class Commands:
             "sender": Command(command_fields.Sender, self._sender),
             "body": Command(command_fields.Device, self._body),
             "move": Command(command_fields.Move, self._move),
-            "head": Command(command_fields.Head, self._head),
+            "head": Command(command_fields.HeadDevice, self._head),
             "look": Command(command_fields.Look, self._look),
             "head_ahead": Command(command_fields.Nothing, self._head_ahead),
             "parameters": Command(command_fields.Parameters, self._parameters),
@@ -65,7 +65,7 @@ class Commands:
             "chair": Command(command_fields.Device, self._chair),
             "limits": Command(command_fields.Limits, self._limits),
             "dial": Command(command_fields.Dial, self._dial),
-            "run": Command(command_fields.Run, self._run),
+            "run": Command(command_fields.RunFields, self._run),
             "end_run": Command(command_fields.Nothing, self._end_run),
             "arm": Command(command_fields.Arm, self._arm),
             "disarm": Command(command_fields.Nothing, self._disarm),
@@ -152,7 +152,7 @@ class Commands:
             raise CommandRefused(f"{error}.") from error
         return {}
 
-    def _head(self, fields: command_fields.Head, command_id: int) -> None:
+    def _head(self, fields: command_fields.HeadDevice, command_id: int) -> None:
         self._require_no_drive()
         head = self._setup.head
         change = head.change(None if fields.config is None else parse_head(fields.config))
@@ -193,7 +193,7 @@ class Commands:
         self._setup.use_dial(fields.share)
         return {"share": self._setup.chain.dial}
 
-    def _run(self, fields: command_fields.Run, _id: int) -> Answer:
+    def _run(self, fields: command_fields.RunFields, _id: int) -> Answer:
         self._require_no_run()
         return {"run": self._runs.begin(fields), "source": self._setup.source.model_dump(mode="json")}
 
@@ -254,7 +254,7 @@ class Commands:
         self._setup.require_still()
         self._require_no_run()
 
-    def _open(self, change: Change, command_id: int, answer: Callable[[], Answer]) -> None:
+    def _open(self, change: DeviceChange, command_id: int, answer: Callable[[], Answer]) -> None:
         """Open a device in a thread; the command is answered when the device is open, or refused with the reason."""
 
         def finish(why: str) -> None:

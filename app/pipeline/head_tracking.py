@@ -8,7 +8,7 @@ from app.hardware.base import HeadTracker
 from app.hardware.configs import HeadConfig
 from app.hardware.registry import make_head
 from app.messages import HeadPose, Tick
-from app.pipeline.opening import Change, close_quietly, one_line, open_device
+from app.pipeline.opening import DeviceChange, close_quietly, one_line, open_device
 
 NO_TRACKER = "No head tracker is connected: the view looks straight ahead."
 
@@ -28,7 +28,7 @@ class HeadTracking:
         """The tracker's state in words."""
         return self._failed or (self._tracker.words() if self._tracker else NO_TRACKER)
 
-    def change(self, config: HeadConfig | None) -> Change:
+    def change(self, config: HeadConfig | None) -> DeviceChange:
         """Release the head tracker in use, and return the change that opens another one."""
         before = self._release_tracker()
 
@@ -39,7 +39,7 @@ class HeadTracking:
         def take(tracker: HeadTracker | None) -> None:
             self._tracker, self.kind = tracker, config.kind if config else ""
 
-        return Change("head tracker", opened, take)
+        return DeviceChange("head tracker", opened, take)
 
     def close(self) -> None:
         """Close the head tracker in use."""

@@ -24,7 +24,7 @@ class Openable(Protocol):
 Device = TypeVar("Device", bound=Openable)
 
 
-class Change(NamedTuple):
+class DeviceChange(NamedTuple):
     """The change to another device: how to open it, and how to put it to use."""
 
     what: str  # the device's name in sentences: shirt, chair ...
@@ -42,7 +42,7 @@ class Openings:
     def __init__(self, clock: Clock) -> None:
         self._clock = clock
         self._attempt: _Attempt | None = None
-        self._change: Change | None = None
+        self._change: DeviceChange | None = None
         self._finish: Finish = lambda _why: None
         self._until = 0.0
         self._stuck: list[_Attempt] = []
@@ -52,7 +52,7 @@ class Openings:
         """Whether a device is being opened."""
         return self._attempt is not None
 
-    def begin(self, change: Change, finish: Finish) -> None:
+    def begin(self, change: DeviceChange, finish: Finish) -> None:
         """Begin to open the device of `change`, when not busy; `poll` puts it to use and calls `finish`."""
         self._stuck = [attempt for attempt in self._stuck if attempt.is_alive()]
         if len(self._stuck) >= MOST_STUCK:
@@ -80,7 +80,7 @@ class Openings:
         self._finish(why)
 
 
-def _take(change: Change, device: Any) -> str:
+def _take(change: DeviceChange, device: Any) -> str:
     """Put a device to use; return an empty string, or the sentence of a defect when that failed."""
     try:
         change.take(device)
@@ -92,7 +92,7 @@ def _take(change: Change, device: Any) -> str:
 class _Attempt(threading.Thread):
     """Opens one device; a device that opens after it was abandoned is closed again."""
 
-    def __init__(self, change: Change) -> None:
+    def __init__(self, change: DeviceChange) -> None:
         super().__init__(name=f"opens the {change.what}", daemon=True)  # must not keep the process alive
         self.device: Any = None
         self.why = ""

@@ -33,7 +33,7 @@ class Runs:
         """Whether a run waits for the chair to stand before it ends."""
         return self._ending is not None
 
-    def begin(self, fields: command_fields.Run) -> int:
+    def begin(self, fields: command_fields.RunFields) -> int:
         """Disarm and begin a run; return its number in ticks, or raise CommandRefused."""
         loop, setup = self._loop, self._loop.setup
         if setup.shirt is None:
@@ -96,7 +96,7 @@ class Runs:
             writer = run.writer
             self._server.answer(command_id, rows=writer.rows, dropped=writer.dropped, words=writer.damage)
 
-    def _new_writer(self, fields: command_fields.Run) -> RunWriter:
+    def _new_writer(self, fields: command_fields.RunFields) -> RunWriter:
         setup = self._loop.setup
         shirt, parameters, floorplan = setup.shirt, setup.parameters, setup.floorplan
         if shirt is None:

@@ -13,7 +13,7 @@ from app.hardware.configs import BodyConfig, ChairConfig, RealChairConfig, Shirt
 from app.hardware.registry import SHIRTS, make_body, make_real_chair, make_shirt, mistrust
 from app.pipeline.chain import Chain
 from app.pipeline.head_tracking import HeadTracking
-from app.pipeline.opening import Change, close_quietly, one_line, open_device
+from app.pipeline.opening import DeviceChange, close_quietly, one_line, open_device
 from app.source import UNKNOWN, Source
 from app.speeds import HIGHEST_SPEEDS, Speeds
 from app.world.floorplan import FloorPlan, PrescribedPath
@@ -99,7 +99,7 @@ class Setup:
         if self.chain.gate.state in (State.ARMED, State.CHECKING) or not self.stands:
             raise CommandRefused("The chair is armed: end the drive first.")
 
-    def change_shirt(self, config: ShirtConfig) -> Change:
+    def change_shirt(self, config: ShirtConfig) -> DeviceChange:
         """Release the shirt in use, and return the change that opens another one."""
         self.require_still()
         before = self._release_shirt()
@@ -115,7 +115,7 @@ class Setup:
                 self.parameters = self.hash = None
             self._make_chain()
 
-        return Change("shirt", opened, take)
+        return DeviceChange("shirt", opened, take)
 
     def release_failed_shirt(self, error: Exception) -> None:
         """Release a shirt whose driver failed; without frames the gate stops the chair, as with a silent shirt."""
@@ -130,20 +130,20 @@ class Setup:
         self.chair.close()
         close_quietly(self.shirt)
 
-    def change_body(self, config: BodyConfig) -> Change:
+    def change_body(self, config: BodyConfig) -> DeviceChange:
         """Return the change to another body inside the simulated shirt."""
         self.require_still()
         if self.simulated_shirt is None:
             raise CommandRefused("Only the simulated shirt has a body to choose: choose the simulated shirt first.")
-        return Change("body", lambda: make_body(config), lambda body: self._take_body(body, config.kind))
+        return DeviceChange("body", lambda: make_body(config), lambda body: self._take_body(body, config.kind))
 
-    def change_chair(self, config: ChairConfig) -> Change:
+    def change_chair(self, config: ChairConfig) -> DeviceChange:
         """Return the change that opens another chair; until then, and when that fails, the chair in use stays."""
         self.require_still()
         if isinstance(config, RealChairConfig):
-            return Change("chair", lambda: open_device(make_real_chair(config)), self._take_real_chair)
+            return DeviceChange("chair", lambda: open_device(make_real_chair(config)), self._take_real_chair)
         dynamics = config.dynamics
-        return Change("chair", lambda: None, lambda _: self._take_virtual_chair(dynamics))
+        return DeviceChange("chair", lambda: None, lambda _: self._take_virtual_chair(dynamics))
 
     def use_clinic(self, speeds: Speeds) -> None:
         """Set the clinic's limits: lower ones at once, higher ones only while nothing moves."""

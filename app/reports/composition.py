@@ -19,7 +19,7 @@ from app.reports.material import (
     TaskMaterial,
 )
 from app.reports.task_report import task_report
-from app.store.log_chain import Head
+from app.store.log_chain import ChainHead
 from app.store.records.imports import Origin
 from app.store.records.session_record import Scale
 
@@ -207,7 +207,7 @@ def _identity(material: ReportMaterial) -> tuple[Fact, ...]:
     )
 
 
-def _head_words(head: Head | None) -> str:
+def _head_words(head: ChainHead | None) -> str:
     return "not recorded" if head is None else f"{amount(head.rows, 'row')}, {head.hash}"
 
 

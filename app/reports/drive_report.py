@@ -9,9 +9,9 @@ from app.reports.document import NO_TABLE, Table
 from app.source import SourceGroup, source_words
 from app.store.database import Transaction
 from app.store.drives import drives_of
-from app.store.tables import Chair
+from app.store.tables import PairedChair
 
-SESSION_HEAD: Final = ("Drive", "Chair", "Begun", "Lasted", "Distance driven", "End")
+SESSION_HEAD: Final = ("Drive", "PairedChair", "Begun", "Lasted", "Distance driven", "End")
 COURSE_HEAD: Final = ("Session", "Drives", "Chairs", "Lasted", "Distance driven", "Stopped by a fault")
 ENDS: Final = {"by hand": "ended by hand", "fault": "stopped by a fault"}
 NOT_REPORTED: Final = "not reported by the chair"
@@ -37,7 +37,7 @@ def reported_drives(db: Transaction, clinic_id: int, patient_id: int, sessions: 
     return [
         ReportedDrive(
             session=sessions[drive.session_id],
-            chair=db.get_one(Chair, drive.chair_id).name,
+            chair=db.get_one(PairedChair, drive.chair_id).name,
             started=drive.started,
             ended=drive.ended,
             end=drive.end,

@@ -17,13 +17,13 @@ from app.source import SourceGroup, source_words
 from app.store.database import Database, Transaction
 from app.store.interface_tests import interface_tests_of
 from app.store.learning_trials import CountedTrial, counted_trials
-from app.store.log_chain import Head
+from app.store.log_chain import ChainHead
 from app.store.patients import find_patient
 from app.store.records.imports import Origin, origins_of
 from app.store.records.session_contents import trials_of_session
 from app.store.records.session_record import SessionRecord, session_record, sessions_of
 from app.store.sharing.comments import Comment, comments_of
-from app.store.tables import Clinic, InterfaceTest, Parameters, Patient, PatientSession, Profile, Trial
+from app.store.tables import Clinic, InterfaceTest, ParameterSet, Patient, PatientSession, Profile, Trial
 from app.world.path_titles import path_title
 
 MOST_TASKS = 12  # in one report, those with the most trials
@@ -114,7 +114,7 @@ class ReportMaterial:
     drives: tuple[ReportedDrive, ...]  # of real chairs
     comments: tuple[Comment, ...]  # on trials of the patient, also of sessions that are not reported
     parameters: ParameterMaterial | None  # None: nothing was driven
-    head: Head | None = None  # of the log, when the report was written into it
+    head: ChainHead | None = None  # of the log, when the report was written into it
     for_patient: bool = False  # a copy for the patient, made without the consent to sharing outside
 
     @property
@@ -253,7 +253,7 @@ def _parameters(db: Transaction, driven: list[Trial | ReportedDrive]) -> Paramet
     if not driven:
         return None
     newest = max(driven, key=lambda one: one.started)
-    row = db.get_one(Parameters, newest.parameters_id)
+    row = db.get_one(ParameterSet, newest.parameters_id)
     profile = db.get_one(Profile, row.profile_id)
     return ParameterMaterial(
         title=row.title,

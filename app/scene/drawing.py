@@ -9,16 +9,16 @@ from app.computing_process import ComputingProcess
 from app.scene.meshes.building import building_parts
 from app.scene.meshes.movers import mover_parts
 from app.scene.models.objects import Model, stored_model
-from app.scene.world_view import Drawing
+from app.scene.world_view import DrawnPlan
 from app.world.floorplan import FloorPlan, PrescribedPath
 
-NOTHING: Final = Drawing({}, ())
+NOTHING: Final = DrawnPlan({}, ())
 LARGE: Final = 300  # points of walls, and obstacles
 
 logger = logging.getLogger(__name__)
 
 
-def prepared_drawing(plan: FloorPlan | None, path: PrescribedPath | None, models: Path | None) -> Drawing:
+def prepared_drawing(plan: FloorPlan | None, path: PrescribedPath | None, models: Path | None) -> DrawnPlan:
     """Return `drawing_of` a plan; that of a large plan is made in a process of its own.
 
     It takes seconds, in which the web process would keep its other threads waiting, Stop among them.
@@ -34,11 +34,11 @@ def prepared_drawing(plan: FloorPlan | None, path: PrescribedPath | None, models
         return computing.ask(drawing_of, plan, path, models)
 
 
-def drawing_of(plan: FloorPlan | None, path: PrescribedPath | None, models: Path | None) -> Drawing:
+def drawing_of(plan: FloorPlan | None, path: PrescribedPath | None, models: Path | None) -> DrawnPlan:
     """Return the drawing of a plan; `models` is the folder of the 3D objects that its obstacles name."""
     if plan is None:
         return NOTHING
-    return Drawing(
+    return DrawnPlan(
         building=building_parts(plan, lambda name: _model(models, name)),
         movers=[mover_parts(mover) for mover in plan.movers],
         bounds=plan.bounds,

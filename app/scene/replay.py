@@ -14,7 +14,7 @@ from app.scene.drawing import drawing_of
 from app.scene.head_view import NO_HEAD, Angles
 from app.scene.role_servers import quiet_server
 from app.scene.scene_state import SceneState
-from app.scene.trajectory import Trajectory
+from app.scene.trajectory import TrajectoryLine
 from app.scene.world_view import WorldView
 from app.world.floorplan import FloorPlan
 
@@ -58,7 +58,7 @@ class Replay:
             self._view = WorldView(self._server)
             self._view.draw(drawing_of(plan, path, models))
             self._moment = self._server.scene.add_frame(MOMENT_NODE, show_axes=False, visible=False)
-            driven = Trajectory(self._server)
+            driven = TrajectoryLine(self._server)
             for t, x, y, theta in zip(poses.t, poses.x, poses.y, poses.theta, strict=True):
                 driven.add(Pose(float(x), float(y), float(theta)), float(t))
             self.show(self._t, "chase")

@@ -9,7 +9,7 @@ import numpy as np
 
 from app.clock import MonotonicClock
 from app.scene.role_servers import RoleServers
-from app.scene.session_scene import Scene
+from app.scene.session_scene import LiveScene
 
 UPDATE_EVERY: Final = 1 / 60  # s, while a page shows the scene
 STAMP_EVERY: Final = 0.1  # s; also between two updates that no page shows: the trajectory is followed all the same
@@ -20,7 +20,7 @@ ReadNewest = Callable[[], "np.void | None"]
 class SceneThread:
     """A scene and the thread that updates it with the newest tick; `stop` ends the thread, not the servers."""
 
-    def __init__(self, scene: Scene, read_newest: ReadNewest) -> None:
+    def __init__(self, scene: LiveScene, read_newest: ReadNewest) -> None:
         self.scene = scene
         self._read_newest = read_newest
         self._ended = threading.Event()
@@ -57,6 +57,6 @@ class SceneThread:
 
 def start_scene(servers: RoleServers, read_newest: ReadNewest, models: Path | None = None) -> SceneThread:
     """Draw the scene on the servers and update it with the newest tick; stop the thread before the servers."""
-    thread = SceneThread(Scene(servers, models), read_newest)
+    thread = SceneThread(LiveScene(servers, models), read_newest)
     thread.start()
     return thread

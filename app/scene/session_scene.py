@@ -14,7 +14,7 @@ from app.scene.head_view import NO_HEAD, Angles
 from app.scene.plots import Plots
 from app.scene.role_servers import ROLES, Role, RoleServers
 from app.scene.scene_state import SceneState
-from app.scene.trajectory import Trajectory
+from app.scene.trajectory import TrajectoryLine
 from app.scene.world_view import WorldView
 from app.world.floorplan import FloorPlan
 
@@ -22,7 +22,7 @@ CLOCK_WRAPS = 100.0  # s; viser does not send relative changes below 1e-5, so th
 CLOCK_NODE: Final = "/clock"
 
 
-class Scene:
+class LiveScene:
     """The pictures of both roles. Every method may be called from any thread.
 
     Parameters
@@ -38,7 +38,7 @@ class Scene:
         self._models = models
         self._lock = threading.Lock()
         self._views: dict[Role, WorldView] = {role: WorldView(servers[role]) for role in ROLES}
-        self._trajectories = [Trajectory(servers[role]) for role in ROLES]
+        self._trajectories = [TrajectoryLine(servers[role]) for role in ROLES]
         self._plots = Plots(servers["clinician"])
         self._clocks = [servers[role].scene.add_frame(CLOCK_NODE, show_axes=False, visible=False) for role in ROLES]
         self._plan: FloorPlan | None = None

@@ -78,7 +78,7 @@ class TrajectoryPieces:
         return True
 
 
-class Trajectory:
+class TrajectoryLine:
     """The trajectory on one role's 3D server."""
 
     def __init__(self, server: viser.ViserServer) -> None:

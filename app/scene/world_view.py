@@ -45,7 +45,7 @@ DEFAULT_LIGHTS: Final = Lights()
 
 
 @dataclass(frozen=True, slots=True)
-class Drawing:
+class DrawnPlan:
     """The drawing of a plan, made once for all roles."""
 
     building: BuildingParts
@@ -67,7 +67,7 @@ class WorldView:
         self._angles = AHEAD
         self._pose = Pose(0.0, 0.0, 0.0)
         self._aspect = LANDSCAPE
-        self._drawing = Drawing({}, ())
+        self._drawing = DrawnPlan({}, ())
         self._orbit: Orbit | None = None  # None until the free camera is moved
         scene = server.scene
         self._world = scene.add_frame("/world", show_axes=False)
@@ -101,7 +101,7 @@ class WorldView:
         """The orbit of this role's free camera."""
         return self._orbit or first_orbit(self._drawing.bounds, self._drawing.start, self._aspect)
 
-    def draw(self, drawing: Drawing) -> None:
+    def draw(self, drawing: DrawnPlan) -> None:
         """Draw a plan: building, movers and lights."""
         with self._server.atomic():
             self._building.show(drawing.building)

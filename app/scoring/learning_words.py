@@ -5,7 +5,7 @@ import numpy as np
 from app.number_words import amount, with_minus
 from app.scoring.learning_fit import MIN_TRIALS, MIN_TRIALS_FOR_CONSTANT, LearningCurve
 from app.scoring.measures import TRIAL_MEASURES, VERDICT_WORDS, Measure
-from app.scoring.retention import Change, Retention
+from app.scoring.retention import MeanChange, Retention
 from app.scoring.trend import theil_sen
 from app.scoring.verdict.change_over_sessions import CourseChange
 
@@ -124,13 +124,13 @@ def _shape(measure: Measure, learning: LearningCurve, change: CourseChange) -> s
     return f" It levels off at about {measure.level(level)}."
 
 
-def _step(measure: Measure, change: Change) -> str:
+def _step(measure: Measure, change: MeanChange) -> str:
     if change.is_noise:
         return "stayed within noise"
     return f"{'fell' if change.mean < 0 else 'rose'} by about {measure.level(abs(change.mean))}"
 
 
-def _interval(measure: Measure, change: Change) -> str:
+def _interval(measure: Measure, change: MeanChange) -> str:
     low, high = (measure.figure(end) for end in (change.low, change.high))
     if change.is_noise:
         return f"changed by {measure.level(change.mean)} (within noise; 99 %: {low} to {high})"

@@ -17,7 +17,7 @@ TRIALS = 3  # so many must have gone well, one after the other
 Reason = Literal["first", "again", "next level"]
 
 
-class PastTrial(NamedTuple):
+class DrivenTask(NamedTuple):
     """A trial that is over."""
 
     floorplan: str
@@ -58,7 +58,7 @@ def is_worse_than_noise(rows: Rows, clinic: ClinicSpreads) -> bool:
 
 
 def next_task(
-    trials: Sequence[PastTrial],
+    trials: Sequence[DrivenTask],
     group: SourceGroup,
     places: Mapping[str, DrivingPlace],
     is_worse: Callable[[str, str], bool],
@@ -93,7 +93,7 @@ def next_task(
     return NextTask(last.floorplan, last.path, "again")
 
 
-def _is_offered(trial: PastTrial, places: Mapping[str, DrivingPlace]) -> bool:
+def _is_offered(trial: DrivenTask, places: Mapping[str, DrivingPlace]) -> bool:
     return trial.floorplan in places and _has_path(places[trial.floorplan], trial.path)
 
 
@@ -101,7 +101,7 @@ def _has_path(place: DrivingPlace, name: str) -> bool:
     return any(path.name == name for path in place.plan.paths)
 
 
-def _next_level(last: PastTrial, places: Mapping[str, DrivingPlace]) -> str | None:
+def _next_level(last: DrivenTask, places: Mapping[str, DrivingPlace]) -> str | None:
     """Return the floor plan of the next harder level of the same scene with the same path; None when there is none."""
     scene = places[last.floorplan].scene
     if scene is None:

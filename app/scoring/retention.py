@@ -13,7 +13,7 @@ CONFIDENCE = 0.99  # six intervals of three measures stand side by side: togethe
 MIN_SESSIONS = 4  # with fewer, the interval of the mean change between sessions is too wide
 
 
-class Change(NamedTuple):
+class MeanChange(NamedTuple):
     """A mean change over sessions with its 99 % interval."""
 
     mean: float
@@ -30,8 +30,8 @@ class Change(NamedTuple):
 class Retention(NamedTuple):
     """How a measure changed within sessions, and from the end of one to the start of the next."""
 
-    within: Change
-    between: Change
+    within: MeanChange
+    between: MeanChange
 
 
 def retention(sessions: Sequence[int], values: Sequence[float]) -> Retention | None:
@@ -53,9 +53,9 @@ def retention(sessions: Sequence[int], values: Sequence[float]) -> Retention | N
     return Retention(_mean(within), _mean(between)) if len(between) >= MIN_SESSIONS - 1 else None
 
 
-def _mean(changes: Sequence[float]) -> Change:
+def _mean(changes: Sequence[float]) -> MeanChange:
     from scipy.special import stdtrit
 
     mean, count = float(np.mean(changes)), len(changes)
     half = float(stdtrit(count - 1, (1 + CONFIDENCE) / 2) * np.std(changes, ddof=1)) / math.sqrt(count)
-    return Change(mean, mean - half, mean + half, count)
+    return MeanChange(mean, mean - half, mean + half, count)

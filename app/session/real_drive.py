@@ -15,7 +15,7 @@ from app.session.run_watch import Halt, Starter
 from app.session.runs import SessionRun
 from app.store.drives import add_drive, finish_drive
 from app.store.log import write_log
-from app.store.tables import Chair, Drive, PatientSession, Run
+from app.store.tables import Drive, PairedChair, PatientSession, Run
 
 
 class DriveWatch:
@@ -56,7 +56,9 @@ class RealDriveFlow(RunFlow[RunningDrive]):
         still_closing="The recording is still being closed: look at the drive again in a moment.",
     )
 
-    async def start(self, session: PatientSession, who: Starter, chair: Chair, parameters_id: int, digest: str) -> int:
+    async def start(
+        self, session: PatientSession, who: Starter, chair: PairedChair, parameters_id: int, digest: str
+    ) -> int:
         """Begin a drive and return its id: recorded, armed with the parameter set of this hash."""
         async with self._alone():
             meta = {"chair": chair.name, "key_id": chair.key_id, "hash": digest}
@@ -65,7 +67,13 @@ class RealDriveFlow(RunFlow[RunningDrive]):
             )
 
     def _add(
-        self, session: PatientSession, who: Starter, chair: Chair, parameters_id: int, digest: str, run: SessionRun
+        self,
+        session: PatientSession,
+        who: Starter,
+        chair: PairedChair,
+        parameters_id: int,
+        digest: str,
+        run: SessionRun,
     ) -> RunningDrive:
         with self._database.transaction() as db:
             drive = add_drive(

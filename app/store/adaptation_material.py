@@ -11,7 +11,7 @@ from app.calibration.vocabulary import DriveParameters
 from app.scoring.map_losses.trial_history import MOST_TRIALS
 from app.store.map_versions import calibration_behind, family
 from app.store.parameters import as_document, current_parameters
-from app.store.tables import Parameters, Patient, Profile, Run, Trial
+from app.store.tables import ParameterSet, Patient, Profile, Run, Trial
 
 LAST_TRIALS = 6  # older trials say little about how the person moves today
 
@@ -45,9 +45,9 @@ def material_for(db: Session, patient_id: int, session_id: int, *, simulated: bo
     row, profile = current_parameters(db, patient_id)
     versions = family(db, patient_id, profile.version)
     found = db.execute(
-        select(Trial, Profile.version, Parameters.settings)
-        .join(Parameters, Parameters.id == Trial.parameters_id)
-        .join(Profile, Profile.id == Parameters.profile_id)
+        select(Trial, Profile.version, ParameterSet.settings)
+        .join(ParameterSet, ParameterSet.id == Trial.parameters_id)
+        .join(Profile, Profile.id == ParameterSet.profile_id)
         .join(Run, Run.id == Trial.run_id)
         .where(
             Run.simulated.is_(simulated),

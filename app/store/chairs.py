@@ -10,17 +10,17 @@ from app.clock import utc_now
 from app.refusals import Conflict, NotFound
 from app.speeds import HIGHEST_SPEEDS, Speeds
 from app.store.own_rows import own_row
-from app.store.tables import Chair, Clinic
+from app.store.tables import Clinic, PairedChair
 
 LARGEST_KEY_ID = 65_535  # u16 of the frames to the chair
 KEY_ELSEWHERE = 0  # no chair here ever has a key of this number
 
 
-def add_chair(db: Session, clinic: Clinic, name: str, host: str, port: int, key_id: int, speeds: Speeds) -> Chair:
+def add_chair(db: Session, clinic: Clinic, name: str, host: str, port: int, key_id: int, speeds: Speeds) -> PairedChair:
     """Add a chair that was just paired; the caller writes its key into `<state>/keys/<key_id>.key`."""
     if any(chair.name == name for chair in chairs_of(db, clinic)):
         raise Conflict(f"There is already a chair called '{name}': choose another name, or unpair that one first.")
-    chair = Chair(
+    chair = PairedChair(
         clinic_id=clinic.id,
         name=name,
         host=host,
@@ -37,17 +37,19 @@ def add_chair(db: Session, clinic: Clinic, name: str, host: str, port: int, key_
 
 def free_key_ids(db: Session, clinic: Clinic) -> Iterator[int]:
     """Yield the key numbers that no chair here ever had, so that the key of a removed chair is never valid again."""
-    used = set(db.scalars(select(Chair.key_id).where(Chair.clinic_id == clinic.id)))
+    used = set(db.scalars(select(PairedChair.key_id).where(PairedChair.clinic_id == clinic.id)))
     yield from (key_id for key_id in range(1, LARGEST_KEY_ID + 1) if key_id not in used)
     raise Conflict("Every number of a key was used: begin with a new state folder.")
 
 
-def chair_elsewhere(db: Session, clinic_id: int) -> Chair:
+def chair_elsewhere(db: Session, clinic_id: int) -> PairedChair:
     """Return the row to which drives of other clinics' chairs refer: removed, without address and key."""
-    chair = db.scalar(select(Chair).where(Chair.clinic_id == clinic_id, Chair.key_id == KEY_ELSEWHERE))
+    chair = db.scalar(
+        select(PairedChair).where(PairedChair.clinic_id == clinic_id, PairedChair.key_id == KEY_ELSEWHERE)
+    )
     if chair is None:
         now = utc_now()
-        chair = Chair(
+        chair = PairedChair(
             clinic_id=clinic_id,
             name="A chair of another clinic",
             host="",
@@ -62,23 +64,27 @@ def chair_elsewhere(db: Session, clinic_id: int) -> Chair:
     return chair
 
 
-def chairs_of(db: Session, clinic: Clinic) -> list[Chair]:
+def chairs_of(db: Session, clinic: Clinic) -> list[PairedChair]:
     """Return the chairs that are paired, the newest last."""
     return list(
-        db.scalars(select(Chair).where(Chair.clinic_id == clinic.id, Chair.removed.is_(None)).order_by(Chair.id))
+        db.scalars(
+            select(PairedChair)
+            .where(PairedChair.clinic_id == clinic.id, PairedChair.removed.is_(None))
+            .order_by(PairedChair.id)
+        )
     )
 
 
-def find_chair(db: Session, clinic: Clinic, chair_id: int) -> Chair:
+def find_chair(db: Session, clinic: Clinic, chair_id: int) -> PairedChair:
     """Return one of the chairs that are paired."""
     missing = f"There is no chair {chair_id}: choose one of the list, or pair it first."
-    chair = own_row(db, Chair, clinic.id, chair_id, missing)
+    chair = own_row(db, PairedChair, clinic.id, chair_id, missing)
     if chair.removed is not None:
         raise NotFound(missing)
     return chair
 
 
-def remove_chair(db: Session, clinic: Clinic, chair_id: int) -> Chair:
+def remove_chair(db: Session, clinic: Clinic, chair_id: int) -> PairedChair:
     """Unpair a chair; the row stays, because drives refer to it."""
     chair = find_chair(db, clinic, chair_id)
     chair.removed = utc_now()

@@ -7,7 +7,7 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.scoring.control_quality import ControlQuality
-from app.store.tables import Parameters, PatientSession, Profile, Trial
+from app.store.tables import ParameterSet, PatientSession, Profile, Trial
 
 
 def save_quality(db: Session, trial_id: int, quality: ControlQuality) -> None:
@@ -32,8 +32,8 @@ def sessions_and_versions(db: Session, trials: Collection[int]) -> dict[int, tup
     query = (
         select(Trial.id, PatientSession.number, Profile.version)
         .join(PatientSession, PatientSession.id == Trial.session_id)
-        .join(Parameters, Parameters.id == Trial.parameters_id)
-        .join(Profile, Profile.id == Parameters.profile_id)
+        .join(ParameterSet, ParameterSet.id == Trial.parameters_id)
+        .join(Profile, Profile.id == ParameterSet.profile_id)
         .where(Trial.id.in_(trials))
     )
     return {trial: (number, version) for trial, number, version in db.execute(query)}

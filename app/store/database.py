@@ -19,7 +19,7 @@ from app.store.access.visible_patients import restrict
 from app.store.files.ballast import Ballast
 from app.store.keeping import last_ids  # noqa: F401  (new rows take no id of an erased one)
 from app.store.log import HAS_NEW_ROWS, write_log
-from app.store.log_chain import HEAD_BEGUN, Head, HeadFile, advance
+from app.store.log_chain import HEAD_BEGUN, ChainHead, HeadFile, advance
 from app.store.records.sign_off import lock_signed
 from app.store.schema import bring_up_to_date
 
@@ -121,7 +121,7 @@ class Database:
         """Bring the head of the log to its newest row, and log it when the head was missing or behind."""
         with self.transaction(closing=True) as db:
             head = self._head_file.read()
-            newest = advance(db, head or Head())
+            newest = advance(db, head or ChainHead())
             if head is None and newest is not None:
                 self._write_head(newest)
                 if newest.rows:
@@ -129,7 +129,7 @@ class Database:
             elif head is not None and newest is not None and newest != head:
                 write_log(db, None, "log head behind", rows=newest.rows - head.rows)
 
-    def _write_head(self, head: Head) -> None:
+    def _write_head(self, head: ChainHead) -> None:
         try:
             self._head_file.write(head)
         except OSError:

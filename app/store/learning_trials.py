@@ -9,7 +9,7 @@ from sqlalchemy.orm import Session
 
 from app.source import SourceGroup, source_words
 from app.store.records.consents import has_consented
-from app.store.tables import Parameters, Patient, PatientSession, Profile, Run, Trial
+from app.store.tables import ParameterSet, Patient, PatientSession, Profile, Run, Trial
 
 FAMILIARISATION = 3  # first trials of a task with one kind of source, in which a person gets used to it
 SIMULATED: dict[SourceGroup, bool | None] = {"worn": False, "simulated": True, "unknown": None}
@@ -50,8 +50,8 @@ def counted_trials(db: Session, clinic_id: int, patient_id: int, floorplan: str,
     found = db.execute(
         select(Trial, PatientSession.number, Profile.version, Profile.origin)
         .join(PatientSession, PatientSession.id == Trial.session_id)
-        .join(Parameters, Parameters.id == Trial.parameters_id)
-        .join(Profile, Profile.id == Parameters.profile_id)
+        .join(ParameterSet, ParameterSet.id == Trial.parameters_id)
+        .join(Profile, Profile.id == ParameterSet.profile_id)
         .where(Trial.patient_id == patient_id, *_measured(clinic_id, floorplan, path))
         .order_by(Trial.id)
     ).all()

@@ -32,7 +32,7 @@ RawRow = Any  # id, at, person, what, details, previous_hash, hash as SQLite sto
 
 
 @dataclass(frozen=True, slots=True)
-class Head:
+class ChainHead:
     """The number of rows of the log, and the id and hash of the newest row."""
 
     rows: int = 0
@@ -53,11 +53,11 @@ class HeadFile:
     def __init__(self, database: Path) -> None:
         self.file = database.with_name(f"{database.name}.log-head")
 
-    def read(self) -> Head | None:
+    def read(self) -> ChainHead | None:
         """Return the head, None when there is none that can be read."""
         return self._newest()[1]
 
-    def write(self, head: Head) -> None:
+    def write(self, head: ChainHead) -> None:
         """Write the head and wait until it is on the disk; raise OSError when that fails."""
         place, before = self._newest()
         content = f"{head.rows} {head.id} {head.hash}"
@@ -71,9 +71,9 @@ class HeadFile:
         if before is None:
             sync_folder(self.file.parent)
 
-    def _newest(self) -> tuple[int, Head | None]:
+    def _newest(self) -> tuple[int, ChainHead | None]:
         """Return the index of the line that counts (0 or 1) and its head; (1, None) when neither line is valid."""
-        newest: tuple[int, Head | None] = (1, None)
+        newest: tuple[int, ChainHead | None] = (1, None)
         try:
             content = self.file.read_bytes()
         except OSError:
@@ -81,12 +81,12 @@ class HeadFile:
         for place in (0, 1):
             found = WHOLE_LINE.fullmatch(content[place * LINE : (place + 1) * LINE])
             if found and int(found["check"], 16) == crc32(found["content"]):
-                head = Head(int(found["rows"]), int(found["id"]), found["hash"].decode())
+                head = ChainHead(int(found["rows"]), int(found["id"]), found["hash"].decode())
                 if newest[1] is None or head.rows > newest[1].rows:
                     newest = (place, head)
         return newest
 
-    def after(self, db: Session) -> Head | None:
+    def after(self, db: Session) -> ChainHead | None:
         """Return the head with the newest rows of `db`.
 
         None when they do not follow on the head in the file: then the file stays as evidence that the log was changed.
@@ -101,7 +101,7 @@ def entry_hash(previous: str, at: datetime, person: str | None, what: str, detai
     return sha256(content.encode()).hexdigest()
 
 
-def advance(db: Session, head: Head) -> Head | None:
+def advance(db: Session, head: ChainHead) -> ChainHead | None:
     """Return the head advanced over the rows added since; None when they do not follow on it."""
     connection = db.connection()
     if head.rows:
@@ -111,7 +111,7 @@ def advance(db: Session, head: Head) -> Head | None:
     for row in connection.exec_driver_sql(f"{ROWS} WHERE id > ? ORDER BY id", (head.id,)):
         if not _chains_on(head.hash, row):
             return None
-        head = Head(head.rows + 1, row[0], row[6])
+        head = ChainHead(head.rows + 1, row[0], row[6])
     return head
 
 
@@ -157,7 +157,7 @@ def warn_of_changed_log(database: Path) -> None:
         logging.getLogger("bodydrive").warning("%s", check.words)
 
 
-def _check(head: Head | None, rows: Iterable[RawRow]) -> LogCheck:
+def _check(head: ChainHead | None, rows: Iterable[RawRow]) -> LogCheck:
     count, newest, hash_at_head, begun = 0, FIRST, FIRST, ""
     for row in rows:
         if not _chains_on(newest, row):

@@ -11,7 +11,7 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
 from app.refusals import Conflict
 from app.store.parameters import current_parameters, save_parameters, save_profile
-from app.store.tables import Parameters, Profile, Trial
+from app.store.tables import ParameterSet, Profile, Trial
 
 BACK_TO = "back_to"  # in `Profile.difference` of a version that goes back: the version whose map it has
 
@@ -93,8 +93,8 @@ def versions_of(db: Session, patient_id: int) -> list[MapVersion]:
     driven: dict[int, list[int]] = {}
     for trial, version in db.execute(
         select(Trial.id, Profile.version)
-        .join(Parameters, Parameters.id == Trial.parameters_id)
-        .join(Profile, Profile.id == Parameters.profile_id)
+        .join(ParameterSet, ParameterSet.id == Trial.parameters_id)
+        .join(Profile, Profile.id == ParameterSet.profile_id)
         .where(Trial.patient_id == patient_id)
         .order_by(Trial.id)
     ):
@@ -143,10 +143,10 @@ def _before(db: Session, now: Profile) -> Profile | None:
 
 def _settings_of(db: Session, profile: Profile, *, newest: bool) -> dict[str, Any]:
     """Return the newest settings of a version, or its first ones."""
-    query = select(Parameters).where(Parameters.profile_id == profile.id)
+    query = select(ParameterSet).where(ParameterSet.profile_id == profile.id)
     if newest:
-        query = query.where(Parameters.current.is_(True))
-    row = db.scalars(query.order_by(Parameters.id)).first()
+        query = query.where(ParameterSet.current.is_(True))
+    row = db.scalars(query.order_by(ParameterSet.id)).first()
     return {} if row is None else row.settings
 
 

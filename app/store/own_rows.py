@@ -9,11 +9,11 @@ from app.store.access.person_tables import Person
 from app.store.access.visible_patients import WITH_DELETED
 from app.store.keeping.keeping_tables import Incident
 from app.store.sharing.sharing_tables import MomentComment, ShareLink
-from app.store.tables import Chair, Drive, InterfaceTest, Patient, PatientScreen, PatientSession, Trial
+from app.store.tables import Drive, InterfaceTest, PairedChair, Patient, PatientScreen, PatientSession, Trial
 
 Row = TypeVar(
     "Row",
-    Chair,
+    PairedChair,
     Drive,
     Incident,
     InterfaceTest,

@@ -10,7 +10,7 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.clock import utc_now
 from app.refusals import Conflict, NotFound
-from app.store.tables import Parameters, Profile
+from app.store.tables import ParameterSet, Profile
 
 
 def save_profile(
@@ -57,24 +57,24 @@ def _needed_profile(db: Session, patient_id: int) -> Profile:
     return row
 
 
-def _history(db: Session, profile: Profile) -> list[Parameters]:
+def _history(db: Session, profile: Profile) -> list[ParameterSet]:
     return list(
         db.scalars(
-            select(Parameters)
-            .where(Parameters.profile_id == profile.id, Parameters.abandoned.is_(False))
-            .order_by(Parameters.id)
+            select(ParameterSet)
+            .where(ParameterSet.profile_id == profile.id, ParameterSet.abandoned.is_(False))
+            .order_by(ParameterSet.id)
         )
     )
 
 
-def save_parameters(db: Session, profile: Profile, parameters: DriveParameters) -> Parameters:
+def save_parameters(db: Session, profile: Profile, parameters: DriveParameters) -> ParameterSet:
     """Make `parameters` the current set of `profile`; sets that were undone before can no longer be redone."""
     passed_current = False
     for row in _history(db, profile):
         row.abandoned = passed_current
         passed_current = passed_current or row.current
         row.current = False
-    new = Parameters(
+    new = ParameterSet(
         profile_id=profile.id,
         title=parameters.title,
         settings=parameters.model_dump(mode="json", exclude={"profile"}),
@@ -88,16 +88,16 @@ def save_parameters(db: Session, profile: Profile, parameters: DriveParameters) 
     return new
 
 
-def current_parameters(db: Session, patient_id: int) -> tuple[Parameters, Profile]:
+def current_parameters(db: Session, patient_id: int) -> tuple[ParameterSet, Profile]:
     """Return the current set with its profile."""
     profile = _needed_profile(db, patient_id)
-    row = db.scalar(select(Parameters).where(Parameters.profile_id == profile.id, Parameters.current.is_(True)))
+    row = db.scalar(select(ParameterSet).where(ParameterSet.profile_id == profile.id, ParameterSet.current.is_(True)))
     if row is None:
         row = save_parameters(db, profile, standard_parameters(CalibrationProfile.model_validate(profile.document)))
     return row, profile
 
 
-def as_document(row: Parameters, profile: Profile) -> DriveParameters:
+def as_document(row: ParameterSet, profile: Profile) -> DriveParameters:
     """Return the whole parameter set, profile included; Conflict when this program cannot read it."""
     try:
         return DriveParameters.model_validate({**row.settings, "profile": profile.document})
@@ -108,7 +108,7 @@ def as_document(row: Parameters, profile: Profile) -> DriveParameters:
         ) from error
 
 
-def undo_and_redo(db: Session, patient_id: int) -> tuple[Parameters | None, Parameters | None]:
+def undo_and_redo(db: Session, patient_id: int) -> tuple[ParameterSet | None, ParameterSet | None]:
     """Return the sets before and after the current one, None where there is none."""
     current, profile = current_parameters(db, patient_id)
     history = _history(db, profile)
@@ -118,7 +118,7 @@ def undo_and_redo(db: Session, patient_id: int) -> tuple[Parameters | None, Para
     return before, after
 
 
-def step_parameters(db: Session, patient_id: int, *, back: bool) -> Parameters:
+def step_parameters(db: Session, patient_id: int, *, back: bool) -> ParameterSet:
     """Undo or redo: make the set before or after the current one current."""
     current, _profile = current_parameters(db, patient_id)
     before, after = undo_and_redo(db, patient_id)
@@ -133,29 +133,29 @@ def step_parameters(db: Session, patient_id: int, *, back: bool) -> Parameters:
 
 def saved_titles(db: Session, patient_id: int) -> list[str]:
     """Return the names of the patient's sets, in the order in which they were first used."""
-    first = func.min(Parameters.id)
+    first = func.min(ParameterSet.id)
     return list(
         db.scalars(
-            select(Parameters.title)
-            .join(Profile, Profile.id == Parameters.profile_id)
+            select(ParameterSet.title)
+            .join(Profile, Profile.id == ParameterSet.profile_id)
             .where(Profile.patient_id == patient_id)
-            .group_by(Parameters.title)
+            .group_by(ParameterSet.title)
             .order_by(first)
         )
     )
 
 
-def load_titled(db: Session, patient_id: int, title: str) -> Parameters:
+def load_titled(db: Session, patient_id: int, title: str) -> ParameterSet:
     """Make a copy of the newest set of this name current, on the newest profile.
 
     Dead-zones and fulls are given in full scales of the joint, so they stay valid on a newer calibration.
     """
     profile = _needed_profile(db, patient_id)
     saved: dict[str, Any] | None = db.scalar(
-        select(Parameters.settings)
-        .join(Profile, Profile.id == Parameters.profile_id)
-        .where(Profile.patient_id == patient_id, Parameters.title == title)
-        .order_by(Parameters.id.desc())
+        select(ParameterSet.settings)
+        .join(Profile, Profile.id == ParameterSet.profile_id)
+        .where(Profile.patient_id == patient_id, ParameterSet.title == title)
+        .order_by(ParameterSet.id.desc())
         .limit(1)
     )
     if saved is None:

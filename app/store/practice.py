@@ -11,7 +11,7 @@ from app.calibration.vocabulary import DriveParameters
 from app.refusals import Conflict
 from app.store.parameters import as_document
 from app.store.records.import_tables import ImportedSession
-from app.store.tables import Parameters, Profile, Run, Trial
+from app.store.tables import ParameterSet, Profile, Run, Trial
 
 PRACTICE_ENDS = ("goal", "time-out", "by hand")  # a trial that a fault ended is no practice
 
@@ -48,7 +48,7 @@ class PracticeHistory:
             return _document(row, profile)
         return None
 
-    def _has_hash(self, row: Parameters, profile: Profile, digest: str) -> bool:
+    def _has_hash(self, row: ParameterSet, profile: Profile, digest: str) -> bool:
         if row.id not in self._hashes:
             document = _document(row, profile)
             self._hashes[row.id] = "" if document is None else document.hash
@@ -57,15 +57,15 @@ class PracticeHistory:
 
 def _practice_trials(
     db: Session, patient_id: int, simulated: bool | None
-) -> Iterator[tuple[Trial, Parameters, Profile]]:
+) -> Iterator[tuple[Trial, ParameterSet, Profile]]:
     """Yield the patient's finished and kept trials of this clinic in which the chair was permitted to move.
 
     The newest comes first.
     """
     found = db.execute(
-        select(Trial, Parameters, Profile)
-        .join(Parameters, Parameters.id == Trial.parameters_id)
-        .join(Profile, Profile.id == Parameters.profile_id)
+        select(Trial, ParameterSet, Profile)
+        .join(ParameterSet, ParameterSet.id == Trial.parameters_id)
+        .join(Profile, Profile.id == ParameterSet.profile_id)
         .join(Run, Run.id == Trial.run_id)
         .where(Trial.patient_id == patient_id, Trial.kept.is_(True), Trial.end.in_(PRACTICE_ENDS))
         .where(Run.simulated.is_(simulated), Trial.session_id.not_in(select(ImportedSession.session_id)))
@@ -74,7 +74,7 @@ def _practice_trials(
     yield from ((trial, row, profile) for trial, row, profile in found if trial.measures is not None)
 
 
-def _document(row: Parameters, profile: Profile) -> DriveParameters | None:
+def _document(row: ParameterSet, profile: Profile) -> DriveParameters | None:
     try:
         return as_document(row, profile)
     except Conflict:  # saved by a program with other fields

@@ -180,7 +180,7 @@ class Profile(Table):
     simulated: Mapped[bool | None]  # whether nobody wore the shirt in which it was calibrated; None: unknown
 
 
-class Parameters(Table):
+class ParameterSet(Table):
     """One parameter set on one profile; undo and redo move `current` from one to another."""
 
     __tablename__ = "parameters"
@@ -233,7 +233,7 @@ class Trial(Table):
         return self.run.source
 
 
-class Chair(Table):
+class PairedChair(Table):
     """A real chair that shares a key with this machine; the key itself lies in a file, never here."""
 
     __tablename__ = "chair"

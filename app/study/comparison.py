@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.number_words import percent, signed_percent
-from app.study.sessions import SessionTrial
+from app.study.sessions import StudySessionTrial
 
 RESAMPLES = 9999
 CONFIDENCE = 0.95
@@ -16,7 +16,7 @@ FELT_LIMIT = 0.10  # largest felt change of one adaptation step
 LEAST_AREA = 0.01  # m2, least divisor of a relative difference
 
 
-def compare(fixed: Sequence[SessionTrial], other: Sequence[SessionTrial]) -> dict[str, Any]:
+def compare(fixed: Sequence[StudySessionTrial], other: Sequence[StudySessionTrial]) -> dict[str, Any]:
     """Return the comparison over seeds, ready for JSON.
 
     Per session: the median over seeds of each seed's mean E_diff (m2), the share of trials that reached the goal, and
@@ -115,7 +115,9 @@ def table(comparison: dict[str, Any]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _later_sessions(fixed: Sequence[SessionTrial], other: Sequence[SessionTrial], seeds: list[int]) -> dict[str, Any]:
+def _later_sessions(
+    fixed: Sequence[StudySessionTrial], other: Sequence[StudySessionTrial], seeds: list[int]
+) -> dict[str, Any]:
     """Return the means over all trials from the second session on, and the interval of their ratio - 1."""
     rows = [[row for row in every if row.session > 1] for every in (fixed, other)]
     before, after = (
@@ -145,14 +147,14 @@ def _later_sessions(fixed: Sequence[SessionTrial], other: Sequence[SessionTrial]
     return found
 
 
-def _proposals(rows: Sequence[SessionTrial], seeds: list[int]) -> dict[str, Any]:
+def _proposals(rows: Sequence[StudySessionTrial], seeds: list[int]) -> dict[str, Any]:
     """Return after how many trials of each seed something was proposed."""
     counts = [sum(row.proposed > 0 for row in rows if row.seed == seed) for seed in seeds]
     return {"per_seed": counts, "median": float(np.median(counts)), "most": max(counts)}
 
 
 def _session(
-    fixed: Sequence[SessionTrial], other: Sequence[SessionTrial], seeds: list[int], session: int
+    fixed: Sequence[StudySessionTrial], other: Sequence[StudySessionTrial], seeds: list[int], session: int
 ) -> dict[str, Any]:
     before, after = (_means(rows, seeds, session) for rows in (fixed, other))
     drove = np.array([min(_reached(fixed, seed, session), _reached(other, seed, session)) == 1.0 for seed in seeds])
@@ -169,7 +171,7 @@ def _session(
     }
 
 
-def _means(rows: Sequence[SessionTrial], seeds: list[int], session: int) -> NDArray[np.float64]:
+def _means(rows: Sequence[StudySessionTrial], seeds: list[int], session: int) -> NDArray[np.float64]:
     """Return each seed's mean E_diff (n_seeds,) in m2 in a session."""
     return np.array([np.mean([one.e_diff for one in rows if (one.seed, one.session) == (s, session)]) for s in seeds])
 
@@ -179,7 +181,7 @@ def _relative(before: NDArray[np.float64], after: NDArray[np.float64]) -> NDArra
     return relative
 
 
-def _reached(rows: Sequence[SessionTrial], seed: int, session: int) -> float:
+def _reached(rows: Sequence[StudySessionTrial], seed: int, session: int) -> float:
     return float(np.mean([one.reached for one in rows if (one.seed, one.session) == (seed, session)]))
 
 

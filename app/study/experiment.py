@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from app.calibration.vocabulary import DriveParameters, standard_parameters
-from app.hardware.body.person import Person
+from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import NOVICE, PersonParameters
 from app.layout import ShirtLayout
 from app.scoring.learning import learning_curves
@@ -76,7 +76,7 @@ def run_study(
     """
     path = floorplan.path_named(path_name)
     layout = shirt_layout()
-    participant = Participant(Person(person, seed), layout, SAMPLE_RATE, seed + SEEDS_APART)
+    participant = Participant(SimulatedPerson(person, seed), layout, SAMPLE_RATE, seed + SEEDS_APART)
     second = second or SameProcess()
     recorded = record_calibration(participant)
     parameters = standard_parameters(second.submit(fit_recorded, layout, SAMPLE_RATE, recorded).result())

@@ -6,7 +6,7 @@ from app.cues import Cue
 from app.geometry import Pose
 from app.hardware.base import BodyView, LeaderView
 from app.hardware.body.cursor_view import CursorView
-from app.hardware.body.person import Person
+from app.hardware.body.person import SimulatedPerson
 from app.hardware.shirt.fabric import Fabric
 from app.layout import ShirtLayout
 from app.messages import ChairState, SensorFrame
@@ -21,7 +21,7 @@ class Participant:
     the number of frames divided by the sample rate.
     """
 
-    def __init__(self, person: Person, layout: ShirtLayout, sample_rate: float, seed: int) -> None:
+    def __init__(self, person: SimulatedPerson, layout: ShirtLayout, sample_rate: float, seed: int) -> None:
         """Put the shirt on `person`; `seed` is the fabric's, `sample_rate` in Hz."""
         self.person = person
         self.layout = layout

@@ -19,7 +19,7 @@ from app.calibration.prior.shipped import shipped_prior
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import calibration_script
 from app.calibration.vocabulary import DriveParameters, standard_parameters
-from app.hardware.body.person import Person
+from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import DETERIORATING, IMPROVING, PRACTISED, PersonParameters
 from app.scoring.map_losses.trial_history import NOTHING_READ, PastTrial, losses_of, read_trials
 from app.study.choices import Mode, PersonKind, StudyMap
@@ -41,7 +41,7 @@ PERSONS: dict[PersonKind, PersonParameters] = {
 
 
 @dataclass(frozen=True, slots=True)
-class SessionTrial:
+class StudySessionTrial:
     """One trial of one seed, and the adaptation of the map after it."""
 
     seed: int
@@ -80,10 +80,10 @@ def calibrated_participant(who: PersonKind, seed: int, map_kind: StudyMap = "pca
     shirt of one's own.
     """
     if map_kind == "prior":
-        participant = Participant(Person(PERSONS[who], seed), shirt_layout(), SAMPLE_RATE, GARMENT)
+        participant = Participant(SimulatedPerson(PERSONS[who], seed), shirt_layout(), SAMPLE_RATE, GARMENT)
         participant.wear(seed + SEEDS_APART)
         return CalibratedParticipant(who, seed, participant, calibrate_with_prior(participant, _other_people()))
-    participant = Participant(Person(PERSONS[who], seed), shirt_layout(), SAMPLE_RATE, seed + SEEDS_APART)
+    participant = Participant(SimulatedPerson(PERSONS[who], seed), shirt_layout(), SAMPLE_RATE, seed + SEEDS_APART)
     return CalibratedParticipant(who, seed, participant, calibrate(participant, map_kind))
 
 
@@ -94,7 +94,7 @@ def run_sessions(
     trials: int,
     floorplan: FloorPlan,
     path: PrescribedPath,
-) -> list[SessionTrial]:
+) -> list[StudySessionTrial]:
     """Drive `sessions` sessions of `trials` trials with one calibrated person, and return all trials.
 
     The person tires and learns: `first` cannot begin another condition afterwards.
@@ -106,7 +106,7 @@ def run_sessions(
     """
     participant, calibrated = first.participant, first.profile
     parameters = standard_parameters(calibrated)
-    rows: list[SessionTrial] = []
+    rows: list[StudySessionTrial] = []
     past, read = list[PastTrial](), NOTHING_READ
     for session in range(1, sessions + 1):
         parameters = begin_session(first, session, parameters, fitted=mode != "off")
@@ -166,7 +166,7 @@ def run_participants(
     processes: int = 1,
     *,
     map_kind: StudyMap = "pca",
-) -> Iterator[list[SessionTrial]]:
+) -> Iterator[list[StudySessionTrial]]:
     """Return all trials of one seed after the other, in the order of `seeds`: its sessions in each of the modes.
 
     Up to `processes` seeds are driven at once; the results do not depend on their number.
@@ -184,7 +184,7 @@ def _run_participant(
     path: PrescribedPath,
     map_kind: StudyMap,
     seed: int,
-) -> list[SessionTrial]:
+) -> list[StudySessionTrial]:
     return [
         row
         for mode in modes
@@ -222,11 +222,11 @@ def _row(
     trial: StudyTrial,
     parameters: DriveParameters,
     proposal: Proposal | None,
-) -> SessionTrial:
+) -> StudySessionTrial:
     """Return the row of a trial that was driven with `parameters`, and of the step proposed after it."""
     measures, after = trial.measures, (proposal and proposal.parameters) or parameters
     gestures = [parameters.gestures[index] for index in parameters.bound_gestures]
-    return SessionTrial(
+    return StudySessionTrial(
         seed=first.seed,
         mode=mode,
         session=session,

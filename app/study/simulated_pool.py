@@ -11,7 +11,7 @@ from app.calibration.prior.entry import PersonRecording, person_entry
 from app.calibration.prior.map_prior import MapPrior
 from app.calibration.prior.prior_map import with_prior_maps
 from app.calibration.profile import CalibrationProfile
-from app.hardware.body.person import Person
+from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import NOVICE, PRACTISED
 from app.layout import ShirtLayout
 from app.study.participant import Participant
@@ -27,7 +27,7 @@ def wearer(layout: ShirtLayout, seed: int) -> Participant:
     `seed` determines the body, its practice (from none to twenty-five trials) and how the shirt sits.
     """
     practice = float(np.random.default_rng(seed).uniform(0.0, PRACTISED.practice))
-    participant = Participant(Person(replace(NOVICE, practice=practice), seed), layout, SAMPLE_RATE, GARMENT)
+    participant = Participant(SimulatedPerson(replace(NOVICE, practice=practice), seed), layout, SAMPLE_RATE, GARMENT)
     participant.wear(seed)
     return participant
 

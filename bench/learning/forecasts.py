@@ -21,7 +21,7 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.script import MOVE, PAUSE, RETURN, Step, calibration_script
 from app.cues import Cue
 from app.hardware.base import BodyView
-from app.hardware.body.person import Person
+from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import PRACTISED
 from app.hardware.shirt.standard import standard_layout
 from app.study.participant import Participant
@@ -50,7 +50,7 @@ KINDS = (
 )
 
 
-class Uneven(Person):
+class Uneven(SimulatedPerson):
     """A person whose prompted movements differ in size."""
 
     def __init__(self, kind: Kind, seed: int) -> None:

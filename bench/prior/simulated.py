@@ -10,7 +10,7 @@ from app.calibration.fit.repetitions import Prompt
 from app.calibration.script import MOVE, PAUSE, RETURN
 from app.cues import Cue
 from app.hardware.base import BodyView
-from app.hardware.body.person import Person
+from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import PRACTISED
 from app.hardware.shirt.fabric import Fabric
 from app.hardware.shirt.standard import standard_layout
@@ -36,7 +36,7 @@ def _wearer(layout: ShirtLayout, number: int, joints: Sequence[str]) -> Wearer:
     fabric = Fabric(layout, SHIRT)
     for _ in range(number + 1):
         fabric.don_again()
-    person = Person(replace(PRACTISED), seed)
+    person = SimulatedPerson(replace(PRACTISED), seed)
     order = np.array([person.joints.index(name) for name in fabric.joints], dtype=np.intp)
     cues = _cues(joints)
     dt = 1.0 / SAMPLE_RATE

@@ -11,7 +11,7 @@ import threading
 from pathlib import Path
 
 from app.hardware.chair.key import read_key
-from app.hardware.chair.packet import DRIVE, Command
+from app.hardware.chair.packet import DRIVE, ChairCommand
 from app.realtime import go_real_time
 from bench.processes.measured_chair import Address, run_chair
 
@@ -22,7 +22,7 @@ def main(descriptor: int, key_file: Path) -> None:
     driving: list[float] = []
     ending = threading.Event()
 
-    def note(t: float, command: Command, sender: Address) -> None:
+    def note(t: float, command: ChairCommand, sender: Address) -> None:
         times.append(t)
         if command.flags & DRIVE:
             driving.append(t)

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from app.clock import monotonic
 from app.hardware.chair.inputs import Inputs
 from app.hardware.chair.key import Key
-from app.hardware.chair.packet import FRAME_BYTES, Command, decode_command
+from app.hardware.chair.packet import FRAME_BYTES, ChairCommand, decode_command
 from app.hardware.chair.receiver import Receiver
 from app.hardware.chair.telemetry_sender import TelemetrySender
 
@@ -16,7 +16,7 @@ STEP = 0.01  # s between two steps of the receiver, as in its own loop
 WAIT = 0.01  # s for a datagram before the next step
 
 Address = tuple[str, int]
-Note = Callable[[float, Command, Address], None]
+Note = Callable[[float, ChairCommand, Address], None]
 
 
 def run_chair(key: Key, opened: socket.socket, note: Note, goes_on: Callable[[], bool]) -> None:
@@ -62,7 +62,7 @@ class MeasuredChair:
     """
 
     def __init__(self, key: Key) -> None:
-        self.commands: list[tuple[float, Command]] = []
+        self.commands: list[tuple[float, ChairCommand]] = []
         self._key = key
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._socket.bind(("127.0.0.1", 0))
@@ -82,5 +82,5 @@ class MeasuredChair:
     def _run(self) -> None:
         run_chair(self._key, self._socket, self._note, lambda: not self._ending.is_set())
 
-    def _note(self, t: float, command: Command, _address: Address) -> None:
+    def _note(self, t: float, command: ChairCommand, _address: Address) -> None:
         self.commands.append((t, command))

@@ -11,7 +11,7 @@ from app.clock import MonotonicClock
 from app.geometry import Pose
 from app.scene.bridge_secret import SECRET
 from app.scene.role_servers import RoleServers
-from app.scene.trajectory import SEND_EVERY, STEP, Trajectory
+from app.scene.trajectory import SEND_EVERY, STEP, TrajectoryLine
 from bench.children import ask, started
 from bench.row import Row
 
@@ -58,7 +58,7 @@ def measure_trajectory(rounds: int = ROUNDS, long: int = LONG) -> list[Row]:
 class _TrajectoryView:
     def __init__(self, server: viser.ViserServer, viewer: "subprocess.Popen[str]") -> None:
         self._server, self._viewer = server, viewer
-        self._trajectory = Trajectory(server)
+        self._trajectory = TrajectoryLine(server)
         self._clock = MonotonicClock()
         self._points = 0
         self._t = 0.0

@@ -61,7 +61,7 @@ def theirs(signed_in: Clinic) -> dict[str, int]:
         )
         db.add(profile)
         db.flush()
-        parameters = tables.Parameters(
+        parameters = tables.ParameterSet(
             profile_id=profile.id,
             title="Set",
             settings={},

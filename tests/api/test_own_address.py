@@ -5,7 +5,7 @@ import datetime as dt
 import pytest
 
 from app.api.own_address import own_address
-from app.network import NetworkService, Trust
+from app.network import CertificateTrust, NetworkService
 from app.settings import Settings
 
 NOW = dt.datetime(2026, 5, 1, tzinfo=dt.UTC)
@@ -14,7 +14,7 @@ NOW = dt.datetime(2026, 5, 1, tzinfo=dt.UTC)
 def network(
     *addresses: str, names: tuple[str, ...] = ("pc", "pc.local", "localhost"), port: int = 8443
 ) -> NetworkService:
-    return NetworkService(port, 8081, Trust(names, addresses, NOW, NOW, "00", b"root"))
+    return NetworkService(port, 8081, CertificateTrust(names, addresses, NOW, NOW, "00", b"root"))
 
 
 @pytest.mark.parametrize(
@@ -51,7 +51,7 @@ def test_the_link_names_an_address_that_another_screen_can_open(
 def test_the_page_is_named_until_the_clinic_has_a_certificate_of_its_own() -> None:
     service = network("10.1.2.3")
     assert service.page_link() == "http://10.1.2.3:8081/"
-    service.trust = Trust(("d.clinic.example",), (), NOW, NOW, "00", None)
+    service.trust = CertificateTrust(("d.clinic.example",), (), NOW, NOW, "00", None)
     assert service.page_link() == "https://d.clinic.example:8443/"
 
 

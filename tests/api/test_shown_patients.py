@@ -17,7 +17,7 @@ from view.served_view import VIEW, serve_view
 from app.scene.client_messages import SUBPROTOCOL
 from app.store.access.visible_patients import VISIBLE_PATIENTS
 from app.store.people import add_person, sign_in, the_clinic
-from app.store.tables import Parameters, Patient, PatientSession, Profile, Run, Table, Trial
+from app.store.tables import ParameterSet, Patient, PatientSession, Profile, Run, Table, Trial
 
 ORIGIN = {"Origin": BASE}
 SOCKETS = BASE.replace("http", "ws")
@@ -145,7 +145,7 @@ def test_what_is_of_a_patient_is_left_out_of_every_query(reviewed: Clinic) -> No
     try:
         with database.transaction() as db:
             after = {kind: db.query(kind).count() for kind in before}
-            for kind in (Patient, PatientSession, Profile, Parameters, Trial):
+            for kind in (Patient, PatientSession, Profile, ParameterSet, Trial):
                 assert db.get(kind, 1) is None
     finally:
         VISIBLE_PATIENTS.reset(token)

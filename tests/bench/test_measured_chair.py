@@ -4,7 +4,15 @@ import socket
 
 from app.clock import MonotonicClock
 from app.hardware.chair.key import new_key
-from app.hardware.chair.packet import DRIVE, FRAME_BYTES, STOP, Command, decode_telemetry, encode_command, encode_hello
+from app.hardware.chair.packet import (
+    DRIVE,
+    FRAME_BYTES,
+    STOP,
+    ChairCommand,
+    decode_telemetry,
+    encode_command,
+    encode_hello,
+)
 from bench.processes.measured_chair import MeasuredChair
 
 KEY = new_key(1)
@@ -21,7 +29,7 @@ def test_it_answers_a_hello_and_notes_the_commands_that_it_accepts():
         before = clock.now()
 
         def send(sequence, flags, v=0.0):
-            command = Command(flags, 1, 7, sequence, sequence, v, 0.0, 1.0, 1.0, bytes(8))
+            command = ChairCommand(flags, 1, 7, sequence, sequence, v, 0.0, 1.0, 1.0, bytes(8))
             sender.send(encode_command(command, KEY, telemetry.nonce))
 
         def wait_for(count):

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from app.calibration.cued_runs import run_of_cues
 from app.calibration.script import calibration_script
-from app.hardware.body.person import Person
+from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import PRACTISED
 from app.hardware.shirt.standard import standard_layout
 from app.study.participant import Participant
@@ -14,7 +14,7 @@ RATE = 100.0
 
 
 def simulated_participant(seed=1, tremor=0.0, layout=None):
-    person = Person(replace(PRACTISED, tremor=tremor), seed)
+    person = SimulatedPerson(replace(PRACTISED, tremor=tremor), seed)
     return Participant(person, layout or standard_layout(), RATE, seed)
 
 

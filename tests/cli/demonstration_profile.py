@@ -2,7 +2,7 @@
 
 from app.calibration.profile import CalibrationProfile
 from app.cli.demonstration import profile_file
-from app.hardware.body.person import Person
+from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import PRACTISED
 from app.hardware.shirt.standard import standard_layout
 from app.study.participant import Participant
@@ -14,7 +14,7 @@ SAMPLE_RATE = 100.0  # Hz
 
 def calibrated() -> CalibrationProfile:
     """Return the profile of the simulated person, calibrated faster than real time."""
-    return calibrate(Participant(Person(PRACTISED, SEED), standard_layout(), SAMPLE_RATE, SEED))
+    return calibrate(Participant(SimulatedPerson(PRACTISED, SEED), standard_layout(), SAMPLE_RATE, SEED))
 
 
 if __name__ == "__main__":

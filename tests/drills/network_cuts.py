@@ -11,7 +11,7 @@ from processes.chair_process import ReceiverProcess
 
 from app.clock import monotonic
 from app.hardware.chair.key import read_key
-from app.hardware.chair.packet import DRIVE, Command, decode_telemetry, encode_command, encode_hello
+from app.hardware.chair.packet import DRIVE, ChairCommand, decode_telemetry, encode_command, encode_hello
 
 PERIOD = 0.02  # s between two commands
 SIDE_BY_SIDE = 4
@@ -47,7 +47,9 @@ class Sender(asyncio.DatagramProtocol):
     def command(self, v):
         self._sequence += 1
         t = monotonic()
-        command = Command(DRIVE, self._key.id, self._epoch, self._sequence, int(t * 1e9), v, 0.0, 1.5, 2.5, b"practise")
+        command = ChairCommand(
+            DRIVE, self._key.id, self._epoch, self._sequence, int(t * 1e9), v, 0.0, 1.5, 2.5, b"practise"
+        )
         self._transport.sendto(encode_command(command, self._key, self.nonce))
         return t
 

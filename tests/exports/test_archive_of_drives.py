@@ -24,7 +24,7 @@ from app.store.drives import add_drive, drives_of, finish_drive
 from app.store.parameters import current_parameters
 from app.store.records.patient_rows import add_patient_rows, check_rows
 from app.store.runs import add_run, close_run
-from app.store.tables import Chair, Clinic
+from app.store.tables import Clinic, PairedChair
 from building import make_parameters
 
 DRIVE = "fedcba9876543210fedcba9876543210"
@@ -87,7 +87,7 @@ def test_no_chair_comes_along(driven: Any, tmp_path: Path) -> None:
     bring(other, driven[0])
     with closing(Database(other.database)) as database, database.transaction() as db:
         clinic = db.get_one(Clinic, 1)
-        (chair,) = db.query(Chair).all()  # one for both drives
+        (chair,) = db.query(PairedChair).all()  # one for both drives
         assert (chair.host, chair.port, chair.removed is None) == ("", 0, False)
         assert chairs_of(db, clinic) == []
         assert next(free_key_ids(db, clinic)) == 1
@@ -105,4 +105,4 @@ def test_a_second_patient_with_drives_refers_to_the_same_chair(driven: Any, tmp_
     with closing(Database(other.database)) as database, database.transaction() as db:
         second = add_patient_rows(db, 1, check_rows(rows))
         assert len(drives_of(db, 1, second)) == 2
-        assert db.query(Chair).count() == 1
+        assert db.query(PairedChair).count() == 1

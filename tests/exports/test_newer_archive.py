@@ -27,7 +27,7 @@ from app.store.records.session_record import add_note, session_record, sessions_
 from app.store.records.sign_off import sign_off
 from app.store.runs import close_run
 from app.store.sharing.comments import add_comment, comments_of
-from app.store.tables import Parameters, PatientSession, Profile, Trial
+from app.store.tables import ParameterSet, PatientSession, Profile, Trial
 from building import make_parameters
 
 LATER, OWN = "1" * 32, "2" * 32  # recordings of a later session there, and of one here
@@ -159,7 +159,7 @@ def test_a_session_that_was_held_here_stays_and_numbers_that_are_taken_go_on(
         assert [(one.number, one.run_id) for one in trials] == [(1, RUN), (2, OWN), (3, LATER)]
         maps = list(db.scalars(select(Profile).where(Profile.patient_id == patient).order_by(Profile.version)))
         assert [(one.version, one.parent) for one in maps] == [(1, None), (2, 1), (3, 1)]
-        sets = select(Parameters.title).where(Parameters.profile_id == maps[0].id, Parameters.current.is_(True))
+        sets = select(ParameterSet.title).where(ParameterSet.profile_id == maps[0].id, ParameterSet.current.is_(True))
         assert len(list(db.scalars(sets))) == 1  # the map's own current set stays
     before = state_of(settings)
     assert bring(settings, archives.second).sessions == 0

@@ -7,7 +7,7 @@ from hardware.shirt.shirts import small_layout
 from pydantic import ValidationError
 
 from app.hardware.base import HardwareError
-from app.hardware.body.person import Person
+from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.visitor import Visitor
 from app.hardware.configs import (
     PersonConfig,
@@ -136,7 +136,7 @@ def test_a_configuration_that_is_none_is_one_sentence_that_names_the_place(docum
 def test_what_is_made_is_what_was_asked_for():
     assert make_shirt(SimulatorConfig(kind="simulator", sample_rate=250.0), FakeClock()).sample_rate == 250.0
     assert isinstance(make_body(VisitorConfig(kind="visitor")), Visitor)
-    assert isinstance(make_body(PersonConfig(kind="person", skill="practised", seed=3)), Person)
+    assert isinstance(make_body(PersonConfig(kind="person", skill="practised", seed=3)), SimulatedPerson)
 
 
 def test_configurations_are_never_changed():

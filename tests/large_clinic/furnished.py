@@ -27,7 +27,7 @@ from app.store.database import Database
 from app.store.log_chain import FIRST, entry_hash
 from app.store.people import add_clinic, add_person, sign_in
 from app.store.records.consents import Consent, give_consent
-from app.store.tables import LogEntry, Parameters, Patient, PatientSession, Profile, Run, Trial
+from app.store.tables import LogEntry, ParameterSet, Patient, PatientSession, Profile, Run, Trial
 from app.world.floorplan import FloorPlan, load_floorplan
 from building import make_parameters
 
@@ -152,7 +152,7 @@ class _Rows:
             Patient: self.patients,
             PatientSession: self.sessions,
             Profile: self.profiles,
-            Parameters: self.sets,
+            ParameterSet: self.sets,
             Run: self.runs,
             Trial: self.trials,
         }

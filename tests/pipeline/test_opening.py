@@ -4,7 +4,7 @@ import pytest
 from fake_clock import FakeClock
 
 from app.hardware.base import HardwareError
-from app.pipeline.opening import MOST_STUCK, OPENING_LIMIT, Change, Openings, open_device
+from app.pipeline.opening import MOST_STUCK, OPENING_LIMIT, DeviceChange, Openings, open_device
 
 WAIT = 10.0  # s
 
@@ -29,7 +29,7 @@ class OpeningDevices:
         self.taken, self.ended = [], []
 
     def begin(self, open_):
-        self.openings.begin(Change("shirt", open_, self.taken.append), self.ended.append)
+        self.openings.begin(DeviceChange("shirt", open_, self.taken.append), self.ended.append)
 
     def finish(self):
         self.openings._attempt.join(WAIT)
@@ -60,7 +60,7 @@ def test_a_device_that_cannot_be_put_to_use_is_a_sentence(devices):
     def fails(_device):
         raise ValueError("nobody foresaw this")
 
-    devices.openings.begin(Change("shirt", Device, fails), devices.ended.append)
+    devices.openings.begin(DeviceChange("shirt", Device, fails), devices.ended.append)
     devices.finish()
     assert "report it" in devices.ended[0]
     assert not devices.openings.busy

@@ -19,7 +19,7 @@ from app.settings import Settings
 from app.source import SourceGroup
 from app.store.database import Database
 from app.store.learning_trials import trials_of_everybody
-from app.store.log_chain import Head
+from app.store.log_chain import ChainHead
 from app.store.patients import add_patient
 from app.store.people import add_clinic
 from app.store.records.session_record import add_note, add_scale, write_goal
@@ -32,7 +32,7 @@ from building import make_parameters
 CODE = "P-017"
 GOAL = "Drive to the window by myself."
 NOTE = "Left elbow tires after four trials."
-HEAD = Head(rows=12, id=12, hash="ab" * 32)
+HEAD = ChainHead(rows=12, id=12, hash="ab" * 32)
 TRIALS = 7  # in each session
 PLAN = "apartment"
 

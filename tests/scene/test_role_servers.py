@@ -8,7 +8,7 @@ import pytest
 from scene_messages import everything
 
 from app.scene.role_servers import ROLES, RoleServers
-from app.scene.session_scene import Scene
+from app.scene.session_scene import LiveScene
 from app.scene.viewer_page import client_page
 
 
@@ -34,7 +34,7 @@ def test_no_server_can_be_asked_for_a_public_tunnel(servers):
 
 
 def test_only_the_clinician_gets_plots(servers):
-    Scene(servers)
+    LiveScene(servers)
     kinds = {role: {message["type"] for message in everything(servers.port(role))} for role in ROLES}
     assert "GuiUplotMessage" in kinds["clinician"]
     assert "GuiUplotMessage" not in kinds["patient"]

@@ -9,7 +9,7 @@ from app.geometry import Pose
 from app.scene.cameras import VIEWS, EyeSettings, Orbit, chase_camera, eye_camera, free_camera, world_placement
 from app.scene.head_view import Angles
 from app.scene.role_servers import ROLES
-from app.scene.session_scene import Scene
+from app.scene.session_scene import LiveScene
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
 from app.world.obstacles import Box
 
@@ -17,7 +17,7 @@ PLAN = load_floorplan(bundled_floorplans()["corridors"])
 
 
 def test_the_world_is_moved_and_the_camera_is_not(servers):
-    scene = Scene(servers)
+    scene = LiveScene(servers)
     scene.set_floorplan(PLAN, "main")
     scene.set_view("patient", "chase")
     scene.follow(tick(0, 1.0, 2.0, 0.0))
@@ -33,7 +33,7 @@ def test_the_world_is_moved_and_the_camera_is_not(servers):
 
 def test_before_it_moves_the_chair_is_shown_at_the_start_of_the_path(servers):
     """The control loop begins at 0, 0, where the corridors have a wall, and keeps the place of the last trial."""
-    scene = Scene(servers)
+    scene = LiveScene(servers)
     start = PLAN.path_named("main").start
     driven = [(0.0, 0.0), (0.0, 0.0), (float("nan"), 0.0), (0.0, 0.0), (4.0, 2.0), (0.0, 0.0)]
     shown = []
@@ -49,7 +49,7 @@ def test_before_it_moves_the_chair_is_shown_at_the_start_of_the_path(servers):
 
 
 def test_roles_look_from_where_they_want(servers):
-    scene = Scene(servers)
+    scene = LiveScene(servers)
     for view in VIEWS:
         scene.set_view("clinician", view)
         assert scene.view("clinician") == view
@@ -62,7 +62,7 @@ def drawn(port):
 
 @pytest.mark.parametrize("role", ROLES)
 def test_ceiling_and_door_frames_are_shown_to_the_eye_only(servers, role):
-    scene = Scene(servers)
+    scene = LiveScene(servers)
     scene.set_floorplan(load_floorplan(bundled_floorplans()["clinic"]), "main")
     for view in VIEWS:
         scene.set_view(role, view)
@@ -74,7 +74,7 @@ def test_ceiling_and_door_frames_are_shown_to_the_eye_only(servers, role):
 
 
 def test_another_plan_replaces_the_first_and_none_leaves_nothing(servers):
-    scene = Scene(servers)
+    scene = LiveScene(servers)
     scene.set_floorplan(load_floorplan(bundled_floorplans()["clinic"]), "main")
     scene.set_floorplan(PLAN, "straight")
     names = drawn(servers.port("clinician"))
@@ -90,7 +90,7 @@ def test_another_plan_replaces_the_first_and_none_leaves_nothing(servers):
 
 
 def test_an_unknown_path_changes_nothing(servers):
-    scene = Scene(servers)
+    scene = LiveScene(servers)
     scene.set_floorplan(PLAN, "main")
     with pytest.raises(ValueError, match="has no path 'nowhere'"):
         scene.set_floorplan(load_floorplan(bundled_floorplans()["clinic"]), "nowhere")
@@ -100,7 +100,7 @@ def test_an_unknown_path_changes_nothing(servers):
 
 
 def test_the_driven_line_is_drawn_and_taken_away_at_a_new_trial(servers):
-    scene = Scene(servers)
+    scene = LiveScene(servers)
     scene.set_floorplan(PLAN, "main")
     for number in range(100):
         scene.follow(tick(number, 1.0 + 0.06 * number, 2.0, 0.0, t=0.25 * number))
@@ -112,7 +112,7 @@ def test_the_driven_line_is_drawn_and_taken_away_at_a_new_trial(servers):
 
 @pytest.mark.parametrize("bad", [float("nan"), float("inf")])
 def test_a_pose_that_is_not_finite_is_left_out(servers, bad):
-    scene = Scene(servers)
+    scene = LiveScene(servers)
     scene.update(Pose(1.0, 2.0, 0.0), 0.0)
     for pose in (Pose(bad, 0, 0), Pose(0, bad, 0), Pose(0, 0, bad)):
         scene.update(pose, 1.0)
@@ -150,7 +150,7 @@ OPEN = FloorPlan.model_validate(
 
 
 def test_what_moves_is_where_the_scenes_time_puts_it(servers):
-    scene = Scene(servers)
+    scene = LiveScene(servers)
     scene.set_floorplan(OPEN, "course")
     scene.update(Pose(0.0, 0.0, 0.0), 1.0, scene_t=4.0)
     found = everything(servers.port("patient"))
@@ -162,7 +162,7 @@ def middle_of_goal(scene):
 
 
 def test_the_present_stage_is_drawn_and_a_chair_put_on_the_start_begins_again(servers):
-    scene = Scene(servers)
+    scene = LiveScene(servers)
     scene.set_floorplan(OPEN, "course")
     assert middle_of_goal(scene) == pytest.approx(2.0, abs=0.05)
     for number in range(22):
@@ -177,7 +177,7 @@ def height_of_cones(scene):
 
 
 def test_a_touched_cone_lies_until_the_next_trial(servers):
-    scene = Scene(servers)
+    scene = LiveScene(servers)
     scene.set_floorplan(OPEN, "course")
     assert height_of_cones(scene) == pytest.approx(0.5)
     scene.update(Pose(2.7, 0.0, 0.0), 1.0, scene_t=1.0)
@@ -187,7 +187,7 @@ def test_a_touched_cone_lies_until_the_next_trial(servers):
 
 
 def test_the_sun_stands_where_the_plan_says(servers):
-    scene = Scene(servers)
+    scene = LiveScene(servers)
     scene.set_floorplan(OPEN, "course")
     found = everything(servers.port("clinician"))
     x, y, z = of_node(found, "SetPositionMessage", "/world/sun")[-1]["position"]
@@ -196,7 +196,7 @@ def test_the_sun_stands_where_the_plan_says(servers):
 
 
 def test_head_and_chair_of_one_tick_come_together_and_each_role_has_its_own_eye(servers):
-    scene = Scene(servers)
+    scene = LiveScene(servers)
     scene.set_floorplan(PLAN, "main")
     scene.set_view("clinician", "eye", EyeSettings(head=False))
     scene.set_view("patient", "eye", EyeSettings(eye_height=1.4))
@@ -218,7 +218,7 @@ def test_head_and_chair_of_one_tick_come_together_and_each_role_has_its_own_eye(
 
 
 def test_the_free_camera_is_moved_by_the_server(servers):
-    scene = Scene(servers)
+    scene = LiveScene(servers)
     scene.set_floorplan(PLAN, "main")
     orbit = Orbit(1.0, 0.5, 7.0, 2.0, 3.0)
     scene.set_view("clinician", "free")
@@ -237,7 +237,7 @@ def test_an_object_that_cannot_be_read_is_a_plain_box_and_said_so(servers, tmp_p
     plan = OPEN.model_copy(
         update={"obstacles": (Box(kind="box", label="x", position=(8.0, 5.0), size=(1.0, 1.0), model="piano"),)}
     )
-    scene = Scene(servers, tmp_path)
+    scene = LiveScene(servers, tmp_path)
     scene.set_floorplan(plan, "course")
     assert "piano.glb" in caplog.text
     names = {message["name"] for message in everything(servers.port("patient")) if message["type"] == "MeshMessage"}

@@ -5,7 +5,7 @@ from scene_messages import messages, tick
 
 from app.clock import MonotonicClock
 from app.scene.scene_thread import SceneThread, start_scene
-from app.scene.session_scene import CLOCK_NODE, Scene
+from app.scene.session_scene import CLOCK_NODE, LiveScene
 
 
 def test_the_thread_follows_the_newest_tick_and_stamps_the_picture(servers):
@@ -78,7 +78,7 @@ def test_a_scene_that_no_page_shows_is_updated_as_seldom_as_its_clock(is_watched
 
 
 def test_a_scene_is_watched_while_a_page_shows_it(servers):
-    scene = Scene(servers)
+    scene = LiveScene(servers)
     assert not scene.is_watched
     servers["patient"].get_clients = lambda: {0: object()}
     assert scene.is_watched

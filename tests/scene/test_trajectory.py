@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from app.geometry import Pose
 from app.scene.role_servers import quiet_server
-from app.scene.trajectory import JUMP, PIECE, STEP, PointFilter, Trajectory, TrajectoryPieces, line_segments
+from app.scene.trajectory import JUMP, PIECE, STEP, PointFilter, TrajectoryLine, TrajectoryPieces, line_segments
 
 
 def test_a_chair_that_stands_adds_one_point():
@@ -93,7 +93,7 @@ def bytes_sent(server, trajectory, steps):
 def test_an_update_of_a_long_trajectory_sends_no_more_than_one_of_a_short():
     server = quiet_server()
     try:
-        trajectory = Trajectory(server)
+        trajectory = TrajectoryLine(server)
         short = bytes_sent(server, trajectory, range(PIECE))
         bytes_sent(server, trajectory, range(PIECE, 20_000 - PIECE))
         long = bytes_sent(server, trajectory, range(20_000 - PIECE, 20_000))

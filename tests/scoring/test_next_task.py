@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.scoring.next_task import FIRST, TRIALS, NextTask, PastTrial, is_worse_than_noise, next_task, went_well
+from app.scoring.next_task import FIRST, TRIALS, DrivenTask, NextTask, is_worse_than_noise, next_task, went_well
 from app.world.scene import bundled_places
 from app.world.task_groups import group_of
 
@@ -13,7 +13,7 @@ TASKS = [(name, path.name) for name, place in PLACES.items() for path in place.p
 
 
 def trial(task, *, well=True, counts=True, group="worn"):
-    return PastTrial(*task, group, counts, well)
+    return DrivenTask(*task, group, counts, well)
 
 
 def never(_floorplan, _path):

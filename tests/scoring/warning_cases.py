@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from app.calibration.vocabulary import DriveParameters, standard_parameters
-from app.hardware.body.person import Person
+from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import DETERIORATING, IMPROVING, NOVICE, PRACTISED, PersonParameters
 from app.messages import SensorFrame
 from app.pipeline.replay.batch import decode_block
@@ -57,7 +57,7 @@ CONDITIONS = {
 class RecordedParticipant(Participant):
     """A participant whose frames are kept, and one of whose channels may be made constant."""
 
-    def __init__(self, person: Person, seed: int) -> None:
+    def __init__(self, person: SimulatedPerson, seed: int) -> None:
         super().__init__(person, shirt_layout(), SAMPLE_RATE, seed)
         self.frames: list[np.ndarray] = []
         self.dead: int | None = None
@@ -74,7 +74,7 @@ def sessions_of(condition: Condition, seed: int, place: str = PLACE, path_name: 
     """Drive all sessions of one person, and return the trials in the order driven."""
     plan = find_place(place)
     path = plan.path_named(path_name)
-    participant = RecordedParticipant(Person(condition.person, seed), seed + SEEDS_APART)
+    participant = RecordedParticipant(SimulatedPerson(condition.person, seed), seed + SEEDS_APART)
     parameters, version = standard_parameters(calibrate(participant)), 1
     trials: list[TrialAssessment] = []
     for session in range(1, condition.sessions + 1):

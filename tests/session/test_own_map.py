@@ -9,7 +9,7 @@ from app.store.parameters import as_document, current_parameters, save_parameter
 from app.store.patients import add_patient, start_session
 from app.store.people import add_clinic
 from app.store.runs import add_run, add_trial, finish_trial
-from app.store.tables import Parameters, Profile
+from app.store.tables import ParameterSet, Profile
 from building import make_parameters
 
 COMMANDS = ("v", "omega", "u1", "u2")
@@ -42,7 +42,7 @@ def test_an_old_trial_gives_its_own_commands_and_the_new_map_gives_others(databa
     with database.transaction() as db:
         _, profile = current_parameters(db, patient.id)
         assert profile.version == 2
-        row = db.get_one(Parameters, trial.parameters_id)
+        row = db.get_one(ParameterSet, trial.parameters_id)
         own, newest = as_document(row, db.get_one(Profile, row.profile_id)), current_parameters(db, patient.id)
         assert (own.hash, own.profile) == (first.hash, first.profile)
         run = read_run(tmp_path / "r1")

@@ -13,7 +13,7 @@ from app.store.parameters import as_document, current_parameters, save_parameter
 from app.store.patients import add_patient, start_session
 from app.store.people import add_clinic
 from app.store.runs import add_run, add_trial
-from app.store.tables import Parameters, Patient, PatientSession, Profile, Trial
+from app.store.tables import ParameterSet, Patient, PatientSession, Profile, Trial
 
 
 class PatientMaps:
@@ -148,7 +148,7 @@ def test_trials_keep_the_version_that_they_were_driven_with(maps: PatientMaps) -
         (2, "adaptation", 1, [second.id, third.id]),
         (1, "calibration", None, [first.id]),
     ]
-    rows = [maps.db.get_one(Parameters, trial.parameters_id) for trial in (first, second)]
+    rows = [maps.db.get_one(ParameterSet, trial.parameters_id) for trial in (first, second)]
     assert [row.profile_id for row in rows] == [1, 2]
 
 

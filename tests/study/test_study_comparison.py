@@ -3,11 +3,11 @@
 import pytest
 
 from app.study.comparison import compare, table
-from app.study.sessions import SessionTrial
+from app.study.sessions import StudySessionTrial
 
 
 def trial(seed, mode, session, e_diff, reached=True, felt=0.0, flips=0):
-    return SessionTrial(
+    return StudySessionTrial(
         seed=seed,
         mode=mode,
         session=session,

@@ -3,7 +3,7 @@
 import pytest
 
 from app.calibration.vocabulary import DriveParameters, standard_parameters
-from app.hardware.body.person import Person
+from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import PRACTISED
 from app.study.experiment import SAMPLE_RATE, shirt_layout
 from app.study.participant import Participant
@@ -15,7 +15,7 @@ from app.world.scene import bundled_scenes, load_scene
 @pytest.fixture(scope="module")
 def calibrated_participant() -> tuple[Participant, DriveParameters]:
     """A participant, and the standard parameters of its calibration."""
-    participant = Participant(Person(PRACTISED, 1), shirt_layout(), SAMPLE_RATE, 2)
+    participant = Participant(SimulatedPerson(PRACTISED, 1), shirt_layout(), SAMPLE_RATE, 2)
     return participant, standard_parameters(calibrate(participant))
 
 

@@ -37,7 +37,7 @@ UNDER_WAY: Final = "A backup is being made already: wait until it is done."
 logger = logging.getLogger("bodydrive")
 
 
-class Course(NamedTuple):
+class BackupProgress(NamedTuple):
     """How far the backup under way is."""
 
     step: str  # store or verify
@@ -55,7 +55,7 @@ class NightBackups:
         self._tell = tell
         self._looking: asyncio.Task[None] | None = None
         self._making: asyncio.Task[None] | None = None
-        self.course: Course | None = None  # None: no backup is being made
+        self.course: BackupProgress | None = None  # None: no backup is being made
 
     def start(self) -> None:
         """Begin to look."""
@@ -72,7 +72,7 @@ class NightBackups:
         """Begin a backup into the chosen folder; Conflict when there is none, or while another is being made."""
         if self.course is not None:
             raise Conflict(UNDER_WAY)
-        self.course = Course("store", 0, 0)
+        self.course = BackupProgress("store", 0, 0)
         try:
             job = await asyncio.to_thread(self._job)
         except BaseException:
@@ -121,7 +121,7 @@ class NightBackups:
             async for line in process.stdout:
                 said = json.loads(line)
                 if "step" in said:
-                    self.course = Course(**said)
+                    self.course = BackupProgress(**said)
                 else:
                     answer = said
             await process.wait()

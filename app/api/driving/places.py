@@ -8,7 +8,7 @@ from app.api.parts import Web, WebParts, load_plan
 from app.api.routes.source_view import RequestedGroup
 from app.quantities import Document, Name
 from app.refusals import NotFound
-from app.scoring.next_task import PastTrial, Reason, is_worse_than_noise, next_task, went_well
+from app.scoring.next_task import DrivenTask, Reason, is_worse_than_noise, next_task, went_well
 from app.session.clinic_spread import Task
 from app.store.learning_trials import counted_trials
 from app.store.log import log_viewing
@@ -129,5 +129,5 @@ def propose_task(patient_id: RowId, who: Anyone, parts: PeopleParts, web: Web, s
     return NextTaskView.of(next_task(trials, source, web.places(), _is_worse))
 
 
-def _past(trial: Trial) -> PastTrial:
-    return PastTrial(trial.floorplan, trial.path, trial.source.group, trial.kept, went_well(trial.end, trial.measures))
+def _past(trial: Trial) -> DrivenTask:
+    return DrivenTask(trial.floorplan, trial.path, trial.source.group, trial.kept, went_well(trial.end, trial.measures))

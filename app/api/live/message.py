@@ -14,13 +14,13 @@ StateName = Literal["disarmed", "checking", "armed", "fault"]
 TestPhase = Literal["ready", "running", "over"]
 
 
-class Part(BaseModel):
+class MessagePart(BaseModel):
     """A part of a message."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", serialize_by_alias=True)
 
 
-class FaultWords(Part):
+class FaultWords(MessagePart):
     """A fault in words."""
 
     name: str
@@ -29,7 +29,7 @@ class FaultWords(Part):
     remedy: str = Field(description="The next step without the word of the button.")
 
 
-class HeadMoment(Part):
+class HeadMoment(MessagePart):
     """The direction of the head, and the age of that report."""
 
     yaw: Number
@@ -38,7 +38,7 @@ class HeadMoment(Part):
     age: Number
 
 
-class ShirtMoment(Part):
+class ShirtMoment(MessagePart):
     """The shirt in use."""
 
     chosen: bool = False
@@ -48,7 +48,7 @@ class ShirtMoment(Part):
     age: Number = Field(None, description="Of the newest frame.")
 
 
-class RunMoment(Part):
+class RunMoment(MessagePart):
     """The recording that is being made."""
 
     kind: str
@@ -56,7 +56,7 @@ class RunMoment(Part):
     cue: int | None
 
 
-class TrialMoment(Part):
+class TrialMoment(MessagePart):
     """A trial that runs."""
 
     id: int
@@ -80,7 +80,7 @@ class TrialMoment(Part):
     target: list[float] = Field(description="Where the path ends.")
 
 
-class DriveMoment(Part):
+class DriveMoment(MessagePart):
     """A drive of a real chair."""
 
     id: int
@@ -88,7 +88,7 @@ class DriveMoment(Part):
     waits: Number
 
 
-class TestMoment(Part):
+class TestMoment(MessagePart):
     """An interface test that runs; lengths in arms of its cross, ahead and to the left."""
 
     id: int
@@ -102,7 +102,7 @@ class TestMoment(Part):
     missed: int
 
 
-class Moment(Part):
+class CommonMessage(MessagePart):
     """What the sockets of clinicians and of the patient's screen have in common."""
 
     tick: int = Field(0, description="Number of the tick; 0 without a control process.")
@@ -117,7 +117,7 @@ class Moment(Part):
     test: TestMoment | None = None
 
 
-class LiveMessage(Moment):
+class LiveMessage(CommonMessage):
     """What clinicians get. Without the other fields, no chair moves and nobody is shown."""
 
     fault: FaultWords | None
@@ -155,7 +155,7 @@ class LiveMessage(Moment):
         )
 
 
-class Quality(Part):
+class Quality(MessagePart):
     """What clinicians get once a second, in the same message."""
 
     quality: list[str] = Field(description="The condition of each channel.")

@@ -3,7 +3,7 @@
 from pydantic import ConfigDict, Field
 
 from app.api.live.live_picture import LivePicture
-from app.api.live.message import Moment, Number, Part, RunMoment
+from app.api.live.message import CommonMessage, MessagePart, Number, RunMoment
 from app.calibration.script import movement_words
 from app.faults import Fault, State
 from app.session.equipment.shirt import Equipment
@@ -13,14 +13,14 @@ from app.session.words.patient_words import Actor, patient_words
 from app.store.patient_screens import ScreenSettings
 
 
-class PatientFault(Part):
+class PatientFault(MessagePart):
     """A fault in words for the patient."""
 
     name: str
     words: str
 
 
-class Waiting(Part):
+class Waiting(MessagePart):
     """Who has to do something before the chair moves, and the words to say so."""
 
     model_config = ConfigDict(populate_by_name=True)
@@ -29,7 +29,7 @@ class Waiting(Part):
     words: str
 
 
-class PatientTrial(Part):
+class PatientTrial(MessagePart):
     """A trial that runs."""
 
     id: int
@@ -43,7 +43,7 @@ class PatientTrial(Part):
     movers: list[list[Number]]
 
 
-class PatientCue(Part):
+class PatientCue(MessagePart):
     """A cue of a calibration."""
 
     index: int
@@ -54,14 +54,14 @@ class PatientCue(Part):
     next: str | None = Field(description="Kind of the cue after it.")
 
 
-class TrialEnd(Part):
+class TrialEnd(MessagePart):
     """The trial that has ended last."""
 
     id: int
     end: str
 
 
-class PatientMessage(Moment):
+class PatientMessage(CommonMessage):
     """What the patient's screen gets."""
 
     fault: PatientFault | None
@@ -93,7 +93,7 @@ class PatientPicture:
             drives=drives,
             shirt_alive=live.shirt.alive,
         )
-        common = {name: getattr(live, name) for name in Moment.model_fields}
+        common = {name: getattr(live, name) for name in CommonMessage.model_fields}
         return PatientMessage(
             **common,
             fault=None if fault is None else PatientFault(name=fault.name, words=words.happened),

@@ -19,7 +19,7 @@ from app.speeds import Speeds
 from app.store.chairs import chairs_of, find_chair
 from app.store.database import Transaction
 from app.store.log import write_log
-from app.store.tables import Chair, Clinic
+from app.store.tables import Clinic, PairedChair
 
 router = APIRouter(prefix="/chairs", tags=["chairs"])
 
@@ -138,7 +138,7 @@ async def choose(body: Choice, who: Clinician, parts: PeopleParts, web: Web) -> 
     return await _view(parts, web, who)
 
 
-def _find(parts: People, who: SignedInPerson, chair_id: int) -> Chair:
+def _find(parts: People, who: SignedInPerson, chair_id: int) -> PairedChair:
     with parts.database.transaction() as db:
         return find_chair(db, own_clinic(db, who), chair_id)
 

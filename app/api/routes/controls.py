@@ -29,7 +29,7 @@ from app.store.parameters import (
     step_parameters,
     undo_and_redo,
 )
-from app.store.tables import Parameters, PatientSession, Profile
+from app.store.tables import ParameterSet, PatientSession, Profile
 
 router = APIRouter(prefix="/controls", tags=["controls"])
 
@@ -133,7 +133,7 @@ async def look_at_obstacle(_who: Clinician, web: Web) -> ObstacleView | None:
     return ObstacleView.of(await asyncio.to_thread(web.session.current_obstacle))
 
 
-Change = Callable[[Transaction, PatientSession, SuggestedVocabulary], Parameters]
+Change = Callable[[Transaction, PatientSession, SuggestedVocabulary], ParameterSet]
 
 
 async def _change(who: SignedInPerson, parts: People, web: WebParts, what: str, change: Change) -> ControlsView:
@@ -158,7 +158,7 @@ async def _change(who: SignedInPerson, parts: People, web: WebParts, what: str, 
 async def set_controls(body: ControlSettings, who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
     """Set the controls; an invalid set changes nothing."""
 
-    def _set(db: Transaction, session: PatientSession, _suggestion: SuggestedVocabulary) -> Parameters:
+    def _set(db: Transaction, session: PatientSession, _suggestion: SuggestedVocabulary) -> ParameterSet:
         _row, profile = current_parameters(db, session.patient_id)
         return save_parameters(db, profile, _whole(body.model_dump(mode="json"), profile))
 
@@ -192,7 +192,7 @@ async def redo(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
 async def suggest(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
     """Bind the gestures that the calibration suggests, with its dead-zones and fulls."""
 
-    def _suggest(db: Transaction, session: PatientSession, suggestion: SuggestedVocabulary) -> Parameters:
+    def _suggest(db: Transaction, session: PatientSession, suggestion: SuggestedVocabulary) -> ParameterSet:
         row, profile_row = current_parameters(db, session.patient_id)
         settings = {**row.settings, **suggestion.model_dump(mode="json", include={"gestures", "bindings"})}
         return save_parameters(db, profile_row, _whole(settings, profile_row))

@@ -52,7 +52,7 @@ class ChairStateView(Document):
     words: str
 
 
-class HeadView(Document):
+class HeadTrackerView(Document):
     """The head tracker in use."""
 
     config: dict[str, Any] | None
@@ -74,7 +74,7 @@ class SendersView(Document):
     others: int  # number of frames of other senders that were left out
 
 
-class SenderChoice(Document):
+class ChosenSender(Document):
     """The sender to take as the shirt."""
 
     sender: Annotated[Line, Field(min_length=1, max_length=100)]
@@ -87,7 +87,7 @@ class ShirtKind(Document):
     simulated: bool
 
 
-class Practice(Document):
+class PracticeView(Document):
     """The kind of the shirt in use when nobody wears that shirt; None when somebody wears it, or without a shirt."""
 
     kind: str | None
@@ -106,11 +106,11 @@ class EquipmentView(Document):
     files: list[FileView]
     shirt_keys: list[str]
     chair: ChairStateView
-    head: HeadView
+    head: HeadTrackerView
     disk: DiskView
 
 
-async def _status(control: ControlLink, web: WebParts) -> tuple[StatusView, HeadView]:
+async def _status(control: ControlLink, web: WebParts) -> tuple[StatusView, HeadTrackerView]:
     equipment, head = web.equipment, web.head.config
     try:
         status = await control.call("status")
@@ -122,7 +122,7 @@ async def _status(control: ControlLink, web: WebParts) -> tuple[StatusView, Head
             lost=0,
             realtime=[],
             control=control.state,
-        ), HeadView(config=head, words=str(refusal))
+        ), HeadTrackerView(config=head, words=str(refusal))
     shirt = status.get("shirt") or {}
     view = StatusView(
         words=equipment.words or str(shirt.get("words", "")),
@@ -132,7 +132,7 @@ async def _status(control: ControlLink, web: WebParts) -> tuple[StatusView, Head
         realtime=[str(sentence) for sentence in status.get("realtime", [])],
         control=control.state,
     )
-    return view, HeadView(config=head, words=web.head.words or str((status.get("head") or {}).get("words", "")))
+    return view, HeadTrackerView(config=head, words=web.head.words or str((status.get("head") or {}).get("words", "")))
 
 
 async def _view(parts: PeopleParts, web: WebParts) -> EquipmentView:
@@ -162,9 +162,9 @@ async def look(_who: Anyone, parts: PeopleParts, web: Web) -> EquipmentView:
 
 
 @router.get("/practice", dependencies=[ForEveryone])
-def practice(web: Web) -> Practice:
+def practice(web: Web) -> PracticeView:
     """Return whether pages have to show the mark "practice only"; also for pages without a sign-in."""
-    return Practice(kind=web.equipment.practice)
+    return PracticeView(kind=web.equipment.practice)
 
 
 async def _logged_view(parts: PeopleParts, web: WebParts, person: str, what: str, **details: Any) -> EquipmentView:
@@ -196,7 +196,7 @@ async def look_at_senders(_who: Anyone, web: Web) -> SendersView:
 
 
 @router.put("/sender")
-async def choose_sender(body: SenderChoice, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
+async def choose_sender(body: ChosenSender, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
     """Take another sender as the shirt; refused while anything is armed, driven or recorded."""
     async with web.session.undisturbed("change the shirt's sender"):
         await web.equipment.use_sender(body.sender)

@@ -36,7 +36,7 @@ class StopCount(Document):
     stops: Count
 
 
-class Dial(Document):
+class DialShare(Document):
     """The speed dial: the share of the set speeds."""
 
     share: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.1, le=1.0)]
@@ -88,7 +88,7 @@ async def clear(body: StopCount, request: Request, who: Clinician, web: Web) -> 
 
 
 @router.post("/dial")
-async def turn_dial(body: Dial, request: Request, who: Clinician, parts: PeopleParts, web: Web) -> Dial:
+async def turn_dial(body: DialShare, request: Request, who: Clinician, parts: PeopleParts, web: Web) -> DialShare:
     """Turn the speed dial: down at once, up only while the chair stands and the patient is at rest."""
     require_hand_on_chair(web, who, request)
     tick = web.control.newest()
@@ -97,7 +97,7 @@ async def turn_dial(body: Dial, request: Request, who: Clinician, parts: PeopleP
     answer = await web.control.load("dial", share=body.share)
     share = float(answer.get("share", body.share))
     await asyncio.to_thread(_note, parts, who.name, share)
-    return Dial(share=share)
+    return DialShare(share=share)
 
 
 def _note(parts: People, person: str, share: float) -> None:

@@ -23,7 +23,7 @@ CODES = "Too many wrong codes came from here: wait {wait}, then try again."
 
 
 @dataclass(slots=True)
-class Attempt:
+class SignInAttempt:
     """A try that was counted, or that has to wait."""
 
     counted: list[tuple[Tries, str]] = field(default_factory=list)
@@ -47,24 +47,24 @@ class SignInLimits:
         self._codes = Tries(CODES_PER_ADDRESS)
         self._refused_at = 0.0
 
-    def password(self, name: str, address: str) -> Attempt:
+    def password(self, name: str, address: str) -> SignInAttempt:
         """Count a try at the password of a name."""
         return _count((self._names, name, NAME), (self._addresses, address, HERE))
 
-    def password_in(self, browser: int) -> Attempt:
+    def password_in(self, browser: int) -> SignInAttempt:
         """Count a try at a password in a known browser, where the counts of name and address do not apply.
 
         So tries from elsewhere do not lock a person out of the browser that they use every day.
         """
         return _count((self._browsers, str(browser), HERE))
 
-    async def code(self, address: str) -> Attempt:
+    async def code(self, address: str) -> SignInAttempt:
         """Count a try at the code of a link; refuse it after too many wrong ones."""
         attempt = _count((self._codes, address, CODES))
         await self.require(attempt)
         return attempt
 
-    async def require(self, attempt: Attempt) -> None:
+    async def require(self, attempt: SignInAttempt) -> None:
         """Refuse an attempt that has to wait."""
         if attempt.wait:
             await self.refuse(429, attempt.words.format(wait=seconds_in_words(attempt.wait)), attempt.wait)
@@ -82,9 +82,9 @@ def address_of(connection: HTTPConnection) -> str:
     return connection.client.host if connection.client else ""
 
 
-def _count(*keys: tuple[Tries, str, str]) -> Attempt:
+def _count(*keys: tuple[Tries, str, str]) -> SignInAttempt:
     """Count a try under every key, or under none of them."""
-    attempt = Attempt()
+    attempt = SignInAttempt()
     for tries, key, words in keys:
         wait = tries.count(key)
         if wait:

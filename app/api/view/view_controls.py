@@ -9,9 +9,9 @@ from pydantic import Field, StrictBool
 from app.quantities import Document, Fraction, Metres, Radians
 from app.scene.cameras import Orbit, View
 from app.scene.role_servers import Role
-from app.scene.session_scene import Scene
+from app.scene.session_scene import LiveScene
 
-SceneNow = Callable[[], Scene | None]
+SceneNow = Callable[[], LiveScene | None]
 """Returns the scene of the session, None while no session is open."""
 
 FieldOfView = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=30, le=110)]  # degrees, vertical
@@ -70,13 +70,13 @@ def view_controls(scene_now: SceneNow, clinician: Callable[..., Any]) -> APIRout
     """
     router = APIRouter(prefix="/view", tags=["view"], dependencies=[Depends(clinician)])
 
-    def scene() -> Scene:
+    def scene() -> LiveScene:
         found = scene_now()
         if found is None:
             raise HTTPException(409, "There is no 3D view while no session is open: open one first.")
         return found
 
-    SceneOfSession = Annotated[Scene, Depends(scene)]  # noqa: N806
+    SceneOfSession = Annotated[LiveScene, Depends(scene)]  # noqa: N806
 
     @router.post("/{role}/camera")
     def look(role: Role, choice: CameraChoice, drawn: SceneOfSession) -> ViewState:
@@ -100,7 +100,7 @@ def view_controls(scene_now: SceneNow, clinician: Callable[..., Any]) -> APIRout
     return router
 
 
-def _state(scene: Scene, role: Role) -> ViewState:
+def _state(scene: LiveScene, role: Role) -> ViewState:
     return ViewState(
         view=scene.view(role),
         plots=scene.plots_open if role == "clinician" else False,

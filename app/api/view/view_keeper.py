@@ -13,7 +13,7 @@ from app.api.sockets import NOT_VISIBLE, OpenSockets
 from app.realtime import return_memory
 from app.scene.role_servers import Role, RoleServers
 from app.scene.scene_thread import SceneThread, start_scene
-from app.scene.session_scene import Scene
+from app.scene.session_scene import LiveScene
 from app.world.floorplan import FloorPlan
 
 ReadNewest = Callable[[], "np.void | None"]
@@ -23,7 +23,7 @@ class SessionScene(Protocol):
     """One session's scene and the ports of its servers."""
 
     @property
-    def scene(self) -> Scene:
+    def scene(self) -> LiveScene:
         """Return the scene."""
         ...
 
@@ -48,7 +48,7 @@ class ServedScene:
             raise
 
     @property
-    def scene(self) -> Scene:
+    def scene(self) -> LiveScene:
         """Return the scene."""
         return self._thread.scene
 
@@ -76,7 +76,7 @@ class ViewKeeper:
         self._one_at_a_time = asyncio.Lock()
 
     @property
-    def scene(self) -> Scene | None:
+    def scene(self) -> LiveScene | None:
         """Return the scene, None while no session is open."""
         return None if self._scene is None else self._scene.scene
 

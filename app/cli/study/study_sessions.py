@@ -15,7 +15,7 @@ from app.clock import stopwatch
 from app.source import STUDY_SOURCE, source_words
 from app.study.choices import Mode, PersonKind, StudyMap
 from app.study.comparison import compare, table
-from app.study.sessions import SessionTrial, run_participants
+from app.study.sessions import StudySessionTrial, run_participants
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 ROWS, TABLE, SUMMARY = "sessions.csv", "table.txt", "adaptation.json"
@@ -43,7 +43,7 @@ def study_sessions(
         When the folder cannot be written, or a calibration could not be made.
     """
     started = stopwatch()
-    rows: list[SessionTrial] = []
+    rows: list[StudySessionTrial] = []
     modes: tuple[Mode, ...] = ("off",) if adapt == "off" else ("off", adapt)
     try:
         out.mkdir(parents=True, exist_ok=True)
@@ -79,14 +79,14 @@ def study_sessions(
     typer.echo(f"{len(rows)} trials in {stopwatch() - started:.1f} s, written to {out}")
 
 
-def _write_rows(out: Path, rows: Sequence[SessionTrial]) -> None:
+def _write_rows(out: Path, rows: Sequence[StudySessionTrial]) -> None:
     with (out / ROWS).open("w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, [field.name for field in fields(SessionTrial)], lineterminator="\n")
+        writer = csv.DictWriter(file, [field.name for field in fields(StudySessionTrial)], lineterminator="\n")
         writer.writeheader()
         writer.writerows(asdict(row) for row in rows)
 
 
-def _say(rows: Sequence[SessionTrial]) -> None:
+def _say(rows: Sequence[StudySessionTrial]) -> None:
     for row in rows:
         words: dict[str, Any] = asdict(row)
         words["ending"] = "" if row.reached else ", goal not reached"

@@ -18,7 +18,7 @@ CRUMB = 0.3  # m between stored places
 WINDOW = 1.5  # m along the path in which the nearest place is searched
 
 
-class Course:
+class DrivingLine:
     """A path with a speed for each place, and the driver's place on it, first its start."""
 
     def __init__(

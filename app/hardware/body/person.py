@@ -13,7 +13,7 @@ from app.hardware.body.tremor import Tremor
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 
-class Person:
+class SimulatedPerson:
     """A simulated body that follows cues, and drives with the paper's vocabulary while it may drive.
 
     The seed determines the person and the errors. Practice lasts from run to run; only `reset` removes it.

@@ -6,7 +6,7 @@ from typing import Literal, NamedTuple
 
 from app.geometry import Pose, wrap_angle
 from app.hardware.base import LeaderView
-from app.hardware.body.course import Course
+from app.hardware.body.course import DrivingLine
 from app.hardware.body.person_parameters import PersonParameters
 
 Wish = Literal["faster", "slower", "left", "right"]
@@ -41,7 +41,7 @@ class Steering:
         """Take the path; `distance` (m) is to be kept behind a leader, when there is one."""
         p = self._parameters = parameters
         self._distance = distance
-        self.course = Course(points, p.cruise_speed, p.corner_speed, p.goal_speed, p.braking)
+        self.course = DrivingLine(points, p.cruise_speed, p.corner_speed, p.goal_speed, p.braking)
         self._anchor: tuple[float, float, float] | None = None  # x, y, t: place and time of the last progress
         self._backing: tuple[float, float, float] | None = None  # x, y, t: place and time at which backing away began
 

@@ -21,7 +21,7 @@ from app.hardware.chair.packet import (
     DRIVE,
     FRAME_BYTES,
     STOP,
-    Command,
+    ChairCommand,
     Telemetry,
     decode_telemetry,
     encode_command,
@@ -267,7 +267,7 @@ class ChairLink:
         if newest is None or not self._epoch:
             return
         v, omega = self._twist if armed else STANDSTILL
-        command = Command(
+        command = ChairCommand(
             flags=DRIVE if armed else self._flags,
             key_id=self._key.id,
             epoch=self._epoch,

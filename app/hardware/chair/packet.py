@@ -23,7 +23,7 @@ _TELEMETRY = Struct("<4sBBHIQQ8sfffBBH")
 _HELLO = Struct("<4sBBHI")
 
 
-class Command(NamedTuple):
+class ChairCommand(NamedTuple):
     """A command to a chair."""
 
     flags: int
@@ -54,14 +54,14 @@ class Telemetry(NamedTuple):
     fault: int  # app.hardware.chair.reasons.Reason
 
 
-def encode_command(command: Command, key: Key, nonce: bytes) -> bytes:
+def encode_command(command: ChairCommand, key: Key, nonce: bytes) -> bytes:
     """Return the 68 bytes of a command, tagged for a receiver whose nonce is `nonce`."""
     flags, key_id, *rest = command
     body = _COMMAND.pack(COMMAND_MAGIC, VERSION, flags, key_id, *rest)
     return body + _tag(key, body + nonce)
 
 
-def decode_command(datagram: bytes, key: Key, nonce: bytes) -> Command | None:
+def decode_command(datagram: bytes, key: Key, nonce: bytes) -> ChairCommand | None:
     """Return a command whose length, magic, version, key number and tag are right, otherwise None.
 
     The receiver checks whether the command is new and its numbers can be driven.
@@ -76,7 +76,7 @@ def decode_command(datagram: bytes, key: Key, nonce: bytes) -> Command | None:
         or not hmac.compare_digest(datagram[BODY_BYTES:], _tag(key, body + nonce))
     ):
         return None
-    return Command(flags, key_id, *rest)
+    return ChairCommand(flags, key_id, *rest)
 
 
 def encode_telemetry(telemetry: Telemetry, key: Key) -> bytes:

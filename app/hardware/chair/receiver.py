@@ -17,7 +17,7 @@ from app.hardware.chair.packet import (
     NONCE_BYTES,
     STOP,
     VIRTUAL,
-    Command,
+    ChairCommand,
     Telemetry,
     decode_command,
     encode_telemetry,
@@ -50,7 +50,7 @@ class ReceiverState(IntEnum):
 
 
 @dataclass(slots=True)
-class _Axis:
+class _SpeedRamp:
     """The ramp of one speed to its target."""
 
     cap: float
@@ -95,8 +95,8 @@ class Receiver:
         self._key = key
         self._refuses_virtual = refuses_virtual
         self._new_nonce = new_nonce
-        self._v = _Axis(v_max, ACCELERATION, STOP_DECELERATION)
-        self._omega = _Axis(omega_max, TURN_ACCELERATION, STOP_TURN_DECELERATION)
+        self._v = _SpeedRamp(v_max, ACCELERATION, STOP_DECELERATION)
+        self._omega = _SpeedRamp(omega_max, TURN_ACCELERATION, STOP_TURN_DECELERATION)
         self.state = ReceiverState.DISARMED
         self.reason = Reason.NONE
         self.nonce = new_nonce(NONCE_BYTES)
@@ -177,18 +177,18 @@ class Receiver:
             self._key,
         )
 
-    def _opens_epoch(self, command: Command) -> bool:
+    def _opens_epoch(self, command: ChairCommand) -> bool:
         stands = command.v == 0.0 and command.omega == 0.0 and not command.flags & STOP
         return stands and command.epoch != self._epoch
 
-    def _begin_epoch(self, command: Command, t: float) -> None:
+    def _begin_epoch(self, command: ChairCommand, t: float) -> None:
         self.state = ReceiverState.CHECKING
         self._epoch, self._digest = command.epoch, command.digest
         self._was_permitted = False
         self._checking_since = self._neutral_since = t
         self._quickest = math.inf
 
-    def _is_newer(self, command: Command, t: float) -> bool:
+    def _is_newer(self, command: ChairCommand, t: float) -> bool:
         if command.epoch != self._epoch or command.sequence <= self._sequence:
             return False
         if command.flags & STOP:  # a stop is never too late, and needs no digest
@@ -201,14 +201,14 @@ class Receiver:
         allowed = self._quickest + FORGIVEN * (t - self._command_t) + LATE
         return t - sender_t <= allowed
 
-    def _judge_lateness(self, command: Command, t: float) -> None:
+    def _judge_lateness(self, command: ChairCommand, t: float) -> None:
         sender_t = command.t_ns * 1e-9
         if sender_t != self._sender_t or math.isinf(self._quickest):
             leaked = self._quickest + FORGIVEN * max(0.0, t - self._command_t)
             self._quickest = min(leaked, t - sender_t)
         self._sender_t = sender_t
 
-    def _obey(self, command: Command, t: float) -> None:
+    def _obey(self, command: ChairCommand, t: float) -> None:
         if command.flags & STOP:
             self.stop(Reason.TOLD_TO_STOP)
             return
@@ -225,7 +225,7 @@ class Receiver:
             self._drive(self._v, command.v, command.v_cap)
             self._drive(self._omega, command.omega, command.omega_cap)
 
-    def _drive(self, axis: _Axis, wanted: float, promised: float) -> None:
+    def _drive(self, axis: _SpeedRamp, wanted: float, promised: float) -> None:
         cap = min(axis.cap, promised)
         axis.stop_rate = 0.0
         axis.target = min(cap, max(-cap, wanted))
@@ -251,6 +251,6 @@ class Receiver:
             self.stop(Reason.NOT_NEUTRAL)
 
 
-def _is_drivable(command: Command) -> bool:
+def _is_drivable(command: ChairCommand) -> bool:
     numbers = (command.v, command.omega, command.v_cap, command.omega_cap)
     return all(map(math.isfinite, numbers)) and command.v_cap >= 0.0 and command.omega_cap >= 0.0

@@ -172,7 +172,7 @@ def _address(place: tuple[str, int]) -> tuple[int, tuple[str, int]]:
     return family, (str(address[0]), int(address[1]))
 
 
-class _Parser(argparse.ArgumentParser):
+class _SenderParser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """Refuse in one sentence, without the usage above it."""
         sys.stderr.write(f"{self.prog}: {message}: see {self.prog} --help\n")
@@ -180,7 +180,7 @@ class _Parser(argparse.ArgumentParser):
 
 
 def _parser(program: str) -> argparse.ArgumentParser:
-    parser = _Parser(prog=program, description=DESCRIPTION, allow_abbrev=False)
+    parser = _SenderParser(prog=program, description=DESCRIPTION, allow_abbrev=False)
     add = parser.add_argument
     add("--key-file", type=Path, required=True, metavar="FILE", help="what pairing made, readable by you only")
     add("--boot-file", type=Path, metavar="FILE", help="where the starts are counted (default: beside the key)")

@@ -9,7 +9,7 @@ from app.scene.models.glb_document import (
     FAN,
     STRIP,
     TRIANGLES,
-    Document,
+    GlbDocument,
     Primitive,
     chunks,
     read_document,
@@ -30,7 +30,7 @@ INSTANCES: Final = "EXT_mesh_gpu_instancing"  # draws one mesh at many places, a
 COMPRESSED: Final = ("EXT_meshopt_compression", "KHR_meshopt_compression", "KHR_draco_mesh_compression")
 
 
-def check(content: bytes) -> Document:
+def check(content: bytes) -> GlbDocument:
     """Check that a GLB file can be read and drawn, and return its document.
 
     Raises
@@ -64,7 +64,7 @@ def check(content: bytes) -> Document:
     return document
 
 
-def _check_tree(document: Document) -> None:
+def _check_tree(document: GlbDocument) -> None:
     """Refuse nodes with several parents or in a cycle: walking along a cycle would never end."""
     children = [child for node in document.nodes for child in node.children]
     roots = {root for scene in document.scenes for root in scene.nodes}
@@ -82,7 +82,7 @@ def _check_tree(document: Document) -> None:
     raise ValueError(f"its parts are nested more than {DEEPEST} deep: export it again")
 
 
-def _check_lists(document: Document) -> None:
+def _check_lists(document: GlbDocument) -> None:
     """Refuse accessors that do not lie in their view, and views that do not lie in their buffer."""
     if any(accessor.count > MOST_ELEMENTS for accessor in document.accessors):
         raise ValueError(f"it has lists of more than {MOST_ELEMENTS:,} numbers: make the object simpler")
@@ -106,7 +106,7 @@ def _check_lists(document: Document) -> None:
         raise ValueError(f"its lists have more than {MOST_NUMBERS:,} numbers: make the object simpler")
 
 
-def _pictures(document: Document, content: bytes) -> Iterator[bytes | str]:
+def _pictures(document: GlbDocument, content: bytes) -> Iterator[bytes | str]:
     """Yield each picture as bytes or as a data URI; a GLB's first buffer is its binary chunk."""
     _, binary = chunks(content)
     for image in document.images:
@@ -120,18 +120,18 @@ def _pictures(document: Document, content: bytes) -> Iterator[bytes | str]:
                 raise ValueError("its pictures lie in another buffer: export it again")
 
 
-def _drawn(document: Document) -> Iterator[Primitive]:
+def _drawn(document: GlbDocument) -> Iterator[Primitive]:
     for node in document.nodes:
         if node.mesh is not None:
             yield from document.meshes[node.mesh].primitives
 
 
-def _points(document: Document, primitive: Primitive) -> int:
+def _points(document: GlbDocument, primitive: Primitive) -> int:
     listed = primitive.attributes.get("POSITION")
     return 0 if listed is None else document.accessors[listed].count
 
 
-def _faces(document: Document, primitive: Primitive) -> int:
+def _faces(document: GlbDocument, primitive: Primitive) -> int:
     if "KHR_draco_mesh_compression" in primitive.extensions:
         raise ValueError("it is compressed with Draco: export it without compression")
     listed = primitive.indices if primitive.indices is not None else primitive.attributes.get("POSITION")

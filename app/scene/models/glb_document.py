@@ -73,7 +73,7 @@ class Primitive(msgspec.Struct):
     extensions: dict[str, Any] = {}
 
 
-class Mesh(msgspec.Struct):
+class GlbMesh(msgspec.Struct):
     """A mesh; `weights` are those of its primitives' morph targets."""
 
     primitives: list[Primitive] = []
@@ -107,7 +107,7 @@ class Roots(msgspec.Struct):
     nodes: list[Index] = []
 
 
-class Source(msgspec.Struct, rename="camel"):
+class BufferSource(msgspec.Struct, rename="camel"):
     """A buffer or an image: data in the file or elsewhere."""
 
     uri: str | None = None
@@ -115,18 +115,18 @@ class Source(msgspec.Struct, rename="camel"):
     byte_length: Index = 0
 
 
-class Document(msgspec.Struct, rename="camel"):
+class GlbDocument(msgspec.Struct, rename="camel"):
     """The JSON document of a GLB file; other fields are ignored."""
 
     accessors: list[Accessor] = []
-    meshes: list[Mesh] = []
+    meshes: list[GlbMesh] = []
     nodes: list[Node] = []
     scenes: list[Roots] = []
     scene: Index | None = None
     skins: list[Skin] = []
-    buffers: list[Source] = []
+    buffers: list[BufferSource] = []
     buffer_views: list[View] = []
-    images: list[Source] = []
+    images: list[BufferSource] = []
     extensions_required: list[str] = []
 
 
@@ -165,7 +165,7 @@ def packed(document: dict[str, Any], body: bytes) -> bytes:
     return MAGIC + struct.pack("<2I", 2, 12 + len(parts)) + parts
 
 
-def read_document(content: bytes) -> Document:
+def read_document(content: bytes) -> GlbDocument:
     """Return the document of a GLB file.
 
     Raises
@@ -175,6 +175,6 @@ def read_document(content: bytes) -> Document:
     """
     description, _ = chunks(content)
     try:
-        return msgspec.json.decode(description, type=Document)
+        return msgspec.json.decode(description, type=GlbDocument)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
         raise ValueError("its description cannot be read: export it again") from error

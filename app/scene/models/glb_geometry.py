@@ -19,8 +19,8 @@ from app.scene.models.glb_document import (
     STRIP,
     TRIANGLES,
     Accessor,
-    Document,
-    Mesh,
+    GlbDocument,
+    GlbMesh,
     Node,
     Primitive,
     Skin,
@@ -38,7 +38,7 @@ FLOAT, UNSIGNED = 5126, 5125
 WEIGHT_SUM: Final = 0.01  # of a vertex's joints, below which it follows none of them
 
 
-def plain_glb(document: Document, content: bytes) -> tuple[bytes, Numbers]:
+def plain_glb(document: GlbDocument, content: bytes) -> tuple[bytes, Numbers]:
     """Return a GLB file of the same look that contains triangles in world coordinates only, and all their corners.
 
     Returns
@@ -65,7 +65,7 @@ class UnreadableError(ValueError):
 class _Plain:
     """Builds the plain file part by part."""
 
-    def __init__(self, document: Document, content: bytes) -> None:
+    def __init__(self, document: GlbDocument, content: bytes) -> None:
         self._document = document
         self._raw, binary = chunks(content)
         self._buffers = [binary if source.uri is None else _from_uri(source.uri) for source in document.buffers]
@@ -121,7 +121,7 @@ class _Plain:
             waiting += [(child, matrices[number]) for child in reversed(node.children)]
         return matrices
 
-    def _parts(self, node: Node, mesh: Mesh, matrix: Numbers) -> Iterator[dict[str, Any]]:
+    def _parts(self, node: Node, mesh: GlbMesh, matrix: Numbers) -> Iterator[dict[str, Any]]:
         """Yield the primitives of one node's mesh in world coordinates."""
         for primitive in mesh.primitives:
             listed = primitive.attributes.get("POSITION")

@@ -15,7 +15,7 @@ from app.scene.meshes import palette
 from app.scene.meshes.bodies import Mesh, Part, merged
 from app.scene.meshes.palette import Colour
 from app.scene.models.glb import MOST_FACES, check
-from app.scene.models.glb_document import Document
+from app.scene.models.glb_document import GlbDocument
 from app.scene.models.glb_geometry import UnreadableError, plain_glb
 from app.scene.models.glb_scale import scaled_glb
 from app.scene.models.object_scale import is_probable, scaled
@@ -74,7 +74,7 @@ def read_model(file: Path) -> Model:
         raise ValueError(f"{file.name}: this object cannot be used, {error}") from error
 
 
-def _model(document: Document, content: bytes) -> Model:
+def _model(document: GlbDocument, content: bytes) -> Model:
     with np.errstate(all="ignore"):  # places that are no numbers are refused below
         try:
             plain, corners = plain_glb(document, content)

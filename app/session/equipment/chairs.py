@@ -10,7 +10,7 @@ from app.session.equipment.choice import ClinicChoice
 from app.session.equipment.pairing import key_file
 from app.store.chairs import find_chair
 from app.store.database import Database, Transaction
-from app.store.tables import Chair, Clinic
+from app.store.tables import Clinic, PairedChair
 
 Dynamics = Literal["unicycle", "wheelchair"]
 
@@ -23,7 +23,7 @@ class Chairs(ClinicChoice):
     def __init__(self, database: Database, control: ControlLink, keys: Path, tell: Callable[[str], None]) -> None:
         super().__init__(database, control, tell)
         self._keys = keys
-        self.chosen: Chair | None = None  # None: the virtual chair
+        self.chosen: PairedChair | None = None  # None: the virtual chair
         self.dynamics: Dynamics = "unicycle"  # of the virtual chair
         self.words = ""  # why the chosen chair is not open, empty when it is
 
@@ -35,7 +35,7 @@ class Chairs(ClinicChoice):
         except Refusal as refusal:
             self.words = self._without_paths(str(refusal))
 
-    async def choose(self, chair: Chair | None, dynamics: Dynamics) -> None:
+    async def choose(self, chair: PairedChair | None, dynamics: Dynamics) -> None:
         """Drive another chair; when it does not open, the one before stays and the reason is raised."""
         try:
             await self._open(chair, dynamics)
@@ -65,10 +65,10 @@ class Chairs(ClinicChoice):
         name = "The chair" if self.chosen is None else self.chosen.name
         return self.words or f"{name} is not open: choose it again."
 
-    async def _open(self, chair: Chair | None, dynamics: Dynamics) -> None:
+    async def _open(self, chair: PairedChair | None, dynamics: Dynamics) -> None:
         await self._control.load("chair", config=self._config(chair, dynamics))
 
-    def _config(self, chair: Chair | None, dynamics: Dynamics) -> dict[str, Any]:
+    def _config(self, chair: PairedChair | None, dynamics: Dynamics) -> dict[str, Any]:
         if chair is None:
             return {"kind": "virtual", "dynamics": dynamics}
         return {

@@ -8,7 +8,7 @@ from app.refusals import Conflict
 from app.speeds import Speeds
 from app.store.chairs import LARGEST_KEY_ID, add_chair, free_key_ids, remove_chair
 from app.store.database import Transaction
-from app.store.tables import Chair, Clinic
+from app.store.tables import Clinic, PairedChair
 
 
 def key_file(keys: Path, key_id: int) -> Path:
@@ -18,7 +18,7 @@ def key_file(keys: Path, key_id: int) -> Path:
 
 def pair_chair(
     db: Transaction, clinic: Clinic, keys: Path, name: str, host: str, port: int, speeds: Speeds
-) -> tuple[Chair, Key]:
+) -> tuple[PairedChair, Key]:
     """Add a chair and write its key into `keys`; the secret is in that file and in the returned key only.
 
     Raises
@@ -36,7 +36,7 @@ def pair_chair(
     return chair, key
 
 
-def unpair_chair(db: Transaction, clinic: Clinic, keys: Path, chair_id: int) -> Chair:
+def unpair_chair(db: Transaction, clinic: Clinic, keys: Path, chair_id: int) -> PairedChair:
     """Remove a chair and delete its key file."""
     chair = remove_chair(db, clinic, chair_id)
     key_file(keys, chair.key_id).unlink(missing_ok=True)

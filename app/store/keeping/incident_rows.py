@@ -19,12 +19,12 @@ from app.store.records.import_tables import ImportedSession, PatientImport
 from app.store.records.record_tables import PatientConsent
 from app.store.tables import (
     CalibrationStep,
-    Chair,
     Clinic,
     Drive,
     InterfaceTest,
     LogEntry,
-    Parameters,
+    PairedChair,
+    ParameterSet,
     PatientScreen,
     PatientSession,
     Profile,
@@ -77,12 +77,12 @@ def incident_rows(db: Session, sessions: list[int]) -> Rows:
         found[kind.__tablename__] = _all(db, select(kind).where(kind.patient_id.in_(patients)))
     profiles = _all(db, select(Profile).where(Profile.patient_id.in_(patients)))
     used = {row["parameters_id"] for row in (*found["trial"], *found["drive"], *found["interface_test"])}
-    of_profiles = Parameters.profile_id.in_([row["id"] for row in profiles])
-    wanted = of_profiles & (Parameters.current | Parameters.id.in_(used))
+    of_profiles = ParameterSet.profile_id.in_([row["id"] for row in profiles])
+    wanted = of_profiles & (ParameterSet.current | ParameterSet.id.in_(used))
     return found | {
         "profile": profiles,
-        "parameters": _all(db, select(Parameters).where(wanted)),
-        "chair": _all(db, select(Chair)),
+        "parameters": _all(db, select(ParameterSet).where(wanted)),
+        "chair": _all(db, select(PairedChair)),
         "clinic": _all(db, select(Clinic)),
     }
 

@@ -13,7 +13,7 @@ from sqlalchemy.orm import Session
 from app.store.records.archive_kinds import KINDS
 from app.store.records.import_tables import ImportedSession
 from app.store.records.patient_rows import Rows, exchanged, insert_row, read_value, referred_table, table_of
-from app.store.tables import Parameters, PatientSession
+from app.store.tables import ParameterSet, PatientSession
 
 # By which columns a row that is here is known again. Rows of other tables come with a new session only.
 KNOWN_BY: Final = {
@@ -116,7 +116,7 @@ class _Merge:
             return
         changed = {name: values[name] for name in UNDONE if known[name] != values[name]}
         if changed:
-            self._db.execute(update(Parameters).where(Parameters.id == known["id"]).values(changed))
+            self._db.execute(update(ParameterSet).where(ParameterSet.id == known["id"]).values(changed))
 
     def _adapt(self, table: SqlTable, values: dict[str, Any], here: "_RowsHere") -> None:
         """Give values that are added the numbers that they have here."""

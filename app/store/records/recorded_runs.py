@@ -12,7 +12,7 @@ from sqlalchemy.orm import Session
 from app.refusals import NotFound
 from app.source import Source
 from app.store.records.imports import Origin, origins_of
-from app.store.tables import InterfaceTest, Parameters, PatientSession, Profile, Run, Trial
+from app.store.tables import InterfaceTest, ParameterSet, PatientSession, Profile, Run, Trial
 
 NO_SESSION = "This patient has no session {number}: choose one that was opened."
 
@@ -115,9 +115,9 @@ def recorded_runs(db: Session, patient_id: int, session: int | None, runs: Path)
 def _trials(db: Session, patient_id: int) -> dict[str, RecordedTrial]:
     """Return the patient's finished trials by the ids of their runs."""
     query = (
-        select(Trial, Parameters.hash, Profile.version)
-        .join(Parameters, Parameters.id == Trial.parameters_id)
-        .join(Profile, Profile.id == Parameters.profile_id)
+        select(Trial, ParameterSet.hash, Profile.version)
+        .join(ParameterSet, ParameterSet.id == Trial.parameters_id)
+        .join(Profile, Profile.id == ParameterSet.profile_id)
         .where(Trial.patient_id == patient_id, Trial.status == "done")
     )
     return {
@@ -142,9 +142,9 @@ def _trials(db: Session, patient_id: int) -> dict[str, RecordedTrial]:
 def _tests(db: Session, patient_id: int) -> dict[str, RecordedTest]:
     """Return the patient's finished two-minute tests by the ids of their runs."""
     query = (
-        select(InterfaceTest, Parameters.hash, Profile.version)
-        .join(Parameters, Parameters.id == InterfaceTest.parameters_id)
-        .join(Profile, Profile.id == Parameters.profile_id)
+        select(InterfaceTest, ParameterSet.hash, Profile.version)
+        .join(ParameterSet, ParameterSet.id == InterfaceTest.parameters_id)
+        .join(Profile, Profile.id == ParameterSet.profile_id)
         .where(InterfaceTest.patient_id == patient_id, InterfaceTest.status == "done")
     )
     return {

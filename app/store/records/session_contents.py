@@ -6,7 +6,7 @@ from datetime import datetime
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
-from app.store.tables import Drive, Parameters, Profile, Trial
+from app.store.tables import Drive, ParameterSet, Profile, Trial
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,20 +40,20 @@ def drives_of_session(db: Session, session_id: int) -> list[Drive]:
 
 def sets_of_session(db: Session, session_id: int) -> list[UsedSet]:
     """Return each parameter set that a trial or a drive of the session used, in the order of its first use."""
-    columns = (Parameters.id, Parameters.title, Parameters.hash, Profile.version, Profile.origin)
+    columns = (ParameterSet.id, ParameterSet.title, ParameterSet.hash, Profile.version, Profile.origin)
     found: list[tuple[datetime, UsedSet]] = []
     for kind in (Trial, Drive):
         query = (
             select(kind.started, *columns)
-            .join(Parameters, Parameters.id == kind.parameters_id)
-            .join(Profile, Profile.id == Parameters.profile_id)
+            .join(ParameterSet, ParameterSet.id == kind.parameters_id)
+            .join(Profile, Profile.id == ParameterSet.profile_id)
             .where(kind.session_id == session_id)
         )
         found += [(row[0], UsedSet(*row[1:])) for row in db.execute(query)]
     return list(dict.fromkeys(used for _, used in sorted(found, key=lambda one: one[0])))
 
 
-def set_of(db: Session, used: UsedSet) -> tuple[Parameters, Profile]:
+def set_of(db: Session, used: UsedSet) -> tuple[ParameterSet, Profile]:
     """Return the rows of a parameter set and of its map."""
-    row = db.get_one(Parameters, used.parameters_id)
+    row = db.get_one(ParameterSet, used.parameters_id)
     return row, db.get_one(Profile, row.profile_id)

@@ -14,7 +14,7 @@ from app.store.records.record_tables import NoteRevision, SessionNote
 from app.store.records.session_contents import drives_of_session, trials_of_session
 from app.store.records.sign_off import sign_off_history
 from app.store.sharing.comments import comments_of
-from app.store.tables import LogEntry, Parameters, PatientSession, Profile, Run
+from app.store.tables import LogEntry, ParameterSet, PatientSession, Profile, Run
 
 Kind = Literal[
     "begin",
@@ -99,11 +99,11 @@ def _changes(db: Session, session: PatientSession) -> Iterator[StoryEvent]:
     for map_version in db.scalars(select(Profile).where(Profile.session_id == session.id)):
         facts = {"version": map_version.version, "origin": map_version.origin}
         yield StoryEvent(map_version.created, "map", None, "", facts)
-    until = Parameters.created <= session.ended if session.ended is not None else Parameters.id > 0
+    until = ParameterSet.created <= session.ended if session.ended is not None else ParameterSet.id > 0
     sets = (
-        select(Parameters, Profile.version)
-        .join(Profile, Profile.id == Parameters.profile_id)
-        .where(Profile.patient_id == session.patient_id, Parameters.created >= session.started, until)
+        select(ParameterSet, Profile.version)
+        .join(Profile, Profile.id == ParameterSet.profile_id)
+        .where(Profile.patient_id == session.patient_id, ParameterSet.created >= session.started, until)
     )
     for row, version in db.execute(sets):
         yield StoryEvent(row.created, "parameters", None, row.title, {"version": version, "hash": row.hash})

@@ -11,7 +11,7 @@ import numpy as np
 
 from app.world.floorplan import MAX_WALLS
 from app.world.imports.draft import Draft, path_document, plain_name
-from app.world.imports.dxf_lines import UNITS, Drawing, read_dxf
+from app.world.imports.dxf_lines import UNITS, DxfDrawing, read_dxf
 from app.world.imports.inside import inside_of_building
 from app.world.imports.raster import free_cells
 from app.world.imports.route import propose_route
@@ -149,7 +149,7 @@ def _check_size(file: Path, width: float, height: float) -> None:
         raise ValueError(f"{file}: this drawing is only {width:.3f} x {height:.3f} m large, give its unit")
 
 
-def _drawn_paths(drawing: Drawing, origin: Point) -> list[dict[str, Any]]:
+def _drawn_paths(drawing: DxfDrawing, origin: Point) -> list[dict[str, Any]]:
     """Return the paths on the layer PATH; lines that meet are joined into one path."""
     lines = [line for layer, found in drawing.layers.items() if layer.lower() == PATH_LAYER for line in found]
     polylines = [line for line in lines if len(line) > 2]
@@ -194,7 +194,7 @@ def _path_sentences(drawn: list[dict[str, Any]], paths: list[dict[str, Any]]) ->
     return ["A chair fits nowhere, so there is no path yet: draw one, or check the unit."]
 
 
-def _left_out_sentences(drawing: Drawing, by_name: tuple[str, ...]) -> list[str]:
+def _left_out_sentences(drawing: DxfDrawing, by_name: tuple[str, ...]) -> list[str]:
     """Return what is not in the plan, with counts; `by_name` are the layers left out because of their names."""
     lines = Counter({layer: len(drawing.layers[layer]) for layer in by_name})
     sentences = []

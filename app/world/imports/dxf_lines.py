@@ -28,7 +28,7 @@ LINES: Final = frozenset({"LINE", "LWPOLYLINE", "POLYLINE", "ARC", "CIRCLE", "EL
 WORDS: Final = frozenset({"TEXT", "MTEXT", "DIMENSION", "ATTDEF", "ATTRIB", "LEADER", "MULTILEADER", "VIEWPORT"})
 
 
-class Drawing(NamedTuple):
+class DxfDrawing(NamedTuple):
     """The lines of a drawing, and how many things were not read."""
 
     layers: dict[str, list[list[Point]]]  # layer -> lines, m
@@ -38,7 +38,7 @@ class Drawing(NamedTuple):
     files: Counter[str]  # by block, of blocks that are other drawings
 
 
-def read_dxf(file: Path, unit: str | None = None) -> Drawing:
+def read_dxf(file: Path, unit: str | None = None) -> DxfDrawing:
     """Read the lines of a DXF file; `unit` (a key of UNITS) overrides the unit in the drawing.
 
     What drawing programs do not show is left out: layers that are off or frozen, and invisible entities (group code
@@ -113,9 +113,9 @@ class _Reader:
         self._off = {layer.dxf.name.lower() for layer in document.layers if layer.is_off()}
         self._frozen = {layer.dxf.name.lower() for layer in document.layers if layer.is_frozen()}
 
-    def read(self) -> Drawing:
+    def read(self) -> DxfDrawing:
         self._walk(self._document.modelspace(), Matrix44.scale(UNITS[self._unit]), None, 0)
-        return Drawing(dict(self._layers), self._unit, +self.left_out, self._hidden, self._files)
+        return DxfDrawing(dict(self._layers), self._unit, +self.left_out, self._hidden, self._files)
 
     def _walk(self, entities: Iterable[Any], matrix: Matrix44, inherited: str | None, depth: int) -> None:
         """Read entities in a block's coordinates; layer 0 of a block means the layer that the block is placed on."""

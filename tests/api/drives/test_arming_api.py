@@ -9,7 +9,7 @@ from fake_clinic import WORD, Clinic
 from app.hardware.chair.reasons import WORDS, Reason
 from app.hardware.registry import NO_KEY
 from app.speeds import Speeds
-from app.store.tables import Parameters
+from app.store.tables import ParameterSet
 
 ARMED, FAULT = 2, 3  # of a chair's telemetry
 
@@ -61,7 +61,7 @@ def test_what_was_not_practised_is_not_armed_and_the_differences_are_named(ready
 
 def test_a_hash_that_was_stored_by_an_older_program_counts_as_it_is_reckoned_now(ready: Any) -> None:
     with ready.client.app.state.people.database.transaction() as db:
-        for row in db.query(Parameters):
+        for row in db.query(ParameterSet):
             row.hash = "0" * 64
             row.settings = {name: value for name, value in row.settings.items() if name != "cruise_time"}
     summary = ready.good("GET", "/drives/summary")

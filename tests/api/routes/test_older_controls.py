@@ -4,7 +4,7 @@ from typing import Any
 
 from sqlalchemy import select
 
-from app.store.tables import Parameters
+from app.store.tables import ParameterSet
 
 WITH_A_JOINER = "\U0001f469\u200d\U0001f9bd slow"  # a woman in a wheelchair: names of before could hold any character
 
@@ -12,7 +12,7 @@ WITH_A_JOINER = "\U0001f469\u200d\U0001f9bd slow"  # a woman in a wheelchair: na
 def change_saved(clinic: Any, **settings: Any) -> None:
     clinic.good("GET", "/controls")
     with clinic.client.app.state.people.database.transaction() as db:
-        for row in db.scalars(select(Parameters)):
+        for row in db.scalars(select(ParameterSet)):
             row.settings = {**row.settings, **settings}
 
 

@@ -9,7 +9,7 @@ from fake_clinic import Clinic
 from people_of_clinic import PASSWORD, accepted, as_person, code_of, invited
 
 from app.clock import utc_now
-from app.network import NetworkService, Trust
+from app.network import CertificateTrust, NetworkService
 from app.store.access import invitations
 from app.store.access.person_tables import Invitation
 
@@ -98,10 +98,10 @@ def test_an_invitation_that_cannot_be_made_adds_nobody(
 def test_an_invitation_names_the_page_that_a_new_device_opens_first(owned: Clinic) -> None:
     parts = owned.client.app.state.people  # type: ignore[attr-defined]
     now = utc_now()
-    network = NetworkService(8443, 8081, Trust((), ("10.1.2.3",), now, now, "00", b"root"))
+    network = NetworkService(8443, 8081, CertificateTrust((), ("10.1.2.3",), now, now, "00", b"root"))
     owned.client.app.state.people = replace(parts, settings=replace(parts.settings, network=network))  # type: ignore[attr-defined]
     link = invited(owned, "Ben", "clinician")
     assert link["url"].startswith("https://10.1.2.3:8443/#invite=")
     assert "http://10.1.2.3:8081/ first" in link["words"]
-    network.trust = Trust((), ("10.1.2.3",), now, now, "00", None)  # a certificate of the clinic's own
+    network.trust = CertificateTrust((), ("10.1.2.3",), now, now, "00", None)  # a certificate of the clinic's own
     assert owned.good("POST", f"/people/{link['person']['id']}/link")["words"] == ""

@@ -14,10 +14,10 @@ from hypothesis import strategies as st
 from app.cues import Cue
 from app.geometry import Pose
 from app.hardware.base import BodyView
-from app.hardware.body.course import Course
+from app.hardware.body.course import DrivingLine
 from app.hardware.body.driver import Driver
 from app.hardware.body.limb import Limb
-from app.hardware.body.person import Person
+from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import NOVICE, PRACTISED, PracticeEffect
 from app.hardware.body.steering import Steering
 from app.hardware.body.stroke_estimate import StrokeEstimate
@@ -35,7 +35,7 @@ def along(points) -> tuple[FloorPlan, PrescribedPath]:
 
 
 def course(points=CORNER):
-    return Course(points, cruise=0.6, corner=0.2, goal=0.35, braking=0.15)
+    return DrivingLine(points, cruise=0.6, corner=0.2, goal=0.35, braking=0.15)
 
 
 def test_a_limb_rises_to_its_size_and_returns_more_slowly() -> None:
@@ -229,7 +229,7 @@ def test_practice_moves_beliefs_towards_the_truth_and_the_driver_along_the_path(
 
 
 def test_the_person_follows_cues_drives_when_permitted_and_rests_otherwise() -> None:
-    person = Person("practised", 1)
+    person = SimulatedPerson("practised", 1)
     person.show_task(*along(CORNER))
     elbow = person.joints.index("right_elbow")
     move = Cue(start=0.0, end=1.0, kind="move", joint="right_elbow", repetition=1)

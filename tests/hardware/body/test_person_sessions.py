@@ -11,7 +11,7 @@ from app.cues import Cue
 from app.geometry import Pose
 from app.hardware.base import BodyView
 from app.hardware.body.driver import Driver
-from app.hardware.body.person import Person
+from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import (
     DETERIORATING,
     IMPROVING,
@@ -34,25 +34,25 @@ PLAN = FloorPlan(
 CUE = Cue(start=0.0, end=1.0, kind="move", joint="right_elbow", repetition=1)
 
 
-def largest_flexion(person: Person) -> float:
+def largest_flexion(person: SimulatedPerson) -> float:
     """Return how far the right elbow moves at a prompt."""
     elbow = person.joints.index("right_elbow")
     return max(person.step(0.01, BodyView(cue=CUE))[elbow] for _ in range(150))
 
 
-def shake(person: Person, seconds: float = 20.0) -> np.ndarray:
+def shake(person: SimulatedPerson, seconds: float = 20.0) -> np.ndarray:
     """Return the postures of a person at rest (n, n_joints) at 100 Hz."""
     return np.array([person.step(0.01, BodyView()).copy() for _ in range(round(seconds * 100))])
 
 
 def test_who_deteriorates_loses_two_percent_of_range_a_session_and_shakes_more() -> None:
     still = dataclasses.replace(DETERIORATING, tremor_per_session=0.0)
-    first, tenth = Person(still, 3), Person(still, 3)
+    first, tenth = SimulatedPerson(still, 3), SimulatedPerson(still, 3)
     tenth.begin_session(10)
     assert largest_flexion(tenth) == pytest.approx(0.98**9 * largest_flexion(first))
     shaking = []
     for session in (1, 5, 10):
-        person = Person("deteriorating", 3)
+        person = SimulatedPerson("deteriorating", 3)
         person.begin_session(session)
         shaking.append(float(np.std(shake(person))))
     assert shaking[0] < 0.004  # what every hand does
@@ -62,7 +62,7 @@ def test_who_deteriorates_loses_two_percent_of_range_a_session_and_shakes_more()
 
 def test_the_tremor_is_there_in_movement_too() -> None:
     steady = dataclasses.replace(DETERIORATING, tremor_per_session=0.0)
-    moved, shaken = Person(steady, 3), Person(DETERIORATING, 3)
+    moved, shaken = SimulatedPerson(steady, 3), SimulatedPerson(DETERIORATING, 3)
     for person in (moved, shaken):
         person.begin_session(8)
     elbow = moved.joints.index("right_elbow")
@@ -72,9 +72,9 @@ def test_the_tremor_is_there_in_movement_too() -> None:
 
 
 def test_who_improves_wins_range() -> None:
-    person = Person("improving", 3)
+    person = SimulatedPerson("improving", 3)
     before = largest_flexion(person)
-    person = Person("improving", 3)
+    person = SimulatedPerson("improving", 3)
     person.begin_session(6)
     assert largest_flexion(person) == pytest.approx(1.01**5 * before)
 
@@ -105,7 +105,7 @@ def test_the_tremor_lies_between_four_and_eight_hertz_and_no_limb_shakes_like_an
 
 def test_without_a_tremor_nothing_is_added() -> None:
     assert not Tremor(4, 7).at(1.0).any()
-    assert Person("novice", 1).parameters.tremor_in(10) == 0.0
+    assert SimulatedPerson("novice", 1).parameters.tremor_in(10) == 0.0
 
 
 def tire(driver: Driver, seconds: float) -> None:
@@ -116,7 +116,7 @@ def tire(driver: Driver, seconds: float) -> None:
 
 
 def test_strokes_tire_and_a_pause_between_sessions_rests() -> None:
-    person = Person("deteriorating", 1)
+    person = SimulatedPerson("deteriorating", 1)
     person.show_task(PLAN, PLAN.paths[0])
     tire(person.driver, 60.0)
     strokes, practice = person.driver.strokes.session_strokes, person.driver.strokes.practice
@@ -148,9 +148,9 @@ def test_who_is_worn_out_hesitates_longer_and_errs_more() -> None:
 
 def test_a_session_below_the_first_is_refused() -> None:
     with pytest.raises(ValueError, match="counted from 1"):
-        Person("novice", 1).begin_session(0)
+        SimulatedPerson("novice", 1).begin_session(0)
 
 
 def test_every_named_person_can_be_asked_for_by_name() -> None:
     for name, parameters in PARAMETERS.items():
-        assert Person(name, 1).parameters is parameters
+        assert SimulatedPerson(name, 1).parameters is parameters

@@ -5,7 +5,7 @@ import pytest
 
 from app.calibration.vocabulary import standard_parameters
 from app.hardware.base import BodyView
-from app.hardware.body.person import Person
+from app.hardware.body.person import SimulatedPerson
 from app.study.experiment import SAMPLE_RATE, shirt_layout
 from app.study.participant import Participant
 from app.study.simulated_calibration import calibrate
@@ -18,7 +18,7 @@ PLAN = CursorPlan(seed=1, duration=60.0)
 @pytest.fixture(scope="module")
 def figures():
     def tested(skill, seed=3):
-        participant = Participant(Person(skill, seed), shirt_layout(), SAMPLE_RATE, seed)
+        participant = Participant(SimulatedPerson(skill, seed), shirt_layout(), SAMPLE_RATE, seed)
         return do_interface_test(participant, standard_parameters(calibrate(participant)), PLAN)
 
     return {"practised": tested("practised"), "again": tested("practised"), "novice": tested("novice")}
@@ -38,7 +38,7 @@ def test_equal_seeds_give_equal_measures(figures):
 
 
 def test_nobody_points_without_a_cursor():
-    person = Person("practised", 1)
+    person = SimulatedPerson("practised", 1)
     for _ in range(300):
         posture = person.step(0.01, BodyView())
     assert person.pointer._open is None

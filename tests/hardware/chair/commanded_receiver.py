@@ -1,7 +1,7 @@
 """A receiver and its sender on a simulated time, for tests."""
 
 from app.hardware.chair.key import Key
-from app.hardware.chair.packet import DRIVE, Command, decode_telemetry, encode_command
+from app.hardware.chair.packet import DRIVE, ChairCommand, decode_telemetry, encode_command
 from app.hardware.chair.receiver import Receiver, ReceiverState
 
 STEP, PERIOD = 0.01, 0.02  # s
@@ -42,7 +42,7 @@ class CommandedReceiver:
         """Return the next command's bytes; `changes` replace fields of it."""
         self.sequence += 1
         t_ns = int((self.t + self.sender_ahead) * 1e9)
-        command = Command(flags, key.id, self.epoch, self.sequence, t_ns, v, omega, 1.5, 2.5, DIGEST)
+        command = ChairCommand(flags, key.id, self.epoch, self.sequence, t_ns, v, omega, 1.5, 2.5, DIGEST)
         return encode_command(command._replace(**changes), key, self.receiver.nonce if nonce is None else nonce)
 
     def send(self, *words, **changes):

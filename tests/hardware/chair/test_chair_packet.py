@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from app.hardware.chair.key import Key, new_key
 from app.hardware.chair.packet import (
-    Command,
+    ChairCommand,
     Telemetry,
     decode_command,
     decode_telemetry,
@@ -24,7 +24,7 @@ from app.hardware.chair.packet import (
 KEY = Key(513, bytes(range(32)))
 NONCE = b"\xa0\xa1\xa2\xa3\xa4\xa5\xa6\xa7"
 DIGEST = b"\x01\x02\x03\x04\x05\x06\x07\x08"
-COMMAND = Command(5, 513, 0xDEADBEEF, 2**40 + 3, 123_456_789_012, 0.5, -1.25, 0.75, 1.5, DIGEST)
+COMMAND = ChairCommand(5, 513, 0xDEADBEEF, 2**40 + 3, 123_456_789_012, 0.5, -1.25, 0.75, 1.5, DIGEST)
 TELEMETRY = Telemetry(2, 513, 0xDEADBEEF, 2**40 + 3, 987_654_321, NONCE, 0.5, -1.25, 0.875, 1, 4)
 
 u8, u16, u32, u64 = (st.integers(0, 2**bits - 1) for bits in (8, 16, 32, 64))
@@ -77,7 +77,7 @@ def test_a_hello_has_exactly_the_bytes_of_the_contract():
 @given(keys, eight, st.tuples(u8, u32, u64, u64, f32, f32, f32, f32, eight))
 def test_any_command_comes_back_as_it_was(key, nonce, fields):
     flags, *rest = fields
-    command = Command(flags, key.id, *rest)
+    command = ChairCommand(flags, key.id, *rest)
     datagram = encode_command(command, key, nonce)
     assert len(datagram) == 68
     assert same(decode_command(datagram, key, nonce), command)

@@ -7,7 +7,7 @@ import pytest
 from hardware.chair.commanded_receiver import KEY, CommandedReceiver
 
 from app.hardware.chair.key import Key
-from app.hardware.chair.packet import DRIVE, FRAME_BYTES, NONCE_BYTES, STOP, Command, encode_command, encode_hello
+from app.hardware.chair.packet import DRIVE, FRAME_BYTES, NONCE_BYTES, STOP, ChairCommand, encode_command, encode_hello
 from app.hardware.chair.receiver import ReceiverState
 
 CASES = 12_000
@@ -89,7 +89,7 @@ def forgeries(chair, seen, earlier, rng):
 
     def resigned(key=KEY, nonce=None):
         body = fresh()[:52]
-        return encode_command(Command(*struct.unpack("<4sBBHIQQffff8s", body)[2:]), key, nonce)
+        return encode_command(ChairCommand(*struct.unpack("<4sBBHIQQffff8s", body)[2:]), key, nonce)
 
     odd = (float("nan"), float("inf"), float("-inf"))
     number = rng.choice(("v", "omega", "v_cap", "omega_cap"))

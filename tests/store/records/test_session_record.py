@@ -30,10 +30,10 @@ from app.store.runs import add_run, add_trial
 from app.store.sharing.sharing_tables import ShareLink
 from app.store.tables import (
     CalibrationStep,
-    Chair,
     Drive,
     InterfaceTest,
-    Parameters,
+    PairedChair,
+    ParameterSet,
     PatientScreen,
     PatientSession,
     Profile,
@@ -73,7 +73,7 @@ def filled(db: Session, session: PatientSession) -> Trial:
     )
     db.add_all([profile, CalibrationStep(session_id=session.id, step="rest", status="done", words="")])
     db.flush()
-    parameters = Parameters(
+    parameters = ParameterSet(
         profile_id=profile.id, title="A", settings={}, hash="0", created=utc_now(), current=True, abandoned=False
     )
     db.add(parameters)
@@ -159,7 +159,7 @@ def test_no_row_of_a_signed_session_changes_by_any_way(database: Database, kind:
 
 def start_drive(db: Session, session: PatientSession, trial: Trial) -> None:
     """Store a drive that has ended."""
-    chair = Chair(
+    chair = PairedChair(
         clinic_id=session.clinic_id, name="C", host="h", port=1, key_id=1, speeds={}, paired=utc_now(), removed=None
     )
     db.add(chair)
