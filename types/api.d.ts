@@ -995,7 +995,7 @@ export interface paths {
                         [name: string]: unknown;
                     };
                     content: {
-                        "application/json": components["schemas"]["app__api__routes__equipment__PracticeView"];
+                        "application/json": components["schemas"]["PracticeShirt"];
                     };
                 };
             };
@@ -7054,6 +7054,13 @@ export interface components {
         PlotsChoice: {
             open: boolean;
         };
+        PracticeShirt: {
+            kind: string | null;
+        };
+        PracticeView: {
+            trials: number;
+            last: string | null;
+        };
         Prediction: {
             false_per_minute: number | null;
             counted: number;
@@ -7520,7 +7527,7 @@ export interface components {
             chair: components["schemas"]["ChairSummary"] | null;
             parameters: components["schemas"]["ParametersSummary"] | null;
             speeds: components["schemas"]["Speeds"] | null;
-            practised: components["schemas"]["app__api__routes__drives__PracticeView"];
+            practised: components["schemas"]["PracticeView"];
             last_practised: components["schemas"]["LatestPractice"] | null;
             differences: (components["schemas"]["FieldDifference"] | components["schemas"]["BindingDifference"] | components["schemas"]["GestureDifference"])[];
             refusals: string[];
@@ -7804,13 +7811,6 @@ export interface components {
             effort: number | null;
             frustration: number | null;
         };
-        app__api__routes__drives__PracticeView: {
-            trials: number;
-            last: string | null;
-        };
-        app__api__routes__equipment__PracticeView: {
-            kind: string | null;
-        };
     };
     responses: never;
     parameters: never;
@@ -7998,6 +7998,8 @@ export type PatientView = components['schemas']['PatientView'];
 export type PersonConfig = components['schemas']['PersonConfig'];
 export type PersonView = components['schemas']['PersonView'];
 export type PlotsChoice = components['schemas']['PlotsChoice'];
+export type PracticeShirt = components['schemas']['PracticeShirt'];
+export type PracticeView = components['schemas']['PracticeView'];
 export type Prediction = components['schemas']['Prediction'];
 export type PrescribedPath = components['schemas']['PrescribedPath'];
 export type PriorChoice = components['schemas']['PriorChoice'];
@@ -8088,7 +8090,5 @@ export type ViewState = components['schemas']['ViewState'];
 export type VisitorConfig = components['schemas']['VisitorConfig'];
 export type Waiting = components['schemas']['Waiting'];
 export type Workload = components['schemas']['Workload'];
-export type AppApiRoutesDrivesPracticeView = components['schemas']['app__api__routes__drives__PracticeView'];
-export type AppApiRoutesEquipmentPracticeView = components['schemas']['app__api__routes__equipment__PracticeView'];
 export type $defs = Record<string, never>;
 export type operations = Record<string, never>;

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from app.backup.age_files import Secret, decrypted, encrypted
-from app.backup.contents import Source
+from app.backup.contents import BackupFile
 from app.backup.hashed_tar import HashedTar, hashed_tar, members_of
 from app.backup.manifest import DAMAGED, MOST_BYTES, NAME, Manifest, StoredFile, read_manifest
 from app.backup.quiet_files import PART, QuietReader, QuietWriter, Reader, hash_of
@@ -68,7 +68,7 @@ def write_part(target: Path, secret: Secret | None, fill: Callable[[HashedTar], 
     return files
 
 
-def add_sources(tar: HashedTar, sources: Iterable[Source], progress: Progress, part: str = "") -> list[StoredFile]:
+def add_sources(tar: HashedTar, sources: Iterable[BackupFile], progress: Progress, part: str = "") -> list[StoredFile]:
     """Add files to an archive, but for those that were erased, or made part of another file, meanwhile."""
     files = []
     for source in sources:

@@ -26,7 +26,7 @@ from app.backup.backup_file import (
     write_backup,
     write_part,
 )
-from app.backup.contents import Contents, Source
+from app.backup.contents import BackupFile, Contents
 from app.backup.kept_backups import kept_backups
 from app.backup.manifest import Manifest, StoredFile
 from app.clock import utc_now
@@ -104,7 +104,7 @@ class BackupFolder:
         return name, manifest
 
     def _stored(
-        self, sources: Iterable[Source], known: dict[str, list[StoredFile]], progress: Progress
+        self, sources: Iterable[BackupFile], known: dict[str, list[StoredFile]], progress: Progress
     ) -> list[StoredFile]:
         parts = _parts_of(sources)
         total = sum(source.size for own in parts.values() for source in own)
@@ -174,9 +174,9 @@ def sealed_key_of_folder(folder: Path) -> str | None:
     return _header(folder)["identity"]
 
 
-def _parts_of(sources: Iterable[Source]) -> dict[str, list[Source]]:
+def _parts_of(sources: Iterable[BackupFile]) -> dict[str, list[BackupFile]]:
     """Return the files of each part, by the name of the part."""
-    groups: dict[str, list[Source]] = {}
+    groups: dict[str, list[BackupFile]] = {}
     for source in sources:
         folder, _, rest = source.path.partition("/")
         if not rest:
@@ -189,7 +189,7 @@ def _parts_of(sources: Iterable[Source]) -> dict[str, list[Source]]:
     return {f"{group}-{_listing_hash(own)}": own for group, own in groups.items()}
 
 
-def _listing_hash(sources: list[Source]) -> str:
+def _listing_hash(sources: list[BackupFile]) -> str:
     listing = [(source.path, source.size, source.changed) for source in sources]
     return sha256(json.dumps(listing).encode()).hexdigest()[:16]
 

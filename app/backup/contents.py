@@ -24,7 +24,7 @@ HEAD = f"{DATABASE}.log-head"
 
 
 @dataclass(frozen=True, slots=True)
-class Source:
+class BackupFile:
     """A file that is to be backed up."""
 
     path: str  # within the backup
@@ -37,7 +37,7 @@ class Source:
 class Contents:
     """All that is to be backed up."""
 
-    sources: tuple[Source, ...]
+    sources: tuple[BackupFile, ...]
     rows: Counts
     left_out: tuple[str, ...]
     passed: datetime  # up to which time has really passed, wherever the clock was set to
@@ -99,7 +99,7 @@ def _copied(file: Path, work: Path) -> Path:
     return Path(shutil.copyfile(file, work / file.name))
 
 
-def _listed(settings: Settings, folder: Path, left_out: list[str]) -> Iterator[Source]:
+def _listed(settings: Settings, folder: Path, left_out: list[str]) -> Iterator[BackupFile]:
     """Yield the files below a folder, in a fixed order; of the recordings, those that are not going on."""
     for place, folders, files in os.walk(folder):
         here = Path(place)
@@ -121,6 +121,6 @@ def _is_going_on(folder: Path, files: list[str]) -> bool:
     return utc_now().timestamp() - newest < GOING_ON
 
 
-def _source(file: Path, path: str) -> Source:
+def _source(file: Path, path: str) -> BackupFile:
     known = file.stat()
-    return Source(path, file, known.st_size, known.st_mtime_ns)
+    return BackupFile(path, file, known.st_size, known.st_mtime_ns)

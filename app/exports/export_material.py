@@ -30,7 +30,7 @@ SpreadsOf = Callable[[str, str, SourceGroup], dict[str, Spread]]
 
 
 @dataclass(frozen=True, slots=True)
-class TaskMaterial:
+class ExportedTask:
     """The counted trials of one task and source, for their verdicts."""
 
     rows: list[dict[str, Any]]  # as `CountedTrial.row` returns them
@@ -44,7 +44,7 @@ class ExportMaterial:
     patient_id: int
     code: str
     runs: tuple[RecordedRun, ...]  # in the order recorded
-    tasks: tuple[TaskMaterial, ...]
+    tasks: tuple[ExportedTask, ...]
     clinic: str = ""  # its mark: identifiers that leave the clinic name it, as codes of patients are the clinic's own
 
 
@@ -91,7 +91,7 @@ def exported_material(
             tasks[floorplan, path, group] += [one.row() for one in counted if one.group == group]
         mark = clinic_mark(db, clinic_id)
         write_log(db, person, "export", patient=patient_id, session=session, form=form, runs=len(found))
-    known = tuple(TaskMaterial(rows, spreads_of(*task)) for task, rows in tasks.items())
+    known = tuple(ExportedTask(rows, spreads_of(*task)) for task, rows in tasks.items())
     return ExportMaterial(patient_id, patient.code, tuple(found), known, mark)
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from app.recording.format import END_FILE, META_KEY, PARQUET_FILE, parse_end
-from app.recording.reader import Columns, RecordedRun, columns_of, file_checksum, read_run
+from app.recording.reader import Columns, RunRecording, columns_of, file_checksum, read_run
 
 GROUP = 20_000  # rows
 
@@ -59,6 +59,6 @@ def _whole(file: Path) -> RunGroups:
     return RunGroups(meta, "", groups())
 
 
-def _slices(run: RecordedRun) -> Iterator[Columns]:
+def _slices(run: RunRecording) -> Iterator[Columns]:
     for start in range(0, max(run.rows, 1), GROUP):
         yield {name: column[start : start + GROUP] for name, column in run.columns.items()}

@@ -41,7 +41,7 @@ Columns = dict[str, NDArray[Any]]
 
 
 @dataclass(slots=True)
-class RecordedRun:
+class RunRecording:
     """One recorded run.
 
     `columns` holds arrays (n_rows,), for `values` (n_rows, n_channels), for `score`, `rate` and `activation`
@@ -72,7 +72,7 @@ class RecordedRun:
         return {name: column[chosen] for name, column in self.columns.items()}
 
 
-def read_run(folder: str | Path, *, scalars_only: bool = False) -> RecordedRun:
+def read_run(folder: str | Path, *, scalars_only: bool = False) -> RunRecording:
     """Return the run in `folder`; of a damaged one, the rows before the first damaged byte.
 
     `Run.damage` describes missing and changed bytes; they raise no error. With `scalars_only`, the columns of channels
@@ -108,7 +108,7 @@ def read_run(folder: str | Path, *, scalars_only: bool = False) -> RecordedRun:
         columns = columns_of(tables, meta)
     except UNREADABLE:
         columns, words = _no_rows(meta), words or UNREAD.format(file=parquet)
-    return RecordedRun(meta, columns, end["dropped"] if end else 0, damage or words)
+    return RunRecording(meta, columns, end["dropped"] if end else 0, damage or words)
 
 
 def _read_parquet(file: Path, end: dict[str, Any] | None, scalars_only: bool) -> tuple[list["pa.Table"], str]:

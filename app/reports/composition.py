@@ -8,7 +8,7 @@ from app.number_words import amount
 from app.reports.characters import without_invisible
 from app.reports.comment_remarks import comment_remarks
 from app.reports.condition import condition_facts, controls_table
-from app.reports.document import NO_TABLE, Fact, Remark, Report, Table
+from app.reports.document import NO_TABLE, Fact, Remark, Report, ReportTable
 from app.reports.drive_report import ReportedDrive, drives_table
 from app.reports.interface_test_report import interface_test_report
 from app.reports.material import (
@@ -131,8 +131,8 @@ def _condition_note(parameters: ParameterMaterial | None) -> str:
     return f"The newest set is shown; {amount(parameters.others, 'other set was', 'other sets were')} driven with, too."
 
 
-def _sessions_table(sessions: tuple[SessionMaterial, ...]) -> Table:
-    return Table(
+def _sessions_table(sessions: tuple[SessionMaterial, ...]) -> ReportTable:
+    return ReportTable(
         SESSIONS_HEAD,
         tuple(
             (
@@ -148,18 +148,18 @@ def _sessions_table(sessions: tuple[SessionMaterial, ...]) -> Table:
     )
 
 
-def _visible(table: Table) -> Table:
-    return Table(table.head, tuple(tuple(map(without_invisible, row)) for row in table.rows))
+def _visible(table: ReportTable) -> ReportTable:
+    return ReportTable(table.head, tuple(tuple(map(without_invisible, row)) for row in table.rows))
 
 
-def _scales(sessions: tuple[SessionMaterial, ...], *, course: bool) -> Table:
+def _scales(sessions: tuple[SessionMaterial, ...], *, course: bool) -> ReportTable:
     """Return the outcome scales; of a course a row for each scale, with all of its totals."""
     found: dict[str, list[Scale]] = {}
     for one in sessions:
         for scale in one.record.scales:
             found.setdefault(without_invisible(scale.name), []).append(scale)
     if not course:
-        return Table(
+        return ReportTable(
             ("Scale", "Total", "Day"),
             tuple((name, f"{one.total:g}", str(one.day)) for name, scales in found.items() for one in scales),
         )
@@ -169,7 +169,7 @@ def _scales(sessions: tuple[SessionMaterial, ...], *, course: bool) -> Table:
         totals = ", ".join(f"{one.total:g}" for one in ordered)
         days = " to ".join(dict.fromkeys((str(ordered[0].day), str(ordered[-1].day))))
         rows.append((name, totals, days))
-    return Table(("Scale", "Totals, the oldest first", "Day"), tuple(rows))
+    return ReportTable(("Scale", "Totals, the oldest first", "Day"), tuple(rows))
 
 
 def _notes(sessions: tuple[SessionMaterial, ...], *, course: bool) -> tuple[Remark, ...]:

@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping
 from typing import Any, Final
 
-from app.reports.document import NO_TABLE, Fact, Table
+from app.reports.document import NO_TABLE, Fact, ReportTable
 from app.reports.material import ParameterMaterial
 
 CONTROL_WORDS: Final = {
@@ -47,7 +47,7 @@ def condition_facts(parameters: ParameterMaterial) -> tuple[Fact, ...]:
     )
 
 
-def controls_table(parameters: ParameterMaterial) -> Table:
+def controls_table(parameters: ParameterMaterial) -> ReportTable:
     """Return what each movement does, from where it counts, where it is full, and its gain."""
     gestures = {gesture["name"]: gesture for gesture in parameters.settings.get("gestures", ())}
     labels = _joint_labels(parameters.profile)
@@ -63,7 +63,7 @@ def controls_table(parameters: ParameterMaterial) -> Table:
                 (words, _gesture_words(one, labels), _share(one, "dead_zone"), _share(one, "full"), gain)
                 for one in named
             ]
-    return Table(CONTROLS_HEAD, tuple(rows)) if rows else NO_TABLE
+    return ReportTable(CONTROLS_HEAD, tuple(rows)) if rows else NO_TABLE
 
 
 def _joint_labels(profile: Mapping[str, Any]) -> dict[str, str]:

@@ -66,14 +66,14 @@ class Remark:
 
 
 @dataclass(frozen=True, slots=True)
-class Table:
+class ReportTable:
     """A table of words."""
 
     head: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
 
 
-NO_TABLE: Final = Table((), ())
+NO_TABLE: Final = ReportTable((), ())
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +81,7 @@ class InterfaceTestReport:
     """The two-minute tests of one kind of source."""
 
     lead: str  # how many there are, and of which source
-    table: Table
+    table: ReportTable
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,13 +98,13 @@ class Report:
     goals: tuple[Remark, ...]  # of a course, the first and the newest one
     other_goals: tuple[Remark, ...]  # of a course, those between them
     condition: tuple[Fact, ...]
-    controls: Table  # which movement does what, with its gains
+    controls: ReportTable  # which movement does what, with its gains
     condition_note: str
     tasks: tuple[TaskReport, ...]
     tests: tuple[InterfaceTestReport, ...]  # two-minute tests, one for each kind of source
-    drives: Table  # of real chairs; without rows when there was none
-    sessions: Table  # of a course; without rows for one session
-    scales: Table
+    drives: ReportTable  # of real chairs; without rows when there was none
+    sessions: ReportTable  # of a course; without rows for one session
+    scales: ReportTable
     notes: tuple[Remark, ...]
     comments: tuple[Remark, ...]  # on moments of trials; empty when there are none
     signed: str  # "" when nobody has signed off: then there is a line to sign on

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Final
 
-from app.reports.document import NO_TABLE, Table
+from app.reports.document import NO_TABLE, ReportTable
 from app.source import SourceGroup, source_words
 from app.store.database import Transaction
 from app.store.drives import drives_of
@@ -51,16 +51,16 @@ def reported_drives(db: Transaction, clinic_id: int, patient_id: int, sessions: 
     ]
 
 
-def drives_table(drives: Sequence[ReportedDrive], *, course: bool) -> Table:
+def drives_table(drives: Sequence[ReportedDrive], *, course: bool) -> ReportTable:
     """Return the table of the drives; an empty one when there was none."""
     if not drives:
         return NO_TABLE
     if not course:
-        return Table(SESSION_HEAD, tuple(_row(number, drive) for number, drive in enumerate(drives, start=1)))
+        return ReportTable(SESSION_HEAD, tuple(_row(number, drive) for number, drive in enumerate(drives, start=1)))
     of: dict[int, list[ReportedDrive]] = {}
     for drive in drives:
         of.setdefault(drive.session, []).append(drive)
-    return Table(COURSE_HEAD, tuple(_session_row(session, own) for session, own in of.items()))
+    return ReportTable(COURSE_HEAD, tuple(_session_row(session, own) for session, own in of.items()))
 
 
 def _row(number: int, drive: ReportedDrive) -> tuple[str, ...]:

@@ -14,7 +14,7 @@ from app.reports.document import (
     Paper,
     Remark,
     Report,
-    Table,
+    ReportTable,
     TaskReport,
 )
 from app.settings import data_folder
@@ -152,7 +152,7 @@ def _remark(remark: Remark) -> str:
     return f'<div class="remark">{head}<p class="text" dir="auto">{escape(remark.text)}</p></div>'
 
 
-def _table(table: Table) -> str:
+def _table(table: ReportTable) -> str:
     if not table.rows:
         return ""
     head = "".join(f'<th scope="col">{escape(words)}</th>' for words in table.head)

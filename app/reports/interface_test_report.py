@@ -3,7 +3,7 @@
 from typing import Final
 
 from app.number_words import amount
-from app.reports.document import InterfaceTestReport, Table
+from app.reports.document import InterfaceTestReport, ReportTable
 from app.reports.material import InterfaceTestMaterial, ReportedTest
 from app.scoring.interface_test.interface_course import counted_tests
 from app.scoring.interface_test.interface_verdicts import InterfaceVerdicts, interface_verdicts
@@ -36,7 +36,7 @@ def interface_test_report(
     until = "" if session is None else f" up to session {session}"
     return InterfaceTestReport(
         lead=f"{source}{amount(len(counted), 'complete test')}{until}.{others}",
-        table=Table(
+        table=ReportTable(
             ("Test", *(measure.name for measure in TEST_MEASURES.values()), WORKLOAD_NAME),
             tuple(_row(one) for one in shown) + tuple(_verdicts(one) for one in compared),
         ),

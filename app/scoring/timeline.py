@@ -14,7 +14,7 @@ from app.calibration.vocabulary import DriveParameters, recorded_parameters
 from app.faults import State
 from app.layout import ShirtLayout
 from app.quantities import Document
-from app.recording.reader import Columns, RecordedRun, read_run
+from app.recording.reader import Columns, RunRecording, read_run
 from app.scoring.decimation import Decimation
 from app.scoring.trial_events import Event, events_of
 from app.world.floorplan import FloorPlan
@@ -161,7 +161,7 @@ def recorded_poses(folder: FilePath, most_per_second: float) -> tuple[FloorPlan,
     return plan, poses_of(run, most_per_second)
 
 
-def poses_of(run: RecordedRun, most_per_second: float) -> Poses:
+def poses_of(run: RunRecording, most_per_second: float) -> Poses:
     """Return the poses of a recorded run, at most `most_per_second`; ValueError when the recording holds nothing."""
     rows = run.columns
     if run.rows == 0:
@@ -220,7 +220,7 @@ def _movers(plan: FloorPlan | None, scene_t: NDArray[Any]) -> list[MoverLine]:
     return lines
 
 
-def plan_of(run: RecordedRun) -> FloorPlan | None:
+def plan_of(run: RunRecording) -> FloorPlan | None:
     """Return the floor plan that a run's recording names; None when it names none."""
     try:
         return FloorPlan.model_validate(run.meta.get("floorplan"))
@@ -228,7 +228,7 @@ def plan_of(run: RecordedRun) -> FloorPlan | None:
         return None
 
 
-def _gestures(run: RecordedRun, decimation: Decimation) -> list[GestureLine]:
+def _gestures(run: RunRecording, decimation: Decimation) -> list[GestureLine]:
     parameters = parameters_of(run)
     if parameters is None or run.columns["score"].shape[1] != len(parameters.gestures):
         return []
@@ -245,7 +245,7 @@ def _gestures(run: RecordedRun, decimation: Decimation) -> list[GestureLine]:
     return lines
 
 
-def _joints(run: RecordedRun, decimation: Decimation) -> list[JointLines]:
+def _joints(run: RunRecording, decimation: Decimation) -> list[JointLines]:
     try:
         layout = ShirtLayout.model_validate(run.meta.get("layout"))
     except ValidationError:
@@ -273,7 +273,7 @@ def _joints(run: RecordedRun, decimation: Decimation) -> list[JointLines]:
     return lines
 
 
-def parameters_of(run: RecordedRun) -> DriveParameters | None:
+def parameters_of(run: RunRecording) -> DriveParameters | None:
     """Return the parameters that a run's recording holds; None when it holds none."""
     try:
         return recorded_parameters(run.meta.get("parameters"))

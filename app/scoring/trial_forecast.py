@@ -11,7 +11,7 @@ from app.calibration.vocabulary import DriveParameters
 from app.faults import State
 from app.pipeline.replay.batch import DecodedRun, decode_block
 from app.quantities import Document
-from app.recording.reader import Columns, RecordedRun
+from app.recording.reader import Columns, RunRecording
 
 BRIEF = 0.1  # s; an activation shorter than this is shorter than any deliberate movement
 
@@ -28,7 +28,7 @@ class Effect(Document):
     felt_change: float  # rms of the change of u1 and u2, over rms of u1 and u2 before
 
 
-def predicted_effect(run: RecordedRun, before: DriveParameters, after: DriveParameters) -> Effect | None:
+def predicted_effect(run: RunRecording, before: DriveParameters, after: DriveParameters) -> Effect | None:
     """Decode a recorded trial with the parameters `before` and `after`, and compare the results.
 
     None when motion was never permitted in the trial.

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pydantic import ValidationError
 
 from app.layout import MAX_CHANNELS, ShirtLayout
-from app.recording.reader import RecordedRun, read_run
+from app.recording.reader import RunRecording, read_run
 from app.sentences import one_sentence
 from app.signals.columns import Table, read_columns_and_dialect, require_column
 from app.signals.csv_dialect import Dialect
@@ -69,7 +69,7 @@ def read_signals(path: str | Path, layout: ShirtLayout | None = None) -> Signals
     return Signals(even, _stack_columns(table, names), names, sample_rate, damage=note, dialect=dialect)
 
 
-def signals_of_run(run: RecordedRun, path: Path, layout: ShirtLayout | None = None) -> Signals:
+def signals_of_run(run: RunRecording, path: Path, layout: ShirtLayout | None = None) -> Signals:
     """Return the frames of a recorded run, `t` from its start; raise ValueError with one sentence."""
     recorded = run.meta.get("layout")
     if recorded is None:

@@ -4,7 +4,7 @@ import pyarrow.parquet as pq
 import pytest
 
 from app.layout import Channel, Joint, ShirtLayout
-from app.recording.reader import RecordedRun
+from app.recording.reader import RunRecording
 from app.signals.signals import read_layout, read_signals, signals_of_run
 
 ROWS = "".join(f"{i * 0.01:.2f},{i},{-i}\n" for i in range(20))
@@ -110,7 +110,7 @@ def recorded_run(**changes):
             "f4"
         ),
     }
-    return RecordedRun(
+    return RunRecording(
         {"layout": LAYOUT.model_dump(mode="json"), "sample_rate": 100.0, **changes}, columns, 0, "It was cut."
     )
 

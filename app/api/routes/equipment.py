@@ -87,7 +87,7 @@ class ShirtKind(Document):
     simulated: bool
 
 
-class PracticeView(Document):
+class PracticeShirt(Document):
     """The kind of the shirt in use when nobody wears that shirt; None when somebody wears it, or without a shirt."""
 
     kind: str | None
@@ -162,9 +162,9 @@ async def look(_who: Anyone, parts: PeopleParts, web: Web) -> EquipmentView:
 
 
 @router.get("/practice", dependencies=[ForEveryone])
-def practice(web: Web) -> PracticeView:
+def practice(web: Web) -> PracticeShirt:
     """Return whether pages have to show the mark "practice only"; also for pages without a sign-in."""
-    return PracticeView(kind=web.equipment.practice)
+    return PracticeShirt(kind=web.equipment.practice)
 
 
 async def _logged_view(parts: PeopleParts, web: WebParts, person: str, what: str, **details: Any) -> EquipmentView:

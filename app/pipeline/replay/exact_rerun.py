@@ -21,7 +21,7 @@ from app.pipeline.chain import Chain
 from app.pipeline.replay.recorded_gate import RecordedGate
 from app.pipeline.replay.rerun import chair_of, sample_rate_of
 from app.pipeline.safety_gate import Conditions
-from app.recording.reader import RecordedRun
+from app.recording.reader import RunRecording
 from app.sentences import one_sentence
 from app.speeds import Speeds
 
@@ -44,7 +44,7 @@ class Rerun:
     theta: NDArray[np.float64]
 
 
-def replay_run(run: RecordedRun, parameters: DriveParameters) -> Rerun:
+def replay_run(run: RunRecording, parameters: DriveParameters) -> Rerun:
     """Drive a recorded drive again through `parameters`, on the virtual chair.
 
     With the parameters of the recorded drive every number equals the recorded number, bit for bit, as long as no

@@ -9,7 +9,7 @@ from app.calibration.vocabulary import DriveParameters
 from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
 from app.pipeline.replay.batch import DecodedRun, decode_block
-from app.recording.reader import RecordedRun
+from app.recording.reader import RunRecording
 from app.sentences import one_sentence
 from app.signals.sampling_times import FASTEST, SLOWEST
 from app.world.floorplan import FloorPlan
@@ -17,7 +17,7 @@ from app.world.floorplan import FloorPlan
 DRIVE = "drive"  # the kind of run with decisions of the gate
 
 
-def decode_run(run: RecordedRun, parameters: DriveParameters) -> DecodedRun:
+def decode_run(run: RunRecording, parameters: DriveParameters) -> DecodedRun:
     """Decode the frames of a recorded run; with the parameters of the drive, its commands come out.
 
     Raises
