@@ -146,13 +146,13 @@ def _changed(before: str, after: str) -> str:
 
 
 def _report(covered: str, killed: int, count: int, survivors: dict[str, tuple[str, str]]) -> str:
-    changes: dict[tuple[str, str, str], list[str]] = {}
+    reasons: dict[tuple[str, str], dict[str, list[str]]] = {}
     for name, (before, after) in survivors.items():
-        line = (name.split(".")[2], before, _reason(after) or "**none**")
-        changes.setdefault(line, []).append(_changed(before, after))
+        lines = reasons.setdefault((name.split(".")[2], _reason(after) or "**none**"), {})
+        lines.setdefault(before.replace(" | None", " or None"), []).append(_changed(before, after))
     rows = "".join(
-        f"| `{module}` | `{before}` | {', '.join(those)} | {reason} |\n".replace(" | None", " or None")
-        for (module, before, reason), those in changes.items()
+        f"| `{module}` | {reason} | {'; '.join(f'`{line}`: ' + ', '.join(those) for line, those in lines.items())} |\n"
+        for (module, reason), lines in reasons.items()
     )
     modules = ", ".join(f"`app/pipeline/{name}.py`" for name in MODULES)
     return f"""# What the gate's tests would notice
@@ -167,8 +167,8 @@ The tests noticed {killed}: **{killed / count:.1%}** (to be reached: {LEAST_SCOR
 
 Not noticed, and why that is right:
 
-| module | line | changed | reason |
-|---|---|---|---|
+| module | reason | lines, and what was changed |
+|---|---|---|
 {rows}"""
 
 
