@@ -6311,7 +6311,7 @@ export interface components {
             is_new: boolean;
             sessions: number;
             trials: number;
-            comments: number;
+            kept: string;
         };
         IncidentView: {
             id: number;
@@ -6961,6 +6961,13 @@ export interface components {
             reasons: components["schemas"]["AttentionView"][];
             pending: boolean;
         };
+        PatientChoice: {
+            /**
+             * @default true
+             * @constant
+             */
+            may_replace_patient?: true;
+        };
         PatientCue: {
             index: number;
             kind: string;
@@ -7175,7 +7182,7 @@ export interface components {
         };
         Refused: {
             detail: string;
-            choice?: components["schemas"]["NameChoice"] | components["schemas"]["ObjectScales"] | null;
+            choice?: components["schemas"]["NameChoice"] | components["schemas"]["ObjectScales"] | components["schemas"]["PatientChoice"] | null;
         };
         ReplacedView: {
             /** @enum {string} */
@@ -7990,6 +7997,7 @@ export type PasswordChange = components['schemas']['PasswordChange'];
 export type PastSignOff = components['schemas']['PastSignOff'];
 export type PathView = components['schemas']['PathView'];
 export type PatientAttention = components['schemas']['PatientAttention'];
+export type PatientChoice = components['schemas']['PatientChoice'];
 export type PatientCue = components['schemas']['PatientCue'];
 export type PatientFault = components['schemas']['PatientFault'];
 export type PatientMessage = components['schemas']['PatientMessage'];

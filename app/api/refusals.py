@@ -2,7 +2,7 @@
 
 import errno
 import logging
-from typing import Any, Final
+from typing import Any, Final, Literal
 
 from fastapi import FastAPI, Request
 from fastapi.concurrency import run_in_threadpool
@@ -18,6 +18,7 @@ from app.scene.models.object_scale import ScaleAsked
 from app.sentences import sentence_of
 from app.store.files.taken_names import NameTaken
 from app.store.log import write_log
+from app.store.records.patient_replacement import PatientHere
 
 STATUS: dict[type[Exception], int] = {
     NotFound: 404,
@@ -48,11 +49,20 @@ class ObjectScales(Document):
     scales: list[ObjectScale]
 
 
+class PatientChoice(Document):
+    """What can be done about a patient of an archive who is in the clinic already."""
+
+    may_replace_patient: Literal[True] = True
+
+
 class Refused(Document):
-    """Every answer that is no success: one sentence, and a choice where a name is taken or a size improbable."""
+    """Every answer that is no success: one sentence, and a choice.
+
+    A person chooses where a name is taken, where a size is improbable, and where a patient is here already.
+    """
 
     detail: str
-    choice: NameChoice | ObjectScales | None = None
+    choice: NameChoice | ObjectScales | PatientChoice | None = None
 
 
 REFUSALS: Final[dict[int | str, dict[str, Any]]] = {
@@ -103,6 +113,10 @@ def install_refusals(app: FastAPI) -> None:
     async def _asked(_request: Request, error: ScaleAsked) -> JSONResponse:
         scales = [{"metres_per_unit": scale, "size": size} for scale, size in error.scales.items()]
         return JSONResponse({"detail": str(error), "choice": {"scales": scales}}, 422)
+
+    @app.exception_handler(PatientHere)
+    async def _here(_request: Request, error: PatientHere) -> JSONResponse:
+        return JSONResponse({"detail": str(error), "choice": {"may_replace_patient": True}}, 409)
 
     @app.exception_handler(Refusal)
     async def _refused(request: Request, error: Refusal) -> JSONResponse:

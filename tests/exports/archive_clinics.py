@@ -30,9 +30,10 @@ def empty_clinic(state) -> Settings:
     return settings
 
 
-def bring(settings, package):
+def bring(settings, package, *, replace=False):
+    shelf = settings.replaced if replace else None
     with closing(Database(settings.database)) as database:
-        return import_archive(database, 1, package, "Ben", settings.runs)
+        return import_archive(database, 1, package, "Ben", settings.runs, shelf=shelf)
 
 
 def state_of(settings):

@@ -26,6 +26,7 @@ from app.store.log_reading import read_log
 from app.store.patients import add_patient
 from app.store.records import patient_rows
 from app.store.records.imports import origin_of
+from app.store.records.patient_replacement import PatientHere
 from app.store.records.session_record import add_note, add_scale, session_record
 from app.store.records.sign_off import sign_off
 from app.store.sharing.story import story_of
@@ -125,7 +126,7 @@ def test_a_recording_that_a_killed_import_left_is_in_nobodys_way(archive, other)
 def test_a_patient_who_is_here_already_is_refused(archive, other):
     _, _, first = archive
     before = state_of(first)
-    with pytest.raises(Conflict, match="their patient is here"):
+    with pytest.raises(PatientHere, match="=P-1 is in this clinic already, and nothing was imported: replace"):
         bring(first, archive[0])
     assert state_of(first) == before
     with closing(Database(other.database)) as database, database.transaction() as db:

@@ -18,7 +18,7 @@ from app import isolated_reader
 from app.exports.archive.imported_archive import import_apart
 isolated_reader.MOST_MEMORY = 1_000_000_000
 state, package = map(Path, sys.argv[1:])
-import_apart(state / "bodydrive.sqlite", 1, package, "Ben", state / "runs", state / "unpacked")
+import_apart(state / "bodydrive.sqlite", 1, package, "Ben", state / "runs", state / "unpacked", None)
 """
 LISTS = 20_000_000  # about 1.3 GB in memory, 100 kB in the file
 

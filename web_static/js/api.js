@@ -4,8 +4,10 @@
  */
 
 /**
- * How to go on with an upload whose name is in use, or with a 3D object whose size is improbable.
+ * How to go on with an upload whose name is in use, with a 3D object whose size is improbable, or with an archive whose
+ * patient is here.
  * @typedef {{proposed: string, may_replace: boolean}} NameChoice `proposed`: a free name
+ * @typedef {{may_replace_patient: boolean}} PatientChoice
  * @typedef {{scales: {metres_per_unit: number, size: number[]}[]}} ObjectScales `size`: m
  */
 import { t } from "./texts.js";
@@ -24,7 +26,7 @@ const ALWAYS = new Set([STOP, STOP_BY_KEY, "/auth/sign-out"]);
 export class ApiError extends Error {
   /**
    * @param {string} sentence @param {number} status 0 when nothing answered
-   * @param {NameChoice | ObjectScales | null} [choice] what could be done about it
+   * @param {NameChoice | ObjectScales | PatientChoice | null} [choice] what could be done about it
    */
   constructor(sentence, status, choice = null) {
     super(sentence);

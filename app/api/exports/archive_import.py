@@ -28,14 +28,14 @@ ZIP = {"requestBody": {"required": True, "content": {"application/zip": {"schema
 
 
 class ImportedView(Document):
-    """The patient of an archive, and what came in; not new: imported before, and only what was missing came in."""
+    """The patient of an archive, and what came in; not new: imported before by the same archive, or replaced."""
 
     patient_id: int
     code: str
     is_new: bool
     sessions: int
     trials: int  # finished and kept
-    comments: int
+    kept: str  # the archive of a replaced patient as it was, in the folder `replaced`; empty: nobody was replaced
 
 
 class ImportCourseView(Document):
@@ -57,13 +57,13 @@ def import_course(who: Owner, parts: PeopleParts) -> ImportCourseView | None:
 
 
 @router.post("/archives", openapi_extra=ZIP)
-async def bring_archive(request: Request, who: Owner, parts: PeopleParts) -> ImportedView:
+async def bring_archive(request: Request, who: Owner, parts: PeopleParts, replace: bool = False) -> ImportedView:
     """Import the archive of a patient, the body of the request; a wrong one changes nothing.
 
-    A newer archive of a patient who came with an earlier one adds what is missing here.
-
-    409 when the code or the recordings are those of another patient of the clinic, or while a session of the patient is
-    open; 507 when there is no room.
+    409 when the patient is in the clinic already; `replace` puts the archive's patient in the place of that one, of
+    whom first an archive is kept for 30 days. 409, too, when the code or the recordings are those of another patient,
+    and when the patient cannot be replaced: while a session is open, as part of an incident, or when sessions that were
+    held here must be kept. 507 when there is no room.
     """
     async with contextmanager_in_threadpool(passing_folder(parts.settings.state, "import")) as folder:
         announced = request.headers.get("content-length", "")
@@ -78,7 +78,7 @@ async def bring_archive(request: Request, who: Owner, parts: PeopleParts) -> Imp
                         waiting = bytearray()
                 await asyncio.to_thread(_write, opened, waiting, folder)
             course.begin_to_unpack()
-            imported = await asyncio.to_thread(_import, course, who, parts)
+            imported = await asyncio.to_thread(_import, course, who, parts, replace)
     return ImportedView(**imported._asdict())
 
 
@@ -88,12 +88,13 @@ def _write(opened: BinaryIO, content: bytearray, folder: Path) -> None:
     opened.write(content)
 
 
-def _import(course: ImportCourse, who: SignedInPerson, parts: People) -> Imported:
+def _import(course: ImportCourse, who: SignedInPerson, parts: People, replace: bool) -> Imported:
     """Import a file; it may take as long as it goes on unpacking recordings."""
     settings = parts.settings
     given = settings.database, who.clinic_id, course.file, who.name, settings.runs, course.recordings
+    shelf = settings.replaced if replace else None
     try:
         with closing(ComputingProcess()) as computing:
-            return computing.ask_while(course.moved, partial(import_apart, *given))
+            return computing.ask_while(course.moved, partial(import_apart, *given, shelf))
     except ValueError as error:
         raise refusal(error, [f"{course.file}: "]) from error

@@ -47,9 +47,12 @@ def make(
 @archive_app.command("import")
 def import_file(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="The archive.")],
+    replace: Annotated[
+        bool, typer.Option("--replace", help="Replace the patient who is here; first an archive of it is kept.")
+    ] = False,
     state: State = None,
 ) -> None:
-    """Import an archive; a newer one of the same patient adds what is missing, the same one changes nothing."""
+    """Import an archive; the same one once more changes nothing."""
     from app.exports.archive.imported_archive import import_archive
     from app.store.people import the_clinic
 
@@ -60,14 +63,16 @@ def import_file(
         if clinic is None:
             raise InputError(f"The clinic in {settings.state} is not set up yet: open its pages first.")
         try:
-            found = import_archive(database, clinic.id, file, COMMAND, settings.runs)
+            shelf = settings.replaced if replace else None
+            found = import_archive(database, clinic.id, file, COMMAND, settings.runs, shelf=shelf)
         except (Refusal, ValueError) as refusal:
             raise InputError(str(refusal)) from refusal
     counts = f"Sessions: {found.sessions}. Finished and kept trials: {found.trials}."
     if found.is_new:
         words = f"The patient {found.code} is imported. {counts}"
-    elif found.sessions or found.comments:
-        words = f"Added to the patient {found.code}, who was imported before. {counts} Comments: {found.comments}."
+    elif found.kept:
+        kept = settings.replaced / found.kept
+        words = f"The patient {found.code} is replaced. {counts} The patient as it was is kept for 30 days in {kept}."
     else:
-        words = f"The patient {found.code} was imported before, and this archive has nothing new: nothing was changed."
+        words = f"The patient {found.code} was imported from this archive before: nothing was changed."
     typer.echo(words)

@@ -1,12 +1,16 @@
 """Imports the archive of a patient that another clinic has made, or this one."""
 
+import os
 import shutil
 from contextlib import closing, nullcontext
 from pathlib import Path
 from typing import NamedTuple
 
+from app.clock import utc_now
 from app.disk_room import ROOM_TO_RECORD
 from app.exports.archive.archive_contents import WRONG, checked_rows
+from app.exports.archive.archive_room import require_room_for
+from app.exports.archive.archive_writing import archive_steps
 from app.exports.archive.archived_recordings import wrong_recording
 from app.exports.archive.open_archive import OpenArchive, open_archive
 from app.file_modes import OWNER_FOLDER
@@ -16,49 +20,55 @@ from app.refusals import NO_ROOM, DiskFull
 from app.store.database import Database, Transaction
 from app.store.files.disk_watch import disk_room
 from app.store.files.passing_folder import passing_folder
+from app.store.files.replacements import archive_on_shelf
+from app.store.keeping.keeping_tables import PatientFile
 from app.store.log import write_log
 from app.store.records.imports import (
+    clinic_name,
     earlier_import,
     note_import,
     patient_of_rows,
-    require_mergeable,
     require_new,
     runs_here,
 )
-from app.store.records.patient_merge import add_missing_rows
-from app.store.records.patient_rows import Rows, WrongRows, add_patient_rows
+from app.store.records.patient_replacement import HERE, PatientHere, remove_replaced_rows, require_replaceable
+from app.store.records.patient_rows import Rows, WrongRows, add_patient_rows, patient_rows
 
 
 class Imported(NamedTuple):
-    """The patient of an archive, whether the import added it, and how much came in with it.
-
-    A patient who is not new was imported before; then only what was missing came in, or nothing.
-    """
+    """The patient of an archive: new, imported before by the same archive, or replaced; and what came in with it."""
 
     patient_id: int
     code: str
     is_new: bool
     sessions: int = 0
     trials: int = 0  # finished and kept
-    comments: int = 0
+    kept: str = ""  # the archive of the patient as it was before it was replaced, within the shelf
 
 
 def import_archive(
-    database: Database, clinic_id: int, file: Path, person: str, runs: Path, unpacked: Path | None = None
+    database: Database,
+    clinic_id: int,
+    file: Path,
+    person: str,
+    runs: Path,
+    unpacked: Path | None = None,
+    shelf: Path | None = None,
 ) -> Imported:
     """Import the archive in `file`; one that was imported before changes nothing.
 
-    A newer archive of a patient who came with an earlier one adds what is missing here.
-
     Its recordings are unpacked in `unpacked`, a folder on the disk of `runs` that is made; without one, in a folder
-    that is removed.
+    that is removed. A patient who is in the clinic already is replaced when a `shelf` is given, the folder of replaced
+    files: first an archive of the patient as it is here is put there. A recording that is here stays.
 
     Raises
     ------
     ValueError
         One sentence, when the file is no archive, damaged, hostile, or of a newer program.
+    PatientHere
+        When the patient is in the clinic already, and no shelf is given.
     Conflict, DiskFull
-        When the code or a recording is in the clinic already, or there is no room.
+        When the code or a recording is another patient's, when the patient cannot be replaced, or there is no room.
     """
     with open_archive(file) as archive:
         with database.transaction() as db:
@@ -68,7 +78,12 @@ def import_archive(
         rows = checked_rows(archive)
         with database.transaction() as db:
             patient = patient_of_rows(db, clinic_id, rows)
-            here = frozenset() if patient is None else runs_here(db, patient.id)
+            if patient is not None and shelf is None:
+                raise PatientHere(HERE.format(code=patient.code))
+            here: frozenset[str] = frozenset()
+            if patient is not None:
+                require_replaceable(db, patient, rows)
+                here = runs_here(db, patient.id)
         if disk_room(runs.parent).free < archive.recording_bytes(here) + ROOM_TO_RECORD:
             raise DiskFull(NO_ROOM)
         runs.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
@@ -78,10 +93,38 @@ def import_archive(
             wrong = next(filter(None, map(wrong_recording, sorted(folder.iterdir()))), "")
             if wrong:
                 raise ValueError(WRONG.format(file=archive.file, why=wrong))
-            return _add(database, clinic_id, archive, rows, person, folder, runs)
+            kept = "" if shelf is None or patient is None else _put_on_shelf(database, clinic_id, rows, runs, shelf)
+            return _add(database, clinic_id, archive, rows, person, folder, runs, kept)
 
 
-def import_apart(clinic: Path, clinic_id: int, file: Path, person: str, runs: Path, unpacked: Path) -> Imported:
+def _put_on_shelf(database: Database, clinic_id: int, rows: Rows, runs: Path, shelf: Path) -> str:
+    """Write an archive of the patient as it is here, and return its place on the shelf."""
+    with database.transaction() as db:
+        patient = patient_of_rows(db, clinic_id, rows)
+        if patient is None:
+            return ""
+        name = archive_on_shelf(utc_now(), patient.created)
+        folders = [runs / run for run in runs_here(db, patient.id)]
+        own, clinic = patient_rows(db, patient.id), clinic_name(db, clinic_id)
+    require_room_for(folders, runs)
+    target = shelf / name
+    part = target.with_name(f".{target.name}.part")
+    target.parent.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
+    try:
+        for step in archive_steps(clinic, own, folders, None):
+            step(part)
+        with open_archive(part), part.open("rb") as written:
+            os.fsync(written.fileno())
+        part.replace(target)
+        sync_folder(target.parent)
+    finally:
+        part.unlink(missing_ok=True)
+    return name
+
+
+def import_apart(
+    clinic: Path, clinic_id: int, file: Path, person: str, runs: Path, unpacked: Path, shelf: Path | None
+) -> Imported:
     """Import an archive in a process of its own, which then has little memory; `clinic` is the file of the database.
 
     Raises what `import_archive` raises.
@@ -89,25 +132,31 @@ def import_apart(clinic: Path, clinic_id: int, file: Path, person: str, runs: Pa
     limit_memory()
     try:
         with closing(Database(clinic)) as database:
-            return import_archive(database, clinic_id, file, person, runs, unpacked)
+            return import_archive(database, clinic_id, file, person, runs, unpacked, shelf)
     except MemoryError as error:
         raise ValueError(WRONG.format(file=file, why="it needs too much memory")) from error
 
 
 def _add(
-    database: Database, clinic_id: int, archive: OpenArchive, rows: Rows, person: str, unpacked: Path, runs: Path
+    database: Database,
+    clinic_id: int,
+    archive: OpenArchive,
+    rows: Rows,
+    person: str,
+    unpacked: Path,
+    runs: Path,
+    kept: str,
 ) -> Imported:
-    """Add rows and recordings; when one cannot be added, none is."""
+    """Add rows and recordings, in place of the patient of whom an archive was kept; all, or nothing is changed."""
     moved: list[Path] = []
+    gone: frozenset[str] = frozenset()
     try:
-        with database.transaction() as db:
+        with database.transaction(closing=True) as db:
             try:
-                imported, new = _add_rows(db, clinic_id, archive, rows, person)
+                imported, gone = _add_rows(db, clinic_id, archive, rows, person, kept)
             except WrongRows as error:
                 raise ValueError(WRONG.format(file=archive.file, why=error)) from error
             for folder in sorted(unpacked.iterdir()):
-                if folder.name not in new:
-                    continue
                 target = runs / folder.name
                 if target.exists():  # no row names it: an import was killed before its rows were stored
                     shutil.rmtree(target)
@@ -118,29 +167,34 @@ def _add(
         for target in moved:
             shutil.rmtree(target, ignore_errors=True)
         raise
+    for run in gone:
+        shutil.rmtree(runs / run, ignore_errors=True)
     return imported
 
 
 def _add_rows(
-    db: Transaction, clinic_id: int, archive: OpenArchive, rows: Rows, person: str
+    db: Transaction, clinic_id: int, archive: OpenArchive, rows: Rows, person: str, kept: str
 ) -> tuple[Imported, frozenset[str]]:
-    """Add what is missing of an archive's rows; return what came in, and the new recordings."""
-    patient = patient_of_rows(db, clinic_id, rows)
-    listed = archive.listed
+    """Add an archive's rows; return what came in, and the recordings that are no longer needed."""
+    patient, listed = patient_of_rows(db, clinic_id, rows), archive.listed
+    before: frozenset[str] = frozenset()
+    uploads: list[PatientFile] = []
     if patient is not None:
-        require_mergeable(db, patient, rows)
-        added = add_missing_rows(db, clinic_id, patient.id, rows)
-        note_import(db, patient.id, listed.hash, listed.clinic, person, added.sessions)
-        imported = Imported(patient.id, patient.code, False, len(added.sessions), added.trials, added.comments)
-        new = added.runs
-    else:
-        require_new(db, clinic_id, rows)
-        patient_id = add_patient_rows(db, clinic_id, rows)
-        note_import(db, patient_id, listed.hash, listed.clinic, person)
-        trials = sum(row["status"] == "done" and row["kept"] is True for row in rows["trial"])
-        counts = len(rows["session"]), trials, len(rows["moment_comment"])
-        imported = Imported(patient_id, rows["patient"][0]["code"], True, *counts)
-        new = frozenset(row["id"] for row in rows["run"])
-    details = {"archive": listed.hash, "sessions": imported.sessions}
-    write_log(db, person, "archive imported", patient=imported.patient_id, **details)
-    return imported, new
+        if not kept:  # somebody else imported the patient meanwhile
+            raise PatientHere(HERE.format(code=patient.code))
+        require_replaceable(db, patient, rows)
+        before = runs_here(db, patient.id)
+        rows["patient"][0] |= {"code": patient.code, "pseudonym": patient.pseudonym}  # each clinic gives its own
+        uploads = remove_replaced_rows(db, patient.id)
+    require_new(db, clinic_id, rows)
+    patient_id = add_patient_rows(db, clinic_id, rows)
+    for upload in uploads:
+        upload.patient_id = patient_id
+        db.add(upload)
+    note_import(db, patient_id, listed.hash, listed.clinic, person)
+    trials = sum(row["status"] == "done" and row["kept"] is True for row in rows["trial"])
+    code = rows["patient"][0]["code"]
+    details = {"archive": listed.hash, "sessions": len(rows["session"])} | ({"replaced": kept} if kept else {})
+    write_log(db, person, "archive imported", patient=patient_id, **details)
+    imported = Imported(patient_id, code, not kept, len(rows["session"]), trials, kept)
+    return imported, before - {row["id"] for row in rows["run"]}

@@ -2,7 +2,7 @@
 
 import os
 import shutil
-from datetime import datetime, timedelta
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from threading import RLock
 from typing import Final, Literal, NamedTuple, get_args
@@ -16,6 +16,7 @@ from app.store.files.taken_names import SameName, free_name, name_for
 KEPT_FOR: Final = timedelta(days=30)
 STAMP: Final = "%Y%m%dT%H%M%S.%fZ"  # UTC, ISO 8601
 BETWEEN: Final = "--"  # stands between the time of the replacement and the name
+PATIENTS: Final = "patient"  # the folder of the archives of replaced patients, which are imported to restore them
 
 Kind = Literal["file", "model", "floorplan"]
 KINDS: Final[tuple[Kind, ...]] = get_args(Kind)
@@ -99,6 +100,9 @@ class ReplacedFiles:
         for one in self._all():
             if one.until <= now:
                 self.drop(one)
+        for archive in (self._shelf / PATIENTS).glob(f"*{BETWEEN}*"):
+            if _time_of(archive.name.partition(BETWEEN)[0]) + KEPT_FOR <= now:
+                archive.unlink(missing_ok=True)
 
     def _name_for(self, kind: Kind, name: str, same_name: SameName) -> str:
         taken = {file.name: file for file in self._folders[kind].glob("*")}
@@ -113,6 +117,15 @@ class ReplacedFiles:
             for file in (self._shelf / kind).glob(f"*{BETWEEN}*")
             for stamp, _, name in [file.name.partition(BETWEEN)]
         ]
+
+
+def archive_on_shelf(replaced: datetime | None, created: datetime) -> str:
+    """Return the place of a replaced patient's archive on the shelf; None: a pattern for each time of a replacement.
+
+    The patient is named by the moment at which the first clinic added the patient.
+    """
+    stamp = "*" if replaced is None else replaced.strftime(STAMP)
+    return f"{PATIENTS}/{stamp}{BETWEEN}{created.astimezone(UTC).strftime(STAMP)}.zip"
 
 
 def replaced_files(settings: Settings) -> ReplacedFiles:

@@ -17,7 +17,7 @@ from app.settings import Settings
 from app.store.access.visible_patients import WITH_DELETED
 from app.store.database import Database
 from app.store.files.passing_folder import remove_passing_folders
-from app.store.files.replacements import BETWEEN
+from app.store.files.replacements import BETWEEN, archive_on_shelf
 from app.store.keeping.incidents import incident_of
 from app.store.keeping.keeping_tables import ErasedPatient, PatientFile
 from app.store.keeping.last_ids import note_last_ids
@@ -170,7 +170,7 @@ def _why_not(db: Session, patient: Patient) -> str:
 
 def _erase(db: Session, patient: Patient, now: datetime) -> RowIds:
     """Erase the rows of a patient within a transaction, and store which files are to be removed after it."""
-    kept = ErasedPatient(id=patient.id, created=patient.created, erased=now, files=_files_of(db, patient.id))
+    kept = ErasedPatient(id=patient.id, created=patient.created, erased=now, files=_files_of(db, patient))
     db.flush()
     connection = _raw(db)
     rows = rows_of_patient(connection, patient.id)
@@ -183,15 +183,16 @@ def _erase(db: Session, patient: Patient, now: datetime) -> RowIds:
     return rows
 
 
-def _files_of(db: Session, patient_id: int) -> list[str]:
-    """Return recordings and uploads of a patient, with what uploads have replaced, relative to the state folder."""
-    rows = rows_of_patient(_raw(db), patient_id)
+def _files_of(db: Session, patient: Patient) -> list[str]:
+    """Return recordings and uploads of a patient, with what was replaced, relative to the state folder."""
+    rows = rows_of_patient(_raw(db), patient.id)
     runs = select(Run.folder).where(Run.session_id.in_(rows.get("session", ())))
     recordings = [f"runs/{folder}" for folder in db.scalars(runs, execution_options=WITH_DELETED)]
-    query = select(PatientFile).where(PatientFile.patient_id == patient_id)
+    query = select(PatientFile).where(PatientFile.patient_id == patient.id)
     uploaded = list(db.scalars(query, execution_options=WITH_DELETED))
     uploads = [f"files/{file.name}" for file in uploaded if file.current]
-    return [*recordings, *uploads, *(f"replaced/file/*{BETWEEN}{file.name}" for file in uploaded)]
+    replaced = [f"replaced/file/*{BETWEEN}{file.name}" for file in uploaded]
+    return [*recordings, *uploads, *replaced, f"replaced/{archive_on_shelf(None, patient.created)}"]
 
 
 def _remove(place: Path) -> None:

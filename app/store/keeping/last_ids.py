@@ -32,11 +32,16 @@ def _give_next_id(mapper: Mapper[Any], connection: Connection, row: Any) -> None
     keys = mapper.primary_key
     if [key.name for key in keys] != ["id"] or not isinstance(keys[0].type, Integer) or row.id is not None:
         return
-    table = mapper.local_table.name  # type: ignore[attr-defined]
+    following = next_id(connection, mapper.local_table.name)  # type: ignore[attr-defined]
+    if following is not None:
+        row.id = following
+
+
+def next_id(connection: Connection, table: str) -> int | None:
+    """Return the next id of a table of which rows were erased; None for another table, where SQLite gives it."""
     following = (
         f'UPDATE last_id SET id = MAX(id, (SELECT COALESCE(MAX(id), 0) FROM "{table}")) + 1 '  # noqa: S608
         "WHERE name = ? RETURNING id"
     )
-    found = connection.exec_driver_sql(following, (table,)).scalar()
-    if found is not None:
-        row.id = found
+    found: int | None = connection.exec_driver_sql(following, (table,)).scalar()
+    return found

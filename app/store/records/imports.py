@@ -16,7 +16,6 @@ CODE_TAKEN = (
     "The code '{code}' belongs to another patient of this clinic, and nothing was imported: give that patient another "
     "code, then import again."
 )
-GOES_ON = "A session of {code} is open here, and nothing was imported: end it first, then import again."
 RUNS_HERE = "Recordings of this archive are in this clinic already, and nothing was imported: their patient is here."
 
 
@@ -57,7 +56,7 @@ def origins_of(db: Session, patient_id: int) -> dict[int, Origin]:
 
 
 def patient_of_rows(db: Session, clinic_id: int, rows: Rows) -> Patient | None:
-    """Return the patient whom an earlier archive of the same patient brought, None when there was none.
+    """Return the patient of an archive's rows who is in the clinic already, None when there is none.
 
     A patient is known again by the moment at which the first clinic added the patient.
     """
@@ -65,8 +64,7 @@ def patient_of_rows(db: Session, clinic_id: int, rows: Rows) -> Patient | None:
         created = datetime.fromisoformat(rows["patient"][0]["created"]).astimezone(UTC)
     except (TypeError, ValueError, OverflowError):
         return None  # no date: the check of the rows says so when they are added
-    query = select(Patient).join(PatientImport, PatientImport.patient_id == Patient.id)
-    return db.scalar(query.where(Patient.created == created, Patient.clinic_id == clinic_id).limit(1))
+    return db.scalar(select(Patient).where(Patient.created == created, Patient.clinic_id == clinic_id).limit(1))
 
 
 def runs_here(db: Session, patient_id: int) -> frozenset[str]:
@@ -75,38 +73,26 @@ def runs_here(db: Session, patient_id: int) -> frozenset[str]:
     return frozenset(db.scalars(query.where(PatientSession.patient_id == patient_id)))
 
 
-def require_mergeable(db: Session, patient: Patient, rows: Rows) -> None:
-    """Raise Conflict when a newer archive cannot be added to a patient: recordings are another one's, or it goes on."""
-    own = runs_here(db, patient.id)
-    _require_no_runs(db, [row["id"] for row in rows["run"] if row["id"] not in own])
-    going_on = select(PatientSession.id).where(PatientSession.patient_id == patient.id, PatientSession.ended.is_(None))
-    if db.scalar(going_on.limit(1)) is not None:
-        raise Conflict(GOES_ON.format(code=patient.code))
-
-
 def require_new(db: Session, clinic_id: int, rows: Rows) -> None:
     """Raise Conflict when the clinic has the patient's code or one of the recordings already."""
-    _require_no_runs(db, [row["id"] for row in rows["run"]])
+    require_no_runs(db, [row["id"] for row in rows["run"]])
     code = rows["patient"][0]["code"]
     if db.scalar(select(Patient.id).where(Patient.clinic_id == clinic_id, Patient.code == code)) is not None:
         raise Conflict(CODE_TAKEN.format(code=code))
 
 
-def note_import(
-    db: Session, patient_id: int, archive: str, clinic: str, person: str, sessions: frozenset[int] | None = None
-) -> None:
-    """Store that sessions of a patient came with an archive of `clinic`: these ids, or None for all that it has."""
+def note_import(db: Session, patient_id: int, archive: str, clinic: str, person: str) -> None:
+    """Store that all sessions of a patient came with an archive of `clinic`."""
     row = PatientImport(patient_id=patient_id, archive=archive, clinic=clinic, person=person, at=utc_now())
     db.add(row)
     db.flush()
-    if sessions is None:
-        sessions = frozenset(db.scalars(select(PatientSession.id).where(PatientSession.patient_id == patient_id)))
-    for session in sorted(sessions):
+    for session in db.scalars(select(PatientSession.id).where(PatientSession.patient_id == patient_id)).all():
         db.add(ImportedSession(session_id=session, import_id=row.id))
     db.flush()
 
 
-def _require_no_runs(db: Session, ids: list[str]) -> None:
+def require_no_runs(db: Session, ids: list[str]) -> None:
+    """Raise Conflict when one of these recordings is in the clinic."""
     here = select(Run.id).where(or_(Run.id.in_(ids), Run.folder.in_(ids))).limit(1)
     if db.scalar(here) is not None:
         raise Conflict(RUNS_HERE)

@@ -11,6 +11,7 @@ from sqlalchemy.orm import Session
 
 from app.store.access.person_tables import Person
 from app.store.chairs import chair_elsewhere
+from app.store.keeping.last_ids import next_id
 from app.store.records.archive_kinds import KINDS, LEFT_OUT
 from app.store.records.archived_rows import wrong_value, wrong_versions
 from app.store.sharing.sharing_tables import MomentComment
@@ -65,6 +66,8 @@ def add_patient_rows(db: Session, clinic_id: int, rows: Rows) -> int:
 def insert_row(db: Session, clinic_id: int, table: SqlTable, values: dict[str, Any], place: int) -> Any:
     """Add the row at this place of a document and return its id; WrongRows when it contradicts another one."""
     own = {name: value for name, value in values.items() if name != "id" or not isinstance(value, int)}
+    if "id" in table.c and "id" not in own and (following := next_id(db.connection(), table.name)) is not None:
+        own["id"] = following
     if "clinic_id" in table.c:
         own["clinic_id"] = clinic_id
     if "folder" in table.c:

@@ -61,14 +61,14 @@ def test_an_archive_goes_to_another_clinic_and_leaves_it_with_the_same_hash(
         "is_new": True,
         "sessions": 1,
         "trials": 1,
-        "comments": 0,
+        "kept": "",
     }
     (row,) = [row for row in signed_in.log() if row.what == "archive imported"]
     assert (row.person, row.details["patient"]) == ("Demo clinician", patient)
     runs = signed_in.client.app.state.people.settings.runs
     assert read_run(runs / RUN).damage == ""
     before = state_of(signed_in)
-    again = {"patient_id": patient, "code": CODE, "is_new": False, "sessions": 0, "trials": 0, "comments": 0}
+    again = {"patient_id": patient, "code": CODE, "is_new": False, "sessions": 0, "trials": 0, "kept": ""}
     assert brought(signed_in, package).json() == again
     assert state_of(signed_in) == before
     (tmp_path / "again.zip").write_bytes(signed_in("GET", f"/patients/{patient}/archive").content)
@@ -200,6 +200,29 @@ def test_what_is_in_the_clinic_already_is_refused(signed_in: Any, package: Path)
     assert state_of(signed_in) == before
 
 
+def test_a_patient_who_is_here_is_replaced_when_the_person_asks_for_that(
+    signed_in: Any, package: Path, tmp_path: Path
+) -> None:
+    patient = brought(signed_in, package).json()["patient_id"]
+
+    def other_note(tables: Any) -> None:
+        tables["patient"][0]["note"] = "Another note"
+
+    rewrite(package, tmp_path / "newer.zip", patient=other_note)
+    before = state_of(signed_in)
+    refused = brought(signed_in, tmp_path / "newer.zip")
+    assert (refused.status_code, refused.json()["choice"]) == (409, {"may_replace_patient": True})
+    assert f"{CODE} is in this clinic already" in refused.json()["detail"]
+    assert state_of(signed_in) == before
+    replaced = signed_in.good("POST", "/archives?replace=true", content=(tmp_path / "newer.zip").read_bytes())
+    assert (replaced["code"], replaced["is_new"], replaced["sessions"]) == (CODE, False, 1)
+    assert replaced["patient_id"] != patient
+    assert [one["note"] for one in signed_in.good("GET", "/patients") if one["code"] == CODE] == ["Another note"]
+    settings = signed_in.client.app.state.people.settings
+    with open_archive(settings.replaced / replaced["kept"]) as kept, open_archive(package) as first:
+        assert kept.listed.hash == first.listed.hash
+
+
 def test_a_full_disk_or_a_file_without_end_is_refused(
     signed_in: Any, package: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -221,14 +244,14 @@ def test_whoever_imports_can_ask_how_far_it_is(signed_in: Any, package: Path, mo
         opened.flush()
         seen.append(signed_in.good("GET", "/archives"))
 
-    def imported(course: Any, who: Any, parts: Any) -> Any:
+    def imported(course: Any, who: Any, parts: Any, replace: bool) -> Any:
         seen.append(signed_in.good("GET", "/archives"))
         (course.recordings / "run").mkdir(parents=True)
         (course.recordings / "run" / "part").write_bytes(bytes(10))
         seen.append(signed_in.good("GET", "/archives"))
         shutil.rmtree(course.recordings)  # as at the end, when the recordings are moved to their place
         seen.append(signed_in.good("GET", "/archives"))
-        return bring(course, who, parts)
+        return bring(course, who, parts, replace)
 
     write, bring = archive_import._write, archive_import._import
     monkeypatch.setattr(archive_import, "_write", written)

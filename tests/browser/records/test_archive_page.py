@@ -87,9 +87,14 @@ def test_a_patient_goes_to_another_clinic_by_the_pages_of_both(browser, page_log
     exported(page, first, tmp_path / "heron.zip")
     page.goto(f"{first.address}/#/patients")
     choose(page, tmp_path / "heron.zip")
-    expect(page.get_by_role("alert")).to_have_text(
-        "Recordings of this archive are in this clinic already, and nothing was imported: their patient is here."
-    )
+    question = page.get_by_role("alertdialog", name="P-1 is in this clinic already, and nothing was imported")
+    expect(question).to_contain_text("An archive of the patient as it is now is made first, and kept for 30 days.")
+    question.get_by_role("button", name="Cancel").click()
+    expect(question).to_be_hidden()
+    expect(page.get_by_role("alert")).to_have_count(0)
+    choose(page, tmp_path / "heron.zip")
+    question.get_by_role("button", name="Replace the patient").click()
+    expect(page.get_by_text("P-1 is replaced: 1 session, 2 trials.")).to_be_visible()
     expect(page.get_by_text(COURSE)).to_have_count(0)
     page.context.close()
     assert_quiet(log)
@@ -112,7 +117,7 @@ def test_a_patient_goes_to_another_clinic_by_the_pages_of_both(browser, page_log
     expect(page.get_by_role("alert")).to_have_count(0)
     expect(page.locator(".person").filter(has_text="Heron")).to_contain_text("2 trials")
     choose(page, tmp_path / "heron.zip")
-    expect(page.get_by_text("P-1 was imported before")).to_be_visible()
+    expect(page.get_by_text("P-1 was imported from this archive before")).to_be_visible()
     expect(page.locator(".person")).to_have_count(3)
     (patient,) = [one for one in second.good("GET", "/patients") if one["code"] == "P-1"]
     assert len(second.good("GET", f"/trials?patient={patient['id']}")) == len(first.trials)

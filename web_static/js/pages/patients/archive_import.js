@@ -2,11 +2,12 @@
  * The import of a patient's archive from another clinic, for owners: a button, how far it is, and what came in.
  * @import { ImportedView } from "types/api"
  */
-import { failureWords } from "../../api.js";
+import { ApiError, failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, write } from "../../widgets/dom.js";
 import { hiddenFileInput } from "../../widgets/fields.js";
 import { size } from "../../widgets/format.js";
+import { ask } from "../../widgets/question.js";
 
 const LOOK_EVERY = 1000; // ms
 
@@ -15,6 +16,20 @@ export function archiveImport(app, onImported, signal) {
   const words = h("p", { class: "quiet", role: "status" });
   const problem = h("p", { class: "problem", role: "alert" });
   const progress = importProgress(app, signal);
+  /** Send the archive; when its patient is here, ask and send it again. @param {File} file */
+  const send = async (file) => {
+    try {
+      return await app.api.send("/archives", file);
+    } catch (error) {
+      if (!(error instanceof ApiError && error.choice && "may_replace_patient" in error.choice)) throw error;
+      const answers = [
+        { value: /** @type {const} */ ("replace"), label: t("import.replace") },
+        { value: null, label: t("cancel"), kind: "btn go" },
+      ];
+      const chosen = await ask(app.question, error.message, answers, h("p", { class: "quiet small" }, t("import.kept")));
+      return chosen && app.api.send(`/archives?${chosen}=true`, file);
+    }
+  };
   const button = h("button", { type: "button", class: "btn", onclick: () => input.click() }, t("import.go"));
   const input = hiddenFileInput(".zip,application/zip", async (file) => {
     input.value = ""; // so that the same file can be chosen again
@@ -23,9 +38,9 @@ export function archiveImport(app, onImported, signal) {
     write(words, t("import.under-way", { name: file.name }));
     progress.begin();
     try {
-      const imported = await app.api.send("/archives", file);
-      await onImported();
-      write(words, whatCameIn(imported));
+      const imported = await send(file);
+      if (imported) await onImported();
+      write(words, imported ? whatCameIn(imported) : "");
     } catch (error) {
       write(words, "");
       write(problem, failureWords(error));
@@ -37,12 +52,10 @@ export function archiveImport(app, onImported, signal) {
 }
 
 /** @param {ImportedView} imported */
-function whatCameIn({ code, is_new: isNew, sessions, trials, comments }) {
-  if (!isNew && !sessions && !comments) return t("import.known", { code });
+function whatCameIn({ code, is_new: isNew, sessions, trials, kept }) {
+  if (!isNew && !kept) return t("import.known", { code });
   const counts = { sessions: t("patients.sessions", { count: sessions }), trials: t("patients.trials", { count: trials }) };
-  return isNew
-    ? t("import.done", { code, ...counts })
-    : t("import.added", { code, ...counts, comments: t("import.comments", { count: comments }) });
+  return kept ? t("import.replaced", { code, ...counts, kept }) : t("import.done", { code, ...counts });
 }
 
 /** How far the import is, in figures and as a bar. @param {import("../../main.js").App} app @param {AbortSignal} signal */

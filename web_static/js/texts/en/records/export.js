@@ -31,7 +31,8 @@ export default {
   "import.send": "Sending: {done} of {total}",
   "import.unpack": "Checking and unpacking: {done} of {total}",
   "import.done": "The patient {code} is imported: {sessions}, {trials}.",
-  "import.added": "To {code}, who was imported before, this was added: {sessions}, {trials}, {comments}. Sessions that were here stay as they are, also where they were corrected elsewhere.",
-  "import.comments": { one: "{count} comment", other: "{count} comments" },
-  "import.known": "{code} was imported before, and this archive has nothing new: nothing was changed.",
+  "import.replace": "Replace the patient",
+  "import.kept": "Everything of this patient that is here is replaced by what the archive has. An archive of the patient as it is now is made first, and kept for 30 days.",
+  "import.replaced": "{code} is replaced: {sessions}, {trials}. The patient as it was is kept for 30 days in the clinic's folder: replaced/{kept}.",
+  "import.known": "{code} was imported from this archive before: nothing was changed.",
 };
