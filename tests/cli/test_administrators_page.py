@@ -1,4 +1,4 @@
-"""docs/administrators.md and docs/defects.md: each command is one that exists, with these words and options."""
+"""docs/administrators.md, defects.md and commands.md: each command is one that exists, with these words and options."""
 
 import re
 import shlex
@@ -14,7 +14,7 @@ from app.settings import Settings
 from app.store.database import Database
 from folders import ROOT
 
-PAGES = [ROOT / "docs" / name for name in ("administrators.md", "defects.md")]
+PAGES = [ROOT / "docs" / name for name in ("administrators.md", "defects.md", "commands.md")]
 BLOCK = re.compile(r"^```sh\n(.*?)^```", flags=re.DOTALL | re.MULTILINE)
 SETTING = re.compile(r"[A-Z_]+=\S+")
 
@@ -26,7 +26,7 @@ def commands() -> list[list[str]]:
         text = page.read_text(encoding="utf-8")
         found += [line for block in BLOCK.findall(text) for line in block.splitlines()]
         found += re.findall(r"`(bodydrive [^`]+)`", text)
-    split = [shlex.split(line) for line in found]
+    split = [shlex.split(line, comments=True) for line in found]
     return [[word for word in words if not SETTING.fullmatch(word)] for words in split]
 
 
