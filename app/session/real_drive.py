@@ -15,7 +15,7 @@ from app.session.run_watch import Halt, Starter
 from app.session.runs import SessionRun
 from app.store.drives import add_drive, finish_drive
 from app.store.log import write_log
-from app.store.tables import Drive, PairedChair, PatientSession, Run
+from app.store.tables import Drive, DriveEnding, PairedChair, PatientSession, Run
 
 
 class DriveWatch:
@@ -26,7 +26,7 @@ class DriveWatch:
         self._began: float | None = None
         self.t = 0.0  # s since motion was first permitted
 
-    def take(self, ticks: NDArray[np.void]) -> str | None:
+    def take(self, ticks: NDArray[np.void]) -> DriveEnding | None:
         """Take the newest ticks (`app.messages.TICK`) of the run; return how the drive ended, None while it goes on."""
         for tick in ticks:
             t, state = float(tick["t"]), State(int(tick["state"]))

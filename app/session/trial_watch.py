@@ -1,7 +1,7 @@
 """The progress of a trial, from its ticks: distance along the path, area off it, and whether it has ended."""
 
 import math
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,11 +9,10 @@ from numpy.typing import NDArray
 from app.faults import State, is_pause
 from app.geometry import Pose
 from app.session.run_watch import Halt
+from app.store.tables import TrialEnding
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.movers import Track
 from app.world.progress import leader_of, progress_of
-
-End = Literal["goal", "time-out", "by hand", "fault"]
 
 
 class TrialPlace(NamedTuple):
@@ -51,7 +50,7 @@ class TrialWatch:
         """Return the poses of the plan's movers at the scene's time (s), in the plan's order."""
         return [track.at(scene_t).pose for track in self._tracks]
 
-    def take(self, ticks: NDArray[np.void]) -> End | None:
+    def take(self, ticks: NDArray[np.void]) -> TrialEnding | None:
         """Take the newest ticks (`app.messages.TICK`) of the run; return how the trial ended, None while it goes on."""
         for tick in ticks:
             end = self._take_one(tick, float(tick["t"]), State(int(tick["state"])))
@@ -59,7 +58,7 @@ class TrialWatch:
                 return end
         return None
 
-    def _take_one(self, tick: np.void, t: float, state: State) -> End | None:
+    def _take_one(self, tick: np.void, t: float, state: State) -> TrialEnding | None:
         was_paused, self.paused = self.paused, is_pause(state, int(tick["fault"]))
         waits = self.paused or state is State.FAULT
         if self.halt.take(t, waits):

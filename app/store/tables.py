@@ -1,7 +1,7 @@
 """The tables of a clinic: patients, sessions, screens, calibrations, parameters, trials, chairs, drives, the log."""
 
 from datetime import UTC, datetime
-from typing import Any
+from typing import Any, Literal
 
 from sqlalchemy import (
     JSON,
@@ -23,6 +23,11 @@ from sqlalchemy.types import TypeDecorator
 from app.source import Source
 
 COUNTED = "kept = 1 AND status = 'done' AND measures != 'null'"  # a trial that is compared with others
+
+
+TrialEnding = Literal["goal", "time-out", "by hand", "fault"]
+DriveEnding = Literal["by hand", "fault"]
+InterfaceTestEnding = Literal["complete", "by hand", "stopped", "fault"]
 
 
 class Moment(TypeDecorator[datetime]):
@@ -220,7 +225,7 @@ class Trial(Table):
     path_points: Mapped[list[Any]]  # copied, because the floor plan may change later
     started: Mapped[datetime]
     status: Mapped[str] = mapped_column(String(16))  # running, done
-    end: Mapped[str | None] = mapped_column(String(16))  # goal, time-out, by hand, fault
+    end: Mapped[str | None] = mapped_column(String(16))  # a TrialEnding
     kept: Mapped[bool]
     discard_reason: Mapped[str | None] = mapped_column(String(200))
     measures: Mapped[dict[str, Any] | None]
@@ -264,7 +269,7 @@ class Drive(Table):
     hash: Mapped[str] = mapped_column(String(64))  # of the parameter set as it was armed
     started: Mapped[datetime]
     ended: Mapped[datetime | None]
-    end: Mapped[str | None] = mapped_column(String(16))  # by hand, fault
+    end: Mapped[str | None] = mapped_column(String(16))  # a DriveEnding
     distance: Mapped[float | None] = mapped_column(Float)  # m
 
     @property
@@ -288,7 +293,7 @@ class InterfaceTest(Table):
     number: Mapped[int]  # 1, 2, 3 ... per patient
     started: Mapped[datetime]
     status: Mapped[str] = mapped_column(String(16))  # running, done
-    end: Mapped[str | None] = mapped_column(String(16))  # complete, by hand, stopped, fault
+    end: Mapped[str | None] = mapped_column(String(16))  # an InterfaceTestEnding
     plan: Mapped[dict[str, Any]]  # what was asked (app.world.cursor_task.CursorPlan)
     measures: Mapped[dict[str, Any] | None]  # app.scoring.interface_test.InterfaceMeasures
     workload: Mapped[dict[str, Any] | None]  # answers of the NASA task load index, 0 to 100 each; None: not asked

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.faults import State
+from app.store.tables import InterfaceTestEnding
 from app.world.cursor_task import CursorPlan, CursorTask
 
 SILENT = 2.0  # s without a frame of the shirt, after which a test ends: the cursor stands, and nobody made it stand
@@ -16,7 +17,7 @@ class InterfaceTestWatch:
         self.task = CursorTask(plan)
         self._frame_t: float | None = None
 
-    def take(self, ticks: NDArray[np.void]) -> str | None:
+    def take(self, ticks: NDArray[np.void]) -> InterfaceTestEnding | None:
         """Take the newest ticks (`app.messages.TICK`) of the run; return how the test ended, None while it goes on."""
         for tick in ticks:
             t = float(tick["t"])

@@ -24,7 +24,7 @@ from app.scoring.interface_test.workload import Workload
 from app.scoring.trial_measures import TrialMeasures
 from app.store.patient_screens import ScreenSettings
 from app.store.records.consents import CONSENTS
-from app.store.tables import Moment
+from app.store.tables import DriveEnding, InterfaceTestEnding, Moment, TrialEnding
 from app.world.cursor_task import CursorPlan
 from app.world.floorplan import Polyline
 from app.world.path import Path
@@ -124,14 +124,14 @@ FORMS: Final[dict[str, dict[str, Any]]] = {
         "path": Name,
         "path_points": Annotated[Polyline, AfterValidator(_line)],
         "status": Status,
-        "end": Line,
+        "end": TrialEnding,
         "measures": TrialMeasures,
         "quality": ControlQuality,
     },
-    "drive": {"end": Line, "hash": Hash},
+    "drive": {"end": DriveEnding, "hash": Hash},
     "interface_test": {
         "status": Status,
-        "end": Line,
+        "end": InterfaceTestEnding,
         "plan": CursorPlan,
         "measures": InterfaceMeasures,
         "workload": Workload,

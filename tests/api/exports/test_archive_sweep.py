@@ -1,5 +1,6 @@
 """Whatever an archive holds, it is refused in one sentence, or everything that is asked afterwards is answered."""
 
+import copy
 import json
 import random
 import zipfile
@@ -113,6 +114,14 @@ def test_each_change_is_refused_or_everything_is_answered_afterwards(
             taken.append((words, make))
     failures = [f"{words}: {failure}" for words, make in taken[:imported] for failure in importing.failures(make())]
     assert failures == []
+
+
+@pytest.mark.parametrize("table", ["trial", "drive", "interface_test"])
+def test_an_end_that_no_trial_drive_or_test_has_is_refused(made: tuple[Rows, Path], table: str) -> None:
+    """A report had no words for the end "3" of an interface test, and answered 500."""
+    rows = copy.deepcopy(made[0])
+    rows[table][0]["end"] = "3"
+    assert refused(f"{table}.0.end", rows)
 
 
 def refused(words: str, rows: Rows) -> bool:
