@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.fit.pieces import Frames, fill_forward
 from app.calibration.fit.repetitions import Prompt
+from app.calibration.gaps import Frames, fill_forward
 from app.calibration.script import WAY_BACK
 from app.cues import Cue, CueKind
 

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.fit.pieces import fill_forward
+from app.calibration.gaps import fill_forward
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.channel_health import ChannelHealth
 from app.pipeline.person_brakes import STOP_ACTIVATION

@@ -1,5 +1,6 @@
 """Read from recordings what calibration and scoring need. Figures never come from the live picture."""
 
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -7,11 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.adaptation.donning_fit import fit_to_donning
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import Repetition, Stretch, repetitions_of_run, stretch_of_run
 from app.calibration.guided.guided_map import with_guided_maps
 from app.calibration.prior.documents import PersonEntry
-from app.calibration.prior.entry import PersonRecording, person_entry
+from app.calibration.prior.entry import person_entry
 from app.calibration.prior.map_prior import MapPrior
 from app.calibration.prior.prior_map import with_best_maps, with_prior_maps
 from app.calibration.profile import CalibrationProfile
@@ -50,6 +52,12 @@ class StepPieces(NamedTuple):
     repetitions: list[Repetition]
     stretches: list[Stretch]
 
+    def clean(self, layout: ShirtLayout, unused: Collection[str]) -> CleanRecording:
+        """Return them made ready for the fits; raise ValueError with a sentence when they cannot be."""
+        return CleanRecording.of(
+            layout, self.sample_rate, self.free, self.rest, self.repetitions, self.stretches, unused
+        )
+
 
 def fit_recordings(
     layout: ShirtLayout,
@@ -65,12 +73,11 @@ def fit_recordings(
     held-out repetitions decide (`JointMap.best_map`), a joint that was not prompted drives by other people.
     The rings `as_worn` sit right, however they look.
     """
-    pieces = _pieces(recorded)
-    profile = fit_profile(layout, pieces.sample_rate, pieces.free, pieces.rest, pieces.repetitions, unused)
-    profile = with_guided_maps(profile, pieces.stretches, pieces.rest).profile
+    recording = _pieces(recorded).clean(layout, unused)
+    profile = with_guided_maps(fit_profile(recording), recording).profile
     if prior is None:
         return profile
-    return with_best_maps(with_prior_maps(profile, prior, pieces.free, pieces.stretches, as_worn).profile)
+    return with_best_maps(with_prior_maps(profile, prior, recording, as_worn).profile)
 
 
 def judge_step(layout: ShirtLayout, recorded: list[tuple[Step, Path]], unused: list[str], step: Step) -> str:
@@ -83,7 +90,7 @@ def judge_step(layout: ShirtLayout, recorded: list[tuple[Step, Path]], unused: l
         return ""
     pieces = _pieces([(one, folder) for one, folder in recorded if one.kind != "prompt" or one.id == step.id])
     try:
-        profile = fit_profile(layout, pieces.sample_rate, pieces.free, pieces.rest, pieces.repetitions, unused)
+        profile = fit_profile(pieces.clean(layout, unused))
     except ValueError as error:
         return str(error)
     return advice_of(profile, step)
@@ -103,7 +110,7 @@ def fit_recordings_to_donning(
 def entry_of_recordings(layout: ShirtLayout, recorded: list[tuple[Step, Path]]) -> PersonEntry:
     """Return what the recorded steps add to a prior; raise ValueError with a sentence when it is nothing."""
     pieces = _pieces(recorded)
-    return person_entry(layout, [PersonRecording(pieces.sample_rate, pieces.free, pieces.stretches)])
+    return person_entry([CleanRecording.of(layout, pieces.sample_rate, pieces.free, stretches=pieces.stretches)])
 
 
 def _pieces(recorded: list[tuple[Step, Path]]) -> StepPieces:

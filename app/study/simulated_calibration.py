@@ -5,8 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.profile_fit import fit_profile
-from app.calibration.fit.repetitions import Repetition, repetitions_of_run, stretch_of_run
+from app.calibration.fit.repetitions import Repetition, Stretch, repetitions_of_run, stretch_of_run
 from app.calibration.guided.guided_map import with_guided_maps
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step, calibration_script
@@ -31,15 +32,11 @@ def calibrate(participant: Participant, map_kind: StudyMap = "pca") -> Calibrati
         When no joint can be mapped.
     """
     recorded = record_calibration(participant)
-    profile = fit_recorded(participant.layout, participant.sample_rate, recorded)
-    return profile if map_kind == "pca" else _guided(profile, recorded)
-
-
-def _guided(profile: CalibrationProfile, recorded: Sequence[StepRecording]) -> CalibrationProfile:
-    prompted = [stretch_of_run(values, cue, step.cues) for step, values, cue in recorded if step.kind == "prompt"]
-    resting = [values[cue != NO_CUE] for step, values, cue in recorded if step.kind == "rest"]
-    stretches = [one for one in prompted if one is not None]
-    fitted = with_guided_maps(profile, stretches, np.concatenate(resting) if resting else None).profile
+    recording = clean_recording(participant.layout, participant.sample_rate, recorded)
+    profile = fit_profile(recording)
+    if map_kind == "pca":
+        return profile
+    fitted = with_guided_maps(profile, recording).profile
     joints = tuple(one.model_copy(update={"map": "guided"}) if one.guided else one for one in fitted.joints)
     return fitted.model_copy(update={"joints": joints})
 
@@ -51,8 +48,14 @@ def record_calibration(participant: Participant) -> list[StepRecording]:
 
 def fit_recorded(layout: ShirtLayout, sample_rate: float, recorded: Sequence[StepRecording]) -> CalibrationProfile:
     """Fit the profile of recorded steps as the application does; ValueError when no joint can be mapped."""
+    return fit_profile(clean_recording(layout, sample_rate, recorded))
+
+
+def clean_recording(layout: ShirtLayout, sample_rate: float, recorded: Sequence[StepRecording]) -> CleanRecording:
+    """Return recorded steps made ready for the fits; ValueError when they cannot be."""
     rest = free = None
     repetitions: list[Repetition] = []
+    stretches: list[Stretch] = []
     for step, values, cue in recorded:
         within = np.array([index != NO_CUE and step.cues[index].kind == step.kind for index in cue])
         if step.kind == "rest":
@@ -61,9 +64,11 @@ def fit_recorded(layout: ShirtLayout, sample_rate: float, recorded: Sequence[Ste
             free = values[within]
         else:
             repetitions += repetitions_of_run(values, cue, step.cues, sample_rate)
+            stretch = stretch_of_run(values, cue, step.cues)
+            stretches += [stretch] if stretch else []
     if free is None:
         raise ValueError("the calibration's script has no free movement: add one")
-    return fit_profile(layout, sample_rate, free, rest, repetitions)
+    return CleanRecording.of(layout, sample_rate, free, rest, repetitions, stretches)
 
 
 def record_step(participant: Participant, step: Step) -> tuple[NDArray[np.float32], NDArray[np.int32]]:

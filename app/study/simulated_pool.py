@@ -5,9 +5,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.repetitions import stretch_of_run
 from app.calibration.prior.documents import OwnPrior
-from app.calibration.prior.entry import PersonRecording, person_entry
+from app.calibration.prior.entry import person_entry
 from app.calibration.prior.map_prior import MapPrior
 from app.calibration.prior.prior_map import with_prior_maps
 from app.calibration.profile import CalibrationProfile
@@ -32,11 +33,12 @@ def wearer(layout: ShirtLayout, seed: int) -> Participant:
     return participant
 
 
-def recording_of(participant: Participant, recorded: Sequence[StepRecording]) -> PersonRecording:
-    """Return what a prior reads of the steps of a calibration."""
-    free = next(values.astype(np.float64) for step, values, _ in recorded if step.kind == "free")
+def recording_of(participant: Participant, recorded: Sequence[StepRecording]) -> CleanRecording:
+    """Return what a prior reads of the steps of a calibration: the whole step of free movement, and the prompts."""
+    free = next(values for step, values, _ in recorded if step.kind == "free")
     found = [stretch_of_run(values, cue, step.cues) for step, values, cue in recorded if step.kind == "prompt"]
-    return PersonRecording(participant.sample_rate, free, [stretch for stretch in found if stretch is not None])
+    stretches = [stretch for stretch in found if stretch is not None]
+    return CleanRecording.of(participant.layout, participant.sample_rate, free, stretches=stretches)
 
 
 def prior_of_wearers(layout: ShirtLayout, seeds: Sequence[int]) -> OwnPrior:
@@ -44,7 +46,7 @@ def prior_of_wearers(layout: ShirtLayout, seeds: Sequence[int]) -> OwnPrior:
     people = {}
     for seed in seeds:
         participant = wearer(layout, seed)
-        people[f"simulated-{seed}"] = person_entry(layout, [recording_of(participant, record_calibration(participant))])
+        people[f"simulated-{seed}"] = person_entry([recording_of(participant, record_calibration(participant))])
     return OwnPrior(layout=layout, people=people)
 
 
@@ -58,7 +60,6 @@ def calibrate_with_prior(participant: Participant, prior: MapPrior) -> Calibrati
     """
     recorded = record_calibration(participant)
     profile = fit_recorded(participant.layout, participant.sample_rate, recorded)
-    own = recording_of(participant, recorded)
-    fitted = with_prior_maps(profile, prior, own.free, own.stretches).profile
+    fitted = with_prior_maps(profile, prior, recording_of(participant, recorded)).profile
     joints = tuple(one.model_copy(update={"map": "prior"}) if one.prior else one for one in fitted.joints)
     return fitted.model_copy(update={"joints": joints})

@@ -11,6 +11,7 @@ import numpy as np
 import typer
 from numpy.typing import NDArray
 
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import Prompt, repetitions_of_prompts, stretches_of_prompts
 from app.calibration.guided.guided_map import GuidedFit, with_guided_maps
@@ -88,8 +89,9 @@ class Knit:
         values = self.values if values is None else values
         window = (self.t >= start) & (self.t < end)
         repetitions = repetitions_of_prompts(self.t, values, rows, self.rate)
-        profile = fit_profile(LAYOUT, self.rate, free=values[window], repetitions=repetitions)
-        return with_guided_maps(profile, stretches_of_prompts(self.t, values, rows, self.rate, until=end))
+        stretches = stretches_of_prompts(self.t, values, rows, self.rate, until=end)
+        clean = CleanRecording.of(LAYOUT, self.rate, values[window], None, repetitions, stretches)
+        return with_guided_maps(fit_profile(clean), clean)
 
     def measures(
         self,

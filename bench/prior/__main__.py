@@ -8,13 +8,14 @@ import numpy as np
 import typer
 from numpy.typing import NDArray
 
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import repetitions_of_prompts
 from app.calibration.guided.guided_map import with_guided_maps
 from app.calibration.linear_map import LARGEST_LOSS, Arrangement, Forecast
 from app.calibration.prior import solving
 from app.calibration.prior.documents import OwnPrior, PersonEntry
-from app.calibration.prior.entry import PersonRecording, person_entry
+from app.calibration.prior.entry import person_entry
 from app.calibration.prior.map_prior import MapPrior
 from app.calibration.prior.prior_map import find_arrangements, with_prior_maps
 from app.calibration.profile import CalibrationProfile
@@ -38,14 +39,12 @@ DEAD_ZONE = solving.DEAD_ZONE_DEVIATIONS
 
 def entries_of(wearers: Iterable[Wearer]) -> dict[str, PersonEntry]:
     """Return what each person adds to a prior, from all recordings of the person."""
-    recordings: dict[str, list[PersonRecording]] = {}
-    layouts = {}
+    recordings: dict[str, list[CleanRecording]] = {}
     for one in wearers:
         prompted = [stretch for part in one.parts for stretch in prompted_stretches(one, part.prompts)]
-        recorded = PersonRecording(one.sample_rate, one.values[one.free], prompted)
+        recorded = CleanRecording.of(one.layout, one.sample_rate, one.values[one.free], stretches=prompted)
         recordings.setdefault(one.code, []).append(recorded)
-        layouts[one.code] = one.layout
-    return {code: person_entry(layouts[code], own) for code, own in recordings.items()}
+    return {code: person_entry(own) for code, own in recordings.items()}
 
 
 def calibrated(wearer: Wearer, part: JointPart, prior: MapPrior, seconds: float) -> CalibrationProfile:
@@ -54,10 +53,9 @@ def calibrated(wearer: Wearer, part: JointPart, prior: MapPrior, seconds: float)
     rows = [prompt for prompt in part.prompts if prompt.end < until]
     free = wearer.values[wearer.free]
     repetitions = repetitions_of_prompts(wearer.t, wearer.values, rows, wearer.sample_rate)
-    profile = fit_profile(wearer.layout, wearer.sample_rate, free, repetitions=repetitions)
     own = prompted_stretches(wearer, rows, until)
-    profile = with_guided_maps(profile, own).profile
-    fitted = with_prior_maps(profile, prior, free, own)
+    clean = CleanRecording.of(wearer.layout, wearer.sample_rate, free, None, repetitions, own)
+    fitted = with_prior_maps(with_guided_maps(fit_profile(clean), clean).profile, prior, clean)
     if part.joint in fitted.reasons:
         raise ValueError(f"{wearer.code}, {part.joint}: {fitted.reasons[part.joint]}")
     return fitted.profile

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.prior.map_prior import MapPrior
 from app.calibration.prior.prior_map import with_prior_maps
@@ -33,7 +34,8 @@ def test_simulated_people_are_decoded_by_each_other_s_map():
         wearer = change(people[0])
         prior = MapPrior.of(comparison.prior_without(people[0].group))
         free = wearer.values[wearer.free]
-        fitted = with_prior_maps(fit_profile(wearer.layout, wearer.sample_rate, free), prior, free)
+        clean = CleanRecording.of(wearer.layout, wearer.sample_rate, free)
+        fitted = with_prior_maps(fit_profile(clean), prior, clean)
         found = figures(wearer, wearer.parts[0], fitted.profile, "prior")
         assert found.in_phase > 0.95
         assert found.active > 0.4

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import Repetition
 from app.layout import Channel, Joint, ShirtLayout
@@ -73,6 +74,6 @@ class SimulatedPerson:
 
 
 def calibrate(person, **changes):
-    """Return the profile after all steps; `changes` replace arguments of `fit_profile`."""
+    """Return the profile after all steps; `changes` replace arguments of `CleanRecording.of`."""
     pieces = {"free": person.free(), "rest": person.rest(), "repetitions": person.repetitions()}
-    return fit_profile(person.layout, person.sample_rate, **{**pieces, **changes})
+    return fit_profile(CleanRecording.of(person.layout, person.sample_rate, **{**pieces, **changes}))

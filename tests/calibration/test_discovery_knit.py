@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.cued_runs import run_of_prompts
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import Prompt, repetitions_of_prompts
@@ -42,10 +43,12 @@ def test_the_forecast_holds_for_what_is_done_later():
     after = [prompt for prompt in rows if prompt.start > SEEN]
     free = signals.between(0.0, SEEN)
     profile = fit_profile(
-        LAYOUT,
-        signals.sample_rate,
-        free=signals.values[free],
-        repetitions=repetitions_of_prompts(signals.t, signals.values, before, signals.sample_rate),
+        CleanRecording.of(
+            LAYOUT,
+            signals.sample_rate,
+            free=signals.values[free],
+            repetitions=repetitions_of_prompts(signals.t, signals.values, before, signals.sample_rate),
+        )
     )
     found = discover(profile, [run_of_prompts(signals.t, signals.values, before, free)])
     later = gather_evidence(profile, [run_of_prompts(signals.t, signals.values, after, signals.between(SEEN, None))])

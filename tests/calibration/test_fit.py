@@ -4,6 +4,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from simulated_person import JOINTS, SimulatedPerson, calibrate, layout_of
 
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import Repetition
 from app.calibration.profile import CalibrationProfile
@@ -90,13 +91,15 @@ def test_the_order_of_channels_does_not_matter(seed):
     free, rest, repetitions = person.free(), person.rest(), person.repetitions()
     order = np.random.default_rng(seed).permutation(len(LAYOUT.channels))
     shuffled = ShirtLayout(name="shuffled", channels=tuple(LAYOUT.channels[i] for i in order), joints=LAYOUT.joints)
-    one = fit_profile(LAYOUT, 100.0, free=free, rest=rest, repetitions=repetitions)
+    one = fit_profile(CleanRecording.of(LAYOUT, 100.0, free=free, rest=rest, repetitions=repetitions))
     other = fit_profile(
-        shuffled,
-        100.0,
-        free=free[:, order],
-        rest=rest[:, order],
-        repetitions=[Repetition(r.joint, r.values[:, order], r.moving) for r in repetitions],
+        CleanRecording.of(
+            shuffled,
+            100.0,
+            free=free[:, order],
+            rest=rest[:, order],
+            repetitions=[Repetition(r.joint, r.values[:, order], r.moving) for r in repetitions],
+        )
     )
     for before, after in zip(one.joints, other.joints, strict=True):
         assert scores(after, free[:, order]) == pytest.approx(scores(before, free), abs=1e-6)
@@ -109,13 +112,15 @@ def test_the_order_of_channels_does_not_matter(seed):
 def test_the_unit_of_the_signals_does_not_matter(scale):
     person = SimulatedPerson(LAYOUT, seed=4)
     free, rest, repetitions = person.free(), person.rest(), person.repetitions()
-    one = fit_profile(LAYOUT, 100.0, free=free, rest=rest, repetitions=repetitions)
+    one = fit_profile(CleanRecording.of(LAYOUT, 100.0, free=free, rest=rest, repetitions=repetitions))
     other = fit_profile(
-        LAYOUT,
-        100.0,
-        free=free * scale,
-        rest=rest * scale,
-        repetitions=[Repetition(r.joint, r.values * scale, r.moving) for r in repetitions],
+        CleanRecording.of(
+            LAYOUT,
+            100.0,
+            free=free * scale,
+            rest=rest * scale,
+            repetitions=[Repetition(r.joint, r.values * scale, r.moving) for r in repetitions],
+        )
     )
     for before, after in zip(one.joints, other.joints, strict=True):
         assert after.span == pytest.approx(before.span * scale)
@@ -126,8 +131,8 @@ def test_the_unit_of_the_signals_does_not_matter(scale):
 
 def test_without_prompts_the_sign_is_arbitrary_reported_and_reproducible(person):
     free, rest = person.free(), person.rest()
-    profile = fit_profile(LAYOUT, 100.0, free=free, rest=rest)
-    again = fit_profile(LAYOUT, 100.0, free=free, rest=rest)
+    profile = fit_profile(CleanRecording.of(LAYOUT, 100.0, free=free, rest=rest))
+    again = fit_profile(CleanRecording.of(LAYOUT, 100.0, free=free, rest=rest))
     assert profile.joints == again.joints
     assert profile.cross_talk is None
     for joint in profile.joints:
@@ -233,11 +238,13 @@ def test_drift_between_the_recordings_does_no_harm(person):
 def test_channels_in_other_units_do_no_harm(person):
     units = np.tile([1.0, 1000.0, 0.01, 50.0, 1e-3], 4)
     profile = fit_profile(
-        LAYOUT,
-        100.0,
-        free=person.free() * units,
-        rest=person.rest() * units,
-        repetitions=[Repetition(r.joint, r.values * units, r.moving) for r in person.repetitions()],
+        CleanRecording.of(
+            LAYOUT,
+            100.0,
+            free=person.free() * units,
+            rest=person.rest() * units,
+            repetitions=[Repetition(r.joint, r.values * units, r.moving) for r in person.repetitions()],
+        )
     )
     assert profile.left_out == {}
     assert {joint.grade for joint in profile.joints} == {"good"}

@@ -6,6 +6,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from simulated_person import SimulatedPerson, calibrate, layout_of
 
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.profile_fit import fit_profile, joints_without_map
 
 LAYOUT = layout_of()
@@ -60,6 +61,6 @@ def test_near_railed_channels_stay_only_when_the_joint_has_no_better_one(person)
     reach = np.abs(free).max(axis=0)
     free *= np.where(np.arange(20) < 5, 80.0, 20.0) / reach
     free[:, 5] *= 4
-    profile = fit_profile(LAYOUT, 100.0, free=free, full_scale=100.0)
+    profile = fit_profile(CleanRecording.of(LAYOUT, 100.0, free=free, full_scale=100.0))
     assert list(profile.left_out) == ["left_elbow_0"]
     assert profile.joints[0].channels == (0, 1, 2, 3, 4)

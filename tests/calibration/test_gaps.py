@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from simulated_person import SimulatedPerson, calibrate, layout_of
 
-from app.calibration.fit.gaps import bridge_gaps, why_missing
+from app.calibration.gaps import bridge_gaps, why_missing
 from bench.learning.guided_map import FOLDER, Knit
 
 RATE = 100.0

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from simulated_person import SimulatedPerson, layout_of, stroke
 
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import (
     Prompt,
@@ -49,8 +50,13 @@ def fitted(person, rest=True, **how):
     t, values, prompts = recorded(person, **how)
     resting = person.rest() if rest else None
     repetitions = repetitions_of_prompts(t, values, prompts, person.sample_rate)
-    profile = fit_profile(LAYOUT, person.sample_rate, person.free(), resting, repetitions)
-    return with_guided_maps(profile, stretches_of_prompts(t, values, prompts, person.sample_rate), resting)
+    stretches = stretches_of_prompts(t, values, prompts, person.sample_rate)
+    return guided(CleanRecording.of(LAYOUT, person.sample_rate, person.free(), resting, repetitions, stretches))
+
+
+def guided(recording):
+    """Return the profile of a recording with guided maps, and why joints have none."""
+    return with_guided_maps(fit_profile(recording), recording)
 
 
 def misleading_limb(rate=100.0):
@@ -105,10 +111,10 @@ def test_missing_samples_are_bridged():
     person = misleading_limb()
     t, values, prompts = recorded(person)
     repetitions = repetitions_of_prompts(t, values, prompts, 100.0)
-    profile = fit_profile(LAYOUT, 100.0, person.free(), person.rest(), repetitions)
     values[::97, 1] = np.nan
-    guided = with_guided_maps(profile, stretches_of_prompts(t, values, prompts, 100.0), person.rest())
-    assert guided.profile.joints[0].guided.check.in_phase > 0.95
+    stretches = stretches_of_prompts(t, values, prompts, 100.0)
+    fit = guided(CleanRecording.of(LAYOUT, 100.0, person.free(), person.rest(), repetitions, stretches))
+    assert fit.profile.joints[0].guided.check.in_phase > 0.95
 
 
 @pytest.mark.parametrize(
@@ -126,8 +132,8 @@ def test_too_few_repetitions_are_a_reason(how, words):
 
 def test_missing_prompts_are_a_reason():
     person = misleading_limb()
-    profile = fit_profile(LAYOUT, 100.0, person.free(), person.rest())
-    assert "never prompted" in with_guided_maps(profile, (), person.rest()).reasons["right_elbow"]
+    clean = CleanRecording.of(LAYOUT, 100.0, person.free(), person.rest())
+    assert "never prompted" in guided(clean).reasons["right_elbow"]
 
 
 def test_missing_rest_is_a_reason():
@@ -138,9 +144,9 @@ def test_missing_rest_is_a_reason():
     t = np.arange(len(values)) / 100
     prompts = [Prompt(t[one.start], t[one.stop], "right_elbow") for one in asked]
     repetitions = repetitions_of_prompts(t, values, prompts, 100.0)
-    profile = fit_profile(LAYOUT, 100.0, person.free(), None, repetitions)
-    guided = with_guided_maps(profile, [Stretch("right_elbow", values, asked)])
-    assert "nowhere at rest" in guided.reasons["right_elbow"]
+    stretches = [Stretch("right_elbow", values, asked)]
+    clean = CleanRecording.of(LAYOUT, 100.0, person.free(), None, repetitions, stretches)
+    assert "nowhere at rest" in guided(clean).reasons["right_elbow"]
 
 
 def test_tremor_at_rest_raises_the_dead_zone():
@@ -150,8 +156,8 @@ def test_tremor_at_rest_raises_the_dead_zone():
     resting = person.rest()
     resting += 0.3 * np.sin(2 * np.pi * 2.0 * np.arange(len(resting)) / 100)[:, np.newaxis] * person.gains[0]
     repetitions = repetitions_of_prompts(t, values, prompts, 100.0)
-    profile = fit_profile(LAYOUT, 100.0, person.free(), resting, repetitions)
-    shaky = with_guided_maps(profile, stretches_of_prompts(t, values, prompts, 100.0), resting).profile.joints[0]
+    stretches = stretches_of_prompts(t, values, prompts, 100.0)
+    shaky = guided(CleanRecording.of(LAYOUT, 100.0, person.free(), resting, repetitions, stretches)).profile.joints[0]
     assert shaky.guided.dead_zone > 2 * calm.guided.dead_zone
 
 
@@ -169,11 +175,11 @@ def test_a_step_of_the_application_is_one_stretch():
     stretch = stretch_of_run(values, cue, step.cues)
     assert [one.stop - one.start for one in stretch.moving] == [100, 100, 100]
     repetitions = repetitions_of_run(values, cue, step.cues, 100.0)
-    profile = fit_profile(LAYOUT, 100.0, person.free(), person.rest(), repetitions)
-    guided = with_guided_maps(profile, [stretch], person.rest()).profile.joints[0].guided
-    assert guided.repetitions == 3
-    assert guided.check.in_phase > 0.95
-    assert guided.lag == pytest.approx(0.3, abs=0.2)
+    clean = CleanRecording.of(LAYOUT, 100.0, person.free(), person.rest(), repetitions, [stretch])
+    learnt = guided(clean).profile.joints[0].guided
+    assert learnt.repetitions == 3
+    assert learnt.check.in_phase > 0.95
+    assert learnt.lag == pytest.approx(0.3, abs=0.2)
 
 
 def test_prompts_far_apart_are_two_stretches_which_end_at_the_given_time():

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import Prompt, repetitions_of_prompts
 from app.signals.columns import read_columns
@@ -48,10 +49,12 @@ def prompts(signals, angle_rates, lead=0.0, longer=0.0):
 
 def calibrated(signals, rows):
     return fit_profile(
-        LAYOUT,
-        signals.sample_rate,
-        free=signals.values[signals.between(0.0, CALIBRATION)],
-        repetitions=repetitions_of_prompts(signals.t, signals.values, rows, signals.sample_rate),
+        CleanRecording.of(
+            LAYOUT,
+            signals.sample_rate,
+            free=signals.values[signals.between(0.0, CALIBRATION)],
+            repetitions=repetitions_of_prompts(signals.t, signals.values, rows, signals.sample_rate),
+        )
     )
 
 

@@ -8,6 +8,7 @@ import pyarrow.parquet
 import pytest
 from recorded_trial import record_trial
 
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import Prompt, repetitions_of_prompts
 from app.cli.decode import decode
@@ -121,7 +122,7 @@ def test_a_real_knit_drives_on_the_way_to_the_gesture_and_nowhere_else(tmp_path)
                 prompts.append(Prompt(float(signals.t[start]), float(signals.t[end - 1]), joint))
     values = signals.values[first]
     repetitions = repetitions_of_prompts(signals.t[first], values, prompts, signals.sample_rate)
-    profile = fit_profile(layout, signals.sample_rate, values, repetitions=repetitions)
+    profile = fit_profile(CleanRecording.of(layout, signals.sample_rate, values, repetitions=repetitions))
     assert all(joint.evr >= 0.98 for joint in profile.joints)
     (tmp_path / "profile.json").write_text(profile.model_dump_json())
     decode(KNIT / "signals.csv", tmp_path / "profile.json", tmp_path / "out.parquet", 0.2, 3.0, False)

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.linear_map import Arrangement
 from app.calibration.prior.map_prior import MapPrior
@@ -46,8 +47,8 @@ def test_somebody_new_drives_by_it_after_ten_seconds_of_movement(seed: int) -> N
     recorded = record_calibration(person)
     free = recording_of(person, recorded).free
     rest = next(values for step, values, _ in recorded if step.kind == "rest")
-    profile = fit_profile(standard_layout(), SAMPLE_RATE, free, rest)
-    by_others = with_best_maps(with_prior_maps(profile, MapPrior.of(released), free).profile)
+    clean = CleanRecording.of(standard_layout(), SAMPLE_RATE, free, rest)
+    by_others = with_best_maps(with_prior_maps(fit_profile(clean), MapPrior.of(released), clean).profile)
     assert {joint.map for joint in by_others.joints} == {"prior"}
     for in_phase, hit in shares(by_others, recorded):
         assert in_phase > 0.95

@@ -13,7 +13,7 @@ import numpy as np
 
 from app.calibration.adaptation.movement import Movement, Numbers
 from app.calibration.channel_quality import channel_quality
-from app.calibration.fit.pieces import fill_forward
+from app.calibration.gaps import fill_forward
 from app.calibration.profile import CalibrationProfile, JointMap
 
 RANGE_PERCENTILES = (0.5, 99.5)  # of the samples of the last trials: single spikes are left out

@@ -5,6 +5,7 @@ from numpy.typing import NDArray
 
 from app.calibration.adaptation.donning_range import fit_ranges
 from app.calibration.adaptation.movement import Movement
+from app.calibration.gaps import without_gaps
 from app.calibration.linear_map import Arrangement, LinearMap
 from app.calibration.prior.map_prior import MapPrior
 from app.calibration.prior.prior_map import find_arrangements
@@ -54,7 +55,7 @@ def fit_to_donning(
     if abs(sample_rate - profile.sample_rate) > 0.01 * profile.sample_rate:
         raise DonningError(OTHER_RATE)
     if prior is not None:
-        _refuse_turned_rings(profile, find_arrangements(prior, free, sample_rate))
+        _refuse_turned_rings(profile, find_arrangements(prior, without_gaps(free, sample_rate), sample_rate))
     still = np.zeros(len(free), dtype=np.bool_)
     fitted = fit_ranges(profile, Movement(free, sample_rate, still), calibrated)
     return parameters.model_copy(update={"profile": fitted})

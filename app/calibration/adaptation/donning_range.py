@@ -18,7 +18,7 @@ from app.calibration.adaptation.channel_range import (
     with_ranges,
 )
 from app.calibration.adaptation.movement import Movement, Numbers
-from app.calibration.fit.pieces import fill_forward
+from app.calibration.gaps import fill_forward
 from app.calibration.profile import CalibrationProfile, JointMap
 
 RANGE = (5.0, 95.0)  # percentiles of the movement that the answer of a channel is taken from

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.fit.pieces import fill_forward
+from app.calibration.gaps import fill_forward
 from app.calibration.profile import JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
 from app.signals.smoothing import smooth

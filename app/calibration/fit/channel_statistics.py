@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from app.calibration.fit.pieces import Frames
+from app.calibration.gaps import Frames
 
 NOISE_BLOCK = 0.5  # s
 QUIET_SHARE = 0.25  # of the blocks that are taken as free of movement: also free movement has its pauses

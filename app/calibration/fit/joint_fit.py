@@ -18,9 +18,9 @@ from app.calibration.fit.joint_evidence import (
     with_lag,
 )
 from app.calibration.fit.pca import JointPCA, angle_between
-from app.calibration.fit.pieces import Frames
 from app.calibration.fit.repetitions import Repetition
 from app.calibration.fit.step_size import LeastSteps, least_steps
+from app.calibration.gaps import Frames
 from app.calibration.grades import LARGEST_ANGLE
 
 REST_NOISE_FACTOR = 4.0

@@ -5,9 +5,8 @@ from collections.abc import Collection, Mapping, Sequence
 import numpy as np
 
 from app.calibration.channel_quality import ChannelQuality, channel_quality, worse_of
-from app.calibration.fit.gaps import bridge_gaps, why_missing
-from app.calibration.fit.pieces import Frames, fill_forward
 from app.calibration.fit.repetitions import Repetition
+from app.calibration.gaps import Frames, bridge_gaps, fill_forward, why_missing
 from app.layout import ShirtLayout
 
 # Conditions that the short prompts can show; noise is measured in the longer free movement.

@@ -1,75 +1,38 @@
 """Fits a calibration profile from rest, free movement and prompted repetitions (signal-chain.md, section 2)."""
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 import app
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.channel_statistics import channel_noise, movement_covariance
-from app.calibration.fit.gaps import bridge_gaps
 from app.calibration.fit.joint_evidence import cross_talk, signal_to_noise, with_lag
 from app.calibration.fit.joint_fit import FittedJoint, fit_joint
-from app.calibration.fit.omissions import channels_left_out
-from app.calibration.fit.pieces import check_pieces, fill_forward, value_range
 from app.calibration.fit.repetitions import Repetition
 from app.calibration.grades import JointMeasurements, grade
 from app.calibration.linear_map import LinearMap
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.clock import utc_now
-from app.layout import ShirtLayout
 
 
-def fit_profile(
-    layout: ShirtLayout,
-    sample_rate: float,
-    free: NDArray[np.floating],
-    rest: NDArray[np.floating] | None = None,
-    repetitions: Sequence[Repetition] = (),
-    unused: Collection[str] = (),
-    full_scale: float | None = None,
-) -> CalibrationProfile:
-    """Return the calibration profile of one person in one shirt.
-
-    Parameters
-    ----------
-    layout : ShirtLayout
-        Names the columns of all arrays.
-    sample_rate : float
-        Hz.
-    free, rest : (n, n_channels) array
-        Frames of the free movement and of the rest; NaN where a sample is missing.
-    repetitions : sequence of Repetition
-        Prompted movements towards the gesture; they fix the sign.
-    unused : names of channels
-        Channels that a person has marked as unused.
-    full_scale : float or None
-        Largest absolute value of the shirt's electronics, in signal units, when it is known.
+def fit_profile(recording: CleanRecording) -> CalibrationProfile:
+    """Return the calibration profile of one person in one shirt, with the standard map of each joint.
 
     Raises
     ------
     ValueError
-        One sentence: what is too short or unknown, or that no joint has a usable channel.
+        One sentence: no joint has a usable channel.
     """
-    moved = np.asarray(free, dtype=np.float64)
-    resting = None if rest is None else np.asarray(rest, dtype=np.float64)
-    repetitions = [Repetition(one.joint, np.asarray(one.values, np.float64), one.moving) for one in repetitions]
-    check_pieces(layout, sample_rate, moved, resting, repetitions, unused)
-    left_out = channels_left_out(layout, sample_rate, moved, resting, repetitions, unused, full_scale)
-    low, high = value_range(
-        [moved, *([] if resting is None else [resting]), *(repetition.values for repetition in repetitions)]
-    )
-    moved = fill_forward(bridge_gaps(moved, sample_rate))
-    resting = None if resting is None else fill_forward(bridge_gaps(resting, sample_rate))
-    repetitions = [
-        Repetition(one.joint, fill_forward(bridge_gaps(one.values, sample_rate)), one.moving) for one in repetitions
-    ]
+    layout, sample_rate, left_out = recording.layout, recording.sample_rate, recording.left_out
+    moved, resting, repetitions = recording.free, recording.rest, recording.repetitions
     channels = {
         joint: tuple(i for i in indices if layout.channels[i].name not in left_out)
         for joint, indices in layout.channels_of_joint.items()
     }
     fitted = {
-        joint: fit_joint(used, moved, resting, [one for one in repetitions if one.joint == joint], sample_rate)
+        joint: fit_joint(used, moved, resting, recording.repetitions_of(joint), sample_rate)
         for joint, used in channels.items()
         if used and moved[:, list(used)].var(axis=0).any()  # 0 also where squares underflow
     }
@@ -90,10 +53,10 @@ def fit_profile(
         created=utc_now().isoformat(timespec="seconds"),
         software=app.__version__,
         layout=layout,
-        sample_rate=float(sample_rate),
-        left_out=left_out,
-        low=low,
-        high=high,
+        sample_rate=sample_rate,
+        left_out=dict(left_out),
+        low=recording.low,
+        high=recording.high,
         noise=channel_noise(moved if resting is None else resting, sample_rate),
         joints=joints,
         cross_talk=None if matrix is None else tuple(tuple(map(float, row)) for row in matrix),

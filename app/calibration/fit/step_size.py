@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.calibration.fit.pieces import Frames
 from app.calibration.fit.repetitions import Repetition
+from app.calibration.gaps import Frames
 from app.calibration.steps import STEEPNESS, steps_of
 
 

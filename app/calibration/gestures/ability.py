@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from app.calibration.fit.joint_evidence import full_rate
 from app.calibration.fit.joint_fit import LARGEST_THRESHOLD, LEAST_RANGE
-from app.calibration.fit.pieces import Frames
+from app.calibration.gaps import Frames
 from app.calibration.gestures.evidence import Evidence, RepetitionRates
 from app.calibration.profile import CalibrationProfile, JointMap
 

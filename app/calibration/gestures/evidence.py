@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from app.calibration.cued_runs import CuedRun, Phase
 from app.calibration.fit.joint_evidence import CUTOFF, LAG, SETTLING
-from app.calibration.fit.pieces import Frames
+from app.calibration.gaps import Frames
 from app.calibration.prior.features import features
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.signals.smoothing import smooth

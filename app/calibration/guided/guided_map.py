@@ -8,10 +8,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.fit.gaps import bridge_gaps
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.joint_evidence import CUTOFF
 from app.calibration.fit.joint_fit import LARGEST_THRESHOLD, LEAST_RANGE, REST_NOISE_FACTOR, SMALLEST_DEAD_ZONE
-from app.calibration.fit.pieces import fill_forward
 from app.calibration.fit.repetitions import Stretch
 from app.calibration.guided.check import SHORTEST_REST, check, dead_zone_of
 from app.calibration.guided.labels import CuedMovement, labels, lags_of
@@ -64,9 +63,7 @@ class _TrainingRows:
     repetition: NDArray[np.int_]  # (n,) number of the repetition; -1: the recording at rest
 
 
-def with_guided_maps(
-    profile: CalibrationProfile, stretches: Sequence[Stretch], rest: NDArray[np.floating] | None = None
-) -> GuidedFit:
+def with_guided_maps(profile: CalibrationProfile, recording: CleanRecording) -> GuidedFit:
     """Return the profile with a guided map beside the PCA map of each joint that has enough prompted repetitions.
 
     The map that decodes is not changed: a person chooses it.
@@ -74,18 +71,16 @@ def with_guided_maps(
     Parameters
     ----------
     profile : CalibrationProfile
-        With PCA maps; its sample rate is that of all frames.
-    stretches : sequence of Stretch
-        Continuous recordings of prompted movements.
-    rest : (n, n_channels) array or None
-        Frames of the recording at rest.
+        With PCA maps, fitted to the same recording.
+    recording : CleanRecording
+        Its stretches and its rest are read.
     """
     joints, reasons = [], {}
-    resting = None if rest is None else fill_forward(bridge_gaps(np.asarray(rest, np.float64), profile.sample_rate))
     for joint in profile.joints:
-        own = [one for one in stretches if one.joint == joint.name]
+        own = recording.stretches_of(joint.name)
         try:
-            joints.append(joint.model_copy(update={"guided": _guided_map(joint, own, resting, profile.sample_rate)}))
+            guided = _guided_map(joint, own, recording.rest, recording.sample_rate)
+            joints.append(joint.model_copy(update={"guided": guided}))
         except GuidedMapError as error:
             joints.append(joint)
             reasons[joint.name] = str(error)
@@ -144,7 +139,7 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
 
 
 def _piece(joint: JointMap, stretch: Stretch, sample_rate: float) -> _Piece:
-    values = fill_forward(bridge_gaps(stretch.values, sample_rate))[:, list(joint.channels)]
+    values = stretch.values[:, list(joint.channels)]
     place = (values - np.array(joint.mean)) @ np.array(joint.pca.rates[0])
     smoothed = smooth(place, CUTOFF, sample_rate)
     return _Piece(

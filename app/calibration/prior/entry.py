@@ -1,41 +1,30 @@
 """Makes what one person adds to a prior, from recordings of free and of prompted movement."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.fit.omissions import channels_left_out
-from app.calibration.fit.repetitions import Stretch
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.prior.arrangement import RingMoments, ring_movement, total
 from app.calibration.prior.documents import JointEntry, MomentsDocument, PersonEntry, RingDocument, rounded
-from app.calibration.prior.frames import prompted_frames, without_gaps
+from app.calibration.prior.frames import prompted_frames
 from app.calibration.prior.moments import Moments, mean_of
 from app.calibration.prior.scale import MOVEMENT, first_movement, log_ranges, scales
-from app.layout import ShirtLayout
 
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, slots=True)
-class PersonRecording:
-    """One recording of a person: free movement, and stretches of prompted movement."""
-
-    sample_rate: float  # Hz
-    free: Array  # (n, n_channels) at least ten seconds of any movement
-    stretches: Sequence[Stretch]
-
-
-def person_entry(layout: ShirtLayout, recordings: Sequence[PersonRecording]) -> PersonEntry:
-    """Return what a person adds to a prior: the mean over the recordings.
+def person_entry(recordings: Sequence[CleanRecording]) -> PersonEntry:
+    """Return what a person adds to a prior: the mean over recordings in one shirt.
 
     Raises
     ------
     ValueError
         One sentence: a recording is too short, or no joint was prompted and has a channel that can be used.
     """
-    started = [first_movement(without_gaps(one.free, one.sample_rate), one.sample_rate) for one in recordings]
+    layout = recordings[0].layout
+    started = [first_movement(one.free, one.sample_rate) for one in recordings]
     for one, free in zip(recordings, started, strict=True):
         if free is None:
             raise ValueError(
@@ -43,9 +32,7 @@ def person_entry(layout: ShirtLayout, recordings: Sequence[PersonRecording]) -> 
                 f"{MOVEMENT:g} s: record longer"
             )
     moved = [free for free in started if free is not None]
-    out = {
-        name for one in recordings for name in channels_left_out(layout, one.sample_rate, one.free, None, (), (), None)
-    }
+    out = {name for one in recordings for name in one.left_out}
     joints = {}
     for joint, channels in layout.channels_of_joint.items():
         alive = np.array([layout.channels[i].name not in out for i in channels])
@@ -70,7 +57,7 @@ def _joint_entry(
     joint: str,
     channels: Sequence[int],
     alive: NDArray[np.bool_],
-    recordings: Sequence[PersonRecording],
+    recordings: Sequence[CleanRecording],
     moved: Sequence[Array],
 ) -> JointEntry | None:
     """Return what the recordings add to one joint; None when none of them prompts it."""
@@ -80,8 +67,9 @@ def _joint_entry(
         own = log_ranges(free[:, used], one.sample_rate)
         if not np.isfinite(own).all():
             continue
-        stretches = [stretch for stretch in one.stretches if stretch.joint == joint]
-        frames = prompted_frames(stretches, used, scales(own, np.ones(len(used), np.bool_)), one.sample_rate)
+        frames = prompted_frames(
+            one.stretches_of(joint), used, scales(own, np.ones(len(used), np.bool_)), one.sample_rate
+        )
         if frames is not None:
             logs.append(own)
             moments.append(Moments.of(frames.features, frames.label))

@@ -6,9 +6,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.fit.gaps import bridge_gaps
 from app.calibration.fit.joint_evidence import CUTOFF
-from app.calibration.fit.pieces import fill_forward
 from app.calibration.fit.repetitions import Stretch
 from app.calibration.guided.labels import CuedMovement, labels
 from app.calibration.prior.features import features
@@ -20,11 +18,6 @@ from app.signals.smoothing import smooth
 SHORTEST_CUE = 0.25  # s: a shorter cue covers a part of a movement only
 
 Array = NDArray[np.float64]
-
-
-def without_gaps(values: NDArray[np.floating], sample_rate: float) -> Array:
-    """Return frames (n, n_channels) without NaN: short gaps as straight lines, longer ones with the last value."""
-    return fill_forward(bridge_gaps(np.asarray(values, np.float64), sample_rate))
 
 
 def prompted_frames(
@@ -42,7 +35,7 @@ def prompted_frames(
     Parameters
     ----------
     stretches : sequence of Stretch
-        Of this joint.
+        Of this joint, without gaps.
     channels : sequence of int
         Indices of the joint's k channels, in the order of the features.
     scale : (k,) array
@@ -57,7 +50,7 @@ def prompted_frames(
         cued = [CuedMovement(one.start, one.stop) for one in stretch.moving]
         long_enough = [one for one in cued if one.stop - one.start >= SHORTEST_CUE * sample_rate]
         if long_enough:
-            pieces.append(without_gaps(stretch.values, sample_rate)[:, list(channels)] / scale)
+            pieces.append(stretch.values[:, list(channels)] / scale)
             cues.append(long_enough)
     if not pieces:
         return None

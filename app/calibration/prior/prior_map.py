@@ -1,14 +1,14 @@
 """Fits the map of each joint from other people, and from the person's own prompted movements where there are any."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.joint_fit import LEAST_RANGE
-from app.calibration.fit.repetitions import Stretch
 from app.calibration.grades import UNPROMPTED
 from app.calibration.guided.check import check
 from app.calibration.linear_map import KINDS, RATE_LAGS, Arrangement, LinearMap, MapCheck
@@ -16,7 +16,7 @@ from app.calibration.prior.arrangement import find_arrangement, ring_movement, s
 from app.calibration.prior.documents import FEWEST_PEOPLE
 from app.calibration.prior.features import features
 from app.calibration.prior.forecasts import expected_false, expected_hits, held_out_rate, own_full, own_peaks
-from app.calibration.prior.frames import prompted_frames, without_gaps
+from app.calibration.prior.frames import prompted_frames
 from app.calibration.prior.map_prior import JointPrior, MapPrior, check_layout
 from app.calibration.prior.scale import channels_alive, first_movement, log_ranges, scales
 from app.calibration.prior.solving import OwnFrames, solve, thresholds
@@ -69,12 +69,12 @@ class _UsedChannels:
     dropped: tuple[int, ...]  # indices into a frame, of channels that move too little
 
 
-def find_arrangements(prior: MapPrior, free: NDArray[np.floating], sample_rate: float) -> dict[str, Arrangement]:
+def find_arrangements(prior: MapPrior, free: Array, sample_rate: float) -> dict[str, Arrangement]:
     """Return how each ring sits that other people are known for, from ten seconds of movement (n, n_channels).
 
-    Empty when there are fewer than ten seconds.
+    The movement is without gaps. Empty when there are fewer than ten seconds.
     """
-    start = first_movement(without_gaps(free, sample_rate), sample_rate)
+    start = first_movement(free, sample_rate)
     if start is None:
         return {}
     return {
@@ -87,8 +87,7 @@ def find_arrangements(prior: MapPrior, free: NDArray[np.floating], sample_rate: 
 def with_prior_maps(
     profile: CalibrationProfile,
     prior: MapPrior,
-    free: NDArray[np.floating],
-    stretches: Sequence[Stretch] = (),
+    recording: CleanRecording,
     as_worn: Collection[str] = (),
 ) -> PriorFit:
     """Return the profile with a map from other people beside the PCA map of each joint that they are known for.
@@ -99,13 +98,11 @@ def with_prior_maps(
     Parameters
     ----------
     profile : CalibrationProfile
-        With PCA maps; its sample rate is that of all frames.
+        With PCA maps, fitted to the same recording.
     prior : MapPrior
         Of the same layout.
-    free : (n, n_channels) array
-        Frames of free movement; from ten seconds on they set the scale of the channels.
-    stretches : sequence of Stretch
-        The person's own prompted movements.
+    recording : CleanRecording
+        Of its free movement, ten seconds set the scale of the channels; its stretches are the own prompted movements.
     as_worn : collection of str
         Rings that somebody is sure sit right: the map goes by the layout, however they look.
 
@@ -115,15 +112,13 @@ def with_prior_maps(
         When the prior is of another layout.
     """
     check_layout(prior.layout, profile.layout)
-    moved = without_gaps(free, profile.sample_rate)
-    found = find_arrangements(prior, moved, profile.sample_rate)
+    found = find_arrangements(prior, recording.free, recording.sample_rate)
     of_layout = {ring: sits for ring, sits in found.items() if ring in profile.layout.rings}
     sitting = Sitting(of_layout, frozenset(as_worn))
     joints, reasons = [], {}
     for joint in profile.joints:
-        own = [one for one in stretches if one.joint == joint.name]
         try:
-            joints.append(_joint(joint, prior, moved, own, sitting, profile))
+            joints.append(_joint(joint, prior, recording, sitting))
         except PriorMapError as error:
             joints.append(joint)
             reasons[joint.name] = str(error)
@@ -142,10 +137,8 @@ def with_best_maps(profile: CalibrationProfile) -> CalibrationProfile:
 def _joint(
     joint: JointMap,
     prior: MapPrior,
-    moved: Array,
-    stretches: Sequence[Stretch],
+    recording: CleanRecording,
     sitting: Sitting,
-    profile: CalibrationProfile,
 ) -> JointMap:
     """Return the joint with its map from other people, or raise PriorMapError."""
     people = prior.joints.get(joint.name)
@@ -155,10 +148,10 @@ def _joint(
             f"Other people's movements say nothing yet: {count} of them {'is' if count == 1 else 'are'} known for this "
             f"joint, and {FEWEST_PEOPLE} are needed."
         )
-    rate = profile.sample_rate
-    used = _used_channels(joint, people, moved, sitting.used, profile.layout, rate)
+    rate, moved, layout = recording.sample_rate, recording.free, recording.layout
+    used = _used_channels(joint, people, moved, sitting.used, layout, rate)
     others = people.mean.of_channels(used.places)
-    frames = prompted_frames(stretches, used.channels, used.scale, rate, others)
+    frames = prompted_frames(recording.stretches_of(joint.name), used.channels, used.scale, rate, others)
     weights = solve(others, rate, frames)
     dead_zone, full_of_others = thresholds(weights, others)
     if not full_of_others > 0.0:
@@ -183,9 +176,9 @@ def _joint(
         full=full,
         people=people.people,
         repetitions=0 if frames is None else frames.repetitions,
-        dropped=tuple(profile.layout.channels[i].name for i in used.dropped),
-        arrangement=_of_joint(sitting.used, joint, profile.layout),
-        as_worn=_of_joint(sitting.left, joint, profile.layout),
+        dropped=tuple(layout.channels[i].name for i in used.dropped),
+        arrangement=_of_joint(sitting.used, joint, layout),
+        as_worn=_of_joint(sitting.left, joint, layout),
     )
     peaks = [peak * in_fs for peak in peaks]
     found: dict[str, object] = {"hits": expected_hits(peaks, fitted.dead_zone, fitted.full, fitted.repetitions)}

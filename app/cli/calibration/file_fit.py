@@ -4,6 +4,7 @@ import math
 from collections.abc import Collection, Sequence
 from pathlib import Path
 
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import Prompt, Stretch, repetitions_of_prompts, stretches_of_prompts
 from app.calibration.guided.guided_map import GuidedFit, with_guided_maps
@@ -80,8 +81,10 @@ def fit_file(
     t, values, sample_rate = recorded.t, recorded.values, recorded.sample_rate
     at_rest = None if rest is None else values[rest]
     repetitions = repetitions_of_prompts(t, values, rows, sample_rate)
-    profile = fit_profile(shirt, sample_rate, values[free], at_rest, repetitions, unused)
-    fitted = with_guided_maps(profile, stretches_of_prompts(t, values, rows, sample_rate, until=until), at_rest)
+    stretches = stretches_of_prompts(t, values, rows, sample_rate, until=until)
+    clean = CleanRecording.of(shirt, sample_rate, values[free], at_rest, repetitions, stretches, unused)
+    fitted = with_guided_maps(fit_profile(clean), clean)
     if pool is None:
         return fitted, None
-    return fitted, with_prior_maps(fitted.profile, pool, values[free], prompted_stretches(recorded, rows, until))
+    joined = clean.with_stretches(prompted_stretches(recorded, rows, until))
+    return fitted, with_prior_maps(fitted.profile, pool, joined)

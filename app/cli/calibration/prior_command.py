@@ -61,7 +61,7 @@ def add(
             raise InputError(f"{prior} is a release, which holds sums over people: add to the clinic's own prior")
         check_layout(document.layout, shirt)
         recordings = [read_recording(file, table, shirt, start) for file, table in zip(signals, prompts, strict=True)]
-        entry = person_entry(shirt, recordings)
+        entry = person_entry(recordings)
     except PriorError as error:
         raise InputError(f"{prior}, {layout}: {error}") from error
     except ValueError as error:

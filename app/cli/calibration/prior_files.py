@@ -3,12 +3,11 @@
 import math
 from pathlib import Path
 
-import numpy as np
 import typer
 from pydantic import TypeAdapter
 
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.prior.documents import OwnPrior, PriorDocument
-from app.calibration.prior.entry import PersonRecording
 from app.calibration.prior.map_prior import JointPrior
 from app.calibration.prior.prior_file import read_prior
 from app.calibration.prior.release import release
@@ -38,13 +37,13 @@ def write_release(priors: list[Path], documents: list[PriorDocument], out: Path)
         typer.echo(f"Not in it, because fewer than eight people are in no release yet: {', '.join(left_out)}")
 
 
-def read_recording(file: Path, table: Path, shirt: ShirtLayout, start: float | None) -> PersonRecording:
+def read_recording(file: Path, table: Path, shirt: ShirtLayout, start: float | None) -> CleanRecording:
     """Return the recording of a person with the stretches of its prompts; free movement begins at `start` (s)."""
     recorded = read_signals(file, shirt)
     warn(recorded.damage)
     stretches = prompted_stretches(recorded, read_prompts(table, shirt, float(recorded.t[0]), float(recorded.t[-1])))
     free = recorded.values[recorded.between(start, None)]
-    return PersonRecording(recorded.sample_rate, np.asarray(free, np.float64), stretches)
+    return CleanRecording.of(shirt, recorded.sample_rate, free, stretches=stretches)
 
 
 def read_document(file: Path) -> PriorDocument:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from app.calibration.adaptation.movement import SHORTEST_STROKE, Movement, rest_noise, stretches
 from app.calibration.adaptation.thresholds import dead_zone_for, least_dead_zone
-from app.calibration.fit.pieces import fill_forward
+from app.calibration.gaps import fill_forward
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.channel_health import ChannelHealth
 from app.pipeline.projection import projections

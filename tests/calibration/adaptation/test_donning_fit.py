@@ -5,6 +5,7 @@ import pytest
 from calibration.prior.simulated_wearers import RATE, Wearer, prior_of, sleeve
 
 from app.calibration.adaptation.donning_fit import DonningError, fit_to_donning, joints_followed
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.linear_map import Arrangement
 from app.calibration.prior.map_prior import MapPrior
@@ -27,8 +28,9 @@ def wearer():
 
 def calibrated(wearer, others=None, values=None, layout=None):
     free = (wearer.values if values is None else values)[:TEN_SECONDS]
-    profile = fit_profile(layout or sleeve(), RATE, free=free)
-    return profile if others is None else with_prior_maps(profile, others, free).profile
+    clean = CleanRecording.of(layout or sleeve(), RATE, free=free)
+    profile = fit_profile(clean)
+    return profile if others is None else with_prior_maps(profile, others, clean).profile
 
 
 def active(parameters, wearer, values):
@@ -91,7 +93,8 @@ def test_a_ring_that_sits_as_it_was_calibrated_is_fitted_though_others_wear_it_o
 
 def test_a_ring_that_was_left_as_worn_may_look_so_again(wearer, others):
     turned = np.roll(wearer.values[:TEN_SECONDS], 1, axis=1)
-    profile = with_prior_maps(calibrated(wearer, values=turned), others, turned, as_worn=("cuff",)).profile
+    clean = CleanRecording.of(sleeve(), RATE, turned)
+    profile = with_prior_maps(calibrated(wearer, values=turned), others, clean, as_worn=("cuff",)).profile
     fit_to_donning(standard_parameters(profile), profile, turned, RATE, others)
     with pytest.raises(DonningError, match="is turned by 1 of 5 sensors"):
         fit_to_donning(standard_parameters(profile), profile, wearer.values[:TEN_SECONDS], RATE, others)

@@ -6,9 +6,10 @@ are the gains, a little of how each sensor follows, and how quickly the person m
 
 import numpy as np
 
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.repetitions import Stretch
 from app.calibration.prior.documents import OwnPrior
-from app.calibration.prior.entry import PersonRecording, person_entry
+from app.calibration.prior.entry import person_entry
 from app.layout import Channel, Joint, ShirtLayout
 from app.signals.smoothing import slow_average
 
@@ -71,14 +72,14 @@ class Wearer:
         last = cues[-1].stop + round(2.5 * self.rate)
         return Stretch("right_elbow", (self.values if values is None else values)[:last], tuple(cues))
 
-    def recording(self):
+    def recording(self, layout=None):
         """Return the recording that goes into a prior."""
-        return PersonRecording(self.rate, self.values, [self.stretch()])
+        return CleanRecording.of(layout or sleeve(), self.rate, self.values, stretches=[self.stretch()])
 
 
 def prior_of(seeds, layout=None):
     """Return an own prior of simulated wearers, with codes w1, w2, ..."""
     layout = layout or sleeve()
     return OwnPrior(
-        layout=layout, people={f"w{seed}": person_entry(layout, [Wearer(seed).recording()]) for seed in seeds}
+        layout=layout, people={f"w{seed}": person_entry([Wearer(seed).recording(layout)]) for seed in seeds}
     )

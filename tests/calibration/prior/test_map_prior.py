@@ -9,8 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.prior.documents import JointEntry, MomentsDocument, OwnPrior, PersonEntry
-from app.calibration.prior.entry import PersonRecording, person_entry
+from app.calibration.prior.entry import person_entry
 from app.calibration.prior.map_prior import MapPrior, PriorError, union_of_people
 from app.calibration.prior.prior_file import PRIOR, read_prior
 from app.calibration.prior.release import release
@@ -53,7 +54,7 @@ def test_adding_a_person_and_taking_it_out_again_is_never_having_added(ten):
 
 
 def test_a_person_who_is_added_again_is_replaced(ten):
-    again = ten.with_person("w1", person_entry(sleeve(), [Wearer(77).recording()]))
+    again = ten.with_person("w1", person_entry([Wearer(77).recording()]))
     assert len(again.people) == 10
     assert again.people["w1"] != ten.people["w1"]
 
@@ -154,8 +155,8 @@ def test_a_channel_that_one_person_lacks_counts_for_the_others(ten):
     wearer = Wearer(3)
     values = wearer.values.copy()
     values[:, 2] = 0.5
-    lacking = PersonRecording(wearer.rate, values, [wearer.stretch(None, values)])
-    entry = person_entry(sleeve(), [lacking])
+    lacking = CleanRecording.of(sleeve(), wearer.rate, values, stretches=[wearer.stretch(None, values)])
+    entry = person_entry([lacking])
     assert entry.joints["right_elbow"].alive == (True, True, False, True, True)
     assert entry.rings == {}
     mixed = MapPrior.of(part(ten, 1, 2, 4, 5).with_person("w3", entry))
@@ -165,11 +166,11 @@ def test_a_channel_that_one_person_lacks_counts_for_the_others(ten):
 
 def test_too_short_a_recording_is_refused():
     wearer = Wearer(1)
-    short = PersonRecording(wearer.rate, wearer.values[:300], [wearer.stretch(1)])
+    short = CleanRecording.of(sleeve(), wearer.rate, wearer.values[:300], stretches=[wearer.stretch(1)])
     with pytest.raises(ValueError, match="record longer"):
-        person_entry(sleeve(), [short])
+        person_entry([short])
     with pytest.raises(ValueError, match="no joint was prompted"):
-        person_entry(sleeve(), [PersonRecording(wearer.rate, wearer.values, [])])
+        person_entry([CleanRecording.of(sleeve(), wearer.rate, wearer.values)])
 
 
 def test_a_layout_with_rings_is_checked():

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from calibration.prior.simulated_wearers import RATE, SENSORS, Wearer, prior_of, sleeve
 
+from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import Repetition
 from app.calibration.linear_map import Arrangement
@@ -30,8 +31,8 @@ def fitted(wearer, prior, values=None, prompts=0, layout=None):
         for stretch in stretches
         for one in stretch.moving[1:]
     ]
-    profile = fit_profile(layout or sleeve(), wearer.rate, free=free, repetitions=repetitions)
-    return with_prior_maps(profile, prior, free, stretches)
+    clean = CleanRecording.of(layout or sleeve(), wearer.rate, free=free, repetitions=repetitions, stretches=stretches)
+    return with_prior_maps(fit_profile(clean), prior, clean)
 
 
 def decoded(profile, wearer, values=None):
@@ -81,11 +82,12 @@ def test_a_ring_that_somebody_is_sure_of_is_left_as_worn(prior):
     wearer = Wearer(102)
     free = wearer.values[: round(10 * wearer.rate)]
     turned = np.roll(free, 1, axis=1)
-    profile = fit_profile(sleeve(), wearer.rate, free=turned)
-    sure = with_prior_maps(profile, prior, turned, as_worn=("cuff",)).profile.joints[0].prior
+    clean = CleanRecording.of(sleeve(), wearer.rate, free=turned)
+    sure = with_prior_maps(fit_profile(clean), prior, clean, as_worn=("cuff",)).profile.joints[0].prior
     assert (sure.arrangement, sure.as_worn) == ({}, {"cuff": Arrangement(shift=1)})
     assert sure.model_dump()["as_worn"]
-    right = with_prior_maps(fit_profile(sleeve(), wearer.rate, free=free), prior, free, as_worn=("cuff",))
+    clean = CleanRecording.of(sleeve(), wearer.rate, free=free)
+    right = with_prior_maps(fit_profile(clean), prior, clean, as_worn=("cuff",))
     before = fitted(wearer, prior).profile.joints[0].prior
     assert right.profile.joints[0].prior == before
     assert "as_worn" not in before.model_dump()
@@ -134,8 +136,8 @@ def test_a_channel_that_hardly_moves_is_dropped_and_the_others_drive(prior, dead
 
 def test_before_ten_seconds_the_scale_is_other_people_s(prior):
     wearer = Wearer(105)
-    profile = fit_profile(sleeve(), RATE, free=wearer.values[: round(4 * RATE)])
-    fit = with_prior_maps(profile, prior, wearer.values[: round(4 * RATE)])
+    clean = CleanRecording.of(sleeve(), RATE, free=wearer.values[: round(4 * RATE)])
+    fit = with_prior_maps(fit_profile(clean), prior, clean)
     assert fit.arrangement == {}
     assert decoded(fit.profile, wearer)[0] > 0.85
 

@@ -3,7 +3,7 @@
 from itertools import combinations
 
 import pytest
-from calibration.prior.simulated_wearers import Wearer, prior_of, sleeve
+from calibration.prior.simulated_wearers import Wearer, prior_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -56,7 +56,7 @@ def test_a_release_that_is_added_hides_nobody(many):
 
 def test_a_person_who_is_recorded_again_is_not_released_again(many):
     _, prior = released(part(many, range(1, 17)))
-    again = prior.with_person("w1", person_entry(sleeve(), [Wearer(77).recording()]))
+    again = prior.with_person("w1", person_entry([Wearer(77).recording()]))
     with pytest.raises(PriorError, match="16 people, of whom fewer than 8"):
         release([again])
 

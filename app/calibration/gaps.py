@@ -1,4 +1,4 @@
-"""Gaps of single channels: short ones are filled by straight lines before a map is fitted.
+"""Gaps of single channels are filled before a map is fitted: short ones by straight lines, others by the last value.
 
 Only the fitting fills gaps. In the live chain and in `decode` a missing sensor is a fault (safety.md, S5).
 """
@@ -28,6 +28,25 @@ def bridge_gaps(values: Frames, sample_rate: float) -> Frames:
     has_values = ~np.isnan(values).all(axis=1)
     filled[has_values] = _fill_short_gaps(values[has_values], sample_rate)
     return _fill_short_gaps(filled, sample_rate)
+
+
+def without_gaps(values: NDArray[np.floating], sample_rate: float) -> Frames:
+    """Return frames (n, n_channels) without NaN: short gaps as straight lines, longer ones with the last value."""
+    return fill_forward(bridge_gaps(np.asarray(values, np.float64), sample_rate))
+
+
+def fill_forward(values: Frames) -> Frames:
+    """Return frames (n, n_channels) with each NaN replaced by the channel's last value, as the decoder does.
+
+    NaN before a channel's first value take that value; a channel without values becomes zero.
+    """
+    missing = np.isnan(values)
+    if not missing.any():
+        return values
+    rows = np.where(missing, 0, np.arange(len(values))[:, np.newaxis])
+    first = np.argmax(~missing, axis=0)
+    latest = np.maximum(np.maximum.accumulate(rows, axis=0), first)
+    return np.nan_to_num(np.take_along_axis(values, latest, axis=0))
 
 
 def why_missing(pieces: Sequence[Frames], channel: int, sample_rate: float) -> str:

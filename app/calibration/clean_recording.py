@@ -1,0 +1,140 @@
+"""A recording made ready for the fits: checked, its channels chosen, its gaps filled."""
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.fit.omissions import channels_left_out
+from app.calibration.fit.repetitions import Repetition, Stretch
+from app.calibration.gaps import Frames, without_gaps
+from app.layout import ShirtLayout
+
+SHORTEST_FREE = 2.0  # s
+SHORTEST_REST = 0.5  # s
+
+
+@dataclass(frozen=True, slots=True)
+class CleanRecording:
+    """What one person recorded in one shirt, as every fit reads it: frames (n, n_channels) without NaN."""
+
+    layout: ShirtLayout
+    sample_rate: float  # Hz
+    free: Frames
+    rest: Frames | None
+    repetitions: Sequence[Repetition]
+    stretches: Sequence[Stretch]
+    left_out: Mapping[str, str]  # channel name -> why no map reads it
+    low: tuple[float, ...]  # (n_channels,) smallest recorded value
+    high: tuple[float, ...]  # (n_channels,) largest recorded value
+
+    @classmethod
+    def of(
+        cls,
+        layout: ShirtLayout,
+        sample_rate: float,
+        free: NDArray[np.floating],
+        rest: NDArray[np.floating] | None = None,
+        repetitions: Sequence[Repetition] = (),
+        stretches: Sequence[Stretch] = (),
+        unused: Collection[str] = (),
+        full_scale: float | None = None,
+    ) -> Self:
+        """Return the recording made ready for the fits.
+
+        Parameters
+        ----------
+        layout : ShirtLayout
+            Names the columns of all arrays.
+        sample_rate : float
+            Hz.
+        free, rest : (n, n_channels) array
+            Frames of the free movement and of the rest; NaN where a sample is missing.
+        repetitions : sequence of Repetition
+            Prompted movements towards the gesture; they fix the direction.
+        stretches : sequence of Stretch
+            The prompted movements with the ways back and the pauses around them.
+        unused : names of channels
+            Channels that a person has marked as unused.
+        full_scale : float or None
+            Largest absolute value of the shirt's electronics, in signal units, when it is known.
+
+        Raises
+        ------
+        ValueError
+            One sentence: what is too short or unknown, and what to do.
+        """
+        moved = np.asarray(free, dtype=np.float64)
+        resting = None if rest is None else np.asarray(rest, dtype=np.float64)
+        prompted = [Repetition(one.joint, np.asarray(one.values, np.float64), one.moving) for one in repetitions]
+        _check(layout, sample_rate, moved, resting, prompted, unused)
+        pieces = [moved, *([] if resting is None else [resting]), *(one.values for one in prompted)]
+        low, high = _value_range(pieces)
+        return cls(
+            layout=layout,
+            sample_rate=float(sample_rate),
+            free=without_gaps(moved, sample_rate),
+            rest=None if resting is None else without_gaps(resting, sample_rate),
+            repetitions=[replace(one, values=without_gaps(one.values, sample_rate)) for one in prompted],
+            stretches=[replace(one, values=without_gaps(one.values, sample_rate)) for one in stretches],
+            left_out=channels_left_out(layout, sample_rate, moved, resting, prompted, unused, full_scale),
+            low=low,
+            high=high,
+        )
+
+    def with_stretches(self, stretches: Sequence[Stretch]) -> Self:
+        """Return the recording with the prompted movements cut into other stretches."""
+        clean = [replace(one, values=without_gaps(one.values, self.sample_rate)) for one in stretches]
+        return replace(self, stretches=clean)
+
+    def repetitions_of(self, joint: str) -> list[Repetition]:
+        """Return the repetitions of one joint."""
+        return [one for one in self.repetitions if one.joint == joint]
+
+    def stretches_of(self, joint: str) -> list[Stretch]:
+        """Return the stretches of one joint."""
+        return [one for one in self.stretches if one.joint == joint]
+
+
+def _check(
+    layout: ShirtLayout,
+    sample_rate: float,
+    free: Frames,
+    rest: Frames | None,
+    repetitions: Sequence[Repetition],
+    unused: Collection[str],
+) -> None:
+    """Check that the pieces are long enough and fit the layout.
+
+    Raises
+    ------
+    ValueError
+        One sentence: which piece is wrong, and what to do.
+    """
+    count = len(layout.channels)
+    for what, piece in (("free movement", free), ("rest", rest), *((one.joint, one.values) for one in repetitions)):
+        if piece is not None and (piece.ndim != 2 or piece.shape[1] != count):
+            raise ValueError(f"the recording of {what} does not have the {count} channels of '{layout.name}'")
+    for what, piece, shortest in (("free movement", free, SHORTEST_FREE), ("rest", rest, SHORTEST_REST)):
+        if piece is not None and len(piece) < shortest * sample_rate:
+            raise ValueError(
+                f"the {what} lasts {len(piece) / sample_rate:.2f} s, which is too short for a calibration: "
+                f"record at least {shortest:g} s (10 s of free movement and 3 s of rest are usual)"
+            )
+    for names, known, what in (
+        ({one.joint for one in repetitions}, layout.joint_names, "joint"),
+        (set(unused), layout.channel_names, "channel"),
+    ):
+        if strange := sorted(names - set(known)):
+            raise ValueError(f"there is no {what} '{strange[0]}' in '{layout.name}': use one of {', '.join(known)}")
+
+
+def _value_range(pieces: Sequence[Frames]) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """Return the smallest and the largest value of each channel over all pieces; 0 for a channel without values."""
+    lows = np.min([np.where(np.isnan(piece), np.inf, piece).min(axis=0) for piece in pieces], axis=0)
+    highs = np.max([np.where(np.isnan(piece), -np.inf, piece).max(axis=0) for piece in pieces], axis=0)
+    silent = ~np.isfinite(lows)
+    lows[silent] = highs[silent] = 0.0
+    return tuple(map(float, lows)), tuple(map(float, highs))
