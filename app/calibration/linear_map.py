@@ -5,7 +5,8 @@ movement, others are learnt from the person's own prompts, or from other people 
 """
 
 import operator
-from typing import Annotated, Literal
+from collections.abc import Sequence
+from typing import Annotated, Literal, TypedDict
 
 from pydantic import Field
 
@@ -52,6 +53,22 @@ class Forecast(Document):
 
     value: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1e4)]
     uncertainty: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1e4)]
+
+
+class MapParts(TypedDict):
+    """The weights of a map, as its document has them."""
+
+    rates: tuple[tuple[float, ...], ...]
+    short: tuple[float, ...]
+    long: tuple[float, ...]
+
+
+def map_parts(weights: Sequence[Sequence[float]]) -> MapParts:
+    """Return weights (KINDS, k), sorted as `LinearMap.parts`, without the parts that are zero."""
+    *rates, short, long = (tuple(part) if any(part) else () for part in weights)
+    read = max((index for index, part in enumerate(rates) if part), default=0) + 1
+    zeros = (0.0,) * len(weights[0])
+    return MapParts(rates=tuple(part or zeros for part in rates[:read]), short=short, long=long)
 
 
 class LinearMap(Document):

@@ -17,7 +17,7 @@ import numpy as np
 import typer
 from numpy.typing import NDArray
 
-from app.calibration.prior.features import features
+from app.calibration.features import features
 from app.calibration.prior.frames import prompted_frames
 from app.calibration.prior.moments import Moments, mean_of
 from app.calibration.prior.scale import MOVEMENT, log_ranges, scales

@@ -5,6 +5,7 @@ import pytest
 from simulated_person import SimulatedPerson, layout_of, stroke
 
 from app.calibration.clean_recording import CleanRecording
+from app.calibration.features import features
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import (
     Prompt,
@@ -15,7 +16,6 @@ from app.calibration.fit.repetitions import (
     stretches_of_prompts,
 )
 from app.calibration.guided.guided_map import with_guided_maps
-from app.calibration.prior.features import features
 from app.calibration.script import calibration_script
 from app.cues import cue_index
 

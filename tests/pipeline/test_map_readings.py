@@ -6,8 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.signal import butter, lfilter
 
+from app.calibration.features import features
 from app.calibration.linear_map import AVERAGING_TIMES, LinearMap, MapCheck
-from app.calibration.prior.features import features
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.decoder import Decoder, periods_between
 from app.pipeline.replay.batch import decode_block

@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.cued_runs import CuedRun, Phase
+from app.calibration.features import features
 from app.calibration.fit.joint_evidence import CUTOFF, LAG, SETTLING
 from app.calibration.gaps import Frames
-from app.calibration.prior.features import features
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.signals.smoothing import smooth
 

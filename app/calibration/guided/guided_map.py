@@ -9,15 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.clean_recording import CleanRecording
-from app.calibration.fit.joint_evidence import CUTOFF
+from app.calibration.features import features
 from app.calibration.fit.joint_fit import LARGEST_THRESHOLD, LEAST_RANGE, REST_NOISE_FACTOR, SMALLEST_DEAD_ZONE
 from app.calibration.fit.repetitions import Stretch
 from app.calibration.guided.check import SHORTEST_REST, check, dead_zone_of
 from app.calibration.guided.labels import CuedMovement, labels, lags_of
-from app.calibration.linear_map import AVERAGING_TIMES, LinearMap, MapCheck
+from app.calibration.linear_map import KINDS, RATE_LAGS, LinearMap, MapCheck, map_parts
 from app.calibration.profile import CalibrationProfile, JointMap
+from app.calibration.ridge import ridge
 from app.number_words import amount
-from app.signals.smoothing import slow_average, smooth
 
 LARGEST_WEIGHT = 1e12  # FS per signal unit, as `app.quantities.Finite`
 FEWEST = 3  # repetitions: one is held out, and two are fitted to
@@ -48,7 +48,7 @@ class GuidedFit(NamedTuple):
 class _Piece:
     """One stretch of one joint, with the features to fit to."""
 
-    features: Array  # (n, 3k): rates, levels above the short average, levels above the long average
+    features: Array  # (n, KINDS k)
     pca: Array  # (n,) rate of the PCA map, FS/s
     cued: tuple[CuedMovement, ...]
 
@@ -57,7 +57,7 @@ class _Piece:
 class _TrainingRows:
     """All frames of one joint with their labels, one row per frame."""
 
-    features: Array  # (n, 3k)
+    features: Array  # (n, KINDS k)
     pca: Array  # (n,) FS/s
     label: NDArray[np.int8]  # (n,) +1 in the prompted movement, -1 on the way back, 0 elsewhere
     repetition: NDArray[np.int_]  # (n,) number of the repetition; -1: the recording at rest
@@ -104,7 +104,7 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
     lags = [lags_of(piece.pca, piece.cued, sample_rate) for piece in pieces]
     for _ in range(ALIGNMENTS):
         data = _training_rows(joint, pieces, lags, rest, sample_rate)
-        weights = _Ridge(data, np.inf).weights()
+        weights = _Regression(data).weights(np.inf)
         lags = [lags_of(piece.features @ weights, piece.cued, sample_rate) for piece in pieces]
     data = _training_rows(
         joint, pieces, [[lag - round(LEAD * sample_rate) for lag in own] for own in lags], rest, sample_rate
@@ -115,20 +115,17 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
             f"rest, or leave pauses between the prompted movements."
         )
     pca_check = check(data.pca, data.label, data.repetition, joint.pca.dead_zone, joint.pca.full, sample_rate)
-    candidates = [_candidate(data, level, joint, pca_check, sample_rate) for level in LEVEL_RIDGES]
+    regression = _Regression(data)
+    candidates = [_candidate(data, regression, level, joint, pca_check, sample_rate) for level in LEVEL_RIDGES]
     best = max(candidate.check.in_phase for candidate in candidates)
     chosen = next(candidate for candidate in candidates if candidate.check.in_phase >= best - LEVELS_MUST_GAIN)
-    k = len(joint.channels)
     weights = chosen.weights
     if np.abs(weights).max() > LARGEST_WEIGHT:
         raise GuidedMapError(
             "Nothing is learnt from cues, because the signals are too small: give them in a smaller unit."
         )
-    short, long = weights[k : 2 * k], weights[2 * k :]
     return LinearMap(
-        rates=(tuple(map(float, weights[:k])),),
-        short=tuple(map(float, short)) if short.any() else (),
-        long=tuple(map(float, long)) if long.any() else (),
+        **map_parts(weights.reshape(KINDS, -1).tolist()),
         dead_zone=chosen.dead_zone,
         full=chosen.full,
         lag=float(np.median(np.concatenate(lags))) / sample_rate - DELAY,
@@ -139,26 +136,16 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
 
 
 def _piece(joint: JointMap, stretch: Stretch, sample_rate: float) -> _Piece:
-    values = stretch.values[:, list(joint.channels)]
-    place = (values - np.array(joint.mean)) @ np.array(joint.pca.rates[0])
-    smoothed = smooth(place, CUTOFF, sample_rate)
+    made = features(stretch.values[:, list(joint.channels)], sample_rate)
     return _Piece(
-        features=features(values, sample_rate),
-        pca=np.diff(smoothed, prepend=smoothed[:1]) * sample_rate,
+        features=made,
+        pca=made[:, : len(joint.channels)] @ np.array(joint.pca.rates[0]),
         cued=tuple(
             CuedMovement(one.start, one.stop)
             for one in stretch.moving
             if one.stop - one.start >= SHORTEST_CUE * sample_rate
         ),
     )
-
-
-def features(values: Array, sample_rate: float) -> Array:
-    """Return the features (n, 3k) of a guided map from a joint's channels (n, k): rates, levels above two averages."""
-    smoothed = smooth(values, CUTOFF, sample_rate)
-    rates = np.diff(smoothed, axis=0, prepend=smoothed[:1]) * sample_rate
-    levels = [smoothed - slow_average(smoothed, memory, sample_rate) for memory in AVERAGING_TIMES]
-    return np.concatenate([rates, *levels], axis=1)
 
 
 def _training_rows(
@@ -190,29 +177,28 @@ def _middle_of_pause(label: NDArray[np.int8], start: int, following: int) -> int
     return (end + max(following, end)) // 2
 
 
-class _Ridge:
-    """Ridge regression to the labels; keeps a Gram matrix per repetition, so that leaving one out costs no new pass."""
+class _Regression:
+    """Ridge regression to the labels; keeps the sums of each repetition, so that leaving one out costs no new pass."""
 
-    def __init__(self, data: _TrainingRows, level_ridge: float) -> None:
-        deviation = data.features.std(axis=0)
-        strength = np.repeat([RIDGE, level_ridge, level_ridge], data.features.shape[1] // 3)
-        alive = (deviation > 0.0) & np.isfinite(strength)
-        self._scale = np.where(alive, 1.0 / np.where(alive, deviation * np.sqrt(strength), 1.0), 0.0)
-        scaled = data.features * self._scale
-        names = np.unique(data.repetition)
-        rows = {int(name): data.repetition == name for name in names}
+    def __init__(self, data: _TrainingRows) -> None:
+        self._variance = data.features.var(axis=0)
+        names = np.unique(data.repetition).tolist()
+        rows = {name: data.repetition == name for name in names}
         self._count = {name: int(mask.sum()) for name, mask in rows.items()}
-        self._gram = {name: scaled[mask].T @ scaled[mask] for name, mask in rows.items()}
-        self._moment = {name: scaled[mask].T @ data.label[mask] for name, mask in rows.items()}
+        self._gram = {name: data.features[mask].T @ data.features[mask] for name, mask in rows.items()}
+        self._moment = {name: data.features[mask].T @ data.label[mask] for name, mask in rows.items()}
 
-    def weights(self, without: int | None = None) -> Array:
-        """Return the weights (3k,) fitted to all repetitions, or to all but one."""
+    def weights(self, level_ridge: float, without: int | None = None) -> Array:
+        """Return the weights (KINDS k,) fitted to all repetitions, or to all but one; earlier rates are not read."""
         names = [name for name in self._gram if name != without]
-        gram = sum(self._gram[name] for name in names)
-        moment = sum(self._moment[name] for name in names)
-        count = sum(self._count[name] for name in names)
-        solved: Array = np.linalg.solve(gram + count * np.eye(len(self._scale)), moment) * self._scale
-        return solved
+        gram = np.sum([self._gram[name] for name in names], axis=0)
+        moment = np.sum([self._moment[name] for name in names], axis=0)
+        kinds = [RIDGE, *[np.inf] * (len(RATE_LAGS) - 1), level_ridge, level_ridge]
+        strength = np.repeat(kinds, len(moment) // KINDS)
+        read = (self._variance > 0.0) & np.isfinite(strength)
+        penalty = np.full(len(moment), np.inf)
+        penalty[read] = sum(self._count[name] for name in names) * strength[read] * self._variance[read]
+        return ridge(gram, moment, penalty)
 
 
 class _Candidate(NamedTuple):
@@ -223,14 +209,14 @@ class _Candidate(NamedTuple):
 
 
 def _candidate(
-    data: _TrainingRows, level_ridge: float, joint: JointMap, pca: MapCheck, sample_rate: float
+    data: _TrainingRows, regression: _Regression, level_ridge: float, joint: JointMap, pca: MapCheck, sample_rate: float
 ) -> _Candidate:
     """Return the map for one ridge on the levels, with its thresholds and its check on held-out repetitions."""
-    ridge = _Ridge(data, level_ridge)
-    held_out = data.features @ ridge.weights()
+    weights = regression.weights(level_ridge)
+    held_out = data.features @ weights
     for name in np.unique(data.repetition[data.repetition >= 0]):
         rows = data.repetition == name
-        held_out[rows] = data.features[rows] @ ridge.weights(without=int(name))
+        held_out[rows] = data.features[rows] @ regression.weights(level_ridge, without=int(name))
     moving = held_out[data.label > 0]
     strong = float(np.percentile(moving, 90))
     if strong <= 0.0:
@@ -245,7 +231,7 @@ def _candidate(
     dead_zone = round(min(max(same_hits, REST_NOISE_FACTOR * noise, SMALLEST_DEAD_ZONE), LARGEST_THRESHOLD), 4)
     full = round(min(max(joint.pca.full, dead_zone + LEAST_RANGE), LARGEST_THRESHOLD + LEAST_RANGE), 4)
     return _Candidate(
-        weights=ridge.weights() * scale,
+        weights=weights * scale,
         dead_zone=dead_zone,
         full=full,
         check=check(held_out, data.label, data.repetition, dead_zone, full, sample_rate),

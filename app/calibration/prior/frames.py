@@ -6,10 +6,10 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from app.calibration.features import features
 from app.calibration.fit.joint_evidence import CUTOFF
 from app.calibration.fit.repetitions import Stretch
 from app.calibration.guided.labels import CuedMovement, labels
-from app.calibration.prior.features import features
 from app.calibration.prior.moments import Moments
 from app.calibration.prior.solving import OwnFrames, solve_direction
 from app.calibration.prior.strokes import STILL, movement_lags, stroke_labels

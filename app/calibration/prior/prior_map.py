@@ -8,13 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.clean_recording import CleanRecording
+from app.calibration.features import features
 from app.calibration.fit.joint_fit import LEAST_RANGE
 from app.calibration.grades import UNPROMPTED
 from app.calibration.guided.check import check
-from app.calibration.linear_map import KINDS, RATE_LAGS, Arrangement, LinearMap, MapCheck
+from app.calibration.linear_map import KINDS, Arrangement, LinearMap, MapCheck, map_parts
 from app.calibration.prior.arrangement import find_arrangement, ring_movement, sensors_at
 from app.calibration.prior.documents import FEWEST_PEOPLE
-from app.calibration.prior.features import features
 from app.calibration.prior.forecasts import expected_false, expected_hits, held_out_rate, own_full, own_peaks
 from app.calibration.prior.frames import prompted_frames
 from app.calibration.prior.map_prior import JointPrior, MapPrior, check_layout
@@ -169,9 +169,7 @@ def _joint(
         raise PriorMapError("The signals are too small: give them in a smaller unit.")
     lowest = max(dead_zone * in_fs, LEAST_DEAD_ZONE * full)
     fitted = LinearMap(
-        rates=tuple(_numbers(part) for part in per_unit[: len(RATE_LAGS)]),
-        short=_numbers(per_unit[-2]),
-        long=_numbers(per_unit[-1]),
+        **map_parts(per_unit.tolist()),
         dead_zone=round(min(lowest, full - LEAST_RANGE), 4),
         full=full,
         people=people.people,
@@ -259,7 +257,3 @@ def _of_joint(arrangements: dict[str, Arrangement], joint: JointMap, layout: Shi
 
 def _check(rate: Array, frames: OwnFrames, dead_zone: float, full: float, sample_rate: float) -> MapCheck:
     return check(rate, frames.label, frames.repetition, dead_zone, full, sample_rate)
-
-
-def _numbers(weights: Array) -> tuple[float, ...]:
-    return tuple(map(float, weights))

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from app.calibration.linear_map import KINDS
 from app.calibration.prior.moments import Moments
+from app.calibration.ridge import ridge
 
 RIDGE = 0.01  # of each feature's own power
 GAIN_UNCERTAINTY = 1.1  # factor on a channel's moments with itself: its gain differs from person to person
@@ -67,7 +68,7 @@ def _solve(people: Moments, channel: NDArray[np.int_], sample_rate: float, own: 
     gram = np.where(np.equal.outer(channel, channel), GAIN_UNCERTAINTY * gram, gram)
     power = np.diag(gram).copy()
     power[power <= 0.0] = 1.0  # a channel that no other person had
-    return np.asarray(np.linalg.solve(gram + RIDGE * np.diag(power), moment), dtype=np.float64)
+    return ridge(gram, moment, RIDGE * power)
 
 
 def solve_direction(people: Moments, sample_rate: float, own: OwnFrames | None = None) -> Array:

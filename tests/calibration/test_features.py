@@ -7,8 +7,8 @@ from calibration.prior.test_prior_map import decoded, fitted
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from app.calibration.features import features
 from app.calibration.linear_map import KINDS
-from app.calibration.prior.features import features
 from app.calibration.prior.map_prior import MapPrior
 from app.calibration.prior.moments import Moments, mean_of
 

@@ -1,4 +1,4 @@
-"""The features of a prior's map over a whole recording: what the map is learnt from (design: seven per channel)."""
+"""The features of a linear map over a whole recording, seven per channel: what maps are learnt from."""
 
 import numpy as np
 from numpy.typing import NDArray
