@@ -81,10 +81,6 @@ def losses(page, clinic, names):
     return lost
 
 
-def test_nothing_is_lost(enlarged, clinic):
-    assert losses(enlarged, clinic, SHORT) == {}
-
-
 def test_nothing_is_lost_in_any_state(enlarged, clinic):
     assert losses(enlarged, clinic, PLACES) == {}
 
