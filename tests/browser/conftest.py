@@ -66,6 +66,13 @@ FEW_PICTURES = """(() => {
   };
 })()"""
 
+# Most of a processor goes to a 3D view that software draws. A page begins with the drawn plan, as one does on which it
+# was chosen before, unless its test looks at the 3D view.
+DRAWN_PLAN = """(() => {
+  if (window !== top || !location.protocol.startsWith("http")) return;
+  if (!sessionStorage.getItem("bodydrive-view")) sessionStorage.setItem("bodydrive-view", "plan");
+})()"""
+
 
 class FewPicturesBrowser:
     """Chromium whose pages draw few pictures; those that a test opens are closed when it ends."""
@@ -73,19 +80,24 @@ class FewPicturesBrowser:
     def __init__(self, browser: Browser) -> None:
         self._browser = browser
 
-    def new_context(self, *, all_pictures: bool = False, **options: Any) -> BrowserContext:
-        """Open a context, as Playwright does; with `all_pictures` its pages draw as often as they can."""
+    def new_context(self, *, all_pictures: bool = False, in_3d: bool = False, **options: Any) -> BrowserContext:
+        """Open a context, as Playwright does.
+
+        With `all_pictures` its pages draw as often as they can; with `in_3d` a trial begins with the 3D view.
+        """
         context = self._browser.new_context(**options)
         if not STARTED.lasting:
             STARTED.passing.append(context)
         context.set_default_timeout(PATIENCE)
         if not all_pictures:
             context.add_init_script(FEW_PICTURES)
+        if not in_3d:
+            context.add_init_script(DRAWN_PLAN)
         return context
 
-    def new_page(self, *, all_pictures: bool = False, **options: Any) -> Page:
-        """Open a page in a context of its own."""
-        return self.new_context(all_pictures=all_pictures, **options).new_page()
+    def new_page(self, **options: Any) -> Page:
+        """Open a page in a context of its own, with the options of `new_context`."""
+        return self.new_context(**options).new_page()
 
 
 CONTINUE = "/api/v1/control/clear"

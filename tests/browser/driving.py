@@ -31,6 +31,11 @@ GROUPS: dict[TaskGroup, str] = {
 }
 
 
+def drive_by_plan(page):
+    """Begin the next trial of this page with the drawn plan, as one does who chose it before."""
+    page.evaluate("() => sessionStorage.setItem('bodydrive-view', 'plan')")
+
+
 def choose_task(page, floorplan, path):
     """Choose a task of a bundled place as a person does: Choose another, its group, its level, the task."""
     place = bundled_places()[floorplan]

@@ -10,10 +10,13 @@ TABLETS = {"1024x768": (1024, 768), "820x1180": (820, 1180)}
 
 
 @contextmanager
-def signed_in(name, browser, page_log, link):
-    """Yield a page of one tablet, signed in to the demonstration, and a function that keeps a screenshot."""
+def signed_in(name, browser, page_log, link, **options):
+    """Yield a page of one tablet, signed in to the demonstration, and a function that keeps a screenshot.
+
+    The `options` are those of `new_context`.
+    """
     width, height = TABLETS[name]
-    page = browser.new_page(viewport={"width": width, "height": height}, has_touch=True)
+    page = browser.new_page(viewport={"width": width, "height": height}, has_touch=True, **options)
     log = page_log(link)
     log.watch(page)
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)

@@ -51,7 +51,7 @@ def opened(browser, page_log, demo):
 
     def open_page(address, scheme="light", *, webgl=True):
         width, height = LOOKS[scheme]
-        context = browser.new_context(viewport={"width": width, "height": height}, color_scheme=scheme)
+        context = browser.new_context(in_3d=True, viewport={"width": width, "height": height}, color_scheme=scheme)
         contexts.append(context)
         if not webgl:
             context.add_init_script(WITHOUT_WEBGL)

@@ -32,7 +32,7 @@ def demo():
 def tablet(request, browser, page_log, demo):
     """Yield a page of one tablet on the list of floor plans, a function that keeps a screenshot, and its log."""
     width, height = TABLETS[request.param]
-    context = browser.new_context(viewport={"width": width, "height": height}, has_touch=True)
+    context = browser.new_context(in_3d=True, viewport={"width": width, "height": height}, has_touch=True)
     page = context.new_page()
     log = page_log(demo)
     log.watch(page)

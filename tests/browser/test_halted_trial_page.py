@@ -19,7 +19,7 @@ def pages(browser, page_log):
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     with running_demo() as link:
         log = page_log(link)
-        contexts = [browser.new_context(viewport={"width": 768, "height": 1024}) for _ in range(2)]
+        contexts = [browser.new_context(in_3d=True, viewport={"width": 768, "height": 1024}) for _ in range(2)]
         page = log.watch(contexts[0].new_page())
         page.goto(link)
 

@@ -6,7 +6,7 @@ import signal
 
 import psutil
 import pytest
-from browser.driving import bend_until, choose_task, go_on_until
+from browser.driving import bend_until, choose_task, drive_by_plan, go_on_until
 from browser.tablets import go_to, signed_in
 from playwright.sync_api import expect
 from processes.test_demo_process import bodydrive, printed_link
@@ -31,7 +31,7 @@ def demo():
 @pytest.fixture(params=["1024x768", pytest.param("820x1180", marks=pytest.mark.long)])
 def tablet(request, browser, page_log, demo):
     """Yield one tablet after the other, each in a demonstration of its own."""
-    with signed_in(request.param, browser, page_log, demo[1]) as page_and_keep:
+    with signed_in(request.param, browser, page_log, demo[1], in_3d=True) as page_and_keep:
         yield page_and_keep
 
 
@@ -107,6 +107,7 @@ def test_from_the_shirt_to_a_scored_drive(tablet):
 
 def test_the_visitor_drives_by_pads_stops_and_goes_on(tablet, demo):
     page, keep = tablet
+    drive_by_plan(page)
     go_to(page, "shirt")
     become_the_body(page)
     keep("shirt-visitor")

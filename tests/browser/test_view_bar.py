@@ -51,7 +51,7 @@ def open_bar(browser, page_log, until):
     contexts = []
 
     def opened(**options):
-        context = browser.new_context(viewport={"width": 768, "height": 1024}, **options)
+        context = browser.new_context(in_3d=True, viewport={"width": 768, "height": 1024}, **options)
         contexts.append(context)
         page = log.watch(context.new_page())
         page.route(f"{ORIGIN}/**", answer)

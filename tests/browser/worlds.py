@@ -17,7 +17,7 @@ def tasks(level="easy"):
 
 def open_drive_page(browser, log, link, size=(1024, 768)):
     """Return a signed-in page that shows where one can drive."""
-    page = browser.new_page(viewport={"width": size[0], "height": size[1]}, has_touch=True)
+    page = browser.new_page(in_3d=True, viewport={"width": size[0], "height": size[1]}, has_touch=True)
     log.watch(page)
     page.goto(link)
     expect(page.get_by_role("heading", name="Where to?")).to_be_visible()

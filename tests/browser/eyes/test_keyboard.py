@@ -111,7 +111,6 @@ def test_controls(page, clinic):
 
 def test_drive(page, clinic):
     go(page, clinic, "drive")
-    page.evaluate("() => sessionStorage.setItem('bodydrive-view', 'plan')")
     press(page, "Start trial")
     expect(page.get_by_role("button", name="End trial").first).to_be_enabled()
     press(page, "Stop the chair now")

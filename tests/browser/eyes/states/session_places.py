@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from browser.driving import drive_by_plan
 from browser.eyes.eyes_clinic import EyesClinic
 from browser.eyes.opening import Open, answered, go, opened, tap
 from playwright.sync_api import expect
@@ -13,7 +14,7 @@ def trial_runs(page: Any, clinic: EyesClinic) -> None:
     go(page, clinic, "drive")
     # This clinic has no 3D view: a message that says so would lie over the speed.
     page.route("**/api/v1/view/**", lambda route: route.fulfill(json={}))
-    page.evaluate("() => sessionStorage.setItem('bodydrive-view', 'plan')")
+    drive_by_plan(page)
     tap(page, "Start trial")
     expect(page.get_by_role("button", name="End trial").first).to_be_enabled(timeout=60_000)
 
