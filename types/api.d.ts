@@ -5966,7 +5966,7 @@ export interface components {
             /** @default 10 */
             cruise_time: number;
             /** @default 3 */
-            turn_cruise_time: number | null;
+            turn_cruise_time: number;
         };
         DriveView: {
             id: number;

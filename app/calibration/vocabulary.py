@@ -2,7 +2,7 @@
 
 import hashlib
 import json
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -66,7 +66,7 @@ class DriveParameters(Document):
     cutoff: Cutoff = 3.0  # Hz: tremor damping
     speeds: Speeds = Speeds()
     cruise_time: CruiseTime = 10.0  # s without a gesture for u1, after which a cruising chair slows to standstill
-    turn_cruise_time: TurnCruiseTime | None = 3.0  # s: the time-out of turning; None only in sets older than this field
+    turn_cruise_time: TurnCruiseTime = 3.0  # s: the time-out of turning
 
     @property
     def keeps_speed(self) -> bool:
@@ -103,26 +103,8 @@ class DriveParameters(Document):
     @property
     def hash(self) -> str:
         """SHA-256 of the canonical JSON, hex: sets with equal hashes drive alike."""
-        document = self.model_dump(mode="json")
-        if self.turn_cruise_time is None:
-            del document["turn_cruise_time"]  # such a set keeps the hash that its recordings carry
-        canonical = json.dumps(document, sort_keys=True, separators=(",", ":"))
+        canonical = json.dumps(self.model_dump(mode="json"), sort_keys=True, separators=(",", ":"))
         return hashlib.sha256(canonical.encode()).hexdigest()
-
-
-def recorded_parameters(document: Any) -> DriveParameters:
-    """Return the parameter set in the header of a recording.
-
-    A set from before the field `turn_cruise_time` gets None for it, so that a replay drives as the recording did.
-
-    Raises
-    ------
-    pydantic.ValidationError
-        When the document is no parameter set.
-    """
-    if isinstance(document, dict):
-        document = {"turn_cruise_time": None, **document}
-    return DriveParameters.model_validate(document)
 
 
 # The paper's vocabulary: joint -> control, for shirts with these joints.

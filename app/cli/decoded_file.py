@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from pydantic import ValidationError
 
 from app.calibration.profile import CalibrationProfile
-from app.calibration.vocabulary import DriveParameters, recorded_parameters, standard_parameters
+from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.cli.errors import InputError
 from app.cli.output import warn
 from app.pipeline.replay.batch import DecodedRun, decode_block
@@ -54,7 +54,7 @@ def read_parameters(file: Path) -> DriveParameters:
         raise InputError(f"--profile {file} is not a JSON document: give the file that calibrate wrote") from error
     try:
         if isinstance(document, dict) and "gestures" in document:
-            return recorded_parameters(document)
+            return DriveParameters.model_validate(document)
         return standard_parameters(CalibrationProfile.model_validate_json(json.dumps(document)))
     except ValidationError as error:
         raise InputError(one_sentence(error, f"--profile {file}")) from error

@@ -163,10 +163,6 @@ class Setup:
         misfit = self._misfit(parameters) if parameters is not None else ""
         if misfit:
             raise CommandRefused(misfit)
-        if parameters is not None and parameters.turn_cruise_time is None:
-            raise CommandRefused(
-                "These controls do not say when turning stops by itself: open the Controls page and save them anew."
-            )
         self.parameters = parameters
         self.hash = parameters.hash if parameters else None
         self._make_chain()

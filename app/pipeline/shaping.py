@@ -1,6 +1,5 @@
 """From u1 and u2 to the requested twist: control mode, speeds, ramps. Stops do not pass through here."""
 
-import math
 from typing import Final
 
 import numpy as np
@@ -30,11 +29,11 @@ class Cruise:
     """The time-outs of an axis that keeps its speed (safety S10): without a wish, and with one that never rests.
 
     Nobody drives by pushing on and on, but a sensor that is stuck does. `longest` is the time-out (s) while the control
-    is 0, None for no time-out.
+    is 0.
     """
 
-    def __init__(self, longest: float | None) -> None:
-        self._longest = math.inf if longest is None else longest
+    def __init__(self, longest: float) -> None:
+        self._longest = longest
         self._most = max(LEAST_PUSH, self._longest)
         self.reset()
 

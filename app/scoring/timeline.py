@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
-from app.calibration.vocabulary import DriveParameters, recorded_parameters
+from app.calibration.vocabulary import DriveParameters
 from app.faults import State
 from app.layout import ShirtLayout
 from app.quantities import Document
@@ -276,7 +276,7 @@ def _joints(run: RunRecording, decimation: Decimation) -> list[JointLines]:
 def parameters_of(run: RunRecording) -> DriveParameters | None:
     """Return the parameters that a run's recording holds; None when it holds none."""
     try:
-        return recorded_parameters(run.meta.get("parameters"))
+        return DriveParameters.model_validate(run.meta.get("parameters"))
     except ValidationError:
         return None
 

@@ -18,7 +18,7 @@ from app.calibration.prior.map_prior import MapPrior
 from app.calibration.prior.prior_map import with_best_maps, with_prior_maps
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
-from app.calibration.vocabulary import DriveParameters, recorded_parameters
+from app.calibration.vocabulary import DriveParameters
 from app.faults import State
 from app.layout import ShirtLayout
 from app.recording.reader import Columns, read_run
@@ -30,7 +30,7 @@ from app.session.calibration.step_check import advice_of, check_frames
 from app.world.cursor_task import CursorPlan
 from app.world.floorplan import FloorPlan, PrescribedPath
 
-MEASURES_VERSION = 2  # 1: waiting counted as driving; measures of an older version are computed again
+MEASURES_VERSION = 1  # measures of an older version are computed again
 
 
 def check_recording(folder: Path, duration: float) -> str | None:
@@ -176,7 +176,7 @@ def quality_of_recording(folder: Path) -> ControlQuality:
     rows = run.frames()
     line = since_armed(run.columns)
     return control_quality(
-        recorded_parameters(run.meta["parameters"]),
+        DriveParameters.model_validate(run.meta["parameters"]),
         float(run.meta["sample_rate"]),
         rows["values"],
         rows["state"] == State.ARMED,

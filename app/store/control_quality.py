@@ -2,7 +2,6 @@
 
 from collections.abc import Collection
 
-from pydantic import ValidationError
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
@@ -16,15 +15,9 @@ def save_quality(db: Session, trial_id: int, quality: ControlQuality) -> None:
 
 
 def stored_qualities(db: Session, trials: Collection[int]) -> dict[int, ControlQuality]:
-    """Return the stored quality of each of these trials that has one; a document of an older program may be none."""
-    found = {}
-    for trial, document in db.execute(select(Trial.id, Trial.quality).where(Trial.id.in_(trials))):
-        try:
-            if document is not None:
-                found[trial] = ControlQuality.model_validate(document)
-        except ValidationError:
-            continue
-    return found
+    """Return the stored quality of each of these trials that has one."""
+    found = db.execute(select(Trial.id, Trial.quality).where(Trial.id.in_(trials)))
+    return {trial: ControlQuality.model_validate(document) for trial, document in found if document is not None}
 
 
 def sessions_and_versions(db: Session, trials: Collection[int]) -> dict[int, tuple[int, int]]:

@@ -118,7 +118,7 @@ def _ask_for(trial: Trial) -> None:
 
 def trials_of_older_measures(db: Session, version: int) -> dict[int, str]:
     """Return the finished trials whose measures are of an older version, the newest first, with their runs' folders."""
-    known = func.coalesce(Trial.measures["measures_version"].as_integer(), 1)
+    known = Trial.measures["measures_version"].as_integer()
     old = (Trial.status == "done", Trial.measures != JSON.NULL, known < version)
     query = select(Trial.id, Run.folder).join(Run, Run.id == Trial.run_id).where(*old)
     return dict(db.execute(query.order_by(Trial.id.desc())).all())

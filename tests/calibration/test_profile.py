@@ -7,8 +7,8 @@ from pydantic import ValidationError
 
 from app.calibration.linear_map import LinearMap, MapCheck
 from app.calibration.profile import CalibrationProfile, JointMap
-from app.calibration.vocabulary import DriveParameters, recorded_parameters, standard_parameters
-from building import make_parameters, make_profile
+from app.calibration.vocabulary import standard_parameters
+from building import make_profile
 
 PCA = MapCheck(in_phase=0.9, hit_rate=0.8, false_per_minute=1.0, false_count=1)
 
@@ -50,18 +50,6 @@ def with_guided(kind="guided", **changes):
     profile = make_profile(n_channels=8)
     first = profile.joints[0].model_copy(update={"guided": guided(2, **changes), "map": kind})
     return profile.model_copy(update={"joints": (first, *profile.joints[1:])})
-
-
-def test_a_set_from_before_there_was_a_time_out_of_turning_is_read_with_none_from_a_recording_only():
-    before = json.loads(make_parameters().model_dump_json())
-    del before["turn_cruise_time"]
-    assert recorded_parameters(before).turn_cruise_time is None
-    assert DriveParameters.model_validate(before).turn_cruise_time == 3.0
-    again = recorded_parameters(json.loads(make_parameters().model_dump_json()))
-    assert (again, again.hash) == (make_parameters(), make_parameters().hash)
-    assert recorded_parameters(before).hash != again.hash
-    with pytest.raises(ValidationError):
-        recorded_parameters(None)
 
 
 def test_a_joint_is_written_with_the_maps_that_it_has_and_a_map_with_the_parts_that_it_reads():

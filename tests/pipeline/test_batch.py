@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from app.calibration.vocabulary import DriveParameters, recorded_parameters
+from app.calibration.vocabulary import DriveParameters
 from app.faults import State
 from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
@@ -91,20 +91,6 @@ def test_a_held_posture_decodes_alike_too():
     t = np.arange(2500) / 100
     streamed, _ = assert_equal(parameters, t, t, values)
     assert streamed["activation"][:, 0].max() > 0.5
-
-
-def test_a_set_from_before_there_was_a_time_out_of_turning_turns_as_it_did():
-    document = make_parameters().model_copy(update={"mode_u2": "acceleration"}).model_dump(mode="json")
-    now = recorded_parameters(document)
-    del document["turn_cruise_time"]
-    before = recorded_parameters(document)
-    values = make_signals(now, 530)  # ends after the stroke of the first shoulder
-    resting = make_signals(now, 1000, strokes=False)
-    resting += values[-1] - resting[0]  # the body rests in the posture after the strokes
-    t = np.arange(1530) / 100
-    kept, ended = (decode_block(one, 100.0, t, np.concatenate((values, resting))) for one in (before, now))
-    assert abs(kept.omega[-1]) > 0.1
-    assert ended.omega[-1] == 0.0
 
 
 def test_without_a_chair_the_floor_is_endless_and_the_numbers_are_the_same():

@@ -223,11 +223,6 @@ def test_what_nobody_could_stop_is_not_armed(control):
     assert "bind a movement" in control.refused("arm", hash=parameters.hash)
 
 
-def test_a_set_without_a_time_out_of_turning_is_not_driven(control):
-    before = control.parameters.model_copy(update={"turn_cruise_time": None})
-    assert "save them anew" in control.refused("parameters", parameters=before.model_dump(mode="json"))
-
-
 def test_a_head_tracker_is_chosen_asked_and_given_back(control, tmp_path):
     nobody = control.done("status")["head"]
     assert nobody["kind"] == ""

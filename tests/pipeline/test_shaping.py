@@ -106,11 +106,6 @@ def test_a_new_permission_begins_the_time_out_of_turning_anew():
     assert driven(shape, [(0.0, 0.0)] * 190, Twist(0.0, 0.5))[-1].omega == 0.5
 
 
-def test_without_a_time_out_turning_goes_on():
-    shape = shaper(mode_u2="acceleration", turn_cruise_time=None)
-    assert driven(shape, [(0.0, 0.0)] * 3000, Twist(0.0, 0.5))[-1].omega == 0.5
-
-
 @pytest.mark.parametrize("name", ["u1", "u2"])
 def test_a_wish_that_never_rests_ends_with_the_time_out_and_counts_again_after_a_rest(name):
     shape = shaper(mode_u2="acceleration", cruise_time=4.0, turn_cruise_time=4.0)
@@ -170,11 +165,6 @@ def test_a_single_step_past_the_time_out_is_none():
     cruise.reset()
     assert cruise.coast(1.0, np.array([3.875])) == 1
     assert cruise.coast(0.0, np.array([0.125])) == 1
-
-
-def test_coasting_without_a_time_out_never_ends():
-    assert Cruise(None).coast(0.0, np.full(500, 1.0)) == 500
-    assert Cruise(None).coast(1.0, np.full(500, 1.0)) == 500
 
 
 def test_lower_limits_are_shaped_within():

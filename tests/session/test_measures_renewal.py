@@ -22,7 +22,7 @@ from app.store.tables import LogEntry, PatientSession, Trial
 from building import make_parameters
 
 PLAN = plan_of()
-OLD = {"time": 99.0, "dist": 1.0, "reached": True}
+OLD = {"time": 99.0, "dist": 1.0, "reached": True, "measures_version": MEASURES_VERSION - 1}
 HALTED = {**OLD, "halts": 3, "halt_time": 14.2, "pauses": 0, "pause_time": 0.0, "interrupted": True}
 
 

@@ -20,7 +20,7 @@ SOME = st.fixed_dictionaries(
         "mode_u2": st.sampled_from(["velocity", "acceleration"]),
         "cutoff": st.floats(1, 8),
         "cruise_time": st.floats(1, 30),
-        "turn_cruise_time": st.one_of(st.none(), st.floats(1, 10)),
+        "turn_cruise_time": st.floats(1, 10),
         "speeds": st.builds(Speeds, forward=st.floats(0.1, 1.5), jerk=st.floats(0.5, 20)),
         "bindings": st.lists(
             st.builds(
@@ -62,7 +62,7 @@ def test_there_is_no_difference_exactly_when_both_have_one_hash(one: dict[str, A
             changed(speeds=Speeds(turn=0.6)),
             {"kind": "field", "name": "turn", "before": 1.2, "now": 0.6},
         ),
-        (changed(turn_cruise_time=None), {"kind": "field", "name": "turn_cruise_time", "before": 3.0, "now": None}),
+        (changed(turn_cruise_time=2.0), {"kind": "field", "name": "turn_cruise_time", "before": 3.0, "now": 2.0}),
         (
             gesture(dead_zone=0.25),
             {"kind": "gesture", "gesture": RIGHT_ELBOW, "feature": "rate"}

@@ -17,7 +17,6 @@ CASES = [
     (changed(cutoff=3.001), "Tremor damping: 3.000 → 3.001 Hz."),
     (changed(cruise_time=8.0), "Stops by itself after: 10 → 8 s."),
     (changed(turn_cruise_time=2.5), "Stops turning by itself after: 3.0 → 2.5 s."),
-    (changed(turn_cruise_time=None), "Stops turning by itself after: 3 s → never."),
     (changed(speeds=Speeds(forward=0.6)), "Forward speed: 0.80 → 0.60 m/s."),
     (changed(speeds=Speeds(turn=0.6)), "Turn speed: 69 → 34 °/s."),
     (gesture(dead_zone=0.25), "right_elbow counts from: 20 → 25 % / s."),

@@ -12,7 +12,7 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any, Final
 
-from sqlalchemy import NullPool, create_engine, inspect, select
+from sqlalchemy import NullPool, create_engine, select
 from sqlalchemy.orm import Session
 
 from app.clock import boot_name, monotonic, utc_now
@@ -87,12 +87,11 @@ def passed_now(db: Session) -> datetime:
 
 
 def passed_of(file: Path) -> datetime:
-    """Return the time up to which time has passed, of a database that is only read, also of an older program."""
+    """Return the time up to which time has passed, of a database that is only read."""
     uri = f"{file.resolve().as_uri()}?mode=ro"
     engine = create_engine("sqlite://", creator=lambda: sqlite3.connect(uri, uri=True), poolclass=NullPool)
     with Session(engine) as db:
-        known = inspect(db.connection()).has_table(PassedTime.__tablename__)
-        return passed_now(db) if known else _logged(db) or datetime.min.replace(tzinfo=UTC)
+        return passed_now(db)
 
 
 def look_at_clocks(db: Session) -> None:

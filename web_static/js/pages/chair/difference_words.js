@@ -32,7 +32,6 @@ function fieldWords({ name, before, now }) {
     return change(t(how), lowered(t(`${how}.${before}`)), lowered(t(`${how}.${now}`)));
   }
   const what = t(`speed.${name}`);
-  if (before === null || now === null) return change(what, timeOut(before), timeOut(now));
   const { unit, factor, digits } = SPEEDS.find((speed) => speed.name === name) ?? {
     unit: name,
     factor: 1,
@@ -70,11 +69,6 @@ function boundWords(control, bindings) {
 /** @param {NamedGesture} gesture */
 function named({ joint, direction }) {
   return direction === 1 ? joint : t("gesture.back", { joint });
-}
-
-/** The time-out of turning, which older sets do not have. @param {string | number | null} time */
-function timeOut(time) {
-  return time === null ? t("differs.no-time-out") : `${short(Number(time))} ${t("unit.turn_cruise_time")}`;
 }
 
 /** @param {string} what @param {string} before @param {string} now */

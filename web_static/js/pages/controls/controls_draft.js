@@ -210,5 +210,5 @@ export class ControlsDraft extends TypedEvents {
 function settingsOf({ parameters }) {
   const { title, gestures, bindings, mode_u1, mode_u2, cutoff, cruise_time, turn_cruise_time, speeds } = parameters;
   const settings = { title, gestures, bindings, mode_u1, mode_u2, cutoff, cruise_time, turn_cruise_time, speeds };
-  return /** @type {Required<ControlSettings>} */ (structuredClone(settings)); // turn_cruise_time is null in files only
+  return /** @type {Required<ControlSettings>} */ (structuredClone(settings));
 }

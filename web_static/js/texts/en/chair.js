@@ -67,7 +67,6 @@ export default {
   "differs.gesture.direction": "{gesture}: now counts in the other direction.",
   "differs.gain": "{gestures}, gain {gain}",
   "differs.nothing": "nothing",
-  "differs.no-time-out": "never",
   "neutral.card": "At rest",
   "neutral.lead": "Before the chair moves, every movement must stay below its mark for half a second.",
   "neutral.rest": "The body is at rest.",
