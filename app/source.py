@@ -51,14 +51,8 @@ UNKNOWN_SOURCE = Source(shirt=UNKNOWN, body=None, chair=UNKNOWN, simulated=None)
 
 
 def source_of_header(header: Mapping[str, Any]) -> Source:
-    """Return the source in the header of a recording (`run.json`).
-
-    Recordings from before the field `source` contain their chair only: `dynamics` is null for a real one.
-    """
+    """Return the source in the header of a recording (`run.json`); an unknown one when the header cannot be read."""
     try:
-        return Source.model_validate(header["source"])
-    except (KeyError, ValidationError):
-        if "dynamics" not in header:
-            return UNKNOWN_SOURCE
-        chair = "udp" if header["dynamics"] is None else "virtual"
-        return Source(shirt=UNKNOWN, body=None, chair=chair, simulated=None)
+        return Source.model_validate(header.get("source"))
+    except ValidationError:
+        return UNKNOWN_SOURCE
