@@ -103,7 +103,7 @@ vendor: node_modules/.installed
 
 # The fonts of reports, of the unpacked packages fonts-noto-core and fonts-noto-cjk in the folder FROM.
 fonts: $(VENV)/.installed-test
-	PYTHONPATH=.:tests $(BIN)/python tests/reports/report_fonts.py $(or $(FROM),$(error name a folder, as in: make fonts FROM=unpacked))
+	PYTHONPATH=.:tests $(BIN)/python tests/features/reports/report_fonts.py $(or $(FROM),$(error name a folder, as in: make fonts FROM=unpacked))
 
 safety: $(VENV)/.installed-test
 	@$(PINNED) requirements/safety.txt

@@ -8,14 +8,14 @@ import numpy as np
 
 from app import __version__
 from app.clock import MonotonicClock, stopwatch, utc_now
-from app.exports.export_material import ExportMaterial
-from app.exports.forms import FORMS
-from app.exports.package import export_steps
+from app.features.exports.export_material import ExportMaterial
+from app.features.exports.forms import FORMS
+from app.features.exports.recorded_runs import RecordedRun
+from app.features.exports.service import export_steps
 from app.messages import NO_CUE, SensorFrame, Tick
 from app.process.ring import TickRing
 from app.recording.writer import RunWriter
 from app.source import STUDY_SOURCE
-from app.store.records.recorded_runs import RecordedRun
 from bench.row import Row
 from bench.subject import bench_parameters
 

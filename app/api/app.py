@@ -16,7 +16,7 @@ from app.api.computer import this_computer
 from app.api.deps import People, clinician, viewer
 from app.api.docs_pages import docs_pages
 from app.api.driving import places
-from app.api.exports import archive_import, export_file
+from app.api.exports import archive_file, archive_import, sent_packages
 from app.api.exports.export_courses import ExportCourses
 from app.api.exports.import_courses import ImportCourses
 from app.api.foreign_files import OneAtATime
@@ -28,12 +28,9 @@ from app.api.pages import Pages, PagesFirst
 from app.api.parts import web_parts_of
 from app.api.patient_screen import patient_socket
 from app.api.patient_screen import routes as patient_screen
-from app.api.prior import prior_switch
 from app.api.proxy import BehindProxy
-from app.api.records import patient_consents, session_comparisons, session_records, sign_offs
 from app.api.refusals import REFUSALS, install_refusals
 from app.api.replay import replay_view, trial_replay
-from app.api.reports import report_file
 from app.api.routes import (
     adaptation,
     calibration,
@@ -43,7 +40,6 @@ from app.api.routes import (
     drives,
     equipment,
     limits,
-    log,
     models,
     patients,
     people,
@@ -57,7 +53,6 @@ from app.api.routes import (
     trial_plan,
     trials,
 )
-from app.api.sharing import attention, comments, share_links, shared_page, stories
 from app.api.sign_in import accept_invitation, auth, introduction, own_password
 from app.api.sign_in.hashing import Hashing
 from app.api.sign_in.set_up import SetUp
@@ -67,6 +62,7 @@ from app.api.view.view_bridge import view_router
 from app.api.view.view_controls import view_controls
 from app.api.view.view_keeper import OpenScene, may_view
 from app.computing_process import ComputingProcess
+from app.features.registration import feature_routers
 from app.scene.role_servers import Role
 from app.scene.session_scene import LiveScene
 from app.settings import Settings, docs_folder, static_folder
@@ -93,7 +89,6 @@ ROUTES = (
     chairs,
     limits,
     calibration,
-    prior_switch,
     controls,
     adaptation,
     places,
@@ -109,25 +104,15 @@ ROUTES = (
     drives,
     review,
     control_quality,
-    report_file,
-    export_file,
+    sent_packages,
+    archive_file,
     archive_import,
-    log,
     live_socket,
     screen_socket,
     patient_screen,
     patient_socket,
     openapi_document,
     trial_plan,
-    session_records,
-    sign_offs,
-    session_comparisons,
-    patient_consents,
-    attention,
-    stories,
-    comments,
-    share_links,
-    shared_page,
 )
 
 WebApp = FastAPI
@@ -228,7 +213,7 @@ def _pages() -> Pages:
 def _routes_of_all_clinics() -> list[BaseRoute]:
     """Return the routes that ask the request for their application; to make them takes longer than all else here."""
     served = APIRouter()
-    served.include_router(_api(module.router for module in ROUTES))
+    served.include_router(_api((*(module.router for module in ROUTES), *feature_routers())))
     served.include_router(replay_view.page_router)
     return served.routes
 

@@ -18,12 +18,12 @@ from app.api.replay.timelines import Timelines
 from app.api.replay.trajectories import Trajectories
 from app.api.view.view_keeper import OpenScene, ViewKeeper
 from app.computing_process import ComputingProcess
+from app.features.registration import features
 from app.session.adaptation import AdaptationFlow
 from app.session.calibration.calibration_flow import CalibrationFlow
-from app.session.calibration.clinic_prior import ClinicPrior
+from app.session.calibration.garment import NobodyElse, OthersPrior
 from app.session.clinic_spread import ClinicSpread
 from app.session.control_link import ControlLink, LinkedProcess
-from app.session.deteriorations import Deteriorations
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.head import HeadChoice
 from app.session.equipment.limits import ClinicLimits
@@ -70,7 +70,8 @@ def make_parts(
     runs = SessionRuns(database, control, settings.runs, lambda: equipment.simulated)
     chairs = Chairs(database, control, settings.keys, tell)
     limits = ClinicLimits(database, control, tell)
-    prior = ClinicPrior(database)
+    priors = (one.prior(database) for one in features().values() if one.prior is not None)
+    prior: OthersPrior = next(priors, NobodyElse())
     calibration = CalibrationFlow(database, control, equipment, runs, tell, computing, prior)
     trials = TrialFlow(database, control, runs, tell, computing)
     drives = RealDriveFlow(database, control, runs, tell, computing)
@@ -124,7 +125,6 @@ def make_parts(
         qualities=TrialQualities(database, runs.folder_of, computing),
         renewal=MeasuresRenewal(database, runs, computing, tell),
         spread=spread,
-        deteriorations=Deteriorations(database, computing, spread),
         replays=Replays(),
         view=ViewKeeper(open_scene, control.newest),
         own_floorplans=settings.floorplans,

@@ -1,16 +1,19 @@
 """Refuse a change whose page shows another session than the open one (header `Patient-Session`).
 
-The check is made for every route of the API that is not in `WITHOUT_SESSION`, also for new ones.
+The check is made for every route of the API that is not in `without_session()`, also for new ones.
 """
 
 import asyncio
 import re
+from collections.abc import Mapping
+from functools import cache
 
 from fastapi import Depends, HTTPException
 from starlette.requests import HTTPConnection
 
 from app.api.deps import People, PeopleParts
 from app.api.who_asks import READS, WhoAsks
+from app.features.registration import features
 from app.session.page_session import PAGE_SESSION, PageSession, require_page_session
 
 HEADER = "Patient-Session"
@@ -46,23 +49,6 @@ WITHOUT_SESSION = {
     "POST /deleted-patients/{patient_id}/erasure": _OWN_NAME,
     "POST /trials/{trial_id}/discard": _OWN_NAME,
     "POST /trials/{trial_id}/keep": _OWN_NAME,
-    "PUT /sessions/{session_id}/goal": _OWN_NAME,
-    "POST /sessions/{session_id}/notes": _OWN_NAME,
-    "PUT /sessions/{session_id}/notes/{note_id}": _OWN_NAME,
-    "POST /sessions/{session_id}/scales": _OWN_NAME,
-    "DELETE /sessions/{session_id}/scales/{scale_id}": _OWN_NAME,
-    "POST /sessions/{session_id}/sign-off": _OWN_NAME,
-    "POST /sessions/{session_id}/unlock": _OWN_NAME,
-    "PUT /patients/{patient_id}/consents/{consent}": _OWN_NAME,
-    "DELETE /patients/{patient_id}/consents/{consent}": _OWN_NAME,
-    "POST /trials/{trial_id}/comments": _OWN_NAME,
-    "POST /trials/{trial_id}/comments/read": _LOOKS,
-    "PUT /comments/{comment_id}": _OWN_NAME,
-    "DELETE /comments/{comment_id}": _OWN_NAME,
-    "POST /patients/{patient_id}/shares": _OWN_NAME,
-    "POST /sessions/{session_id}/shares": _OWN_NAME,
-    "DELETE /shares/{share_id}": _OWN_NAME,
-    "POST /shared/open": "It reads what one link shares, and changes nothing of a session.",
     "POST /replays": _LOOKS,
     "POST /replays/{word}/at": _LOOKS,
     "DELETE /replays/{word}": _LOOKS,
@@ -78,7 +64,6 @@ WITHOUT_SESSION = {
     "POST /chairs": _CLINIC,
     "DELETE /chairs/{chair_id}": _CLINIC,
     "PUT /limits": _CLINIC,
-    "PUT /clinic-prior": _CLINIC,
     "POST /computer/measurement": _CLINIC,
     "POST /backups": _CLINIC,
     "PUT /backups/settings": _CLINIC,
@@ -91,13 +76,19 @@ WITHOUT_SESSION = {
     "POST /people/{person_id}/disable": _CLINIC,
     "POST /people/{person_id}/enable": _CLINIC,
 }
-"""Routes that change something without naming a session, each with the reason."""
+"""Routes that change something without naming a session, each with the reason; features have more."""
+
+
+@cache
+def without_session() -> Mapping[str, str]:
+    """Return these routes with those of all features."""
+    return WITHOUT_SESSION | {route: why for one in features().values() for route, why in one.without_session.items()}
 
 
 async def require_session(connection: HTTPConnection, parts: PeopleParts, who: WhoAsks) -> None:
     """Refuse a change that names no session (422) or another session than the open one (409)."""
     method = connection.scope.get("method", "GET")  # a websocket has no method, and opening one changes nothing
-    if method in READS or f"{method} {_path(connection)}" in WITHOUT_SESSION:
+    if method in READS or f"{method} {_path(connection)}" in without_session():
         return
     if who is not None and who.drives:  # the route refuses everybody else
         await require_named(connection, parts)
@@ -123,7 +114,7 @@ def _page_session(header: str) -> PageSession:
 
 
 def _path(connection: HTTPConnection) -> str:
-    """Return the path of the route that a request reached, as in WITHOUT_SESSION."""
+    """Return the path of the route that a request reached, as in `without_session()`."""
     path: str = connection.scope["route"].path
     return path.removeprefix("/api/v1")
 

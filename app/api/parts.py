@@ -1,10 +1,11 @@
 """The long-lived parts of the web process: control link, equipment, calibration, trials, the live picture."""
 
 import asyncio
+from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any, TypeVar
 
 from fastapi import Depends, FastAPI
 from starlette.requests import HTTPConnection
@@ -27,7 +28,6 @@ from app.session.adaptation import AdaptationFlow
 from app.session.calibration.calibration_flow import CalibrationFlow
 from app.session.clinic_spread import ClinicSpread
 from app.session.control_link import ControlLink, ScreenSign
-from app.session.deteriorations import Deteriorations
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.head import HeadChoice
 from app.session.equipment.limits import ClinicLimits
@@ -47,6 +47,8 @@ from app.store.files.disk_watch import DiskWatch
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
 from app.world.path_titles import find_floorplan
 from app.world.scene import DrivingPlace, bundled_places
+
+Part = TypeVar("Part")
 
 
 @dataclass(slots=True)
@@ -84,10 +86,20 @@ class WebParts:
     qualities: TrialQualities
     renewal: MeasuresRenewal
     spread: ClinicSpread
-    deteriorations: Deteriorations
     replays: Replays
     view: ViewKeeper
     own_floorplans: Path
+    of_features: dict[type, Any] = field(default_factory=dict)
+
+    def of_feature(self, kind: type[Part], make: Callable[[], Part]) -> Part:
+        """Return the part of this kind that a feature has, made when it is asked for first. For any thread.
+
+        Two threads that ask at once may make two: both get the one that was stored.
+        """
+        if kind not in self.of_features:
+            self.of_features.setdefault(kind, make())
+        part: Part = self.of_features[kind]
+        return part
 
     def driving_sign(self) -> ScreenSign:
         """Return the last report of the screen that started the trial or drive; may be called from any thread."""

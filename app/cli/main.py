@@ -8,9 +8,10 @@ import typer
 
 from app import __version__
 from app.cli.errors import InputError, refuse
+from app.features import names
 
 # Command: module and function, imported only when the command is used, so that `--help` starts quickly.
-COMMANDS = {
+_COMMANDS = {
     "demo": ("app.cli.serve", "demo"),
     "serve": ("app.cli.serve", "serve"),
     "calibrate": ("app.cli.calibration.calibrate", "calibrate"),
@@ -34,8 +35,8 @@ COMMANDS = {
     "floorplan": ("app.cli.floorplan", "floorplan_app"),
     "about": ("app.cli.about", "about"),
 }
-
-
+_OF_FEATURES = {"report": "reports", "export": "exports", "log": "log"}
+COMMANDS = {word: place for word, place in _COMMANDS.items() if _OF_FEATURES.get(word) in {None, *names()}}
 # Base class of typer's errors about commands and options, which has no public name in typer.
 Complaint: type[Exception] = next(kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException")
 

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from app.computing_process import ComputingProcess
 from app.scoring.verdict.measure_verdict import PeopleVariances, clinic_spreads, people_variances
-from app.scoring.verdict.spread import Spread
+from app.scoring.verdict.spread import Spread, SpreadsOf
 from app.source import SourceGroup
 from app.store.access.visible_patients import every_patient
 from app.store.database import Database
@@ -37,6 +37,10 @@ class ClinicSpread:
     def of_others(self, task: Task, patient_id: int) -> dict[str, Spread]:
         """Return the median spread of all patients but this one, for each measure that enough of them have."""
         return clinic_spreads(self._variances(task), patient_id)
+
+    def for_patient(self, clinic_id: int, patient_id: int) -> SpreadsOf:
+        """Return a function that returns the median spread of all patients but this one in a task."""
+        return lambda floorplan, path, group: self.of_others(Task(clinic_id, floorplan, path, group), patient_id)
 
     def _variances(self, task: Task) -> PeopleVariances:
         with every_patient(), self._database.transaction() as db:

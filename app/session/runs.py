@@ -13,9 +13,9 @@ from app.recording.reader import kept_rows
 from app.refusals import Conflict, Refusal
 from app.session.control_link import ControlLink
 from app.source import Source
+from app.store.consent import require_consent
 from app.store.database import Database
 from app.store.log import log_once
-from app.store.records.consents import require_consent
 from app.store.runs import add_run, close_run, open_runs, run_folders
 from app.store.tables import PatientSession
 from app.world.cursor_task import CursorPlan

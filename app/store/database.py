@@ -13,6 +13,7 @@ from sqlalchemy import Engine, create_engine, event
 from sqlalchemy.exc import DatabaseError
 from sqlalchemy.orm import Session
 
+from app.features.registration import features
 from app.file_modes import OWNER_FILE, OWNER_FOLDER
 from app.refusals import NO_ROOM, DiskFull, Unavailable
 from app.store.access.visible_patients import restrict
@@ -20,7 +21,6 @@ from app.store.files.ballast import Ballast
 from app.store.keeping import last_ids  # noqa: F401  (new rows take no id of an erased one)
 from app.store.log import HAS_NEW_ROWS, write_log
 from app.store.log_chain import HEAD_BEGUN, ChainHead, HeadFile, advance
-from app.store.records.sign_off import lock_signed
 from app.store.schema import bring_up_to_date
 
 # Error codes that SQLite may also report on a full disk: a file cannot grow or be created, a quota is used up.
@@ -65,6 +65,7 @@ class Database:
     """
 
     def __init__(self, file: Path) -> None:
+        features()  # their tables belong to the schema
         file.parent.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
         self.ballast = Ballast(file.with_name(f"{file.name}.ballast"))
         self._head_file = HeadFile(file)
@@ -102,7 +103,8 @@ class Database:
         with self._as_refusals(), self._one_at_a_time:
             with Session(self._engine, expire_on_commit=False) as db, db.begin():
                 restrict(db)
-                lock_signed(db)
+                for feature in features().values():
+                    feature.begin(db)
                 yield db
                 head = self._head_file.after(db) if HAS_NEW_ROWS in db.info else None
             if head is not None:

@@ -8,7 +8,7 @@ from sqlalchemy import JSON, ColumnElement, func, select, true
 from sqlalchemy.orm import Session
 
 from app.source import SourceGroup, source_words
-from app.store.records.consents import has_consented
+from app.store.consent import consented
 from app.store.tables import ParameterSet, Patient, PatientSession, Profile, Run, Trial
 
 FAMILIARISATION = 3  # first trials of a task with one kind of source, in which a person gets used to it
@@ -99,7 +99,7 @@ def prior_consents(db: Session, group: SourceGroup) -> frozenset[int]:
 
 
 def _may_be_used(group: SourceGroup) -> ColumnElement[bool]:
-    return true() if group == "simulated" else has_consented("clinic_prior")
+    return true() if group == "simulated" else consented("clinic_prior")
 
 
 def _numbers(rows: Sequence[Any], group: SourceGroup) -> list[dict[str, Any]]:

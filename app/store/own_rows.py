@@ -1,30 +1,24 @@
 """Find a row by its id, in the person's own clinic only."""
 
-from typing import TypeVar
+from typing import Any, Protocol, TypeVar
 
 from sqlalchemy.orm import Session
 
 from app.refusals import NotFound, OtherClinicRow
-from app.store.access.person_tables import Person
 from app.store.access.visible_patients import WITH_DELETED
-from app.store.keeping.keeping_tables import Incident
-from app.store.sharing.sharing_tables import MomentComment, ShareLink
-from app.store.tables import Drive, InterfaceTest, PairedChair, Patient, PatientScreen, PatientSession, Trial
 
-Row = TypeVar(
-    "Row",
-    PairedChair,
-    Drive,
-    Incident,
-    InterfaceTest,
-    MomentComment,
-    Patient,
-    PatientScreen,
-    PatientSession,
-    Person,
-    ShareLink,
-    Trial,
-)
+
+class ClinicRow(Protocol):
+    """A row that names its clinic."""
+
+    __tablename__: Any
+
+    @property
+    def clinic_id(self) -> int:
+        """Return the clinic."""
+
+
+Row = TypeVar("Row", bound=ClinicRow)
 
 
 def own_row(db: Session, kind: type[Row], clinic_id: int, row_id: int, missing: str, *, deleted: bool = False) -> Row:

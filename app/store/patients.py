@@ -190,3 +190,17 @@ def session_progress(db: Session, session: PatientSession) -> tuple[bool, list[s
         select(CalibrationStep.step).where(CalibrationStep.session_id == session.id, CalibrationStep.status == "done")
     )
     return bool(has_profile), list(done)
+
+
+def find_session(db: Session, clinic_id: int, session_id: int) -> PatientSession:
+    """Return one of the clinic's sessions; the patient is visible and not deleted."""
+    missing = f"There is no session {session_id}: choose one of the patient's list."
+    session = own_row(db, PatientSession, clinic_id, session_id, missing)
+    find_patient(db, clinic_id, session.patient_id)
+    return session
+
+
+def sessions_of(db: Session, patient_id: int) -> list[PatientSession]:
+    """Return a patient's sessions, the newest first."""
+    query = select(PatientSession).where(PatientSession.patient_id == patient_id)
+    return list(db.scalars(query.order_by(PatientSession.number.desc())))

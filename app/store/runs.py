@@ -12,7 +12,7 @@ from app.scoring.interruptions import reason_to_ask
 from app.source import UNKNOWN_SOURCE, Source
 from app.store.access.visible_patients import WITH_DELETED
 from app.store.own_rows import own_row
-from app.store.records.sign_off import require_unsigned, sign_off_of
+from app.store.session_lock import require_unlocked, why_locked
 from app.store.tables import PatientSession, Run, Trial
 
 
@@ -131,7 +131,7 @@ def renew_measures(db: Session, trial_id: int, measures: dict[str, Any]) -> dict
     """
     trial = db.get_one(Trial, trial_id)
     before, trial.measures = trial.measures or {}, _storable(measures)
-    if sign_off_of(db, trial.session_id) is None:
+    if not why_locked(db, trial.session_id):
         _ask_for(trial)
     return {name: value for name, value in before.items() if _is_changed_figure(value, measures.get(name))}
 
@@ -172,7 +172,7 @@ def keep_trial(db: Session, clinic_id: int, trial_id: int, discard_reason: str |
     trial = find_trial(db, clinic_id, trial_id)
     if trial.status != "done":
         raise Conflict("This trial is still running: end it first.")
-    require_unsigned(db, trial.session_id)
+    require_unlocked(db, trial.session_id)
     trial.kept, trial.discard_reason = discard_reason is None, discard_reason
     return trial
 

@@ -6,16 +6,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 from urllib.parse import quote
 
-from sqlalchemy import Engine
+from sqlalchemy import Engine, MetaData
 
 from app import __version__
+from app.features.registration import features
 from app.refusals import Refusal
 from app.store.access import person_tables  # noqa: F401  (tables belong to the metadata once they are imported)
 from app.store.backup import back_up
 from app.store.keeping import keeping_tables  # noqa: F401
-from app.store.prior import prior_tables  # noqa: F401
-from app.store.records import import_tables, record_tables  # noqa: F401
-from app.store.sharing import sharing_tables  # noqa: F401
+from app.store.records import import_tables  # noqa: F401
 from app.store.tables import Table
 
 if TYPE_CHECKING:
@@ -23,8 +22,12 @@ if TYPE_CHECKING:
 
 MIGRATIONS = Path(__file__).parent / "migrations"
 NEWEST = "0001"  # the last revision there; a start with a new database, or one of this revision, loads no alembic
-METADATA = Table.metadata
-"""What all migrations together make of an empty database; a test compares."""
+
+
+def metadata() -> MetaData:
+    """Return what all migrations together make of an empty database, with the tables of features; a test compares."""
+    features()  # tables belong to the metadata once they are imported
+    return Table.metadata
 
 
 def connect(file: Path) -> sqlite3.Connection:
@@ -78,7 +81,7 @@ def bring_up_to_date(file: Path, engine: Engine) -> None:
 def _make_tables(engine: Engine) -> None:
     """Make the tables of the newest revision in an empty database, in one transaction."""
     with engine.begin() as connection:
-        METADATA.create_all(connection, checkfirst=False)
+        metadata().create_all(connection, checkfirst=False)
         connection.exec_driver_sql(
             "CREATE TABLE alembic_version "
             "(version_num VARCHAR(32) NOT NULL, CONSTRAINT alembic_version_pkc PRIMARY KEY (version_num))"

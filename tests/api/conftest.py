@@ -4,6 +4,7 @@ import shutil
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
+from typing import Any
 
 import pytest
 from fake_clinic import Clinic
@@ -12,15 +13,17 @@ from running_app import running
 from session.same_process import SameProcess
 from session.same_reader import read_in_this_process
 
-from app.api.exports import archive_import, export_file
+from app.api.exports import archive_import, sent_packages
 from app.api.sign_in import hashing
+from app.clock import utc_now
 from app.exports.archive import imported_archive
 from app.session import run_watch
 from app.session.calibration import calibration_flow
 from app.settings import Settings
 from app.store.database import Database
 from app.store.files import ballast
-from app.store.people import add_clinic
+from app.store.people import add_clinic, add_person, find_person, the_clinic
+from app.store.people import sign_in as sign_in_person
 
 CODE = "the-code-of-the-link"
 
@@ -40,7 +43,7 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(calibration_flow, "LOOK_EVERY", 0.002)
     monkeypatch.setattr(run_watch, "LOOK_EVERY", 0.002)
     read_in_this_process(monkeypatch)
-    monkeypatch.setattr(export_file, "ComputingProcess", SameProcess)
+    monkeypatch.setattr(sent_packages, "ComputingProcess", SameProcess)
     monkeypatch.setattr(archive_import, "ComputingProcess", SameProcess)
     monkeypatch.setattr(imported_archive, "limit_memory", lambda: None)
 
@@ -150,3 +153,35 @@ def screen(paired: Clinic) -> Clinic:
     """A browser that is the patient's screen and nothing else."""
     only(paired, "bodydrive_screen")
     return paired
+
+
+@pytest.fixture
+def trial(calibrated: Clinic) -> int:
+    """Drive one trial, and return its id."""
+    plan = calibrated.good("GET", "/floorplans")[0]
+    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": "screen-of-the-test"}
+    with calibrated.screen("screen-of-the-test"):
+        calibrated.good("POST", "/trials", json=where)
+        return int(calibrated.good("POST", "/trials/current/end", json={})["id"])
+
+
+@pytest.fixture
+def cookies_of(calibrated: Clinic) -> Any:
+    """Return a function that signs somebody in, and returns the cookies."""
+    database = calibrated.client.app.state.people.database  # type: ignore[attr-defined]
+
+    def cookies(name: str, role: str, patients: list[int] | None = None) -> dict[str, str]:
+        with database.transaction() as db:
+            if find_person(db, name) is None:
+                add_person(db, the_clinic(db), name, role, None, patients=patients)
+            return {"bodydrive_sign_in": sign_in_person(db, find_person(db, name), "test")}
+
+    return cookies
+
+
+@pytest.fixture
+def consented(calibrated: Clinic) -> Clinic:
+    """A clinic whose patient has consented to sharing today."""
+    path = f"/patients/{calibrated.patient['id']}/consents/sharing"
+    calibrated.good("PUT", path, json={"given": utc_now().astimezone().date().isoformat()})
+    return calibrated

@@ -65,7 +65,7 @@ def test_an_error_of_ours_is_a_sentence_without_a_word_of_the_inside(
     def fails(_file: object) -> None:
         raise RuntimeError("of the inside")
 
-    monkeypatch.setattr("app.api.routes.log.verify_log", fails)
+    monkeypatch.setattr("app.features.log.routes.verify_log", fails)
     answer = signed_in("GET", "/log/check")
     assert "report it" in sentence(answer, 500)
     assert [word for word in ("of the inside", "Traceback", "RuntimeError", ".py") if word in answer.text] == []

@@ -9,6 +9,9 @@ from routes_with_ids import IDS, MISSING, places
 
 from app.api import refusals
 from app.clock import utc_now
+from app.features.comments.service import add_comment
+from app.features.consents.service import give_consent
+from app.features.sharing.service import add_share
 from app.refusals import DiskFull
 from app.speeds import HIGHEST_SPEEDS
 from app.store import tables
@@ -18,10 +21,7 @@ from app.store.keeping.incidents import mark_incident
 from app.store.patient_screens import add_screen
 from app.store.patients import add_patient, start_session
 from app.store.people import add_clinic, add_person
-from app.store.records.consents import give_consent
 from app.store.runs import add_run, add_trial
-from app.store.sharing.comments import add_comment
-from app.store.sharing.share_links import add_share
 
 # Whole numbers that are no ids.
 NUMBERS = {

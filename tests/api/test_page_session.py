@@ -7,7 +7,7 @@ from fake_clinic import Clinic
 from fastapi.routing import APIRoute
 from test_roles import contexts
 
-from app.api.page_session import READS, WITHOUT_SESSION
+from app.api.page_session import READS, without_session
 from app.refusals import Conflict
 from app.session.page_session import PAGE_SESSION, PageSession
 from app.store.people import find_person, sign_in
@@ -68,8 +68,8 @@ def test_every_changing_route_refuses_another_session_and_none_or_is_listed_with
     before = second_patient(in_session)
     routes = changing(in_session)
     assert len(routes) >= 50
-    assert set(WITHOUT_SESSION) <= set(routes)
-    assert all(WITHOUT_SESSION.values())
+    assert set(without_session()) <= set(routes)
+    assert all(without_session().values())
     wrong = []
     for route in routes:
         refused = {}
@@ -85,7 +85,7 @@ def test_every_changing_route_refuses_another_session_and_none_or_is_listed_with
             )
         stale = [refused[name] == (True, False) for name in (before, "none", "999999")]
         nameless = [refused[name] == (False, True) for name in (None, "B-12", "0", "-1")]
-        expected = route not in WITHOUT_SESSION
+        expected = route not in without_session()
         if {*stale, *nameless} != {expected}:
             wrong.append((route, refused))
     assert wrong == []

@@ -5,13 +5,13 @@ from pathlib import Path
 from recorded_trial import plan_of, record_trial, store_trial
 
 from app.clock import utc_now
+from app.features.consents.service import give_consent
 from app.session.recordings import MEASURES_VERSION
 from app.settings import Settings
 from app.source import Source
 from app.store.database import Database
 from app.store.parameters import current_parameters, save_parameters, save_profile
 from app.store.patients import add_patient
-from app.store.records.consents import give_consent
 from app.store.runs import close_run
 from app.store.tables import Clinic, PatientSession
 from building import make_parameters

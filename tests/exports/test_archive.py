@@ -12,24 +12,24 @@ from app.clock import utc_now
 from app.csv_cells import SPREADSHEET_BEGIN
 from app.exports.archive.archive_list import PATIENT
 from app.exports.archive.archive_making import make_archive
-from app.exports.export_material import exported_material
-from app.exports.trial_table import trial_csv
+from app.features.exports.export_material import exported_material
+from app.features.exports.trial_table import trial_csv
+from app.features.log.service import read_log
+from app.features.records.service import add_note, add_scale, session_record
+from app.features.records.sign_off import sign_off
+from app.features.reports.composition import compose
+from app.features.reports.material import report_material
+from app.features.sharing.stories import story_of
 from app.recording.reader import read_run
 from app.refusals import Conflict
-from app.reports.composition import compose
-from app.reports.material import report_material
 from app.store import log
 from app.store.database import Database
 from app.store.learning_trials import counted_trials
 from app.store.log import write_log
-from app.store.log_reading import read_log
 from app.store.patients import add_patient
 from app.store.records import patient_rows
 from app.store.records.imports import origin_of
 from app.store.records.patient_replacement import PatientHere
-from app.store.records.session_record import add_note, add_scale, session_record
-from app.store.records.sign_off import sign_off
-from app.store.sharing.story import story_of
 from app.store.tables import InterfaceTest, Patient, PatientSession
 
 

@@ -15,18 +15,18 @@ from app.clock import utc_now
 from app.exports.archive.archive_list import LIST, REPORT
 from app.exports.archive.archive_making import make_archive
 from app.exports.archive.open_archive import open_archive
+from app.features.comments.service import add_comment, comment_history, comments_of, mark_read, revise_comment
+from app.features.comments.tables import MomentComment
+from app.features.reports.service import report_of_archive
+from app.features.sharing.attention import patients_and_reasons
 from app.refusals import Conflict
-from app.reports.report_making import report_of_archive
 from app.settings import Settings
 from app.store.access.person_tables import Person
 from app.store.database import Database, Transaction
 from app.store.keeping.owned_rows import tables
-from app.store.records.archive_kinds import KINDS, LEFT_OUT, NOT_IN_ARCHIVE
+from app.store.records.archive_kinds import LEFT_OUT, archived_tables, not_archived
 from app.store.records.patient_rows import exchanged, table_of
 from app.store.schema import connect
-from app.store.sharing.attention import patients_and_reasons
-from app.store.sharing.comments import add_comment, comment_history, comments_of, mark_read, revise_comment
-from app.store.sharing.sharing_tables import MomentComment
 from app.store.tables import Trial
 
 
@@ -62,16 +62,16 @@ def archived(database: Database, clinic: Settings, package: Path) -> str:
 
 
 def test_each_table_is_in_the_archive_or_has_a_reason_why_not(clinic: Settings) -> None:
-    carried = [table_of(kind).name for kind, _ in KINDS]
+    carried = [one.kind.__tablename__ for one in archived_tables()]
     with closing(connect(clinic.database)) as connection:
         there = set(tables(connection)) - {"alembic_version"}
-    assert sorted([*carried, *NOT_IN_ARCHIVE]) == sorted(there)
-    assert all(reason.strip() for reason in NOT_IN_ARCHIVE.values())
+    assert sorted([*carried, *not_archived()]) == sorted(there)
+    assert all(reason.strip() for reason in not_archived().values())
 
 
 def test_each_column_of_these_tables_is_in_the_archive_or_has_a_reason_why_not() -> None:
-    for kind, _ in KINDS:
-        table = table_of(kind)
+    for one in archived_tables():
+        table = table_of(one.kind)
         assert {column.name for column in table.columns} - {column.name for column in exchanged(table)} <= set(LEFT_OUT)
 
 

@@ -12,29 +12,29 @@ from recorded_trial import plan_of, record_trial, store_trial
 from sqlalchemy import select
 
 from app.clock import utc_now
-from app.exports import room_to_make
 from app.exports.archive.archive_making import make_archive
 from app.exports.archive.open_archive import open_archive
+from app.features.comments.service import add_comment, comments_of
+from app.features.log.service import read_log
+from app.features.records.service import add_note
+from app.features.records.sign_off import sign_off
 from app.recording.reader import read_run
 from app.refusals import Conflict, DiskFull
 from app.settings import Settings
 from app.store.access.person_tables import Person
 from app.store.database import Database
+from app.store.files import room_to_make
 from app.store.files.disk_watch import DiskRoom
 from app.store.files.replacements import replaced_files
 from app.store.keeping.erasure import erase_patient
 from app.store.keeping.incidents import lift_incident, mark_incident
 from app.store.keeping.keeping_tables import PatientFile
 from app.store.keeping.record_time import record_keeping
-from app.store.log_reading import read_log
 from app.store.parameters import current_parameters, save_parameters, save_profile
-from app.store.patients import delete_patient
+from app.store.patients import delete_patient, sessions_of
 from app.store.records.imports import origin_of
 from app.store.records.patient_replacement import PatientHere
-from app.store.records.session_record import add_note, sessions_of
-from app.store.records.sign_off import sign_off
 from app.store.runs import close_run
-from app.store.sharing.comments import add_comment, comments_of
 from app.store.tables import Patient, PatientSession, Profile, Trial
 from building import make_parameters
 

@@ -6,8 +6,8 @@ from typing import Any
 
 from stored_interface_test import MEASURES
 
-from app.store.records.record_tables import NoteRevision, SessionNote
-from app.store.sharing.sharing_tables import CommentRevision, MomentComment
+from app.features.comments.tables import CommentRevision, MomentComment
+from app.features.records.tables import NoteRevision, SessionNote
 from app.store.tables import InterfaceTest, Run
 from app.world.cursor_task import CursorPlan
 

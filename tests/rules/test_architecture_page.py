@@ -2,7 +2,7 @@
 
 import re
 
-from test_imports import LEAVES, MAY_IMPORT, PURE_CHAIN
+from test_imports import LEAVES, MAY_IMPORT, PURE_CHAIN, WEB_KERNEL
 
 from folders import ROOT
 
@@ -66,5 +66,6 @@ def test_the_import_table_is_the_tested_one():
             entries = rows[package].split(", ")
             assert ("leaves" in entries) == (LEAVES in allowed), package
             assert ("the pure chain" in entries) == (set(PURE_CHAIN) <= set(allowed)), package
-            named = {entry.strip("`") for entry in entries} - {"leaves", "the pure chain"}
-            assert named == set(allowed) - {LEAVES} - set(PURE_CHAIN), package
+            assert ("the web kernel" in entries) == (set(WEB_KERNEL) <= set(allowed)), package
+            named = {entry.strip("`") for entry in entries} - {"leaves", "the pure chain", "the web kernel"}
+            assert named == set(allowed) - {LEAVES, *PURE_CHAIN, *WEB_KERNEL}, package

@@ -9,6 +9,7 @@ from functools import cache
 from pathlib import Path
 
 from app.cli.main import COMMANDS
+from app.features import NEEDS
 from folders import ROOT
 
 FILES = sorted((ROOT / "app").rglob("*.py"))
@@ -24,7 +25,22 @@ PURE_CHAIN = tuple(
         "replay.batch",
     )
 )
-# Packages, or single modules of them, that each package may import besides its own.
+WEB_KERNEL = tuple(
+    f"api.{name}"
+    for name in (
+        "answers",
+        "deps",
+        "parts",
+        "own_address",
+        "sign_in",
+        "replay.trajectories",
+        "routes.origin_view",
+        *("exports.sent_packages", "interface_tests.interface_test_view", "routes.source_view"),
+    )
+)
+REGISTRATION = "features.registration"
+# Packages, or single modules of them, that each package may import besides its own. A feature imports another one
+# only through its service, and its line in app/features/__init__.py names it.
 MAY_IMPORT = {
     LEAVES: (LEAVES,),
     "process": (LEAVES,),
@@ -35,8 +51,7 @@ MAY_IMPORT = {
     "calibration": (LEAVES, "signals"),
     "pipeline": (LEAVES, "process", "recording", "signals", "hardware", "world", "calibration"),
     "scoring": (LEAVES, "recording", "signals", "world", "calibration", *PURE_CHAIN),
-    "store": (LEAVES, "world", "calibration", "scoring"),
-    "reports": (LEAVES, "recording", "signals", "world", "calibration", "scoring", "store"),
+    "store": (LEAVES, "world", "calibration", "scoring", REGISTRATION),
     "exports": (LEAVES, "recording", "calibration", "scoring", "store"),
     "session": (
         *(LEAVES, "process", "recording", "signals", "world", "calibration", *PURE_CHAIN, "scoring", "store"),
@@ -46,18 +61,22 @@ MAY_IMPORT = {
         *(LEAVES, "signals", "recording", "world", "calibration", *PURE_CHAIN, "scoring", "hardware.base"),
         *("hardware.body", "hardware.shirt.fabric", "hardware.chair.simulator"),
     ),
+    "features": (
+        *(LEAVES, "recording", "signals", "world", "calibration", "scoring", "store", "session", "figures"),
+        *WEB_KERNEL,
+    ),
     "figures": (LEAVES, "world", "scoring", "study"),
     "host": (LEAVES,),
     "backup": (LEAVES, "recording", "store"),
     "scene": (LEAVES, "world"),
     "api": (
         *(LEAVES, "process", "signals.csv_dialect", "signals.parquet_names", "world", "calibration", "scoring"),
-        *("recording.recorded_trajectory", "store", "reports", "exports", "session", "host", "backup", "scene"),
-        *("hardware.configs", "hardware.addresses", "hardware.chair.key"),
+        *("recording.recorded_trajectory", "store", "exports", "session", "host", "backup", "scene"),
+        *("hardware.configs", "hardware.addresses", "hardware.chair.key", REGISTRATION),
     ),
     "cli": (
         *(LEAVES, "process", "recording", "signals", "world", "hardware", "calibration", "pipeline", "scoring"),
-        *("store", "reports", "exports", "session", "study", "figures", "host", "backup", "scene", "api"),
+        *("store", "exports", "session", "study", "figures", "host", "backup", "scene", "api", "features"),
     ),
 }
 FITTING = (
@@ -69,13 +88,13 @@ FITTING = (
 )
 
 HOME = {
-    "fastapi": {"api"},
-    "starlette": {"api"},
+    "fastapi": {"api", "features"},
+    "starlette": {"api", "features"},
     "uvicorn": {"cli"},
     "markdown_it": {"api"},
     "viser": {"scene"},
     "trimesh": {"scene"},
-    "sqlalchemy": {"store"},
+    "sqlalchemy": {"store", "features"},
     "alembic": {"store"},
     "sklearn": {"calibration"},
     "typer": {"cli"},
@@ -89,7 +108,7 @@ HOME = {
     "cryptography": {"host", "backup"},
     "pyrage": {"backup"},
     "psutil": {"host"},
-    "typst": {"reports"},
+    "typst": {"features"},
 }
 
 
@@ -145,6 +164,33 @@ def test_imports_follow_the_table():
             )
         )
     } == {}
+
+
+def feature_of(module: str) -> str:
+    """Return the feature that a module belongs to, empty for none."""
+    parts = module.split(".")
+    return parts[2] if parts[1:2] == ["features"] and len(parts) > 3 else ""
+
+
+def test_a_feature_imports_another_only_through_a_service_that_it_needs():
+    assert {
+        module: wrong
+        for module, imports in imports_of_all().items()
+        if (own := feature_of(module))
+        and (
+            wrong := sorted(
+                imported
+                for imported in imports
+                if (other := feature_of(imported)) not in {"", own}
+                and (other not in NEEDS[own] or imported != f"app.features.{other}.service")
+            )
+        )
+    } == {}
+
+
+def test_the_registration_of_features_imports_none_of_them():
+    kernel = ("app.features", f"app.{REGISTRATION}")
+    assert [each for module in kernel for each in imports_of_all()[module] if feature_of(each)] == []
 
 
 def test_one_library_has_one_home():

@@ -12,12 +12,12 @@ import pytest
 from recording.test_recording_killed import KILLED
 
 from app.clock import utc_now
+from app.features.exports.recorded_runs import recorded_runs
 from app.recording.reader import CUT, kept_rows, read_run
 from app.session.runs import NAMELESS, SessionRuns
 from app.store.database import Database
 from app.store.patients import add_patient, start_session
 from app.store.people import add_clinic
-from app.store.records.recorded_runs import recorded_runs
 from app.store.runs import add_run
 from app.store.tables import LogEntry, Run
 from folders import ROOT

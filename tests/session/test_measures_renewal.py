@@ -10,13 +10,13 @@ from session.same_process import SameProcess
 from sqlalchemy import select
 from store.course_of_sessions import store_course
 
+from app.features.records.sign_off import sign_off
 from app.session.measures_renewal import MeasuresRenewal
 from app.session.recordings import MEASURES_VERSION, measure_again
 from app.store.database import Database
 from app.store.learning_trials import counted_trials
 from app.store.patients import add_patient
 from app.store.people import add_clinic
-from app.store.records.sign_off import sign_off
 from app.store.runs import keep_trial, trials_of_older_measures
 from app.store.tables import LogEntry, PatientSession, Trial
 from building import make_parameters

@@ -8,6 +8,7 @@ from sqlalchemy.orm import Session
 
 from app.calibration.profile import CalibrationProfile
 from app.clock import utc_now
+from app.features.consents.service import give_consent
 from app.source import UNKNOWN_SOURCE, Source
 from app.store.learning_trials import (
     compared_trials,
@@ -18,7 +19,6 @@ from app.store.learning_trials import (
 )
 from app.store.parameters import current_parameters, save_profile
 from app.store.patients import add_patient
-from app.store.records.consents import give_consent
 from app.store.runs import add_run, add_trial, finish_trial, keep_trial, trials_of
 from app.store.tables import Clinic, Patient, PatientSession
 

@@ -21,7 +21,7 @@ from app.store.database import Database, make_engine
 from app.store.log import write_log
 from app.store.patients import add_patient
 from app.store.people import add_clinic, the_clinic
-from app.store.schema import METADATA, MIGRATIONS, NEWEST, migrate, revision_of
+from app.store.schema import MIGRATIONS, NEWEST, metadata, migrate, revision_of
 
 CONFIG = Config()
 CONFIG.set_main_option("script_location", str(MIGRATIONS))
@@ -114,7 +114,7 @@ def test_the_migrations_make_exactly_the_tables_of_the_metadata(tmp_path: Path) 
     engine = make_engine(migrated(tmp_path / "migrated.sqlite"))
     with engine.connect() as connection:
         context = MigrationContext.configure(connection, opts={"compare_server_default": True})
-        assert compare_metadata(context, METADATA) == []
+        assert compare_metadata(context, metadata()) == []
     engine.dispose()
 
 

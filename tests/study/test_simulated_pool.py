@@ -14,7 +14,7 @@ from app.calibration.script import calibration_script
 from app.calibration.vocabulary import standard_parameters
 from app.hardware.shirt.standard import standard_layout
 from app.pipeline.replay.batch import decode_block
-from app.session.calibration.clinic_prior import Garment
+from app.session.calibration.garment import Garment
 from app.study.simulated_calibration import StepRecording, record_calibration, record_step
 from app.study.simulated_pool import SAMPLE_RATE, recording_of, wearer
 

@@ -7,8 +7,10 @@ from typing import NamedTuple
 import numpy as np
 
 from app.computing_process import ComputingProcess
+from app.quantities import Document
 from app.recording.recorded_trajectory import read_trajectory, thinned
 
+MOST_TRAJECTORIES = 30  # of one picture, the newest; more could not be told apart
 KEPT = 200  # trajectories in memory: the recording of an ended trial never changes
 
 
@@ -18,6 +20,14 @@ class Trajectory(NamedTuple):
     t: list[float]  # s
     x: list[float]  # m
     y: list[float]  # m
+
+
+class TrialLine(Document):
+    """The trajectory of one trial."""
+
+    number: int
+    x: list[float]
+    y: list[float]
 
 
 class Trajectories:
@@ -43,6 +53,11 @@ class Trajectories:
         while len(known) > KEPT:
             known.pop(next(iter(known)), None)
         return found
+
+    def lines(self, trials: Sequence[tuple[int, Path]]) -> list[TrialLine]:
+        """Return the lines of ended trials, given by number and folder, without those that cannot be read."""
+        found = zip(trials, self.all([folder for _, folder in trials]), strict=True)
+        return [TrialLine(number=number, x=line.x, y=line.y) for (number, _), line in found if line is not None]
 
 
 def shown_trajectories(folders: Sequence[Path]) -> list[Trajectory | None]:

@@ -11,6 +11,7 @@ from app.api.parts import Web, WebParts, open_view
 from app.api.routes.obstacle_view import ObstacleView
 from app.api.sign_in.identity import SignedInPerson
 from app.quantities import Count, Document, Line, Name, Note, Title
+from app.store.consent import has_consented
 from app.store.database import Transaction
 from app.store.files.disk_watch import require_room_to_record
 from app.store.log import log_listing, log_viewing, write_log
@@ -28,7 +29,6 @@ from app.store.patients import (
     session_trials,
     start_session,
 )
-from app.store.records.consents import consents_of
 from app.store.tables import Patient
 
 router = APIRouter(tags=["patients"])
@@ -180,7 +180,7 @@ def current_session(parts: PeopleParts, web: WebParts, who: SignedInPerson) -> C
                 trials=session_trials(db, session),
             ),
             has_profile=has_profile,
-            consents_to_recording=consents_of(db, session.patient_id).recording is not None,
+            consents_to_recording=has_consented(db, session.patient_id, "recording"),
             steps_done=done,
             obstacle=obstacle,
         )

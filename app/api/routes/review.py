@@ -8,6 +8,7 @@ from pydantic import AfterValidator
 
 from app.api.deps import Anyone, PeopleParts, RowId
 from app.api.parts import Web
+from app.api.replay.trajectories import MOST_TRAJECTORIES, TrialLine
 from app.api.routes.source_view import RequestedGroup
 from app.api.sign_in.identity import SignedInPerson
 from app.quantities import Document
@@ -27,21 +28,12 @@ from app.store.tables import Trial
 router = APIRouter(tags=["review"])
 
 PlaceName = Annotated[str, Query(max_length=64)]
-MOST_TRAJECTORIES = 30  # the newest; more could not be told apart
 
 
 def _known_measure(name: str) -> str:
     if name not in TRIAL_MEASURES:
         raise ValueError(f"is no measure: choose one of {', '.join(TRIAL_MEASURES)}")
     return name
-
-
-class TrialLine(Document):
-    """The trajectory of one trial."""
-
-    number: int
-    x: list[float]
-    y: list[float]
 
 
 class LearningView(Document):
@@ -100,13 +92,8 @@ def trajectories(
     """Return the newest trajectories of a patient on one path; recordings that were not read before take a moment."""
     every = _counted(parts.database, who, patient_id, floorplan, path)
     newest = [one.trial for one in every if one.group == source][-MOST_TRAJECTORIES:]
-    found = web.trajectories.all([web.runs.folder_of(trial.run_id) for trial in newest])
     return TrajectoriesView(
-        trajectories=[
-            TrialLine(number=trial.number, x=line.x, y=line.y)
-            for trial, line in zip(newest, found, strict=True)
-            if line is not None
-        ],
+        trajectories=web.trajectories.lines([(trial.number, web.runs.folder_of(trial.run_id)) for trial in newest]),
         path=[(x, y) for x, y in newest[-1].path_points] if newest else [],
     )
 

@@ -15,7 +15,7 @@ from app.api.live.screen_socket import ScreenWord
 from app.api.live.screens import Screen
 from app.api.one_controller import require_controller
 from app.api.parts import Web, WebParts
-from app.api.records.origin_view import OriginView
+from app.api.routes.origin_view import OriginView
 from app.api.routes.source_view import SourceView
 from app.api.sign_in.identity import SignedInPerson
 from app.quantities import Count, Document, Line, Name

@@ -9,6 +9,7 @@ import typer
 from app.cli.calibration.prior_of_clinic import export_prior, import_prior
 from app.cli.errors import InputError
 from app.cli.output import write_output
+from app.features import names
 from app.number_words import percent
 
 prior_app = typer.Typer(
@@ -16,8 +17,9 @@ prior_app = typer.Typer(
     no_args_is_help=True,
     pretty_exceptions_enable=False,
 )
-prior_app.command("export")(export_prior)
-prior_app.command("import")(import_prior)
+if "prior" in names():  # a clinic keeps one
+    prior_app.command("export")(export_prior)
+    prior_app.command("import")(import_prior)
 
 PriorFile = Annotated[Path, typer.Argument(metavar="PRIOR.json", help="The prior; it is made when there is none.")]
 Person = Annotated[str, typer.Option(help="A code for the person: letters, digits, dots and dashes, no name.")]

@@ -67,10 +67,10 @@ def import_prior(
     """Take over a clinic's own prior: for all of its people, or for nobody. What is known of them is replaced."""
     from app.calibration.prior.documents import OwnPrior
     from app.cli.calibration.prior_files import read_document
-    from app.session.calibration.clinic_prior import Garment
+    from app.features.prior.entries import is_prior_on, may_add, put_entry
+    from app.session.calibration.garment import Garment
     from app.store.log import write_log
     from app.store.patients import all_patients
-    from app.store.prior.prior_entries import is_prior_on, may_add, put_entry
 
     settings = _settings(state)
     document = read_document(prior)
@@ -103,8 +103,8 @@ def import_prior(
 def _own_prior(db: "Transaction", clinic: "Clinic", layout: "ShirtLayout", *, to_share: bool) -> "OwnPrior":
     """Return the prior of the patients who consent; InputError when there are none."""
     from app.calibration.prior.documents import OwnPrior, PersonEntry, ReleasedPeople
-    from app.session.calibration.clinic_prior import Garment
-    from app.store.prior.prior_entries import releases_of, without_releases, worn_entries
+    from app.features.prior.entries import releases_of, without_releases, worn_entries
+    from app.session.calibration.garment import Garment
 
     shirt = Garment(layout, False, None).hash
     found = worn_entries(db, clinic.id, shirt, to_share=to_share)
@@ -140,7 +140,7 @@ def _write_release(db: "Transaction", clinic: "Clinic", own: "OwnPrior", out: Pa
     from app.calibration.prior.map_prior import PriorError
     from app.calibration.prior.release import release
     from app.cli.calibration.prior_files import bytes_of
-    from app.session.calibration.clinic_prior import Garment
+    from app.session.calibration.garment import Garment
 
     try:
         document, people, left_out = release([own])
@@ -158,7 +158,7 @@ def _write_release(db: "Transaction", clinic: "Clinic", own: "OwnPrior", out: Pa
 
 def _mark_released(db: "Transaction", clinic: "Clinic", code: str, shirt: str, released: "ReleasedPeople") -> None:
     """Note what of a person stands in releases."""
-    from app.store.prior.prior_entries import mark_released
+    from app.features.prior.entries import mark_released
 
     joints, rings = (
         [name for name, codes in part.items() if code in codes] for part in (released.joints, released.rings)

@@ -8,7 +8,7 @@ import typer
 
 from app.cli.clinic_folder import open_clinic
 from app.cli.errors import InputError
-from app.cli.records.export import COMMAND, patient_named, spreads_of_others, written_whole
+from app.cli.records.written_files import COMMAND, patient_named, written_whole
 from app.refusals import Refusal
 from app.settings import Settings, state_folder
 
@@ -30,13 +30,14 @@ def make(
     """Write the archive of a patient, who must have consented; the clinic may be open meanwhile."""
     from app.computing_process import ComputingProcess
     from app.exports.archive.archive_making import make_archive
-    from app.reports.report_making import report_of_archive
+    from app.features.registration import report_for_archive
+    from app.session.clinic_spread import ClinicSpread
 
     settings = Settings(state=(state or state_folder()).expanduser().resolve())
     with written_whole(out) as part, open_clinic(settings) as (database, _), closing(ComputingProcess()) as computing:
         clinic_id, patient_id = patient_named(database, patient)
-        spreads_of = spreads_of_others(database, computing, clinic_id, patient_id)
-        make_report = report_of_archive(database, settings, clinic_id, patient_id, spreads_of)
+        spreads_of = ClinicSpread(database, computing).for_patient(clinic_id, patient_id)
+        make_report = report_for_archive(database, settings, clinic_id, patient_id, spreads_of)
         try:
             digest = make_archive(database, clinic_id, patient_id, COMMAND, settings.runs, part, make_report)
         except Refusal as refusal:

@@ -1,7 +1,6 @@
 """`bodydrive export`: the recordings and measures of a patient for other programs, as one zip file."""
 
-from collections.abc import Iterator
-from contextlib import closing, contextmanager
+from contextlib import closing
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -9,20 +8,13 @@ import typer
 
 from app.cli.clinic_folder import open_clinic
 from app.cli.errors import InputError
-from app.cli.output import check_new_folder
-from app.exports.forms import FORMS, Form
+from app.cli.records.written_files import COMMAND, patient_named, written_whole
+from app.features.exports.forms import FORMS, Form
 from app.refusals import Refusal
 from app.settings import Settings, state_folder
 
 if TYPE_CHECKING:
-    from app.computing_process import ComputingProcess
-    from app.exports.export_material import ExportMaterial
-    from app.reports.material import SpreadsOf
-    from app.scoring.verdict.spread import Spread
-    from app.source import SourceGroup
-    from app.store.database import Database
-
-COMMAND = "command line"  # who did it, in the log
+    from app.features.exports.export_material import ExportMaterial
 
 
 def export(
@@ -35,7 +27,7 @@ def export(
     state: Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")] = None,
 ) -> None:
     """Export a patient's recordings and measures; the clinic may be open meanwhile. The patient must have consented."""
-    from app.exports.package import export_steps
+    from app.features.exports.service import export_steps
 
     chosen: Form | None = next((one for one in FORMS if one == form), None)
     if chosen is None:
@@ -50,57 +42,14 @@ def export(
     typer.echo(f"{out} is written.")
 
 
-@contextmanager
-def written_whole(out: Path) -> Iterator[Path]:
-    """Yield a file beside `out` that replaces it at the end, or is removed when an error is raised."""
-    check_new_folder(out.parent)
-    if out.exists() and not out.is_file():
-        raise InputError(f"--out {out} is no ordinary file: choose another place.")
-    part = out.with_name(f".{out.name}.part")
-    try:
-        out.parent.mkdir(parents=True, exist_ok=True)
-        yield part
-        part.replace(out)
-    except OSError as error:
-        raise InputError(f"--out {out} cannot be written ({error.strerror or error}): choose another place.") from error
-    finally:
-        part.unlink(missing_ok=True)
-
-
-def patient_named(database: "Database", code: str) -> tuple[int, int]:
-    """Return the clinic and the id of the patient with this code."""
-    from app.store.patients import all_patients
-    from app.store.people import the_clinic
-
-    with database.transaction() as db:
-        clinic = the_clinic(db)
-        found = [] if clinic is None else [one for one in all_patients(db, clinic.id) if one.code == code]
-        if not found:
-            raise InputError(f"There is no patient with the code '{code}': see the list of patients.")
-        return found[0].clinic_id, found[0].id
-
-
-def spreads_of_others(
-    database: "Database", computing: "ComputingProcess", clinic_id: int, patient_id: int
-) -> "SpreadsOf":
-    """Return a function that returns the median spreads of the clinic's other patients in a task."""
-    from app.session.clinic_spread import ClinicSpread, Task
-
-    spread = ClinicSpread(database, computing)
-
-    def spreads_of(floorplan: str, path: str, group: "SourceGroup") -> "dict[str, Spread]":
-        return spread.of_others(Task(clinic_id, floorplan, path, group), patient_id)
-
-    return spreads_of
-
-
 def _material(settings: Settings, patient: str, session: int | None, form: Form, place: Path) -> "ExportMaterial":
     from app.computing_process import ComputingProcess
-    from app.exports.export_material import exported_material
+    from app.features.exports.export_material import exported_material
+    from app.session.clinic_spread import ClinicSpread
 
     with open_clinic(settings) as (database, _), closing(ComputingProcess()) as computing:
         clinic_id, patient_id = patient_named(database, patient)
-        spreads_of = spreads_of_others(database, computing, clinic_id, patient_id)
+        spreads_of = ClinicSpread(database, computing).for_patient(clinic_id, patient_id)
         try:
             return exported_material(
                 database, clinic_id, patient_id, session, form, COMMAND, settings.runs, spreads_of, place=place

@@ -9,16 +9,12 @@ import typer
 from app.cli.clinic_folder import open_clinic
 from app.cli.errors import InputError
 from app.cli.output import check_new_folder, write_output
+from app.cli.records.written_files import COMMAND, patient_named
 from app.refusals import Conflict, Refusal
 from app.settings import Settings, state_folder
-from app.source import SourceGroup
 
 if TYPE_CHECKING:
-    from app.reports.document import Form
-    from app.scoring.verdict.spread import Spread
-    from app.store.database import Database
-
-COMMAND = "command line"  # who did it, in the log
+    from app.features.reports.document import Form
 
 
 def report(
@@ -35,21 +31,17 @@ def report(
 ) -> None:
     """Write the report of a patient's session, or of all sessions; the clinic may be open meanwhile."""
     from app.computing_process import ComputingProcess
-    from app.reports.rendering import report_file
-    from app.reports.report_making import Subject, exported_material
-    from app.session.clinic_spread import ClinicSpread, Task
+    from app.features.reports.rendering import report_file
+    from app.features.reports.service import Subject, exported_material
+    from app.session.clinic_spread import ClinicSpread
 
     form = _form_of(out)
     check_new_folder(out.parent)
     settings = Settings(state=(state or state_folder()).expanduser().resolve())
     with open_clinic(settings) as (database, _), closing(ComputingProcess()) as computing:
-        clinic_id, patient_id = _patient_named(database, patient)
+        clinic_id, patient_id = patient_named(database, patient)
         subject = Subject(clinic_id, patient_id, session)
-        spread = ClinicSpread(database, computing)
-
-        def spreads_of(floorplan: str, path: str, group: SourceGroup) -> "dict[str, Spread]":
-            return spread.of_others(Task(clinic_id, floorplan, path, group), patient_id)
-
+        spreads_of = ClinicSpread(database, computing).for_patient(clinic_id, patient_id)
         try:
             material = exported_material(
                 database, settings, subject, form, COMMAND, spreads_of, for_patient=for_patient
@@ -69,16 +61,3 @@ def _form_of(out: Path) -> "Form":
     if suffix == ".html":
         return "html"
     raise InputError(f"--out {out} ends neither with .pdf nor with .html: give one of these.")
-
-
-def _patient_named(database: "Database", code: str) -> tuple[int, int]:
-    """Return the clinic and the id of the patient with this code."""
-    from app.store.patients import all_patients
-    from app.store.people import the_clinic
-
-    with database.transaction() as db:
-        clinic = the_clinic(db)
-        found = [] if clinic is None else [one for one in all_patients(db, clinic.id) if one.code == code]
-        if not found:
-            raise InputError(f"There is no patient with the code '{code}': see the list of patients.")
-        return found[0].clinic_id, found[0].id

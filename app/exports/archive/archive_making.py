@@ -6,12 +6,12 @@ from typing import NamedTuple
 from app.exports.archive.archive_room import require_room_for
 from app.exports.archive.archive_writing import MakeReport, archive_steps
 from app.exports.archive.open_archive import open_archive
-from app.exports.package import Step
+from app.package import Step
 from app.refusals import Conflict
+from app.store.consent import require_consent
 from app.store.database import Database
 from app.store.log import write_log
 from app.store.patients import find_patient
-from app.store.records.consents import require_consent
 from app.store.records.imports import clinic_name
 from app.store.records.patient_rows import Rows, patient_rows
 

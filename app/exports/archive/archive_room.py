@@ -4,9 +4,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from app.exports.archive.archive_writing import recorded_files
-from app.exports.room_to_make import words_without_room
 from app.refusals import DiskFull
 from app.store.database import Database
+from app.store.files.room_to_make import words_without_room
 from app.store.patients import find_patient
 from app.store.runs import run_ids
 

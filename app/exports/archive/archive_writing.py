@@ -24,7 +24,7 @@ from app.exports.archive.archive_list import (
     entry_of,
     hash_of,
 )
-from app.exports.package import Step, entry
+from app.package import Step, entry
 
 MakeReport = Callable[[], bytes]
 

@@ -4,13 +4,14 @@ All values are on the scale of their measure (`measure_comparison.py`).
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.scoring.learning_fit import exponential
+from app.source import SourceGroup
 
 Numbers = NDArray[np.float64]
 Sessions = NDArray[np.int64]
@@ -57,6 +58,10 @@ class Spread(NamedTuple):
 
     trial: Variance  # within a session
     session: Variance  # between sessions
+
+
+SpreadsOf = Callable[[str, str, SourceGroup], dict[str, Spread]]
+"""Returns the median spreads of the clinic's other patients, by floor plan, path and source."""
 
 
 class OwnSpread(NamedTuple):

@@ -10,7 +10,7 @@ from app.computing_process import ComputingProcess
 from app.layout import ShirtLayout
 from app.refusals import Conflict
 from app.session.calibration.calibration_progress import EarlierCalibration, Progress
-from app.session.calibration.clinic_prior import ClinicPrior, Garment
+from app.session.calibration.garment import Garment, OthersPrior
 from app.session.calibration.sitting import rings_as_worn
 from app.session.calibration.step_check import advice_of
 from app.session.equipment.shirt import Equipment
@@ -33,7 +33,7 @@ class CalibrationFit:
         runs: SessionRuns,
         equipment: Equipment,
         computing: ComputingProcess,
-        prior: ClinicPrior,
+        prior: OthersPrior,
     ) -> None:
         self._database = database
         self._runs = runs

@@ -13,7 +13,7 @@ from app.layout import ShirtLayout
 from app.refusals import Conflict, Refusal
 from app.session.calibration.calibration_fit import CalibrationFit, garment
 from app.session.calibration.calibration_progress import Progress
-from app.session.calibration.clinic_prior import ClinicPrior
+from app.session.calibration.garment import OthersPrior
 from app.session.control_link import ControlLink
 from app.session.equipment.shirt import Equipment
 from app.session.recordings import check_recording
@@ -49,7 +49,7 @@ class CalibrationFlow:
         runs: SessionRuns,
         tell: Callable[[str], None],
         computing: ComputingProcess,
-        prior: ClinicPrior,
+        prior: OthersPrior,
     ) -> None:
         self._prior = prior
         self._fit = CalibrationFit(database, runs, equipment, computing, prior)

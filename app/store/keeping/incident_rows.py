@@ -12,11 +12,11 @@ from typing import Any
 from sqlalchemy import Select, inspect, select
 from sqlalchemy.orm import Session, undefer
 
+from app.features.registration import features
 from app.store.access.visible_patients import WITH_DELETED
 from app.store.database import Database
 from app.store.log_chain import FIRST
 from app.store.records.import_tables import ImportedSession, PatientImport
-from app.store.records.record_tables import PatientConsent
 from app.store.tables import (
     CalibrationStep,
     Clinic,
@@ -73,7 +73,9 @@ def incident_rows(db: Session, sessions: list[int]) -> Rows:
     }
     found: Rows = {kind.__tablename__: _all(db, select(kind).where(condition)) for kind, condition in own.items()}
     patients = {row["patient_id"] for row in found["session"]}
-    for kind in (PatientImport, PatientConsent):
+    of_patients: list[type[Any]] = [PatientImport]
+    of_patients += (table for feature in features().values() for table in feature.of_incidents)
+    for kind in of_patients:
         found[kind.__tablename__] = _all(db, select(kind).where(kind.patient_id.in_(patients)))
     profiles = _all(db, select(Profile).where(Profile.patient_id.in_(patients)))
     used = {row["parameters_id"] for row in (*found["trial"], *found["drive"], *found["interface_test"])}

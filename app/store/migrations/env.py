@@ -2,11 +2,11 @@
 
 from alembic import context
 
-from app.store.schema import METADATA
+from app.store.schema import metadata
 
 context.configure(
     connection=context.config.attributes["connection"],
-    target_metadata=METADATA,
+    target_metadata=metadata(),
     render_as_batch=True,  # SQLite alters a table by making it anew
 )
 with context.begin_transaction():

@@ -1,9 +1,10 @@
 """Which tables the archive of a patient carries, and why it leaves the others out: each table stands in one list."""
 
+from collections.abc import Mapping
+from functools import cache
 from typing import Final
 
-from app.store.records.record_tables import NoteRevision, OutcomeScale, PatientConsent, SessionNote, SessionSignOff
-from app.store.sharing.sharing_tables import CommentRevision, MomentComment
+from app.features.registration import ArchivedTable, features
 from app.store.tables import (
     CalibrationStep,
     Drive,
@@ -13,30 +14,21 @@ from app.store.tables import (
     PatientSession,
     Profile,
     Run,
-    Table,
     Trial,
 )
 
-# Each table after those that it refers to, and the column by which its rows are found: rows of the patient, of the
-# patient's sessions, of its profiles, notes, trials, comments.
-KINDS: Final[tuple[tuple[type[Table], str], ...]] = (
-    (Patient, "id"),
-    (PatientSession, "patient_id"),
-    (Run, "session_id"),
-    (CalibrationStep, "session_id"),
-    (Profile, "patient_id"),
-    (ParameterSet, "profile_id"),
-    (Trial, "patient_id"),
-    (Drive, "patient_id"),
-    (InterfaceTest, "patient_id"),
-    (SessionNote, "session_id"),
-    (NoteRevision, "note_id"),
-    (OutcomeScale, "session_id"),
-    (SessionSignOff, "session_id"),
-    (PatientConsent, "patient_id"),
-    (MomentComment, "trial_id"),
-    (CommentRevision, "comment_id"),
+KERNEL: Final = (
+    ArchivedTable(Patient, "id"),
+    ArchivedTable(PatientSession, "patient_id"),
+    ArchivedTable(Run, "session_id"),
+    ArchivedTable(CalibrationStep, "session_id"),
+    ArchivedTable(Profile, "patient_id"),
+    ArchivedTable(ParameterSet, "profile_id"),
+    ArchivedTable(Trial, "patient_id"),
+    ArchivedTable(Drive, "patient_id"),
+    ArchivedTable(InterfaceTest, "patient_id"),
 )
+"""Each table after those that it refers to."""
 
 LEFT_OUT: Final = {
     "clinic_id": "the clinic that has the rows",
@@ -47,14 +39,10 @@ LEFT_OUT: Final = {
 """Columns that do not go along, whichever table has them, each with the reason."""
 
 NOT_IN_ARCHIVE: Final = {
-    "comment_reading": "who of this clinic has read a comment; in another clinic nobody has",
-    "share_link": "opens records of this clinic's machine, and belongs to who made it",
-    "share_visit": "a browser in which a share link of this clinic was opened",
     "patient_screen": "a screen that was paired with this machine for one session",
     "patient_file": "signals that were uploaded to be played; what was recorded of them is a run",
     "patient_import": "where this clinic has the patient from; another clinic notes from whom it has the patient",
     "imported_session": "which sessions came with an archive to this clinic",
-    "prior_entry": "computed from accepted calibrations, which go along; another clinic asks for its own consent",
     "incident_patient": "a mark of this clinic's owner, under which nothing is erased here",
     "incident": "concerns the machine of this clinic; its own archive is made by another command",
     "erased_patient": "patients that this clinic has erased; it has no word about a person",
@@ -69,6 +57,16 @@ NOT_IN_ARCHIVE: Final = {
     "record_keeping": "settings of this clinic's owner",
     "made_backup": "backups of this clinic",
     "passed_time": "what the clocks of this clinic's machine said",
-    "prior_switch": "a setting of this clinic's owner",
 }
-"""Every other table, with the reason why the archive of a patient does not have it."""
+"""The other tables of the kernel, with the reason why the archive of a patient does not have them."""
+
+
+@cache
+def archived_tables() -> tuple[ArchivedTable, ...]:
+    """Return the tables that an archive carries, those of features last."""
+    return (*KERNEL, *(table for one in features().values() for table in one.archived))
+
+
+def not_archived() -> Mapping[str, str]:
+    """Return every other table by its name, with the reason."""
+    return NOT_IN_ARCHIVE | {table: why for one in features().values() for table, why in one.not_archived.items()}

@@ -5,6 +5,7 @@ columns that hold documents, words of a fixed set or names stand below. What fit
 """
 
 import json
+from collections.abc import Mapping
 from datetime import UTC, date, datetime
 from functools import cache
 from typing import Annotated, Any, Final, Literal
@@ -17,13 +18,12 @@ from app.calibration.adaptation.proposal_document import JointChange
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters, SetTitle
 from app.layout import ShirtLayout
-from app.quantities import Count, Document, Finite, Line, Name, Note, Seconds
+from app.quantities import Count, Document, Finite, Line, Name, Note
 from app.scoring.control_quality import ControlQuality
 from app.scoring.interface_test.interface_measures import InterfaceMeasures
 from app.scoring.interface_test.workload import Workload
 from app.scoring.trial_measures import TrialMeasures
 from app.store.patient_screens import ScreenSettings
-from app.store.records.consents import CONSENTS
 from app.store.tables import DriveEnding, InterfaceTestEnding, Moment, TrialEnding
 from app.world.cursor_task import CursorPlan
 from app.world.floorplan import Polyline
@@ -136,18 +136,18 @@ FORMS: Final[dict[str, dict[str, Any]]] = {
         "measures": InterfaceMeasures,
         "workload": Workload,
     },
-    "note_revision": {"person": Line},
-    "outcome_scale": {"name": Line},
-    "session_sign_off": {"person": Line, "unlocked_by": Line},
-    "patient_consent": {"consent": Literal[CONSENTS], "person": Line, "withdrawn_by": Line},
-    "moment_comment": {"author": Line, "t": Seconds},
 }
 
 
-def wrong_value(table: SqlTable, columns: list[Column[Any]], rows: list[dict[str, Any]]) -> str:
-    """Say in half a sentence which value of these rows does not have its form; empty when all have."""
+def wrong_value(
+    table: SqlTable, columns: list[Column[Any]], rows: list[dict[str, Any]], more: Mapping[str, Any]
+) -> str:
+    """Say in half a sentence which value of these rows does not have its form; empty when all have.
+
+    `more`: forms of columns of a feature's table, as in FORMS.
+    """
     try:
-        _form_of_rows(table.name, tuple(columns)).validate_json(json.dumps(rows), strict=True)
+        _form_of_rows(table.name, tuple(columns), tuple(more.items())).validate_json(json.dumps(rows), strict=True)
     except ValidationError as error:
         row = int(error.errors()[0]["loc"][0]) + 1
         return f"row {row} of its table '{table.name}', {first_words(error, skip=1)}"
@@ -191,8 +191,8 @@ def wrong_versions(rows: dict[str, list[dict[str, Any]]]) -> str:
 
 
 @cache
-def _form_of_rows(table: str, columns: tuple[Column[Any], ...]) -> TypeAdapter[Any]:
-    forms = FORMS.get(table, {})
+def _form_of_rows(table: str, columns: tuple[Column[Any], ...], more: tuple[tuple[str, Any], ...]) -> TypeAdapter[Any]:
+    forms = FORMS.get(table, {}) | dict(more)
     fields: dict[str, Any] = {one.name: (_form(one, forms.get(one.name, _by_type(one))), ...) for one in columns}
     row = create_model(table, __base__=Document, **fields)
     return TypeAdapter(list[row])

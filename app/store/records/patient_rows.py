@@ -9,12 +9,11 @@ from sqlalchemy import Table as SqlTable
 from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
-from app.store.access.person_tables import Person
+from app.features.registration import ArchivedTable
 from app.store.chairs import chair_elsewhere
 from app.store.keeping.last_ids import next_id
-from app.store.records.archive_kinds import KINDS, LEFT_OUT
+from app.store.records.archive_kinds import LEFT_OUT, archived_tables
 from app.store.records.archived_rows import wrong_value, wrong_versions
-from app.store.sharing.sharing_tables import MomentComment
 from app.store.tables import Moment, Table
 
 MOST_ROWS = 100_000  # of an archive: far more than a patient has; while they are added, nothing else is stored
@@ -31,15 +30,14 @@ def patient_rows(db: Session, patient_id: int) -> Rows:
     """Return all rows of a patient."""
     places: dict[str, dict[Any, int]] = {}
     found: Rows = {}
-    for kind, by in KINDS:
-        table = table_of(kind)
+    for archived in archived_tables():
+        table, by = table_of(archived.kind), archived.by
         (reference,) = [key.column.table.name for key in table.c[by].foreign_keys] or [table.name]
         known = [patient_id] if by == "id" else list(places[reference])
         order = list(table.primary_key.columns)
         query = select(table).where(table.c[by].in_(known)).order_by(*order)
         rows = [dict(row) for row in db.execute(query).mappings()]
-        if kind is MomentComment:
-            _name_authors(db, rows)
+        archived.complete(db, rows)
         if "id" in table.c:
             places[table.name] = {row["id"]: place for place, row in enumerate(rows, start=1)}
         found[table.name] = [
@@ -54,8 +52,8 @@ def add_patient_rows(db: Session, clinic_id: int, rows: Rows) -> int:
     A run's folder is named by its id, as that of every other run. A drive refers to a chair of another clinic.
     """
     ids: dict[str, dict[Any, Any]] = {}
-    for kind, _ in KINDS:
-        table = table_of(kind)
+    for archived in archived_tables():
+        table = table_of(archived.kind)
         ids[table.name] = {}
         for place, row in enumerate(rows[table.name], start=1):
             values = {column.name: read_value(column, row, ids, place) for column in exchanged(table)}
@@ -83,10 +81,10 @@ def insert_row(db: Session, clinic_id: int, table: SqlTable, values: dict[str, A
 
 def check_rows(rows: Any) -> Rows:
     """Return the rows of a foreign document when it has the tables and columns of this program; WrongRows otherwise."""
-    if not isinstance(rows, dict) or set(rows) != {table_of(kind).name for kind, _ in KINDS}:
+    if not isinstance(rows, dict) or set(rows) != {one.kind.__tablename__ for one in archived_tables()}:
         raise WrongRows("its tables are others")
-    for kind, _ in KINDS:
-        table = table_of(kind)
+    for archived in archived_tables():
+        table = table_of(archived.kind)
         names = {column.name for column in exchanged(table)}
         if not isinstance(rows[table.name], list) or any(
             not isinstance(row, dict) or set(row) != names for row in rows[table.name]
@@ -96,14 +94,18 @@ def check_rows(rows: Any) -> Rows:
         raise WrongRows(f"it has more than {MOST_ROWS:,} rows")
     if len(rows["patient"]) != 1:
         raise WrongRows("it has not exactly one patient")
-    tables = (table_of(kind) for kind, _ in KINDS)
-    wrong = (wrong_value(table, exchanged(table), rows[table.name]) for table in tables)
+    wrong = (_wrong_value(one, rows) for one in archived_tables())
     words = next(filter(None, wrong), "") or wrong_versions(rows)
     if words:
         raise WrongRows(words)
     if any(row["ended"] is None for row in rows["session"]):
         raise WrongRows("one of its sessions has not ended")
     return rows
+
+
+def _wrong_value(archived: ArchivedTable, rows: Rows) -> str:
+    table = table_of(archived.kind)
+    return wrong_value(table, exchanged(table), rows[table.name], archived.forms)
 
 
 def table_of(kind: type[Table]) -> SqlTable:
@@ -116,13 +118,6 @@ def table_of(kind: type[Table]) -> SqlTable:
 def exchanged(table: SqlTable) -> list[Column[Any]]:
     """Return the columns that a document has."""
     return [column for column in table.columns if column.name not in LEFT_OUT]
-
-
-def _name_authors(db: Session, comments: list[dict[str, Any]]) -> None:
-    """Write the name of each comment's author into its row: another clinic does not have the person."""
-    names = {person: name for person, name in db.execute(select(Person.id, Person.name))}  # noqa: C416  (typed rows)
-    for row in comments:
-        row["author"] = row["author"] or names[row["person_id"]]
 
 
 def referred_table(column: Column[Any]) -> str | None:

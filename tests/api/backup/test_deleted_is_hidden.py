@@ -13,9 +13,10 @@ from test_roles import contexts, requested
 from test_shown_patients import HIDDEN, reviewed
 
 from app.clock import utc_now
-from app.store.records.consents import give_consent
-from app.store.records.session_record import add_note, add_scale
-from app.store.sharing.sharing_tables import MomentComment, ShareLink
+from app.features.comments.tables import MomentComment
+from app.features.consents.service import give_consent
+from app.features.records.service import add_note, add_scale
+from app.features.sharing.tables import ShareLink
 
 __all__ = ["reviewed"]  # the fixture: a patient called HIDDEN with a trial, and another one
 

@@ -14,6 +14,8 @@ from recorded_trial import plan_of, record_trial, store_trial
 from app.calibration.script import calibration_script
 from app.clock import utc_now
 from app.exports.archive.archive_making import make_archive
+from app.features.comments.service import add_comment
+from app.features.records.service import add_note, add_scale
 from app.scoring.control_quality import ControlQuality
 from app.store.calibrations import begin_calibration
 from app.store.chairs import chair_elsewhere
@@ -25,9 +27,7 @@ from app.store.map_versions import go_back, save_adapted
 from app.store.parameters import as_document, current_parameters
 from app.store.people import add_person, the_clinic
 from app.store.records.patient_rows import Rows, patient_rows
-from app.store.records.session_record import add_note, add_scale
 from app.store.runs import add_run, close_run
-from app.store.sharing.comments import add_comment
 from app.store.tables import PatientSession, Trial
 from app.world.cursor_task import CursorPlan
 from building import make_parameters

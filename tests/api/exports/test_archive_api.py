@@ -15,14 +15,14 @@ from people_of_clinic import accepted, as_person, invited
 
 from app.api.exports import archive_import
 from app.disk_room import ROOM_TO_RECORD
-from app.exports import room_to_make
 from app.exports.archive.archive_list import PATIENT, REPORT
 from app.exports.archive.archive_making import make_archive
 from app.exports.archive.open_archive import open_archive
+from app.features.consents.service import give_consent
 from app.recording.reader import read_run
 from app.store.database import Database
+from app.store.files import room_to_make
 from app.store.files.disk_watch import DiskRoom
-from app.store.records.consents import give_consent
 from app.store.tables import Patient
 
 

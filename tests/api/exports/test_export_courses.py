@@ -5,9 +5,9 @@ from typing import Any
 
 import pytest
 
-from app.api.exports import export_courses, export_file
+from app.api.exports import export_courses, sent_packages
 from app.api.exports.export_courses import ExportCourses
-from app.api.exports.export_file import _content
+from app.api.exports.sent_packages import _content
 
 WORD = "0123abcd-word"
 
@@ -32,7 +32,7 @@ class InPlace:
 
 @pytest.fixture(autouse=True)
 def in_place(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(export_file, "ComputingProcess", InPlace)
+    monkeypatch.setattr(sent_packages, "ComputingProcess", InPlace)
 
 
 class Broken(Exception):  # noqa: N818

@@ -21,6 +21,7 @@ from app.api.patient_screen.patient_picture import PatientMessage
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import standard_parameters
 from app.faults import Fault, State
+from app.features.comments.service import add_comment
 from app.hardware.shirt.standard import standard_layout
 from app.settings import Settings
 from app.store.calibrations import calibration_steps
@@ -28,7 +29,6 @@ from app.store.database import Database
 from app.store.parameters import save_parameters, save_profile
 from app.store.patients import end_session, start_session
 from app.store.people import find_person
-from app.store.sharing.comments import add_comment
 from app.store.tables import InterfaceTest, PatientSession, Trial
 
 OWNER = {"code": "the-set-up-code-of-the-tests", "name": "Ada", "password": "correct horse battery"}

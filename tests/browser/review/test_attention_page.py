@@ -5,9 +5,9 @@ import re
 import pytest
 from playwright.sync_api import expect
 
+from app.features.comments.service import add_comment
 from app.store.people import add_person, the_clinic
 from app.store.runs import find_trial
-from app.store.sharing.comments import add_comment
 from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser]

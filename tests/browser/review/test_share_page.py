@@ -10,8 +10,8 @@ from playwright.sync_api import expect
 
 from app.api.sign_in.hashing import Hashing
 from app.clock import utc_now
-from app.store.records.consents import give_consent
-from app.store.sharing.share_links import add_share
+from app.features.consents.service import give_consent
+from app.features.sharing.service import add_share
 from app.store.tables import Patient, Trial
 from folders import SCREENSHOTS
 

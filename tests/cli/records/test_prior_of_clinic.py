@@ -12,14 +12,14 @@ from sqlalchemy.orm import Session
 
 from app.calibration.prior.documents import OwnPrior, ReleasedPrior
 from app.calibration.prior.prior_file import read_prior
+from app.features.consents.service import give_consent, withdraw_consent
+from app.features.prior.entries import put_entry, switch_prior
 from app.refusals import Refusal
-from app.session.calibration.clinic_prior import Garment
+from app.session.calibration.garment import Garment
 from app.settings import Settings
 from app.store.database import Database
 from app.store.patients import add_patient
 from app.store.people import add_clinic
-from app.store.prior.prior_entries import put_entry, switch_prior
-from app.store.records.consents import give_consent, withdraw_consent
 from app.store.tables import Clinic, LogEntry, Patient
 
 PEOPLE = 9

@@ -3,11 +3,11 @@
 from datetime import date
 
 import pytest
-from reports.reported_clinic import CODE, store_reported_course
-from reports.words_of import html_page, pdf_pages
+from features.reports.reported_clinic import CODE, store_reported_course
+from features.reports.words_of import html_page, pdf_pages
 
+from app.features.consents.service import give_consent, withdraw_consent
 from app.store.database import Database
-from app.store.records.consents import give_consent, withdraw_consent
 from app.store.tables import LogEntry
 
 

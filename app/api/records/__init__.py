@@ -1,1 +1,0 @@
-"""The record of a session and the consents of a patient, for browsers."""

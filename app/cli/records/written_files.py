@@ -1,0 +1,44 @@
+"""A file about a patient that a command writes: whose it is, and written as a whole or not at all."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from app.cli.errors import InputError
+from app.cli.output import check_new_folder
+
+if TYPE_CHECKING:
+    from app.store.database import Database
+
+COMMAND = "command line"  # who did it, in the log
+
+
+@contextmanager
+def written_whole(out: Path) -> Iterator[Path]:
+    """Yield a file beside `out` that replaces it at the end, or is removed when an error is raised."""
+    check_new_folder(out.parent)
+    if out.exists() and not out.is_file():
+        raise InputError(f"--out {out} is no ordinary file: choose another place.")
+    part = out.with_name(f".{out.name}.part")
+    try:
+        out.parent.mkdir(parents=True, exist_ok=True)
+        yield part
+        part.replace(out)
+    except OSError as error:
+        raise InputError(f"--out {out} cannot be written ({error.strerror or error}): choose another place.") from error
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def patient_named(database: "Database", code: str) -> tuple[int, int]:
+    """Return the clinic and the id of the patient with this code."""
+    from app.store.patients import all_patients
+    from app.store.people import the_clinic
+
+    with database.transaction() as db:
+        clinic = the_clinic(db)
+        found = [] if clinic is None else [one for one in all_patients(db, clinic.id) if one.code == code]
+        if not found:
+            raise InputError(f"There is no patient with the code '{code}': see the list of patients.")
+        return found[0].clinic_id, found[0].id

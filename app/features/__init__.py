@@ -1,0 +1,28 @@
+"""The features: what a clinic adds round calibrating and driving. Each is a folder here, and one line of this list.
+
+A feature whose line and folder are gone leaves a program that runs (`tests/features/test_removed_features.py`).
+"""
+
+from collections.abc import Mapping
+from typing import Final
+
+NEEDS: Final[Mapping[str, tuple[str, ...]]] = {
+    "records": (),
+    "consents": (),
+    "comments": (),
+    "sharing": ("records",),
+    "reports": ("records",),
+    "exports": (),
+    "log": (),
+    "prior": (),
+}
+"""Each feature with those whose service it imports: without them it is left out, too."""
+
+
+def names() -> tuple[str, ...]:
+    """Return the features that the program has."""
+    found = dict(NEEDS)
+    while missing := [name for name, needs in found.items() if not set(needs) <= found.keys()]:
+        for name in missing:
+            del found[name]
+    return tuple(found)

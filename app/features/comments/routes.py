@@ -1,0 +1,165 @@
+"""Comments on a moment of a trial: the only thing that a reviewer may change, and only their own ones."""
+
+from typing import Annotated
+
+from fastapi import APIRouter, Query
+from pydantic import Field
+
+from app.api.answers import Answer, MomentText
+from app.api.deps import Anyone, PeopleParts, RowId
+from app.api.parts import Web
+from app.api.sign_in.identity import SignedInPerson
+from app.features.comments.service import (
+    Comment,
+    add_comment,
+    comment_history,
+    comments_of,
+    find_comment,
+    mark_read,
+    revise_comment,
+    withdraw_comment,
+)
+from app.quantities import Document, Note
+from app.refusals import NotFound
+from app.store.database import Transaction
+from app.store.log import log_viewing, write_log
+from app.store.patients import find_patient
+from app.store.runs import find_trial
+from app.store.tables import Trial
+
+router = APIRouter(tags=["review"])
+
+CommentText = Annotated[Note, Field(min_length=1, max_length=2000, pattern=r"\S")]
+
+
+class NewComment(Document):
+    """A comment on a moment (s) of a trial; the time line is negative before motion was permitted."""
+
+    t: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-86_400, le=86_400)]
+    text: CommentText
+
+
+class RevisedComment(Document):
+    """Another text of a comment."""
+
+    text: CommentText
+
+
+class CommentRevisionView(Answer):
+    """One text of a comment."""
+
+    text: str
+    written: MomentText
+
+
+class CommentView(Document):
+    """A comment on a moment, with all its texts, the newest first."""
+
+    id: int
+    trial_id: int
+    number: int  # of the trial
+    patient_id: int
+    session_id: int
+    person: str
+    is_own: bool
+    t: float
+    revisions: list[CommentRevisionView]
+    unread: bool
+
+
+@router.get("/comments")
+def unread_comments(
+    who: Anyone, parts: PeopleParts, patient: Annotated[int | None, Query(ge=1, le=2**31)] = None
+) -> list[CommentView]:
+    """List the comments that the person who asks has not read, of all patients or of one."""
+    with parts.database.transaction(closing=True) as db:
+        if patient is not None:
+            find_patient(db, who.clinic_id, patient)
+        found = comments_of(db, clinic_id=who.clinic_id, patient_id=patient, not_read_by=who.person_id)
+        for one in dict.fromkeys(comment.patient_id for comment in found):
+            log_viewing(db, who.name, one)
+        return [_view(db, one, who, unread=True) for one in found]
+
+
+@router.get("/trials/{trial_id}/comments")
+def list_comments(trial_id: RowId, who: Anyone, parts: PeopleParts) -> list[CommentView]:
+    """List the comments of a trial by their moments."""
+    with parts.database.transaction(closing=True) as db:
+        trial = _trial(db, who, trial_id)
+        log_viewing(db, who.name, trial.patient_id)
+        return _views(db, trial, who)
+
+
+@router.post("/trials/{trial_id}/comments", status_code=201)
+def new_comment(trial_id: RowId, body: NewComment, who: Anyone, parts: PeopleParts, web: Web) -> list[CommentView]:
+    """Write a comment on a moment of a trial."""
+    with parts.database.transaction() as db:
+        trial = _trial(db, who, trial_id)
+        comment = add_comment(db, trial, who.person_id, body.t, body.text)
+        write_log(db, who.name, "comment added", patient=trial.patient_id, trial=trial_id, comment=comment.id)
+        answer = _views(db, trial, who)
+    web.live.tell("record")
+    return answer
+
+
+@router.post("/trials/{trial_id}/comments/read", status_code=204)
+def read_comments(trial_id: RowId, who: Anyone, parts: PeopleParts) -> None:
+    """Store that the person who asks has read the comments of a trial."""
+    with parts.database.transaction() as db:
+        mark_read(db, _trial(db, who, trial_id).id, who.person_id)
+
+
+@router.put("/comments/{comment_id}")
+def new_comment_text(
+    comment_id: RowId, body: RevisedComment, who: Anyone, parts: PeopleParts, web: Web
+) -> list[CommentView]:
+    """Give a comment of one's own another text; the text before stays in its history."""
+    with parts.database.transaction() as db:
+        comment = find_comment(db, who.clinic_id, comment_id)
+        trial = db.get_one(Trial, comment.trial_id)
+        if revise_comment(db, comment, who.person_id, body.text):
+            write_log(db, who.name, "comment revised", patient=trial.patient_id, trial=trial.id, comment=comment_id)
+        answer = _views(db, trial, who)
+    web.live.tell("record")
+    return answer
+
+
+@router.delete("/comments/{comment_id}")
+def no_comment(comment_id: RowId, who: Anyone, parts: PeopleParts, web: Web) -> list[CommentView]:
+    """Withdraw a comment of one's own; its history stays."""
+    with parts.database.transaction() as db:
+        comment = find_comment(db, who.clinic_id, comment_id)
+        trial = db.get_one(Trial, comment.trial_id)
+        withdraw_comment(db, comment, who.person_id)
+        write_log(db, who.name, "comment withdrawn", patient=trial.patient_id, trial=trial.id, comment=comment_id)
+        answer = _views(db, trial, who)
+    web.live.tell("record")
+    return answer
+
+
+def _trial(db: Transaction, who: SignedInPerson, trial_id: int) -> Trial:
+    trial = find_trial(db, who.clinic_id, trial_id)
+    find_patient(db, who.clinic_id, trial.patient_id)
+    if trial.status != "done":
+        raise NotFound("This trial is still running: look at it when it has ended.")
+    return trial
+
+
+def _views(db: Transaction, trial: Trial, who: SignedInPerson) -> list[CommentView]:
+    unread = {one.id for one in comments_of(db, trial_id=trial.id, not_read_by=who.person_id)}
+    return [_view(db, one, who, unread=one.id in unread) for one in comments_of(db, trial_id=trial.id)]
+
+
+def _view(db: Transaction, comment: Comment, who: SignedInPerson, *, unread: bool) -> CommentView:
+    return CommentView(
+        id=comment.id,
+        trial_id=comment.trial_id,
+        number=comment.number,
+        patient_id=comment.patient_id,
+        session_id=comment.session_id,
+        person=comment.person,
+        is_own=comment.person_id == who.person_id,
+        t=comment.t,
+        revisions=[CommentRevisionView.of(row) for row in reversed(comment_history(db, comment.id))],
+        unread=unread,
+    )

@@ -1,0 +1,48 @@
+"""The recordings and measures of a patient as one zip file, sent while it is made."""
+
+from typing import Annotated
+
+from fastapi import APIRouter, Query
+from fastapi.responses import StreamingResponse
+
+from app.api.deps import Exporter, PeopleParts, RowId
+from app.api.exports.sent_packages import CourseWord, sent
+from app.api.parts import Web
+from app.features.exports.export_material import exported_material
+from app.features.exports.forms import Form
+from app.features.exports.service import export_steps
+
+router = APIRouter(tags=["exports"])
+
+
+@router.get("/patients/{patient_id}/export", response_class=StreamingResponse)
+def export(
+    patient_id: RowId,
+    who: Exporter,
+    parts: PeopleParts,
+    web: Web,
+    form: Form,
+    session: Annotated[int | None, Query(ge=1, le=2**31)] = None,
+    course: CourseWord | None = None,
+) -> StreamingResponse:
+    """Return the export of the session with this number, without one of all sessions, as a zip file.
+
+    With a word in `course`, `GET /exports?course=WORD` says meanwhile how far it is.
+
+    A process of its own writes it, recording by recording; 409 without the patient's consent to sharing outside;
+    507 without room on the clinic's disk, where its parts are made.
+    """
+    settings, spreads_of = parts.settings, web.spread.for_patient(who.clinic_id, patient_id)
+    material = exported_material(
+        parts.database,
+        who.clinic_id,
+        patient_id,
+        session,
+        form,
+        who.name,
+        settings.runs,
+        spreads_of,
+        place=settings.state,
+    )
+    recordings = 0 if form == "fhir" else len(material.runs)
+    return sent(export_steps(material, form), recordings, form, parts, who, course)

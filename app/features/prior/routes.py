@@ -1,0 +1,53 @@
+"""The owner's switch of the clinic's prior: whether accepted calibrations help later patients."""
+
+from fastapi import APIRouter
+
+from app.api.deps import Anyone, Owner, PeopleParts
+from app.api.parts import Web, WebParts
+from app.calibration.prior.documents import FEWEST_PEOPLE
+from app.features.prior.entries import count_entries, is_prior_on, switch_prior
+from app.quantities import Document
+from app.session.calibration.calibration_fit import garment
+from app.store.database import Transaction
+from app.store.log import write_log
+
+router = APIRouter(prefix="/clinic-prior", tags=["calibration"])
+
+
+class PriorChoice(Document):
+    """Whether the clinic learns from its accepted calibrations."""
+
+    on: bool
+
+
+class PriorView(Document):
+    """The switch, and what it has brought so far."""
+
+    on: bool
+    people: int  # of this clinic, whose movements in the shirt in use are known
+    needed: int  # people from whom on a new patient can drive before being calibrated
+
+
+@router.get("")
+def look(who: Anyone, parts: PeopleParts, web: Web) -> PriorView:
+    """Return the switch, and how many people are known in the shirt in use."""
+    with parts.database.transaction() as db:
+        return _view(db, who.clinic_id, web)
+
+
+@router.put("")
+def choose(body: PriorChoice, who: Owner, parts: PeopleParts, web: Web) -> PriorView:
+    """Switch it on or off; what was learnt before stays, and helps again when it is switched on."""
+    with parts.database.transaction() as db:
+        if switch_prior(db, who.clinic_id, on=body.on):
+            write_log(db, who.name, "prior switched", on=body.on)
+        answer = _view(db, who.clinic_id, web)
+    web.live.tell("calibration")
+    return answer
+
+
+def _view(db: Transaction, clinic_id: int, web: WebParts) -> PriorView:
+    layout = web.equipment.layout
+    shirt = None if layout is None else garment(layout, web.equipment)
+    people = 0 if shirt is None else count_entries(db, clinic_id, shirt.hash, simulated=shirt.simulated)
+    return PriorView(on=is_prior_on(db, clinic_id), people=people, needed=FEWEST_PEOPLE)

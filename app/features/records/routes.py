@@ -1,0 +1,147 @@
+"""The record of a session: read it, write goal, notes and scales. A signed session refuses every change (409)."""
+
+from collections.abc import Callable
+from datetime import date
+from typing import Annotated, Any
+
+from fastapi import APIRouter
+from pydantic import Field
+
+from app.api.deps import Anyone, Clinician, PeopleParts, RowId
+from app.api.parts import Web
+from app.api.routes.origin_view import OriginView
+from app.api.sign_in.identity import SignedInPerson
+from app.features.records.service import add_note, add_scale, remove_scale, revise_note, write_goal
+from app.features.records.session_views import SessionRecordView, SessionRow, record_view, sign_off_view
+from app.features.records.sign_off import require_unsigned, sign_offs_of
+from app.quantities import Document, Finite, Note, Title
+from app.store.database import Transaction
+from app.store.log import log_viewing, write_log
+from app.store.patients import find_patient, find_session, sessions_of
+from app.store.records.imports import origins_of
+from app.store.session_contents import counted_by_session
+
+router = APIRouter(tags=["records"])
+
+
+class Goal(Document):
+    """The goal of a session, in the patient's words; empty: none."""
+
+    goal: Annotated[Note, Field(max_length=1000)]
+
+
+class NoteText(Document):
+    """The text of a note."""
+
+    text: Annotated[Note, Field(min_length=1, max_length=8000, pattern=r"\S")]
+
+
+class NewScale(Document):
+    """The total of an outcome scale; no items of its form."""
+
+    name: Title
+    total: Finite
+    day: date
+
+
+@router.get("/patients/{patient_id}/sessions")
+def list_sessions(patient_id: RowId, who: Anyone, parts: PeopleParts) -> list[SessionRow]:
+    """List a patient's sessions, the newest first."""
+    with parts.database.transaction(closing=True) as db:
+        find_patient(db, who.clinic_id, patient_id)
+        log_viewing(db, who.name, patient_id)
+        counted, signed = counted_by_session(db, patient_id), sign_offs_of(db, patient_id)
+        origins = {session: OriginView.of(origin) for session, origin in origins_of(db, patient_id).items()}
+        return [
+            SessionRow(
+                id=session.id,
+                number=session.number,
+                started=session.started.isoformat(),
+                ended=None if session.ended is None else session.ended.isoformat(),
+                trials=counted.get(session.id, 0),
+                sign_off=sign_off_view(signed.get(session.id)),
+                origin=origins.get(session.id),
+            )
+            for session in sessions_of(db, patient_id)
+        ]
+
+
+@router.get("/sessions/{session_id}")
+def one_session(session_id: RowId, who: Anyone, parts: PeopleParts) -> SessionRecordView:
+    """Return the record of a session, and what was done in it."""
+    with parts.database.transaction(closing=True) as db:
+        session = find_session(db, who.clinic_id, session_id)
+        write_log(db, who.name, "session viewed", patient=session.patient_id, session=session_id)
+        return record_view(db, session)
+
+
+@router.put("/sessions/{session_id}/goal")
+def put_goal(session_id: RowId, body: Goal, who: Clinician, parts: PeopleParts, web: Web) -> SessionRecordView:
+    """Write the goal of a session, in the patient's words."""
+
+    def write(db: Transaction) -> dict[str, Any]:
+        write_goal(db, session_id, body.goal)
+        return {}
+
+    return _changed(parts, web, who, session_id, "goal written", write)
+
+
+@router.post("/sessions/{session_id}/notes", status_code=201)
+def new_note(session_id: RowId, body: NoteText, who: Clinician, parts: PeopleParts, web: Web) -> SessionRecordView:
+    """Add a note to a session."""
+    return _changed(
+        parts, web, who, session_id, "note added", lambda db: {"note": add_note(db, session_id, body.text, who.name)}
+    )
+
+
+@router.put("/sessions/{session_id}/notes/{note_id}")
+def new_revision(
+    session_id: RowId, note_id: RowId, body: NoteText, who: Clinician, parts: PeopleParts, web: Web
+) -> SessionRecordView:
+    """Give a note another text; the text before stays in its history."""
+
+    def write(db: Transaction) -> dict[str, Any] | None:
+        return {"note": note_id} if revise_note(db, session_id, note_id, body.text, who.name) else None
+
+    return _changed(parts, web, who, session_id, "note revised", write)
+
+
+@router.post("/sessions/{session_id}/scales", status_code=201)
+def new_scale(session_id: RowId, body: NewScale, who: Clinician, parts: PeopleParts, web: Web) -> SessionRecordView:
+    """Add the total of an outcome scale."""
+
+    def write(db: Transaction) -> dict[str, Any]:
+        return {"scale": add_scale(db, session_id, body.name, body.total, body.day)}
+
+    return _changed(parts, web, who, session_id, "scale added", write)
+
+
+@router.delete("/sessions/{session_id}/scales/{scale_id}")
+def no_scale(session_id: RowId, scale_id: RowId, who: Clinician, parts: PeopleParts, web: Web) -> SessionRecordView:
+    """Remove a scale; the log keeps who added it and who removed it, not what it was: a patient can be erased."""
+
+    def write(db: Transaction) -> dict[str, Any]:
+        remove_scale(db, session_id, scale_id)
+        return {"scale": scale_id}
+
+    return _changed(parts, web, who, session_id, "scale removed", write)
+
+
+def _changed(
+    parts: PeopleParts,
+    web: Web,
+    who: SignedInPerson,
+    session_id: int,
+    what: str,
+    write: Callable[[Transaction], dict[str, Any] | None],
+) -> SessionRecordView:
+    """Change a session by `write`, log it with the details that it returns (None: nothing changed), and answer it."""
+    with parts.database.transaction() as db:
+        session = find_session(db, who.clinic_id, session_id)
+        require_unsigned(db, session_id)
+        details = write(db)
+        if details is not None:
+            write_log(db, who.name, what, patient=session.patient_id, session=session_id, **details)
+        answer = record_view(db, session)
+    web.live.tell("record")
+    return answer

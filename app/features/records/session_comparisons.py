@@ -1,0 +1,127 @@
+"""Two sessions of a patient side by side: what was driven, the measures with their verdicts, what changed."""
+
+from collections import Counter
+from typing import Annotated
+
+from fastapi import APIRouter, Query
+
+from app.api.deps import Anyone, PeopleParts, RowId
+from app.api.parts import Web
+from app.features.records.compared_tests import ComparedTests, pairs_of_tests, verdicts_on
+from app.features.records.session_views import SessionRecordView, UsedSetView, record_view
+from app.quantities import Document
+from app.refusals import Conflict
+from app.scoring.verdict.session_comparison import MeasureOfSessions, compare_tasks
+from app.session.clinic_spread import Task
+from app.session.parameter_differences import Difference, differences
+from app.source import SourceGroup
+from app.store.database import Transaction
+from app.store.learning_trials import counted_trials
+from app.store.log import write_log
+from app.store.parameters import as_document
+from app.store.patients import find_session
+from app.store.session_contents import UsedSet, set_of, sets_of_session, trials_of_session
+from app.store.tables import PatientSession, Trial
+from app.world.path_titles import path_title
+
+router = APIRouter(tags=["records"])
+
+OTHER_PATIENT = "These two sessions are not of one patient: choose two sessions of the same list."
+SAME_SESSION = "These are one and the same session: choose two."
+
+
+class TaskComparison(Document):
+    """One task in two sessions: trials of one source along one path."""
+
+    floorplan: str
+    floorplan_title: str
+    path: str
+    path_title: str  # its name where the floor plan has no such path any more
+    source: SourceGroup
+    trials: tuple[int, int]  # driven in the earlier and in the later session
+    counted: tuple[int, int]  # of these, kept and measured
+    measures: dict[str, MeasureOfSessions]
+
+
+class SessionComparison(Document):
+    """Two sessions of one patient, the earlier first."""
+
+    earlier: SessionRecordView
+    later: SessionRecordView
+    tasks: list[TaskComparison]
+    tests: list[ComparedTests]  # two-minute tests, by their source
+    sets: tuple[UsedSetView | None, UsedSetView | None]  # that each session drove with last; None: nothing was driven
+    changes: list[Difference] | None  # from the earlier set to the later one; None: one of them cannot be read
+
+
+@router.get("/sessions/{session_id}/comparison")
+def compare_two(
+    session_id: RowId, other: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, parts: PeopleParts, web: Web
+) -> SessionComparison:
+    """Compare two sessions of one patient; 409 for sessions of two patients, or one session twice."""
+    with parts.database.transaction(closing=True) as db:
+        pair = [find_session(db, who.clinic_id, one) for one in (session_id, other)]
+        if pair[0].id == pair[1].id:
+            raise Conflict(SAME_SESSION)
+        if pair[0].patient_id != pair[1].patient_id:
+            raise Conflict(OTHER_PATIENT)
+        earlier, later = sorted(pair, key=lambda one: one.number)
+        write_log(db, who.name, "sessions compared", patient=earlier.patient_id, sessions=[earlier.id, later.id])
+        trials = [trials_of_session(db, one.id) for one in (earlier, later)]
+        driven = [Counter(map(_task, of_session)) for of_session in trials]
+        titles = {_task(one): one.floorplan_title for of_session in trials for one in of_session}
+        rows = {}
+        for task in titles:
+            counted = counted_trials(db, who.clinic_id, earlier.patient_id, task.floorplan, task.path)
+            rows[task] = [one.row() for one in counted if one.group == task.group]
+        pairs = pairs_of_tests(db, earlier, later)
+        views = record_view(db, earlier), record_view(db, later)
+        sets = [_last_set(db, one) for one in (earlier, later)]
+        changes = _changes(db, sets[0], sets[1])
+    spreads = [web.spread.of_others(task, earlier.patient_id) for task in rows]
+    given = list(zip(rows.values(), spreads, strict=True))
+    measures = web.computing.ask(compare_tasks, given, earlier.number, later.number) if given else []
+    compared = [
+        TaskComparison(
+            floorplan=task.floorplan,
+            floorplan_title=titles[task],
+            path=task.path,
+            path_title=path_title(web.own_floorplans, task.floorplan, task.path),
+            source=task.group,
+            trials=(driven[0][task], driven[1][task]),
+            counted=(_of_session(own, earlier), _of_session(own, later)),
+            measures=of_task,
+        )
+        for (task, own), of_task in zip(rows.items(), measures, strict=True)
+    ]
+    shown = [None if one is None else UsedSetView.of(one) for one in sets]
+    return SessionComparison(
+        earlier=views[0],
+        later=views[1],
+        tasks=compared,
+        tests=[verdicts_on(pair, web.computing) for pair in pairs],
+        sets=(shown[0], shown[1]),
+        changes=changes,
+    )
+
+
+def _last_set(db: Transaction, session: PatientSession) -> UsedSet | None:
+    used = sets_of_session(db, session.id)
+    return used[-1] if used else None
+
+
+def _task(trial: Trial) -> Task:
+    return Task(trial.clinic_id, trial.floorplan, trial.path, trial.source.group)
+
+
+def _of_session(rows: list[dict[str, object]], session: PatientSession) -> int:
+    return sum(row["session"] == session.number for row in rows)
+
+
+def _changes(db: Transaction, earlier: UsedSet | None, later: UsedSet | None) -> list[Difference] | None:
+    if earlier is None or later is None:
+        return None
+    try:
+        return differences(as_document(*set_of(db, later)), as_document(*set_of(db, earlier)))
+    except Conflict:  # saved by a program whose sets this one cannot read
+        return None

@@ -1,0 +1,202 @@
+"""What a feature gives to the rest of the program, and the features that are registered.
+
+The rest of the program imports no feature: it asks `features()` for what they give. Each feature says it in its
+`feature.py`, as one `Feature` named FEATURE.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from datetime import datetime
+from functools import cache
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple, Protocol
+
+from sqlalchemy import ColumnElement
+from sqlalchemy.orm import Session
+
+from app.features import names
+from app.store.tables import PatientSession, Table
+
+if TYPE_CHECKING:
+    from fastapi import APIRouter
+
+    from app.scoring.verdict.spread import SpreadsOf
+    from app.session.calibration.garment import OthersPrior
+    from app.settings import Settings
+    from app.store.database import Database
+
+    MakeReport = Callable[[], bytes]
+    ReportOf = Callable[[Database, Settings, int, int, SpreadsOf], MakeReport | None]
+
+EventKind = Literal[
+    "begin",
+    "calibration",
+    "map",
+    "parameters",
+    "trial",
+    "test",
+    "stop",
+    "drive",
+    "note",
+    "comment",
+    "sign-off",
+    "unlock",
+    "end",
+]
+Consent = Literal["recording", "clinic_prior", "sharing"]
+Reason = Literal["drive", "deterioration", "halted", "comment", "unsigned", "absent"]
+
+
+class StoryEvent(NamedTuple):
+    """One thing that happened in a session, or was written about it."""
+
+    at: datetime
+    kind: EventKind
+    person: str | None  # who did or said it; None: not recorded
+    words: str  # what was said, or a title; in the words of its author
+    facts: dict[str, Any]  # by names that the page puts into words
+
+
+class Attention(NamedTuple):
+    """One reason why somebody should look at a patient."""
+
+    reason: Reason
+    number: int  # of drives, trials, comments, sessions or days
+    session_id: int | None  # where to look
+    trial_id: int | None
+    sentence: str = ""  # of a deterioration
+
+
+class TrialRemark(Protocol):
+    """What somebody said about a moment of a trial, for a report."""
+
+    @property
+    def session_id(self) -> int:
+        """Return the session of the trial."""
+
+    @property
+    def floorplan_title(self) -> str:
+        """Return the title of the trial's floor plan."""
+
+    @property
+    def number(self) -> int:
+        """Return the number of the trial."""
+
+    @property
+    def person(self) -> str:
+        """Return the name of the author."""
+
+    @property
+    def t(self) -> float:
+        """Return the moment on the time line of the trial (s)."""
+
+    @property
+    def text(self) -> str:
+        """Return what was said."""
+
+    @property
+    def written(self) -> datetime:
+        """Return when it was said."""
+
+    @property
+    def revised(self) -> datetime | None:
+        """Return when its text was changed last, None when it never was."""
+
+
+def _complete(_db: Session, _rows: list[dict[str, Any]]) -> None:
+    """Add nothing to the rows of a table."""
+
+
+@dataclass(frozen=True, slots=True)
+class ArchivedTable:
+    """A table whose rows go along in the archive of a patient."""
+
+    kind: type[Table]
+    by: str  # the column by which its rows are found: it names a row of a table before it
+    forms: Mapping[str, Any] = field(default_factory=dict)  # of columns whose type does not say it
+    complete: Callable[[Session, list[dict[str, Any]]], None] = _complete  # adds what only this clinic knows
+
+
+def _nothing(_db: Session) -> None:
+    """Listen to nothing."""
+
+
+def _no_matter(_db: Session, _patient_id: int, _consent: Consent) -> None:
+    """Leave everything as it is."""
+
+
+def _no_lock(_db: Session, _session_id: int) -> str:
+    return ""
+
+
+def _no_events(_db: Session, _session: PatientSession) -> Iterator[StoryEvent]:
+    return iter(())
+
+
+def _no_attention(_db: Session, _clinic_id: int, _person_id: int) -> Iterator[tuple[int, Attention]]:
+    return iter(())
+
+
+def _no_remarks(_db: Session, _patient_id: int) -> Sequence[TrialRemark]:
+    return ()
+
+
+OWN_NAME: Final = "Its address names what it changes, so the open session does not matter."
+"""Why a route needs no session."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Feature:
+    """What a feature gives: its tables, its routes, and what it adds to what others show."""
+
+    tables: tuple[type[Table], ...] = ()
+    routes: tuple[str, ...] = ()  # modules in its folder, each with a `router`; only the web application imports them
+    without_session: Mapping[str, str] = field(default_factory=dict)  # as `WITHOUT_SESSION` in app/api/page_session.py
+
+    archived: tuple[ArchivedTable, ...] = ()
+    not_archived: Mapping[str, str] = field(default_factory=dict)  # its other tables, with the reason
+
+    of_incidents: tuple[type[Table], ...] = ()  # of patients, by `patient_id`: an incident's archive holds their rows
+
+    begin: Callable[[Session], None] = _nothing
+    """Called with each transaction that begins: it may listen to what is written."""
+    why_locked: Callable[[Session, int], str] = _no_lock
+    """Of a session: the sentence why nothing of it may be changed, empty when it may."""
+    consented: Callable[[Consent], ColumnElement[bool]] | None = None
+    """The condition that the patient of a query (`Patient`) has given a consent; None: it keeps no consents."""
+    consent_withdrawn: Callable[[Session, int, Consent], None] = _no_matter
+    """Called when a patient has withdrawn a consent."""
+    prior: "Callable[[Database], OthersPrior] | None" = None
+    """Returns what is known of other people, for calibrations."""
+    story: Callable[[Session, PatientSession], Iterator[StoryEvent]] = _no_events
+    attention: Callable[[Session, int, int], Iterator[tuple[int, Attention]]] = _no_attention
+    """Of a clinic, for a person: yields patients, each with a reason to look at them."""
+    remarks: Callable[[Session, int], Sequence[TrialRemark]] = _no_remarks
+    """Of a patient."""
+    report: "ReportOf | None" = None
+    """Of a clinic's patient: returns what makes the report of the course as HTML, None without a session."""
+
+
+@cache
+def features() -> Mapping[str, Feature]:
+    """Return the features that the program has, by name."""
+    return {name: import_module(f"app.features.{name}.feature").FEATURE for name in names()}
+
+
+def feature_routers() -> Iterator["APIRouter"]:
+    """Yield the routers of all features."""
+    for name, feature in features().items():
+        for module in feature.routes:
+            yield import_module(f"app.features.{name}.{module}").router
+
+
+def report_for_archive(
+    database: "Database", settings: "Settings", clinic_id: int, patient_id: int, spreads_of: "SpreadsOf"
+) -> "MakeReport | None":
+    """Return what makes the report that an archive holds; None: there is none."""
+    made = (
+        one.report(database, settings, clinic_id, patient_id, spreads_of)
+        for one in features().values()
+        if one.report is not None
+    )
+    return next(made, None)

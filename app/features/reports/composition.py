@@ -1,0 +1,219 @@
+"""Composes the document of a report from what the store has; reads the recordings of its trajectories."""
+
+from datetime import datetime
+from typing import Final
+
+from app import __version__
+from app.features.records.service import Scale
+from app.features.reports.characters import without_invisible
+from app.features.reports.comment_remarks import comment_remarks
+from app.features.reports.condition import condition_facts, controls_table
+from app.features.reports.document import NO_TABLE, Fact, Remark, Report, ReportTable
+from app.features.reports.drive_report import ReportedDrive, drives_table
+from app.features.reports.interface_test_report import interface_test_report
+from app.features.reports.material import (
+    InterfaceTestMaterial,
+    ParameterMaterial,
+    ReportMaterial,
+    SessionMaterial,
+    TaskMaterial,
+)
+from app.features.reports.task_report import task_report
+from app.number_words import amount
+from app.store.log_chain import ChainHead
+from app.store.records.imports import Origin
+
+EXPLANATION: Final = (
+    "Noise is how much this person’s own trials of the task differ without a change; where nothing changed, about one "
+    "page in twenty says otherwise by chance. A trial that missed the goal counts as no better than the worst tenth of "
+    "those before it that reached it. The first three trials of a task are for getting used to it and "
+    "are not compared. No minimal detectable change has been published for these measures of wheelchair driving."
+)
+NO_GOAL: Final = "No goal was written down."
+NO_NOTE: Final = "No notes."
+NO_CONDITION: Final = "Nothing was driven, so there is no condition to report."
+SESSIONS_HEAD: Final = ("Session", "Date", "Opened by", "Trials", "Discarded", "Signed off by")
+
+
+def compose(material: ReportMaterial) -> Report:
+    """Return the document of a report."""
+    sessions, parameters = material.sessions, material.parameters
+    course = material.session is None
+    measured: tuple[TaskMaterial | InterfaceTestMaterial | ReportedDrive, ...]
+    measured = (*material.tasks, *material.tests, *material.drives)
+    sources = list(dict.fromkeys(one.source for one in measured))
+    several = len(sources) > 1
+    goals = _goals(sessions, course=course)
+    return Report(
+        title="Course of " + amount(len(sessions), "session") if course else f"Session {sessions[0].number}",
+        code=without_invisible(material.code),
+        clinic=without_invisible(material.clinic),
+        made=_moment(material.made),
+        practice=any(one.group == "simulated" for one in measured),
+        source="; ".join(sources) or "No trial counted, so there is no source of signals.",
+        facts=_facts(material),
+        goals=goals if len(goals) < 3 else (goals[0], goals[-1]),
+        other_goals=goals[1:-1],
+        condition=() if parameters is None else condition_facts(parameters),
+        controls=NO_TABLE if parameters is None else controls_table(parameters),
+        condition_note=_condition_note(parameters),
+        tasks=tuple(task_report(task, material.session, name_source=several) for task in material.tasks),
+        tests=tuple(interface_test_report(one, material.session, name_source=several) for one in material.tests),
+        drives=_visible(drives_table(material.drives, course=course)),
+        sessions=_sessions_table(sessions) if course else NO_TABLE,
+        scales=_scales(sessions, course=course),
+        notes=_notes(sessions, course=course),
+        comments=comment_remarks(material.comments, {one.id: one.number for one in sessions}, course=course),
+        signed=_signed(sessions),
+        identity=_identity(material),
+        explanation=EXPLANATION,
+    )
+
+
+def _facts(material: ReportMaterial) -> tuple[Fact, ...]:
+    first, last = material.sessions[0], material.sessions[-1]
+    if material.session is None:
+        when = f"{_day(first.started)} to {_day(last.started)}" if first is not last else _day(first.started)
+    else:
+        end = "still open" if first.ended is None else f"{first.ended.astimezone():%H:%M}"
+        when = f"{_moment(first.started)} to {end}" if first.ended else f"{_moment(first.started)}, {end}"
+    people = dict.fromkeys(one.opened_by for one in material.sessions if one.opened_by)
+    counted = sum(one.counted for one in material.sessions)
+    left_out = [entry for one in material.sessions for entry in one.left_out]
+    trials = f"{amount(counted, 'trial')} counted"
+    if left_out:
+        reasons = "; ".join(dict.fromkeys(without_invisible(reason) for *_, reason in left_out))
+        trials += f", {len(left_out)} left out ({reasons})"
+    return (
+        *((Fact("Made for", "Copy for the patient"),) if material.for_patient else ()),
+        Fact("When", when),
+        Fact("Opened by", without_invisible(", ".join(people)) or "not recorded"),
+        Fact("Trials", trials),
+        *_imported(material.sessions),
+    )
+
+
+def _imported(sessions: tuple[SessionMaterial, ...]) -> tuple[Fact, ...]:
+    """Return which sessions were held in another clinic; nothing when all were held here."""
+    found: dict[Origin, list[int]] = {}
+    for one in sessions:
+        if one.origin is not None:
+            found.setdefault(one.origin, []).append(one.number)
+    words = [
+        f"{_numbers(numbers)} from {without_invisible(origin.clinic)}, by {without_invisible(origin.person)}, "
+        f"{_day(origin.at)}"
+        for origin, numbers in found.items()
+    ]
+    return (Fact("Imported", "; ".join(words)),) if words else ()
+
+
+def _numbers(numbers: list[int]) -> str:
+    """Return the numbers of sessions that were imported together; they follow each other."""
+    return f"Session {numbers[0]}" if len(numbers) == 1 else f"Sessions {numbers[0]} to {numbers[-1]}"
+
+
+def _goals(sessions: tuple[SessionMaterial, ...], *, course: bool) -> tuple[Remark, ...]:
+    """Return the goals in the patient's words; of a course, each once with the session that it was written in."""
+    found: dict[str, int] = {}
+    for one in sessions:
+        if one.record.goal.strip():
+            found.setdefault(without_invisible(one.record.goal.strip()), one.number)
+    if not found:
+        return (Remark("", NO_GOAL),)
+    return tuple(Remark(f"Session {number}" if course else "", goal) for goal, number in found.items())
+
+
+def _condition_note(parameters: ParameterMaterial | None) -> str:
+    if parameters is None:
+        return NO_CONDITION
+    if not parameters.others:
+        return ""
+    return f"The newest set is shown; {amount(parameters.others, 'other set was', 'other sets were')} driven with, too."
+
+
+def _sessions_table(sessions: tuple[SessionMaterial, ...]) -> ReportTable:
+    return ReportTable(
+        SESSIONS_HEAD,
+        tuple(
+            (
+                str(one.number),
+                _day(one.started),
+                without_invisible(one.opened_by or ""),
+                str(one.counted),
+                str(len(one.left_out) or ""),
+                "" if one.record.sign_off is None else without_invisible(one.record.sign_off.person),
+            )
+            for one in sessions
+        ),
+    )
+
+
+def _visible(table: ReportTable) -> ReportTable:
+    return ReportTable(table.head, tuple(tuple(map(without_invisible, row)) for row in table.rows))
+
+
+def _scales(sessions: tuple[SessionMaterial, ...], *, course: bool) -> ReportTable:
+    """Return the outcome scales; of a course a row for each scale, with all of its totals."""
+    found: dict[str, list[Scale]] = {}
+    for one in sessions:
+        for scale in one.record.scales:
+            found.setdefault(without_invisible(scale.name), []).append(scale)
+    if not course:
+        return ReportTable(
+            ("Scale", "Total", "Day"),
+            tuple((name, f"{one.total:g}", str(one.day)) for name, scales in found.items() for one in scales),
+        )
+    rows = []
+    for name, scales in found.items():
+        ordered = sorted(scales, key=lambda scale: scale.day)
+        totals = ", ".join(f"{one.total:g}" for one in ordered)
+        days = " to ".join(dict.fromkeys((str(ordered[0].day), str(ordered[-1].day))))
+        rows.append((name, totals, days))
+    return ReportTable(("Scale", "Totals, the oldest first", "Day"), tuple(rows))
+
+
+def _notes(sessions: tuple[SessionMaterial, ...], *, course: bool) -> tuple[Remark, ...]:
+    found = []
+    for one in sessions:
+        for note in one.record.notes:
+            where = f"Session {one.number}, " if course else ""
+            revised = "" if note.revised is None else f", revised {_moment(note.revised)}"
+            head = f"{where}{_moment(note.written)}, {note.person}{revised}"
+            found.append(Remark(without_invisible(head), without_invisible(note.text)))
+    return tuple(found) or (Remark("", NO_NOTE),)
+
+
+def _signed(sessions: tuple[SessionMaterial, ...]) -> str:
+    """Return who signed off; of a course only when every session is signed off."""
+    signed = [one.record.sign_off for one in sessions]
+    if signed[-1] is None or None in signed:
+        return ""
+    if len(signed) == 1:
+        return without_invisible(f"Signed off by {signed[-1].person}, {_moment(signed[-1].at)}")
+    return without_invisible(f"All sessions are signed off, the last by {signed[-1].person}, {_moment(signed[-1].at)}")
+
+
+def _identity(material: ReportMaterial) -> tuple[Fact, ...]:
+    parameters = material.parameters
+    began = list(dict.fromkeys(one.record.version for one in material.sessions if one.record.version))
+    recorded = f"recorded with {', '.join(began)}" if began else "at the time of the session: not recorded"
+    return (
+        Fact("Software", f"bodydrive {__version__}; {recorded}"),
+        Fact(
+            "Fingerprint of the controls (SHA-256)",
+            "none: nothing was driven" if parameters is None else parameters.hash,
+        ),
+        Fact("Head of the log", _head_words(material.head)),
+    )
+
+
+def _head_words(head: ChainHead | None) -> str:
+    return "not recorded" if head is None else f"{amount(head.rows, 'row')}, {head.hash}"
+
+
+def _day(moment: datetime) -> str:
+    return f"{moment.astimezone():%Y-%m-%d}"
+
+
+def _moment(moment: datetime) -> str:
+    return f"{moment.astimezone():%Y-%m-%d %H:%M}"

@@ -1,0 +1,100 @@
+"""The drives of real chairs in a report: each of a session, or a row for each session of a course."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from datetime import datetime
+from typing import Final
+
+from app.features.reports.document import NO_TABLE, ReportTable
+from app.source import SourceGroup, source_words
+from app.store.database import Transaction
+from app.store.drives import drives_of
+from app.store.tables import PairedChair
+
+SESSION_HEAD: Final = ("Drive", "PairedChair", "Begun", "Lasted", "Distance driven", "End")
+COURSE_HEAD: Final = ("Session", "Drives", "Chairs", "Lasted", "Distance driven", "Stopped by a fault")
+ENDS: Final = {"by hand": "ended by hand", "fault": "stopped by a fault"}
+NOT_REPORTED: Final = "not reported by the chair"
+
+
+@dataclass(frozen=True, slots=True)
+class ReportedDrive:
+    """One drive of a real chair."""
+
+    session: int  # number
+    chair: str
+    started: datetime
+    ended: datetime | None
+    end: str | None
+    distance: float | None  # m; None: the chair reported none
+    group: SourceGroup
+    source: str
+    parameters_id: int
+
+
+def reported_drives(db: Transaction, clinic_id: int, patient_id: int, sessions: dict[int, int]) -> list[ReportedDrive]:
+    """Return a patient's drives in the reported sessions, in the order driven; `sessions` are their numbers by id."""
+    return [
+        ReportedDrive(
+            session=sessions[drive.session_id],
+            chair=db.get_one(PairedChair, drive.chair_id).name,
+            started=drive.started,
+            ended=drive.ended,
+            end=drive.end,
+            distance=drive.distance,
+            group=drive.source.group,
+            source=source_words(drive.source),
+            parameters_id=drive.parameters_id,
+        )
+        for drive in drives_of(db, clinic_id, patient_id)
+        if drive.session_id in sessions
+    ]
+
+
+def drives_table(drives: Sequence[ReportedDrive], *, course: bool) -> ReportTable:
+    """Return the table of the drives; an empty one when there was none."""
+    if not drives:
+        return NO_TABLE
+    if not course:
+        return ReportTable(SESSION_HEAD, tuple(_row(number, drive) for number, drive in enumerate(drives, start=1)))
+    of: dict[int, list[ReportedDrive]] = {}
+    for drive in drives:
+        of.setdefault(drive.session, []).append(drive)
+    return ReportTable(COURSE_HEAD, tuple(_session_row(session, own) for session, own in of.items()))
+
+
+def _row(number: int, drive: ReportedDrive) -> tuple[str, ...]:
+    end = "goes on" if drive.ended is None else ENDS.get(drive.end or "", "not recorded")
+    return (
+        str(number),
+        drive.chair,
+        f"{drive.started.astimezone():%H:%M}",
+        _duration([drive]),
+        _distance([drive]),
+        end,
+    )
+
+
+def _session_row(session: int, drives: list[ReportedDrive]) -> tuple[str, ...]:
+    halted = sum(drive.end == "fault" for drive in drives)
+    return (
+        str(session),
+        str(len(drives)),
+        ", ".join(dict.fromkeys(drive.chair for drive in drives)),
+        _duration(drives),
+        _distance(drives),
+        str(halted or ""),
+    )
+
+
+def _duration(drives: Iterable[ReportedDrive]) -> str:
+    seconds = [(one.ended - one.started).total_seconds() for one in drives if one.ended is not None]
+    if not seconds:
+        return ""
+    minutes, rest = divmod(round(sum(seconds)), 60)
+    return f"{minutes} min {rest} s" if minutes else f"{rest} s"
+
+
+def _distance(drives: Iterable[ReportedDrive]) -> str:
+    known = [one.distance for one in drives if one.distance is not None]
+    return f"{sum(known):.1f} m" if known else NOT_REPORTED

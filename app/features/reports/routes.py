@@ -1,0 +1,38 @@
+"""The report of a session, or of a patient's course of sessions, as a file."""
+
+from typing import Annotated
+
+from fastapi import APIRouter, Query, Response
+
+from app.api.deps import Exporter, PeopleParts, RowId
+from app.api.parts import Web
+from app.features.reports.document import Form
+from app.features.reports.rendering import MEDIA_TYPES, file_name, report_file
+from app.features.reports.service import Subject, exported_material
+
+router = APIRouter(tags=["reports"])
+
+
+@router.get("/patients/{patient_id}/report", response_class=Response)
+def report(
+    patient_id: RowId,
+    who: Exporter,
+    parts: PeopleParts,
+    web: Web,
+    form: Form = "pdf",
+    session: Annotated[int | None, Query(ge=1, le=2**31)] = None,
+    letter: bool = False,
+    for_patient: bool = False,
+) -> Response:
+    """Return the report of the session with this number, without one of all sessions, on A4 or Letter paper.
+
+    409 without the patient's consent to sharing outside, unless it is a copy for the patient.
+    """
+    spreads_of = web.spread.for_patient(who.clinic_id, patient_id)
+    subject = Subject(who.clinic_id, patient_id, session)
+    material = exported_material(
+        parts.database, parts.settings, subject, form, who.name, spreads_of, for_patient=for_patient
+    )
+    content = web.computing.ask(report_file, material, form, "us-letter" if letter else "a4")
+    disposition = f'attachment; filename="{file_name(material, form)}"'
+    return Response(content, media_type=MEDIA_TYPES[form], headers={"Content-Disposition": disposition})

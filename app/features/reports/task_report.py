@@ -1,0 +1,171 @@
+"""The report of one task: its measures with their verdicts, its trajectories, its learning curve."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, Final
+
+from app.features.reports.band_drawing import band_drawing
+from app.features.reports.curve_drawing import CurvePoint, curve_drawing
+from app.features.reports.document import Drawing, MeasureRow, TaskReport, Tone
+from app.features.reports.material import Rows, TaskMaterial
+from app.features.reports.measure_words import noise_words, share_words, with_unit
+from app.features.reports.trajectory_drawing import Points, trajectory_drawing
+from app.number_words import amount
+from app.recording.recorded_trajectory import read_trajectory, thinned
+from app.scoring.interruptions import interruption_words
+from app.scoring.learning import learning_curves
+from app.scoring.measures import REACHED, REACHED_NAME, TRIAL_MEASURES, VERDICT_WORDS, Word
+from app.scoring.verdict.leading_measures import leading_of_task
+from app.scoring.verdict.measure_comparison import from_scale, value_of
+from app.scoring.verdict.measure_verdict import Verdict, series_of
+from app.scoring.verdict.verdicts import SessionVerdicts, task_verdicts
+
+MOST_NAMED = 6  # interrupted trials
+MOST_OWN, MOST_PAST = 10, 30  # trajectories of the newest session and of earlier ones: more could not be told apart
+TONES: dict[Word, Tone] = {"better": "good", "worse": "bad", "within": "", "too few": "", "number": ""}
+
+NOTHING_BEFORE: Final = "nothing to compare with"
+
+
+def task_report(task: TaskMaterial, session: int | None, *, name_source: bool) -> TaskReport:
+    """Return the report of a task, of one session (its number) or of the course (None).
+
+    `name_source` says whether the tasks of the report have several sources, so that each must name its own.
+
+    Recordings are read for the trajectories; one that cannot be read is left out, and counted in the words.
+    """
+    rows = task.rows
+    newest = max(row["session"] for row in rows)
+    names = leading_of_task(rows)
+    main = names[0] if names else "time"
+    found = task_verdicts(rows, task.clinic, [main])
+    compared = _comparison(found.sessions, newest, course=session is None)
+    trajectories, words = _trajectories(task, session, compared)
+    curve = learning_curves(rows, [main], task.clinic).get(main)
+    said = () if curve is None else (curve["text"], curve["sessions"])
+    return TaskReport(
+        title=task.title,
+        lead=" ".join([f"{task.source}."] * name_source + [_trials_words(rows, session), _compared_words(compared)]),
+        before="" if compared is None else f"Session {compared.earlier}",
+        measures=tuple(_measure(name, rows, newest, compared) for name in names) + _reaching(rows, newest, compared),
+        trajectories=trajectories,
+        trajectories_words=words,
+        curve=None if curve is None else _curve(main, rows, newest, curve["fit"]),
+        curve_words=f"{amount(len(rows), 'trial')}; session {newest} is orange. Rings: to get used to the task. "
+        "S: a session begins.",
+        curve_title=f"Learning curve: {TRIAL_MEASURES[main].name.lower()} in every trial",
+        sentences=tuple(sentence for sentence in (*found.deterioration.values(), *said) if sentence),
+        statistics=() if curve is None else tuple(curve["details"]),
+    )
+
+
+def _comparison(sessions: Sequence[SessionVerdicts], newest: int, *, course: bool) -> SessionVerdicts | None:
+    """Return the verdicts on the reported session against the one before; of a course, against the first."""
+    own = [one for one in sessions if one.later == newest]
+    return None if not own else own[-1 if course else 0]
+
+
+def _measure(name: str, rows: Rows, newest: int, compared: SessionVerdicts | None) -> MeasureRow:
+    verdict: Verdict | None = None if compared is None else compared.verdicts.get(name)
+    words = TRIAL_MEASURES[name].name
+    if verdict is None:
+        level = with_unit(name, _level(name, rows, newest))
+        return MeasureRow(words, level, "", "", NOTHING_BEFORE, "", None)
+    tone = TONES[verdict.word]
+    noise = noise_words(name, verdict)
+    now, before = with_unit(name, verdict.later), with_unit(name, verdict.earlier)
+    drawing = band_drawing(verdict, tone, f"{words}: {before}, now {now}; within noise from {noise}.")
+    return MeasureRow(words, now, before, noise, VERDICT_WORDS[verdict.word], tone, drawing)
+
+
+def _reaching(rows: Rows, newest: int, compared: SessionVerdicts | None) -> tuple[MeasureRow, ...]:
+    """Return the row of how often the goal was reached."""
+    verdict: Verdict | None = None if compared is None else compared.verdicts.get(REACHED)
+    if verdict is None:
+        own = [bool(row.get("reached", True)) for row in rows if row["session"] == newest]
+        return (MeasureRow(REACHED_NAME, share_words(sum(own) / len(own)), "", "", NOTHING_BEFORE, "", None),)
+    now, before = share_words(verdict.later), share_words(verdict.earlier)
+    return (MeasureRow(REACHED_NAME, now, before, "", VERDICT_WORDS[verdict.word], TONES[verdict.word], None),)
+
+
+def _level(name: str, rows: Rows, session: int) -> float | None:
+    """Return the mean of a session's compared trials on the measure's scale; of all of its trials without such."""
+    own = [row for row in rows if row["session"] == session]
+    for chosen in (own, [{**row, "familiarisation": False} for row in own]):
+        series, _ = series_of(chosen, name)
+        if len(series.value):
+            return from_scale(name, float(series.value.mean()))
+    return None
+
+
+def _trials_words(rows: Rows, session: int | None) -> str:
+    own = [row for row in rows if session is None or row["session"] == session]
+    reached = sum(bool(row.get("reached", True)) for row in own)
+    used = sum(row["familiarisation"] for row in own)
+    getting_used = f", {used} of them to get used to the task" if used else ""
+    counted = f"{amount(len(own), 'trial')} counted{getting_used}; the goal was reached in {reached}."
+    interrupted = [f"trial {row['number']} ({words})" for row in own if (words := interruption_words(row))]
+    if not interrupted:
+        return counted
+    more = f" and {len(interrupted) - MOST_NAMED} more" if len(interrupted) > MOST_NAMED else ""
+    return f"{counted} Interrupted: {', '.join(interrupted[:MOST_NAMED])}{more}."
+
+
+def _compared_words(compared: SessionVerdicts | None) -> str:
+    if compared is None:
+        return "There is no earlier session with trials of this task to compare with."
+    first, second = (amount(count, "trial") for count in compared.trials)
+    return f"Session {compared.later} ({second}) against session {compared.earlier} ({first})."
+
+
+def _trajectories(
+    task: TaskMaterial, session: int | None, compared: SessionVerdicts | None
+) -> tuple[Drawing | None, str]:
+    """Return the trajectories over the path, and what is drawn in words."""
+    newest = task.rows[-1]["session"]
+    earlier = None if compared is None else compared.earlier
+    of: dict[int | None, list[int]] = {}
+    for place, row in enumerate(task.rows):
+        of.setdefault(row["session"], []).append(place)
+    own = of.pop(newest)
+    past = _spread([place for places in of.values() for place in places] if session is None else of.get(earlier, []))
+    chosen = [*past, *own[-MOST_OWN:]]
+    if not task.path:
+        return None, ""
+    read = {place: _trajectory(task.folders[place]) for place in chosen}
+    now = [line for place, line in read.items() if line and task.rows[place]["session"] == newest]
+    before = [line for place, line in read.items() if line and task.rows[place]["session"] != newest]
+    others = "earlier sessions" if session is None else f"session {earlier}"
+    words = f"{amount(len(now), 'trajectory', 'trajectories')} of session {newest} (orange)"
+    words += f" over {len(before)} of {others} (grey)" if before else ""
+    if session is None and len(chosen) < len(task.rows):
+        words += f", chosen evenly of {len(task.rows)} trials"
+    lost = len(read) - len(now) - len(before)
+    words += f"; {amount(lost, 'recording')} cannot be read" if lost else ""
+    return trajectory_drawing(task.path, before, now, f"{task.source}: {words}."), f"{words}."
+
+
+def _spread(places: Sequence[int]) -> list[int]:
+    """Return at most 30 places, evenly over all of them, the first and the last among them."""
+    if len(places) <= MOST_PAST:
+        return list(places)
+    return [places[round(step * (len(places) - 1) / (MOST_PAST - 1))] for step in range(MOST_PAST)]
+
+
+def _trajectory(folder: Path) -> Points:
+    try:
+        rows = read_trajectory(folder)
+    except (ValueError, OSError):
+        return ()
+    kept = thinned(rows.x, rows.y)
+    return list(zip(rows.x[kept].tolist(), rows.y[kept].tolist(), strict=True))
+
+
+def _curve(name: str, rows: Rows, newest: int, fit: dict[str, Any] | None) -> Drawing | None:
+    points = [
+        CurvePoint(row["number"], row["session"], value, row["session"] == newest, row["familiarisation"])
+        for row in rows
+        if (value := value_of(row, name)) is not None
+    ]
+    words = f"{TRIAL_MEASURES[name].as_subject} over {amount(len(points), 'trial')}."
+    return curve_drawing(points, fit, TRIAL_MEASURES[name], words)

@@ -1,0 +1,144 @@
+"""The patients by what needs attention, for reviewers and clinicians, in one answer."""
+
+from collections import defaultdict
+from collections.abc import Sequence
+from datetime import timedelta
+
+from fastapi import APIRouter
+from sqlalchemy import func, select, text
+from sqlalchemy.orm import Session
+
+from app.api.answers import Answer
+from app.api.deps import Anyone, PeopleParts
+from app.api.parts import Web
+from app.clock import utc_now
+from app.features.registration import Attention, Reason, features
+from app.features.sharing.deteriorations import CountedTask, Deteriorations
+from app.quantities import Document
+from app.source import SourceGroup
+from app.store.log import write_log
+from app.store.patients import all_patients
+from app.store.tables import COUNTED, Drive, Patient, PatientSession, Run, Trial
+
+router = APIRouter(tags=["review"])
+
+LONG = timedelta(days=28)  # without a session
+RECENT = timedelta(days=28)  # for trials and drives that halted
+GROUPS: dict[bool | None, SourceGroup] = {False: "worn", True: "simulated", None: "unknown"}
+
+
+def patients_and_reasons(db: Session, clinic_id: int, person_id: int) -> list[tuple[Patient, list[Attention]]]:
+    """Return every visible patient with the reasons to look at them; the most urgent reason first."""
+    now = utc_now()
+    reasons: dict[int, list[Attention]] = defaultdict(list)
+    stopped = (
+        select(Drive.patient_id, func.count(), func.max(Drive.session_id))
+        .where(Drive.clinic_id == clinic_id, Drive.end == "fault", Drive.started >= now - RECENT)
+        .group_by(Drive.patient_id)
+    )
+    for patient, count, session in db.execute(stopped):
+        reasons[patient].append(Attention("drive", count, session, None))
+    halted = (
+        select(Trial.patient_id, func.count(), func.max(Trial.id))
+        .where(Trial.clinic_id == clinic_id, Trial.end == "fault", Trial.started >= now - RECENT)
+        .group_by(Trial.patient_id)
+    )
+    for patient, count, newest in db.execute(halted):
+        reasons[patient].append(Attention("halted", count, None, newest))
+    for feature in features().values():
+        for patient, reason in feature.attention(db, clinic_id, person_id):
+            reasons[patient].append(reason)
+    sessions = (
+        select(PatientSession.patient_id, func.max(PatientSession.started), func.max(PatientSession.id))
+        .where(PatientSession.clinic_id == clinic_id)
+        .group_by(PatientSession.patient_id)
+    )
+    for patient, last, newest in db.execute(sessions):
+        away = now - last
+        if away >= LONG:
+            reasons[patient].append(Attention("absent", away.days, newest, None))
+    return [(patient, reasons[patient.id]) for patient in all_patients(db, clinic_id)]
+
+
+def tasks_of(db: Session, clinic_id: int, patient_id: int) -> list[tuple[str, str, SourceGroup]]:
+    """Return the tasks (floor plan, path, source) of a patient in which a trial counts."""
+    query = (
+        select(Trial.floorplan, Trial.path, Run.simulated)
+        .join(Run, Run.id == Trial.run_id)
+        .where(Trial.clinic_id == clinic_id, Trial.patient_id == patient_id)
+        .where(Trial.kept.is_(True), Trial.status == "done")
+        .distinct()
+        .order_by(Trial.floorplan, Trial.path)
+    )
+    return [(floorplan, path, GROUPS[simulated]) for floorplan, path, simulated in db.execute(query)]
+
+
+def counted_tasks(db: Session, clinic_id: int) -> list[CountedTask]:
+    """Return every task of every visible patient in which a trial counts.
+
+    The condition is that of the index `ix_trial_counted`, so that no trial is read for it.
+    """
+    task = (Trial.patient_id, Trial.floorplan, Trial.path, Run.simulated)
+    counted = (
+        select(*task, func.group_concat(Trial.id))
+        .join(Run, Run.id == Trial.run_id)
+        .where(Trial.clinic_id == clinic_id, text(COUNTED))
+        .group_by(*task)
+    )
+    return [
+        CountedTask(patient, floorplan, path, GROUPS[simulated], ",".join(sorted(trials.split(","), key=int)))
+        for patient, floorplan, path, simulated, trials in db.execute(counted)
+    ]
+
+
+URGENCY: tuple[Reason, ...] = ("drive", "deterioration", "halted", "comment", "unsigned", "absent")
+
+
+class AttentionView(Answer):
+    """One reason why somebody should look at a patient."""
+
+    reason: Reason
+    number: int  # of drives, trials, comments, sessions or days
+    session_id: int | None  # where to look; both null: the patient's learning curve
+    trial_id: int | None
+    sentence: str  # of a deterioration, else empty
+
+
+class PatientAttention(Document):
+    """A patient with the reasons to look, the most urgent first; none: nothing needs attention."""
+
+    patient_id: int
+    code: str
+    pseudonym: str
+    reasons: list[AttentionView]
+    pending: bool  # whether it is still being worked out if the patient has become worse: ask again in some seconds
+
+
+@router.get("/attention")
+def attention(who: Anyone, parts: PeopleParts, web: Web) -> list[PatientAttention]:
+    """List the patients that the person who asks may see, those who need attention first."""
+    with parts.database.transaction(closing=True) as db:
+        found = patients_and_reasons(db, who.clinic_id, who.person_id)
+        tasks = counted_tasks(db, who.clinic_id)
+        write_log(db, who.name, "patients viewed by attention")
+    deteriorations = web.of_feature(Deteriorations, lambda: Deteriorations(parts.database, web.computing, web.spread))
+    known = deteriorations.known(who.clinic_id, tasks)
+    pending = {task.patient_id for task in tasks if task not in known}
+    worse: dict[int, list[Attention]] = defaultdict(list)
+    for task, one in known.items():
+        if one is not None:
+            reason = Attention("deterioration", one.measures, one.session_id, None, one.sentence)
+            worse[task.patient_id].append(reason)
+    listed = [_view(one, [*worse[one.id], *reasons], pending=one.id in pending) for one, reasons in found]
+    return sorted(listed, key=lambda one: URGENCY.index(one.reasons[0].reason) if one.reasons else len(URGENCY))
+
+
+def _view(patient: Patient, reasons: Sequence[Attention], *, pending: bool) -> PatientAttention:
+    ordered = sorted(reasons, key=lambda one: URGENCY.index(one.reason))
+    return PatientAttention(
+        patient_id=patient.id,
+        code=patient.code,
+        pseudonym=patient.pseudonym,
+        reasons=[AttentionView.of(one) for one in ordered],
+        pending=pending,
+    )

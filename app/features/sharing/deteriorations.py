@@ -1,0 +1,94 @@
+"""In which tasks each patient has become worse than noise explains: worked out in the background, and kept.
+
+A task of twenty sessions needs more than a tenth of a second, and a clinic of 200 patients more than a minute. So a
+page is answered at once with what is known; what is not is worked out one task after the other, and again when the
+trials that count in it have changed. Each is judged with the clinic's spread of that moment.
+"""
+
+import logging
+import threading
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from app.computing_process import ComputingProcess
+from app.refusals import Refusal
+from app.scoring.verdict.deterioration import deteriorations
+from app.session.clinic_spread import ClinicSpread, Task
+from app.source import SourceGroup
+from app.store.access.visible_patients import every_patient
+from app.store.database import Database
+from app.store.learning_trials import counted_trials
+
+LOG = logging.getLogger(__name__)
+
+
+class CountedTask(NamedTuple):
+    """A task (floor plan, path, source) of a patient, with the trials that count in it."""
+
+    patient_id: int
+    floorplan: str
+    path: str
+    group: SourceGroup
+    trials: str  # their ids, joined by commas
+
+
+class Deterioration(NamedTuple):
+    """A task in which a patient has become worse."""
+
+    measures: int  # how many of them
+    session_id: int  # the newest session with the task
+    sentence: str
+
+
+class Deteriorations:
+    """Keeps what was worked out for each task of each patient, and works out what is missing. Thread-safe."""
+
+    def __init__(self, database: Database, computing: ComputingProcess, spread: ClinicSpread) -> None:
+        self._database, self._computing, self._spread = database, computing, spread
+        self._known: dict[CountedTask, Deterioration | None] = {}
+        self._missing: dict[CountedTask, int] = {}  # with its clinic, in the order in which they were asked for
+        self._lock = threading.Lock()
+        self._is_working = False
+
+    def known(self, clinic_id: int, tasks: Sequence[CountedTask]) -> dict[CountedTask, Deterioration | None]:
+        """Return what is known of these tasks, and begin to work out the others; None: no worse than noise explains."""
+        found = {task: self._known[task] for task in tasks if task in self._known}
+        with self._lock:
+            self._missing.update({task: clinic_id for task in tasks if task not in self._known})
+            begin = bool(self._missing) and not self._is_working
+            self._is_working = self._is_working or begin
+        if begin:
+            threading.Thread(target=self._work, name="deteriorations", daemon=True).start()
+        return found
+
+    def _work(self) -> None:
+        try:
+            while (task := self._next()) is not None:
+                self._keep(task, self._found(*task))
+        except (Refusal, OSError, ValueError, RuntimeError) as error:
+            LOG.warning("What has become worse is not known for every patient: %s", error)
+            with self._lock:
+                self._is_working = False
+                self._missing.clear()  # whoever asks next begins again
+
+    def _next(self) -> tuple[CountedTask, int] | None:
+        with self._lock:
+            task = next(iter(self._missing.items()), None)
+            self._is_working = task is not None
+            return task
+
+    def _keep(self, task: tuple[CountedTask, int], found: Deterioration | None) -> None:
+        with self._lock:
+            same = {one for one in self._known if one[:4] == task[0][:4]}
+            self._known = {one: kept for one, kept in self._known.items() if one not in same} | {task[0]: found}
+            self._missing.pop(task[0], None)
+
+    def _found(self, task: CountedTask, clinic_id: int) -> Deterioration | None:
+        with every_patient(), self._database.transaction() as db:
+            every = counted_trials(db, clinic_id, task.patient_id, task.floorplan, task.path)
+            trials = [one for one in every if one.group == task.group]
+            rows = [one.row() for one in trials]
+            newest = trials[-1].trial.session_id if trials else 0
+        spread = self._spread.of_others(Task(clinic_id, task.floorplan, task.path, task.group), task.patient_id)
+        worse = self._computing.ask_last(deteriorations, rows, spread)
+        return Deterioration(len(worse), newest, next(iter(worse.values()))) if worse else None

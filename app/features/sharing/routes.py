@@ -1,0 +1,163 @@
+"""Make, list and revoke the share links of a patient."""
+
+import asyncio
+from typing import Annotated
+
+from fastapi import APIRouter, Request
+from fastapi.concurrency import run_in_threadpool
+from pydantic import Field
+
+from app.api.answers import Answer, MomentText
+from app.api.deps import Clinician, People, PeopleParts, RowId
+from app.api.own_address import first_words, own_address, reach_words
+from app.api.parts import Web
+from app.api.sign_in.identity import SignedInPerson
+from app.api.sign_in.passwords import hash_of
+from app.features.sharing.service import (
+    MOST_DAYS,
+    ShareState,
+    add_share,
+    find_share,
+    last_opened,
+    new_pin,
+    revoke_share,
+    share_state,
+    shares_of,
+)
+from app.quantities import Document
+from app.store.consent import require_consent
+from app.store.database import Transaction
+from app.store.log import log_viewing, write_log
+from app.store.patients import find_patient, find_session
+
+router = APIRouter(tags=["sharing"])
+
+CHANGED = "shares"  # the event that tells pages that a link was made, tried, opened or revoked
+PAGE = "share.html#"  # followed by the token: what stands behind # is never sent to a server
+
+
+class NewShare(Document):
+    """For how many days a link can be opened."""
+
+    days: Annotated[int, Field(strict=True, ge=1, le=MOST_DAYS)] = MOST_DAYS
+
+
+class ShareRow(Answer):
+    """A share link."""
+
+    id: int
+    session_id: int | None  # null: all sessions
+    person: str  # who made it
+    created: MomentText
+    expires: MomentText
+    state: ShareState
+    openings: int
+    last_opened: MomentText | None
+    wrong_pins: int
+
+
+class SharesView(Document):
+    """The share links of a patient, the newest first."""
+
+    patient_id: int
+    shares: list[ShareRow]
+
+
+class MadeShare(SharesView):
+    """A new link and its PIN, shown this once; `words`: where the link does not work."""
+
+    url: str
+    pin: str
+    words: str
+
+
+@router.get("/patients/{patient_id}/shares")
+def list_shares(patient_id: RowId, who: Clinician, parts: PeopleParts) -> SharesView:
+    """List the share links of a patient."""
+    with parts.database.transaction(closing=True) as db:
+        find_patient(db, who.clinic_id, patient_id)
+        log_viewing(db, who.name, patient_id)
+        return SharesView(patient_id=patient_id, shares=_rows(db, patient_id))
+
+
+@router.post("/patients/{patient_id}/shares", status_code=201)
+async def share_course(
+    patient_id: RowId, body: NewShare, request: Request, who: Clinician, parts: PeopleParts, web: Web
+) -> MadeShare:
+    """Make a link to all sessions of a patient, who consents to sharing."""
+    made = await _make(parts, request, who, body.days, patient_id=patient_id)
+    web.live.tell(CHANGED)
+    return made
+
+
+@router.post("/sessions/{session_id}/shares", status_code=201)
+async def share_session(
+    session_id: RowId, body: NewShare, request: Request, who: Clinician, parts: PeopleParts, web: Web
+) -> MadeShare:
+    """Make a link to one session of a patient, who consents to sharing."""
+    made = await _make(parts, request, who, body.days, session_id=session_id)
+    web.live.tell(CHANGED)
+    return made
+
+
+@router.delete("/shares/{share_id}")
+def no_share(share_id: RowId, who: Clinician, parts: PeopleParts, web: Web) -> SharesView:
+    """Revoke a share link: nobody reads by it any more."""
+    with parts.database.transaction(closing=True) as db:
+        link = find_share(db, who.clinic_id, share_id)
+        revoke_share(db, link)
+        write_log(db, who.name, "share link revoked", patient=link.patient_id, share=share_id)
+        answer = SharesView(patient_id=link.patient_id, shares=_rows(db, link.patient_id))
+    web.live.tell(CHANGED)
+    return answer
+
+
+async def _make(
+    parts: People,
+    request: Request,
+    who: SignedInPerson,
+    days: int,
+    *,
+    patient_id: int = 0,
+    session_id: int | None = None,
+) -> MadeShare:
+    def whose(db: Transaction) -> int:
+        found = patient_id if session_id is None else find_session(db, who.clinic_id, session_id).patient_id
+        find_patient(db, who.clinic_id, found)
+        require_consent(db, found, "sharing")
+        return found
+
+    def check() -> None:
+        with parts.database.transaction() as db:
+            whose(db)
+
+    def make(pin_hash: str) -> MadeShare:
+        with parts.database.transaction() as db:
+            patient = whose(db)
+            link, token = add_share(db, who.clinic_id, patient, session_id, pin_hash, days, who.name)
+            details = {"patient": patient, "session": session_id, "share": link.id, "days": days}
+            write_log(db, who.name, "share link made", **details)
+            return MadeShare(
+                patient_id=patient,
+                shares=_rows(db, patient),
+                url=f"{address.base}{PAGE}{token}",
+                pin=pin,
+                words=" ".join(filter(None, (reach_words(parts.settings, address), first_words(parts.settings)))),
+            )
+
+    await run_in_threadpool(check)  # before the PIN is hashed, which takes long
+    address = await asyncio.to_thread(own_address, parts.settings, request)
+    pin = new_pin()
+    return await run_in_threadpool(make, await hash_of(parts, pin))
+
+
+def _rows(db: Transaction, patient_id: int) -> list[ShareRow]:
+    fields = ("id", "session_id", "person", "created", "expires", "openings", "wrong_pins")
+    return [
+        ShareRow(
+            **{name: getattr(link, name) for name in fields},
+            state=share_state(link),
+            last_opened=last_opened(db, link.id),
+        )
+        for link in shares_of(db, patient_id)
+    ]

@@ -1,0 +1,41 @@
+"""What a patient must have consented to: recording, use for other patients of the clinic, sharing outside.
+
+A feature keeps the consents (`app/features/consents/`). Without one nobody has consented to anything.
+"""
+
+from typing import Final
+
+from sqlalchemy import ColumnElement, false, or_, select
+from sqlalchemy.orm import Session
+
+from app.features.registration import Consent as Consent  # noqa: PLC0414  (others import it from here)
+from app.features.registration import features
+from app.refusals import Conflict
+from app.store.tables import Patient
+
+CONSENTS: Final[tuple[Consent, ...]] = ("recording", "clinic_prior", "sharing")
+
+NEEDED: Final[dict[Consent, str]] = {
+    "recording": "{code} has not consented to recording: ask, and enter the date on the page of consents. Practice "
+    "with the simulated shirt needs no consent.",
+    "clinic_prior": "{code} has not consented to the use for other patients of the clinic: ask, and enter the date "
+    "on the page of consents.",
+    "sharing": "{code} has not consented to sharing outside the clinic: ask, and enter the date on the page of "
+    "consents.",
+}
+
+
+def consented(consent: Consent) -> ColumnElement[bool]:
+    """Return the condition that the patient of a query (`Patient`) has given a consent that is in force."""
+    return or_(false(), *(one.consented(consent) for one in features().values() if one.consented is not None))
+
+
+def has_consented(db: Session, patient_id: int, consent: Consent) -> bool:
+    """Return whether a patient has given a consent that is in force."""
+    return db.scalar(select(Patient.id).where(Patient.id == patient_id, consented(consent))) is not None
+
+
+def require_consent(db: Session, patient_id: int, consent: Consent) -> None:
+    """Raise Conflict when a patient has not given a consent, or has withdrawn it."""
+    if not has_consented(db, patient_id, consent):
+        raise Conflict(NEEDED[consent].format(code=db.get_one(Patient, patient_id).code))

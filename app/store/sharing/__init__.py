@@ -1,1 +1,0 @@
-"""What people elsewhere see and say: comments on moments of trials, share links, the story of a session."""

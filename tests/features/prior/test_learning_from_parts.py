@@ -1,0 +1,91 @@
+"""What a calibration that is not complete, or of a shirt that sits otherwise, adds to the clinic's prior."""
+
+from typing import Any
+
+import pytest
+from calibrated_others import begin, entry, record
+from fake_clinic import profile_for
+
+from app.calibration.linear_map import Arrangement
+from app.features.prior.tables import PriorEntry
+from app.layout import Channel, ShirtLayout
+from building import taught_by_others
+
+
+def entry_of(*joints: str, recordings: int = 1) -> dict[str, Any]:
+    """Return an entry of these joints."""
+    one = entry()["joints"]["right_elbow"]
+    return {"recordings": recordings, "joints": dict.fromkeys(joints, one)}
+
+
+def stored(clinic: Any, patient: int) -> dict[str, Any]:
+    """Return the document that the patient adds to the prior, empty without one."""
+    with clinic.client.app.state.people.database.transaction() as db:
+        row = db.query(PriorEntry).filter_by(patient_id=patient).one_or_none()
+        return {} if row is None else dict(row.document)
+
+
+@pytest.fixture
+def newcomer(with_others: Any) -> tuple[Any, int]:
+    """A clinic with four others, and a new patient who has rested and moved freely."""
+    patient = begin(with_others, "P-9")
+    record(with_others, "rest", "free")
+    return with_others, patient
+
+
+def test_drive_now_without_a_prompt_adds_nothing(newcomer: Any) -> None:
+    """Unprompted movement taught nothing on real recordings, and it has no labels."""
+    clinic, patient = newcomer
+    clinic.good("POST", "/calibration/drive-now")
+    assert stored(clinic, patient) == {}
+    assert clinic.good("GET", "/clinic-prior")["people"] == 4
+
+
+def test_drive_now_after_some_prompts_adds_the_joints_that_were_prompted(newcomer: Any) -> None:
+    clinic, patient = newcomer
+    record(clinic, "prompt-left_elbow")
+    clinic.readings["entry"] = entry_of("left_elbow")
+    clinic.good("POST", "/calibration/drive-now")
+    assert set(stored(clinic, patient)["joints"]) == {"left_elbow"}
+    assert clinic.good("GET", "/clinic-prior")["people"] == 5
+
+
+def test_switched_off_a_partial_calibration_adds_nothing_either(newcomer: Any) -> None:
+    clinic, patient = newcomer
+    record(clinic, "prompt-left_elbow")
+    clinic.good("PUT", "/clinic-prior", json={"on": False})
+    assert clinic("POST", "/calibration/drive-now").status_code == 409  # nobody stands in for what is missing
+    clinic.good("PUT", "/clinic-prior", json={"on": True})
+    assert stored(clinic, patient) == {}
+
+
+def test_a_later_partial_calibration_replaces_its_joints_and_keeps_the_others(newcomer: Any) -> None:
+    clinic, patient = newcomer
+    clinic.readings["entry"] = entry_of("right_elbow", "left_elbow", recordings=2)
+    clinic.calibrate()
+    clinic.good("POST", "/calibration/restart")
+    record(clinic, "rest", "free", "prompt-left_elbow")
+    newer = entry_of("left_elbow")
+    newer["joints"]["left_elbow"]["strokes"] = 2.0
+    clinic.readings["entry"] = newer
+    clinic.good("POST", "/calibration/drive-now")
+    joints = stored(clinic, patient)["joints"]
+    assert {name: joint["strokes"] for name, joint in joints.items()} == {"right_elbow": 3.0, "left_elbow": 2.0}
+
+
+@pytest.mark.parametrize("known", ["arrangement", "as_worn"])
+def test_a_joint_whose_ring_sits_otherwise_adds_nothing(newcomer: Any, known: str) -> None:
+    """Its sensors lie elsewhere than those of other people, or look so."""
+    clinic, patient = newcomer
+
+    def turned(layout: Any) -> Any:
+        sits = {"cuff": Arrangement(shift=1)}
+        cuff = [Channel(name=f"cuff_{i}", joint="right_elbow", ring="cuff", place=i) for i in range(5)]
+        others = [channel for channel in layout.channels if channel.joint != "right_elbow"]
+        ringed = ShirtLayout(name=layout.name, channels=(*cuff, *others), joints=layout.joints)
+        return taught_by_others(profile_for(ringed), 3, ["right_elbow"], **{known: sits})
+
+    clinic.readings["profile"] = turned
+    clinic.readings["entry"] = entry_of("right_elbow", "left_elbow")
+    clinic.calibrate()
+    assert set(stored(clinic, patient)["joints"]) == {"left_elbow"}

@@ -1,0 +1,239 @@
+"""The record of a session: what is written, its history, and that a sign-off locks every row of the session."""
+
+from datetime import date
+
+import pytest
+from sqlalchemy import delete, select, update
+from sqlalchemy.orm import Session
+
+from app import __version__
+from app.clock import utc_now
+from app.features.records.service import (
+    Scale,
+    add_note,
+    add_scale,
+    note_history,
+    remove_scale,
+    revise_note,
+    session_record,
+    write_goal,
+)
+from app.features.records.sign_off import OF_A_SESSION, sign_off, sign_off_history, unlock
+from app.features.records.tables import NoteRevision, OutcomeScale, SessionNote, SessionSignOff
+from app.features.sharing.tables import ShareLink
+from app.refusals import Conflict, NotFound
+from app.store.database import Database
+from app.store.interface_tests import add_interface_test
+from app.store.patients import add_patient, start_session
+from app.store.people import add_clinic
+from app.store.records.import_tables import ImportedSession
+from app.store.runs import add_run, add_trial
+from app.store.tables import (
+    CalibrationStep,
+    Drive,
+    InterfaceTest,
+    PairedChair,
+    ParameterSet,
+    PatientScreen,
+    PatientSession,
+    Profile,
+    Run,
+    Table,
+    Trial,
+)
+
+DAY = date(2026, 3, 1)
+NOT_LOCKED = {ImportedSession, PatientScreen, SessionSignOff, ShareLink}
+CHANGED: dict[type[Table], tuple[str, object]] = {  # a column of each table, and another value
+    PatientSession: ("goal", "other"),
+    CalibrationStep: ("words", "other"),
+    Run: ("rows", 7),
+    Profile: ("version", 7),
+    Trial: ("kept", False),
+    Drive: ("distance", 7.0),
+    InterfaceTest: ("workload", {"effort": 7.0}),
+    SessionNote: ("session_id", 7),
+    NoteRevision: ("text", "other"),
+    OutcomeScale: ("total", 7.0),
+}
+
+
+@pytest.fixture
+def session(db: Session) -> PatientSession:
+    clinic = add_clinic(db, "Clinic")
+    patient = add_patient(db, clinic.id, "P-01", "Heron", "")
+    return start_session(db, clinic.id, patient.id, "Ada")
+
+
+def filled(db: Session, session: PatientSession) -> Trial:
+    """Give a session a row in every table of a session, and return its trial."""
+    run = add_run(db, "a" * 32, session.id, "drive", "a" * 32)
+    profile = Profile(
+        patient_id=session.patient_id, session_id=session.id, version=1, document={}, created=utc_now(), simulated=None
+    )
+    db.add_all([profile, CalibrationStep(session_id=session.id, step="rest", status="done", words="")])
+    db.flush()
+    parameters = ParameterSet(
+        profile_id=profile.id, title="A", settings={}, hash="0", created=utc_now(), current=True, abandoned=False
+    )
+    db.add(parameters)
+    db.flush()
+    trial = add_trial(
+        db,
+        run=run,
+        clinic_id=session.clinic_id,
+        patient_id=session.patient_id,
+        parameters_id=parameters.id,
+        floorplan="corridor",
+        floorplan_title="Corridor",
+        path="straight",
+        path_points=[],
+    )
+    trial.status = "done"
+    test = add_interface_test(db, run=run, session=session, parameters_id=parameters.id, plan={})
+    test.status = "done"
+    add_note(db, session.id, "Calm.", "Ada")
+    add_scale(db, session.id, "SCIM III", 41, DAY)
+    db.flush()
+    return trial
+
+
+def test_a_new_session_holds_the_version_and_nothing_else(db: Session, session: PatientSession) -> None:
+    record = session_record(db, session.id)
+    assert (record.goal, record.notes, record.scales, record.sign_off) == ("", (), (), None)
+    assert record.version == __version__
+
+
+def test_a_revised_note_keeps_its_history(db: Session, session: PatientSession) -> None:
+    note = add_note(db, session.id, "Tired.", "Ada")
+    assert revise_note(db, session.id, note, "Tired after lunch.", "Ben")
+    assert not revise_note(db, session.id, note, "Tired after lunch.", "Ben")
+    (found,) = session_record(db, session.id).notes
+    assert (found.text, found.person) == ("Tired after lunch.", "Ben")
+    assert found.revised is not None
+    assert found.revised >= found.written
+    assert [(each.text, each.person) for each in note_history(db, note)] == [
+        ("Tired.", "Ada"),
+        ("Tired after lunch.", "Ben"),
+    ]
+
+
+def test_a_note_or_scale_of_another_session_is_not_found(db: Session, session: PatientSession) -> None:
+    note, scale = add_note(db, session.id, "Calm.", "Ada"), add_scale(db, session.id, "SCIM III", 41, DAY)
+    with pytest.raises(NotFound, match="no note"):
+        revise_note(db, session.id + 1, note, "Other.", "Ada")
+    with pytest.raises(NotFound, match="no scale"):
+        remove_scale(db, session.id + 1, scale)
+    assert session_record(db, session.id).scales == (Scale(scale, "SCIM III", 41, DAY),)
+
+
+@pytest.mark.parametrize("kind", OF_A_SESSION)
+@pytest.mark.parametrize("how", ["change", "delete", "change many", "delete many"])
+def test_no_row_of_a_signed_session_changes_by_any_way(database: Database, kind: type[Table], how: str) -> None:
+    with database.transaction() as db:
+        clinic = add_clinic(db, "Clinic")
+        session = start_session(db, clinic.id, add_patient(db, clinic.id, "P-01", "Heron", "").id)
+        trial = filled(db, session)
+        start_drive(db, session, trial)
+        sign_off(db, session, "Ada")
+    column, value = CHANGED[kind]
+    with database.transaction() as db:
+        row = db.scalars(select(kind)).first()
+        assert row is not None
+
+        def change() -> None:
+            if how == "change":
+                setattr(row, column, value)
+            elif how == "delete":
+                db.delete(row)
+            elif how == "change many":
+                db.execute(update(kind).values({column: value}))
+            else:
+                db.execute(delete(kind))
+            db.flush()
+
+        with pytest.raises(Conflict, match="Session 1 was signed off by Ada"):
+            change()
+        db.rollback()
+
+
+def start_drive(db: Session, session: PatientSession, trial: Trial) -> None:
+    """Store a drive that has ended."""
+    chair = PairedChair(
+        clinic_id=session.clinic_id, name="C", host="h", port=1, key_id=1, speeds={}, paired=utc_now(), removed=None
+    )
+    db.add(chair)
+    db.flush()
+    drive = Drive(
+        clinic_id=session.clinic_id,
+        patient_id=session.patient_id,
+        session_id=session.id,
+        run_id=trial.run_id,
+        chair_id=chair.id,
+        parameters_id=trial.parameters_id,
+        hash="0",
+        started=utc_now(),
+        ended=utc_now(),
+    )
+    db.add(drive)
+    db.flush()
+
+
+def test_the_table_of_this_test_names_every_table_of_a_session() -> None:
+    of_a_session = {
+        mapper.class_
+        for mapper in Table.registry.mappers
+        if "session_id" in mapper.columns and mapper.class_ not in NOT_LOCKED
+    }
+    assert {*CHANGED} == {*OF_A_SESSION} == of_a_session | {PatientSession, NoteRevision}
+
+
+def test_a_sign_off_ends_an_open_session_and_stays_in_the_history(db: Session, session: PatientSession) -> None:
+    filled(db, session)
+    signed = sign_off(db, session, "Ada")
+    assert session.ended is not None
+    assert session_record(db, session.id).sign_off == signed
+    with pytest.raises(Conflict, match="was signed off by Ada"):
+        sign_off(db, session, "Ben")
+    unlock(db, session, "Owner", "a wrong scale")
+    assert session_record(db, session.id).sign_off is None
+    write_goal(db, session.id, "To the kitchen.")
+    sign_off(db, session, "Ben")
+    assert [(row.person, row.unlocked_by, row.reason) for row in sign_off_history(db, session.id)] == [
+        ("Ada", "Owner", "a wrong scale"),
+        ("Ben", None, None),
+    ]
+    assert start_session(db, session.clinic_id, session.patient_id).id != session.id
+
+
+@pytest.mark.parametrize("running", ["trial", "drive"])
+def test_a_session_in_which_something_is_driven_is_not_signed_off(
+    db: Session, session: PatientSession, running: str
+) -> None:
+    trial = filled(db, session)
+    if running == "trial":
+        trial.status = "running"
+    else:
+        start_drive(db, session, trial)
+        db.scalars(select(Drive)).one().ended = None
+    db.flush()
+    with pytest.raises(Conflict, match="still being driven"):
+        sign_off(db, session, "Ada")
+    assert session.ended is None
+
+
+def test_the_control_quality_of_a_signed_trial_can_still_be_computed(db: Session, session: PatientSession) -> None:
+    trial = filled(db, session)
+    sign_off(db, session, "Ada")
+    trial.quality = {"computed": True}
+    db.flush()
+
+
+def test_a_session_that_is_not_signed_is_free_beside_one_that_is(db: Session, session: PatientSession) -> None:
+    filled(db, session)
+    sign_off(db, session, "Ada")
+    later = start_session(db, session.clinic_id, session.patient_id)
+    write_goal(db, later.id, "To the garden.")
+    with pytest.raises(Conflict, match="signed off"):
+        write_goal(db, session.id, "To the garden.")
+    db.expire(session)

@@ -1,0 +1,101 @@
+"""Drives of real chairs in a report: each of a session, a row for each session of a course."""
+
+from collections.abc import Iterator
+from datetime import timedelta
+from pathlib import Path
+
+import pytest
+from features.reports.reported_clinic import material_of, store_reported_course
+from features.reports.words_of import pdf_pages
+
+from app.clock import utc_now
+from app.features.reports.composition import compose
+from app.features.reports.document import Report
+from app.features.reports.html import render_html
+from app.features.reports.pdf import render_pdf
+from app.source import Source
+from app.speeds import HIGHEST_SPEEDS
+from app.store.chairs import add_chair
+from app.store.database import Database
+from app.store.drives import add_drive, finish_drive
+from app.store.parameters import current_parameters, save_parameters
+from app.store.runs import add_run
+from app.store.tables import Clinic, PatientSession
+from building import make_parameters
+
+REAL = Source(shirt="udp", body=None, chair="udp", simulated=False)
+SESSIONS = 2
+DRIVES = (("by hand", 12.5, 61.0), ("fault", 3.25, 20.0), ("by hand", None, 5.0))  # end, m, s
+
+
+@pytest.fixture(scope="module")
+def driven(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Database, Path, int]]:
+    """Yield a course whose second session has drives of a real chair with a set of their own."""
+    folder = tmp_path_factory.mktemp("driven")
+    database = Database(folder / "clinic.sqlite")
+    patient = store_reported_course(database, folder / "runs", SESSIONS, recordings=False)
+    with database.transaction() as db:
+        chair = add_chair(db, db.get_one(Clinic, 1), "Red \u202echair", "chair.example", 5354, 7, HIGHEST_SPEEDS)
+        session = db.query(PatientSession).filter_by(patient_id=patient, number=2).one()
+        _, profile = current_parameters(db, patient)
+        row = save_parameters(db, profile, make_parameters().model_copy(update={"title": "Outdoors"}))
+        for number, (end, distance, seconds) in enumerate(DRIVES):
+            run = add_run(db, f"drive-{number}", session.id, "drive", f"drive-{number}", REAL)
+            given = {"run": run, "clinic_id": 1, "patient_id": patient, "chair_id": chair.id}
+            drive = add_drive(db, parameters_id=row.id, digest=row.hash, **given)
+            finish_drive(db, drive.id, end, distance).ended = drive.started + timedelta(seconds=seconds)
+    yield database, folder / "runs", patient
+    database.close()
+
+
+def test_a_session_names_each_drive_with_its_end(driven: tuple[Database, Path, int]) -> None:
+    rows = compose(material_of(*driven, 2)).drives.rows
+    assert [(row[0], row[1], *row[3:]) for row in rows] == [
+        ("1", "Red [U+202E]chair", "1 min 1 s", "12.5 m", "ended by hand"),
+        ("2", "Red [U+202E]chair", "20 s", "3.2 m", "stopped by a fault"),
+        ("3", "Red [U+202E]chair", "5 s", "not reported by the chair", "ended by hand"),
+    ]
+
+
+def test_a_course_has_a_row_for_each_session_with_drives(driven: tuple[Database, Path, int]) -> None:
+    report = compose(material_of(*driven, None))
+    assert report.drives.rows == (("2", "3", "Red [U+202E]chair", "1 min 26 s", "15.8 m", "1"),)
+    assert compose(material_of(*driven, 1)).drives.rows == ()
+
+
+def test_the_source_and_the_set_of_the_drives_are_named(driven: tuple[Database, Path, int]) -> None:
+    report = compose(material_of(*driven, 2))
+    assert "Worn shirt, real chair" in report.source
+    assert {fact.name: fact.value for fact in report.condition}["Set"] == "Outdoors"
+    assert report.condition_note.startswith("The newest set is shown; 1 other set")
+
+
+def test_a_session_with_drives_only_has_its_condition(driven: tuple[Database, Path, int]) -> None:
+    database, _, patient = driven
+    with database.transaction() as db:
+        now = utc_now()
+        session = PatientSession(clinic_id=1, patient_id=patient, number=3, started=now, ended=now, accepted=True)
+        db.add(session)
+        db.flush()
+        row, _ = current_parameters(db, patient)
+        run = add_run(db, "drive-only", session.id, "drive", "drive-only", REAL)
+        given = {"run": run, "clinic_id": 1, "patient_id": patient, "chair_id": 1}
+        add_drive(db, parameters_id=row.id, digest=row.hash, **given)
+    report = compose(material_of(*driven, 3))
+    assert (report.source, report.practice, report.tasks) == ("Worn shirt, real chair", False, ())
+    assert report.drives.rows[0][-1] == "goes on"
+    assert {fact.name: fact.value for fact in report.condition}["Set"] == "Outdoors"
+
+
+def shown(report: Report) -> str:
+    return " ".join(" ".join(pdf_pages(render_pdf(report, "a4"))).split())
+
+
+def test_both_files_show_them(driven: tuple[Database, Path, int]) -> None:
+    report = compose(material_of(*driven, 2))
+    for content in (shown(report), render_html(report, "a4").decode()):
+        assert "Drives of real chairs" in content
+        assert "stopped by a fault" in content
+        assert "15.8" not in content  # no sum: each drive stands by itself
+    without = compose(material_of(*driven, 1))
+    assert "Drives of real chairs" not in render_html(without, "a4").decode()

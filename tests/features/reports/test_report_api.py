@@ -1,0 +1,96 @@
+"""The report as a file from the API: for those with the right to export, and in the log."""
+
+import json
+from datetime import date
+from typing import Any
+
+import pytest
+from fake_clinic import Clinic
+from features.reports.reported_clinic import CODE, store_reported_course
+from features.reports.words_of import html_page, pdf_pages
+from people_of_clinic import as_person
+
+from app.features.consents.service import give_consent, withdraw_consent
+from app.settings import Settings
+from app.store.log_chain import HeadFile
+from app.store.people import add_person, sign_in, the_clinic
+
+
+@pytest.fixture
+def reported(signed_in: Clinic, settings: Settings) -> Any:
+    """A clinic with a course of two sessions; its patient's id is the second value."""
+    database = signed_in.client.app.state.people.database  # type: ignore[attr-defined]
+    with database.transaction() as db:
+        clinic = the_clinic(db)
+    patient = store_reported_course(database, settings.runs, 2, clinic.id, recordings=False)
+    with database.transaction() as db:
+        give_consent(db, patient, "sharing", date(2026, 1, 1), "Ana")
+    return signed_in, patient
+
+
+def test_a_report_is_a_file_and_a_row_of_the_log_whose_head_it_names(reported: Any, settings: Settings) -> None:
+    clinic, patient = reported
+    answer = clinic("GET", f"/patients/{patient}/report", params={"session": 2, "form": "pdf"})
+    assert (answer.status_code, answer.headers["content-type"]) == (200, "application/pdf")
+    disposition = answer.headers["content-disposition"]
+    assert disposition.startswith(f'attachment; filename="bodydrive-report-{patient}-session-2-')
+    assert CODE not in disposition
+    row = clinic.log()[-1]
+    assert (row.what, row.details["patient"], row.details["form"]) == ("report exported", patient, "pdf")
+    head = HeadFile(settings.database).read()
+    assert head is not None
+    assert row.hash == head.hash
+    assert head.hash in "".join(pdf_pages(answer.content)).replace("\r\n", "").replace("\n", "")
+    assert "Heron" not in json.dumps(row.details)
+
+
+def test_the_course_is_an_html_file_on_letter_paper(reported: Any) -> None:
+    clinic, patient = reported
+    answer = clinic("GET", f"/patients/{patient}/report", params={"form": "html", "letter": True})
+    assert answer.headers["content-type"] == "text/html; charset=utf-8"
+    assert answer.headers["content-disposition"].startswith("attachment; ")
+    assert "Course of 2 sessions" in html_page(answer.content)[0]
+    assert b"@page { size: letter; }" in answer.content
+
+
+def test_what_is_not_there_is_said_in_a_sentence(reported: Any) -> None:
+    clinic, patient = reported
+    before = len(clinic.log())
+    answer = clinic("GET", f"/patients/{patient}/report", params={"session": 3})
+    assert (answer.status_code, answer.json()["detail"]) == (
+        404,
+        "This patient has no session 3: choose one that was opened.",
+    )
+    assert clinic("GET", "/patients/999/report").status_code == 404
+    assert clinic("GET", f"/patients/{patient}/report", params={"form": "docx"}).status_code == 422
+    assert clinic("GET", f"/patients/{patient}/report", params={"session": 0}).status_code == 422
+    assert len(clinic.log()) == before
+
+
+def test_a_reviewer_reads_and_takes_nothing_out(reported: Any) -> None:
+    clinic, patient = reported
+    with clinic.client.app.state.people.database.transaction() as db:
+        person = add_person(db, the_clinic(db), "Rita", "reviewer", None)
+        cookies = {"bodydrive_sign_in": sign_in(db, person, "test")}
+    with as_person(clinic, cookies):
+        answer = clinic("GET", f"/patients/{patient}/report")
+    assert (answer.status_code, answer.json()["detail"][:31]) == (403, "A reviewer takes no records out")
+
+
+def test_without_consent_to_sharing_only_a_copy_for_the_patient_is_made(reported: Any) -> None:
+    clinic, patient = reported
+    with clinic.client.app.state.people.database.transaction() as db:
+        withdraw_consent(db, patient, "sharing", "Ana")
+    before = len(clinic.log())
+    answer = clinic("GET", f"/patients/{patient}/report", params={"form": "html"})
+    assert (answer.status_code, answer.json()["detail"]) == (
+        409,
+        f"{CODE} has not consented to sharing outside the clinic: ask, and enter the date on the page of consents. A "
+        "copy for the patient needs no consent.",
+    )
+    assert len(clinic.log()) == before
+    copy = clinic("GET", f"/patients/{patient}/report", params={"form": "html", "for_patient": True})
+    assert copy.status_code == 200
+    assert "Copy for the patient" in html_page(copy.content)[0].replace("\n", " ")
+    row = clinic.log()[-1]
+    assert (row.what, row.details["for_patient"]) == ("report exported", True)

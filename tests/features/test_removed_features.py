@@ -1,0 +1,52 @@
+"""Each feature can go: without its line and its folder the program runs, and answers all else as before."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from app.features import NEEDS
+from app.features.registration import features
+from folders import ROOT
+
+ENDS = ("DELETE /session", "DELETE /patients/1", "POST /deleted-patients/1/erasure")
+
+
+def answers(folder: Path, *without: str) -> dict[str, int]:
+    """Return the status of each answer of a program without these features."""
+    paths = os.pathsep.join(str(ROOT / folder) for folder in ("", "tests", "tests/api"))
+    command = [sys.executable, "-m", "features.without_feature", str(folder), *without]
+    ended = subprocess.run(
+        command, cwd=ROOT, env=os.environ | {"PYTHONPATH": paths}, check=False, capture_output=True, text=True
+    )
+    assert ended.returncode == 0, ended.stderr
+    found: dict[str, int] = json.loads(ended.stdout)
+    return found
+
+
+@pytest.fixture(scope="module")
+def with_all(tmp_path_factory: pytest.TempPathFactory) -> dict[str, int]:
+    return answers(tmp_path_factory.mktemp("all"))
+
+
+def test_the_program_answers_while_all_features_are_there(with_all: dict[str, int]) -> None:
+    assert {request: status for request, status in with_all.items() if status >= 500} == {}
+    assert [with_all[request] for request in ENDS] == [200, 200, 200]
+    pages = [status for request, status in with_all.items() if request.endswith(".html")]
+    assert set(pages) == {200}
+
+
+@pytest.mark.parametrize("name", NEEDS)
+def test_the_program_runs_without_a_feature(name: str, with_all: dict[str, int], tmp_path: Path) -> None:
+    without = answers(tmp_path, name)
+    refused = {409} if name == "consents" else set()  # nobody has consented to anything
+    assert {
+        request: (status, with_all[request])
+        for request, status in without.items()
+        if status not in {with_all[request], *refused}
+    } == {}
+    gone = with_all.keys() - without.keys()
+    assert bool(gone) == any(one.routes for other, one in features().items() if name in {other, *NEEDS[other]})

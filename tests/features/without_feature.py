@@ -1,0 +1,102 @@
+"""`python -m features.without_feature FOLDER [NAME]`: run the program as if a feature's folder and line were gone.
+
+Prints each request and the status of its answer, as JSON: of every page, and of every route that reads, asked about a
+patient who was calibrated and has driven a trial; then the end of the session and the erasure of the patient.
+"""
+
+import json
+import re
+import sys
+from collections.abc import Iterator
+from importlib.abc import MetaPathFinder
+from pathlib import Path
+
+from app import features
+
+
+class WithoutFolder(MetaPathFinder):
+    """Finds no module of a feature."""
+
+    def __init__(self, name: str) -> None:
+        self._folder = f"app.features.{name}"
+
+    def find_spec(self, name, path=None, target=None):  # noqa: ARG002  (as importlib calls it)
+        if name == self._folder or name.startswith(f"{self._folder}."):
+            raise ModuleNotFoundError(f"No module named '{name}'", name=name)
+
+
+def hide(name: str) -> None:
+    """Take a feature out of the program: its line, and its folder."""
+    features.NEEDS = {each: needs for each, needs in features.NEEDS.items() if each != name}
+    sys.meta_path.insert(0, WithoutFolder(name))
+
+
+GIVEN = {
+    "floorplan": "apartment",
+    "path": "main",
+    "other": "1",
+    "form": "csv",
+    "role": "clinician",
+    "consent": "sharing",
+}
+ENDLESS = {"/api/v1/live"}
+
+
+def requests(document: dict) -> Iterator[tuple[str, dict[str, str]]]:
+    """Yield every path that reads, with the names in it and the query that it needs filled."""
+    for path, methods in document["paths"].items():
+        needed = methods.get("get", {}).get("parameters", ())
+        query = {one["name"]: GIVEN.get(one["name"], "1") for one in needed if one["in"] == "query" and one["required"]}
+        if path.endswith("/report"):
+            query["form"] = "html"
+        if "get" in methods and path not in ENDLESS:
+            yield re.sub(r"\{(\w+)\}", lambda name: GIVEN.get(name[1], "1"), path), query
+
+
+def answers(folder: Path) -> dict[str, int]:
+    """Return the status of each answer."""
+    import pytest
+    from api.conftest import demonstration, quick, sign_in
+    from running_app import running
+
+    from app.clock import utc_now
+    from app.settings import static_folder
+    from app.store.database import Database
+    from app.store.people import add_clinic
+
+    found: dict[str, int] = {}
+    settings = demonstration(folder / "state")
+    database = Database(settings.database)
+    with database.transaction() as db:
+        add_clinic(db, "Demonstration")
+    database.close()
+    with pytest.MonkeyPatch.context() as monkeypatch:
+        quick(monkeypatch)
+        for clinic in running(settings):
+            sign_in(clinic)
+            patient = clinic.begin_session()
+            clinic.calibrate()
+            plan = clinic.good("GET", "/floorplans")[0]
+            where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": "a-screen"}
+            with clinic.screen("a-screen"):
+                clinic.good("POST", "/trials", json=where)
+                clinic.good("POST", "/trials/current/end", json={})
+            today = utc_now().astimezone().date().isoformat()
+            clinic("PUT", f"/patients/{patient['id']}/consents/sharing", json={"given": today})
+            for page in sorted(static_folder().glob("*.html")):
+                found[f"GET /{page.name}"] = clinic.client.get(f"/{page.name}").status_code
+            for path, query in requests(clinic.good("GET", "/openapi.json")):
+                found[f"GET {path}"] = clinic("GET", path.removeprefix("/api/v1"), params=query).status_code
+            for method, path in (
+                ("DELETE", "/session"),
+                ("DELETE", f"/patients/{patient['id']}"),
+                ("POST", f"/deleted-patients/{patient['id']}/erasure"),
+            ):
+                found[f"{method} {path}"] = clinic(method, path, json={}).status_code
+    return found
+
+
+if __name__ == "__main__":
+    for name in sys.argv[2:]:
+        hide(name)
+    sys.stdout.write(json.dumps(answers(Path(sys.argv[1]))))
