@@ -42,6 +42,12 @@ def clock_of(page):
     return 60 * int(minutes) + int(seconds)
 
 
+def paused_by_machine(page):
+    """Return whether a machine that draws too slowly has paused the trial by itself."""
+    answer = page.context.request.get(f"{page.url.split('#')[0]}api/v1/log")
+    return any(entry["what"] == "pause" for entry in answer.json()["entries"])
+
+
 def is_paused(page):
     """Hide the page until the trial is paused, and show it again: it goes on by itself."""
     go_on_until(page, page.get_by_role("heading", name="Paused").is_hidden, "the end of a pause")
@@ -62,7 +68,7 @@ def test_a_hidden_page_pauses_the_trial_and_the_third_pause_offers_the_drawn_pla
     go_on_until(page, lambda: clock_of(page) >= 1, "the trial's clock")
     offer = page.locator(".plan-offer").get_by_role("button", name="Show the drawn plan")
     for time in range(3):
-        if time == 0:
+        if time == 0 and not paused_by_machine(page):
             expect(offer).to_be_hidden()
         is_paused(page)
         if time == 2:
