@@ -6064,6 +6064,14 @@ export interface components {
             before: string | number | null;
             now: string | number | null;
         };
+        FieldLimits: {
+            minimum: number | null;
+            above: number | null;
+            maximum: number | null;
+            shortest: number | null;
+            longest: number | null;
+            usual: number | string | null;
+        };
         FileView: {
             name: string;
             /** @enum {string} */
@@ -6866,6 +6874,50 @@ export interface components {
             id: number;
             revisions: components["schemas"]["RevisionView"][];
         };
+        Numbers: {
+            /** @default 0.32 */
+            chair_radius: number;
+            /** @default 0.5 */
+            leader_near: number;
+            /** @default 5 */
+            trials_for_verdict: number;
+            /**
+             * @default [
+             *       8,
+             *       4
+             *     ]
+             */
+            signal_to_noise: [
+                number,
+                number
+            ];
+            /**
+             * @default [
+             *       0.3,
+             *       0.6
+             *     ]
+             */
+            spread: [
+                number,
+                number
+            ];
+            /** @default 2 */
+            armed: number;
+            /** @default 68 */
+            field_of_view: number;
+            /** @default 1.2 */
+            eye_height: number;
+            /** @default 15 */
+            target_missed_after: number;
+            /** @default 8 */
+            password_length: number;
+            /** @default 30 */
+            deleted_days: number;
+            /** @default 30 */
+            replaced_days: number;
+            /** @default 20 */
+            upload_megabytes: number;
+        };
         ObjectScale: {
             metres_per_unit: number;
             size: [
@@ -7179,6 +7231,12 @@ export interface components {
         };
         Reference: {
             measures: components["schemas"]["MeasureCatalogue"];
+            limits: {
+                [key: string]: {
+                    [key: string]: components["schemas"]["FieldLimits"];
+                };
+            };
+            numbers: components["schemas"]["Numbers"];
         };
         Refused: {
             detail: string;
@@ -7901,6 +7959,7 @@ export type EventView = components['schemas']['EventView'];
 export type ExportCourseView = components['schemas']['ExportCourseView'];
 export type FaultWords = components['schemas']['FaultWords'];
 export type FieldDifference = components['schemas']['FieldDifference'];
+export type FieldLimits = components['schemas']['FieldLimits'];
 export type FileView = components['schemas']['FileView'];
 export type FindingView = components['schemas']['FindingView'];
 export type FirstOwner = components['schemas']['FirstOwner'];
@@ -7982,6 +8041,7 @@ export type NewTrial = components['schemas']['NewTrial'];
 export type NextTaskView = components['schemas']['NextTaskView'];
 export type NoteText = components['schemas']['NoteText'];
 export type NoteView = components['schemas']['NoteView'];
+export type Numbers = components['schemas']['Numbers'];
 export type ObjectScale = components['schemas']['ObjectScale'];
 export type ObjectScales = components['schemas']['ObjectScales'];
 export type ObstacleView = components['schemas']['ObstacleView'];

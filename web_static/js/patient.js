@@ -1,4 +1,5 @@
 /** The page of the patient's screen: paired by a link, shown during the session, with a word of thanks at its end. */
+import { readReference } from "./reference.js";
 import { Api, failureWords } from "./api.js";
 import { Live } from "./live/live.js";
 import { h, put, write } from "./widgets/dom.js";
@@ -60,6 +61,7 @@ class PatientPage {
   async #ask(words = "") {
     clearTimeout(this.#timer);
     try {
+      await readReference();
       const { state } = await this.#api.get("/patient-screen/me");
       this.#practice.show(await readPractice(this.#api));
       this.#pause = FIRST_PAUSE;

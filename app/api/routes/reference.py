@@ -1,9 +1,15 @@
-"""What pages look up: the catalogue of measures."""
+"""What pages look up: the catalogue of measures, the limits of requests, and numbers of the program."""
 
-from fastapi import APIRouter
+from fastapi import APIRouter, FastAPI, Request
 
 from app.api.deps import ForEveryone
+from app.api.request_limits import Limits, request_limits
+from app.api.routes.plan_files import LARGEST
+from app.api.sign_in.passwords import SHORTEST
+from app.calibration.grades import SIGNAL_TO_NOISE_LIMITS, SPREAD_LIMITS
+from app.faults import State
 from app.quantities import Document
+from app.scene.cameras import EyeSettings
 from app.scoring.measures import (
     LEADING,
     LEADING_OF_TESTS,
@@ -16,6 +22,12 @@ from app.scoring.measures import (
     Measure,
     Word,
 )
+from app.scoring.scene_measures import NEAR as LEADER_NEAR
+from app.scoring.verdict.measure_verdict import FEWEST
+from app.store.files.replacements import KEPT_FOR
+from app.store.keeping.record_time import UNDO_FOR
+from app.world.cursor_task import CursorPlan
+from app.world.kinematics import CHAIR_RADIUS
 
 router = APIRouter(tags=["start"])
 
@@ -40,15 +52,44 @@ class MeasureCatalogue(Document):
     verdicts_of_tests: dict[Word, str]
 
 
+class Numbers(Document):
+    """Numbers of the program that pages draw, compare with, or name in a sentence."""
+
+    chair_radius: float = CHAIR_RADIUS  # m, of what touches things
+    leader_near: float = LEADER_NEAR  # m, a smaller error of the distance to a leader counts as near
+    trials_for_verdict: int = FEWEST
+    signal_to_noise: tuple[float, float] = SIGNAL_TO_NOISE_LIMITS  # from the first on strong, from the second on fair
+    spread: tuple[float, float] = SPREAD_LIMITS  # of repetitions: up to the first well, up to the second fairly
+    armed: int = State.ARMED  # in the column `state` of a time line
+    field_of_view: float = EyeSettings().fov_deg  # degrees, of a screen on which nobody has chosen one
+    eye_height: float = EyeSettings().eye_height  # m, likewise
+    target_missed_after: float = CursorPlan.model_fields["time_limit"].default  # s, in the two-minute test
+    password_length: int = SHORTEST  # characters at least
+    deleted_days: int = UNDO_FOR.days  # for which a deleted patient can be brought back
+    replaced_days: int = KEPT_FOR.days  # for which what an upload replaced can be put back
+    upload_megabytes: int = LARGEST // 1_000_000  # of a file for a floor plan
+
+
 class Reference(Document):
     """Facts of the program that stay as they are while it runs."""
 
     measures: MeasureCatalogue
+    limits: Limits
+    numbers: Numbers
 
 
 @router.get("/reference", dependencies=[ForEveryone])
-def reference() -> Reference:
+def reference(request: Request) -> Reference:
     """Return the facts that pages need beside data: they have no tables of their own."""
+    state = request.app.state
+    if not hasattr(state, "reference"):
+        state.reference = reference_of(request.app)
+    found: Reference = state.reference
+    return found
+
+
+def reference_of(app: FastAPI) -> Reference:
+    """Return the facts of an application."""
     return Reference(
         measures=MeasureCatalogue(
             trial=TRIAL_MEASURES,
@@ -59,5 +100,7 @@ def reference() -> Reference:
             workload=WORKLOAD_NAME,
             verdicts=VERDICT_WORDS,
             verdicts_of_tests=VERDICT_WORDS_OF_TESTS,
-        )
+        ),
+        limits=request_limits(app),
+        numbers=Numbers(),
     )

@@ -1,8 +1,11 @@
-// Which path Review shows first, and what it says of a task without a verdict. Run by test_first_path.py with the folder js.
+// Which path Review shows first, and what it says of a task without a verdict. Run by test_first_path.py with the folder js and
+// a file that holds the reference of the server.
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
+import { serveReference } from "../served.mjs";
 
 const at = (file) => import(pathToFileURL(`${process.argv[2]}/pages/review/${file}`));
+await serveReference(...process.argv.slice(2));
 const { firstPath, pathsOf } = await at("path_choice.js");
 const { countWords } = await at("session_verdicts.js");
 

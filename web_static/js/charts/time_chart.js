@@ -1,4 +1,5 @@
 /** Lines over the time of a replay, on a canvas that is drawn once; only the cursor and the numbers change. */
+import { REFERENCE } from "../reference.js";
 import { t } from "../texts.js";
 import { h, write } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
@@ -9,7 +10,6 @@ const RIGHT = 10;
 const EDGE = 8; // px above and below
 const DASHES = [[], [7, 4], [2, 3], [10, 3, 2, 3]];
 const THICKNESS = 1.75; // px of a line
-const ARMED = 2; // app.faults.State
 
 /**
  * @template {string} Colour
@@ -76,9 +76,9 @@ export function timeChart({ title, unit, times, state, lines, digits = 2, range,
     pen.globalAlpha = 0.45;
     for (let i = 0; i < times.length; ) {
       let last = i;
-      while (last + 1 < times.length && (state[last + 1] === ARMED) === (state[i] === ARMED)) last += 1;
+      while (last + 1 < times.length && (state[last + 1] === REFERENCE.numbers.armed) === (state[i] === REFERENCE.numbers.armed)) last += 1;
       const [from, to] = [xAt(times[i]), xAt(times[Math.min(last + 1, times.length - 1)])];
-      if (state[i] !== ARMED) pen.fillRect(from, 0, to - from, height);
+      if (state[i] !== REFERENCE.numbers.armed) pen.fillRect(from, 0, to - from, height);
       i = last + 1;
     }
     pen.globalAlpha = 1;

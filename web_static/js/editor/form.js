@@ -1,4 +1,5 @@
 /** The form at the side: the chosen item in numbers and words, or the plan itself. */
+import { REFERENCE } from "../reference.js";
 import { h, set } from "../widgets/dom.js";
 import { field, hiddenFileInput, selection } from "../widgets/fields.js";
 import { number } from "../widgets/format.js";
@@ -70,7 +71,7 @@ function planForm(plan, acts) {
     numberRow("wall_thickness", t("editor.wall-thickness"), plan.wall_thickness ?? 0.1, "m", (wall_thickness) =>
       acts.plan({ wall_thickness }),
     ),
-    h("p", { class: "quiet small" }, t("editor.plan.hint")),
+    h("p", { class: "quiet small" }, t("editor.plan.hint", { radius: number(REFERENCE.numbers.chair_radius, 2) })),
   ];
 }
 

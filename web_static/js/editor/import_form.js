@@ -1,4 +1,5 @@
 /** The form that imports a plan from a drawing, a picture or a robot's map, and asks for what the file does not contain. */
+import { REFERENCE } from "../reference.js";
 import { failureWords } from "../api.js";
 import { h, put } from "../widgets/dom.js";
 import { field, segments, selection, toggle } from "../widgets/fields.js";
@@ -90,7 +91,7 @@ export function importForm(app, onDraft) {
     { class: "card stack import-form", onsubmit: submit },
     h("h2", {}, t("import.title")),
     h("p", { class: "quiet small" }, t("import.lead")),
-    field(t("import.files"), input, t("import.files.hint")),
+    field(t("import.files"), input, t("import.files.hint", { megabytes: REFERENCE.numbers.upload_megabytes })),
     more,
     problem,
     h("div", {}, go),

@@ -62,7 +62,7 @@ export function testFigures(test) {
       { class: "test-large" },
       large.map((name) => h("div", {}, h("div", { class: "quiet" }, testEntry(name).name), h("div", { class: "big" }, largeFigure(test, name)))),
     ),
-    h("p", {}, t("test.reached", { acquired: measures.acquired, missed: measures.missed })),
+    h("p", {}, t("test.reached", { acquired: measures.acquired, missed: measures.missed, seconds: REFERENCE.numbers.target_missed_after })),
     h(
       "details",
       {},

@@ -1,4 +1,5 @@
 /** What is drawn on a plan: the start, goal and turning direction of a task; gaps, doors, movers and the chair. */
+import { REFERENCE } from "../reference.js";
 import { s } from "../widgets/dom.js";
 import { heading } from "./floor_plan.js";
 
@@ -10,7 +11,6 @@ import { heading } from "./floor_plan.js";
 
 const ARROW = 0.45; // m, half the length of the arrow of a mover, of a start and of a mark
 const TURN_RADIUS = 0.95; // m, of the arc that shows the direction of a turn
-const CHAIR_RADIUS = 0.32; // m: what touches things (app/world/kinematics.py)
 
 /** The points of a line as SVG has them. @param {readonly (readonly number[])[]} line */
 export function points(line) {
@@ -97,7 +97,7 @@ export function chairOutline() {
   return s(
     "g",
     { class: "chair-outline" },
-    s("circle", { class: "reach", r: CHAIR_RADIUS }),
+    s("circle", { class: "reach", r: REFERENCE.numbers.chair_radius }),
     s("path", { class: "wheels", d: "M-.17 .29H.17 M-.17 -.29H.17 M.34 .2H.44 M.34 -.2H.44" }),
     s("rect", { class: "seat", x: -0.32, y: -0.23, width: 0.6, height: 0.46, rx: 0.08 }),
     s("path", { class: "nose", d: "M.78 0 L.46 .2 L.46 -.2 Z" }),

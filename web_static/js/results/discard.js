@@ -1,4 +1,5 @@
 /** Why a trial does not count: a few reasons, or one's own. */
+import { textLimits } from "../reference.js";
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { choices, field } from "../widgets/fields.js";
@@ -8,7 +9,7 @@ const REASONS = ["interrupted", "sensor", "practice", "other"];
 /** @param {(reason: string) => void} onDiscard @param {() => void} onClose */
 export function discardForm(onDiscard, onClose) {
   let chosen = REASONS[0];
-  const words = h("input", { type: "text", maxlength: 200, autocomplete: "off" });
+  const words = h("input", { type: "text", ...textLimits("Discard", "reason"), autocomplete: "off" });
   const other = h("div", { hidden: true }, field(t("over.discard.other"), words));
   /** @param {string} reason */
   const choose = (reason) => {

@@ -1,4 +1,5 @@
 /** The free camera: turned, tilted, brought nearer and moved by drag, pinch, wheel, keys or buttons. */
+import { limitsOf } from "../reference.js";
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { repeatWhileHeld } from "../widgets/fields.js";
@@ -11,8 +12,6 @@ const DRAG = 0.006; // rad for a pixel
 const WHEEL = 0.0015; // of the distance's logarithm for a pixel of the wheel
 const MOVE = 0.0016; // of the distance for a pixel of two fingers
 const KEY_MOVE = 40; // pixels that a key stands for
-const LOW = { elevation: 0.05, distance: 1, place: -1000 };
-const HIGH = { elevation: 1.57, distance: 100, place: 1000 };
 
 /** @typedef {import("types/api").FreeCamera} CameraPlace where the camera stands and looks, as the server has it */
 
@@ -96,8 +95,8 @@ class Orbit {
     const scale = MOVE * place.distance;
     this.#go({
       ...place,
-      x: within(place.x + scale * (right * sin - down * cos), "place"),
-      y: within(place.y - scale * (right * cos + down * sin), "place"),
+      x: within(place.x + scale * (right * sin - down * cos), "x"),
+      y: within(place.y - scale * (right * cos + down * sin), "y"),
     });
   }
 
@@ -156,7 +155,8 @@ function apart(a, b) {
   return Math.hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-/** @param {number} value @param {keyof typeof LOW} name */
+/** @param {number} value @param {keyof CameraPlace} name */
 function within(value, name) {
-  return Math.min(HIGH[name], Math.max(LOW[name], value));
+  const { minimum, maximum } = limitsOf("FreeCamera", name);
+  return Math.min(maximum ?? value, Math.max(minimum ?? value, value));
 }

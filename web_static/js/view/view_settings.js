@@ -1,4 +1,5 @@
 /** The settings of the patient's eye: field of view, eye height, comfort, head; stored in this browser. */
+import { limitsOf, REFERENCE } from "../reference.js";
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { setting, stepper, toggle } from "../widgets/fields.js";
@@ -11,11 +12,15 @@ const STORAGE_KEY = "bodydrive-eye";
  *   head: whether the view follows the head
  */
 
-/** @type {Eye} */
-const USUAL = { fov_deg: 68, eye_height: 1.2, roll_share: 0, head: true };
-/** The least and the greatest value of each number. @type {Record<NumberName, [number, number]>} */
-const RANGES = { fov_deg: [30, 110], eye_height: [0.8, 1.6], roll_share: [0, 1] };
+/** What a screen shows on which nobody has chosen anything. @returns {Eye} */
+const usualEye = () => ({ fov_deg: REFERENCE.numbers.field_of_view, eye_height: REFERENCE.numbers.eye_height, roll_share: 0, head: true });
 const REDUCED = matchMedia("(prefers-reduced-motion: reduce)");
+
+/** The least and the greatest value of a number. @param {NumberName} name @returns {[number, number]} */
+function rangeOf(name) {
+  const { minimum, maximum } = limitsOf("CameraChoice", name);
+  return [minimum ?? -Infinity, maximum ?? Infinity];
+}
 
 let made = 0; // panels, each with an id of its own
 
@@ -24,7 +29,7 @@ let made = 0; // panels, each with an id of its own
  * @returns {{button: HTMLElement, panel: HTMLElement, eye: Eye, mine: () => Eye}} eye: as chosen; mine: as this screen shows it
  */
 export function viewSettings(onChange) {
-  const eye = { ...USUAL, ...storedEye() };
+  const eye = { ...usualEye(), ...storedEye() };
   /** @param {Partial<Eye>} change */
   const set = (change) => {
     Object.assign(eye, change);
@@ -39,8 +44,8 @@ export function viewSettings(onChange) {
     stepper({
       label: t(`trial.view.${name}`),
       value: eye[name] * scale,
-      low: RANGES[name][0] * scale,
-      high: RANGES[name][1] * scale,
+      low: rangeOf(name)[0] * scale,
+      high: rangeOf(name)[1] * scale,
       step: size,
       digits,
       unit,
@@ -77,7 +82,7 @@ export function viewSettings(onChange) {
 function storedEye() {
   try {
     const stored = JSON.parse(localStorage.getItem(STORAGE_KEY) ?? "{}");
-    return Object.fromEntries(Object.keys(USUAL).flatMap((name) => validField(name, stored?.[name])));
+    return Object.fromEntries(Object.keys(usualEye()).flatMap((name) => validField(name, stored?.[name])));
   } catch {
     return {};
   }
@@ -86,6 +91,6 @@ function storedEye() {
 /** @param {string} name @param {unknown} value @returns {[string, unknown][]} none when the value is not valid */
 function validField(name, value) {
   if (name === "head") return typeof value === "boolean" ? [[name, value]] : [];
-  const [low, high] = RANGES[/** @type {NumberName} */ (name)];
+  const [low, high] = rangeOf(/** @type {NumberName} */ (name));
   return typeof value === "number" && value >= low && value <= high ? [[name, value]] : [];
 }

@@ -3,11 +3,11 @@
  * decides.
  * @import { LiveMessage } from "../live/live.js"
  */
+import { limitsOf } from "../reference.js";
 import { t } from "../texts.js";
 import { stepper } from "./fields.js";
 
 const STEP = 10; // %
-const LEAST = 10; // %
 const ANSWERED_FOR = 400; // ms after an answer in which a live picture may still be older than it
 
 /** @param {import("../main.js").App} app @param {AbortSignal} signal */
@@ -18,7 +18,7 @@ export function speedDial(app, signal) {
   const element = stepper({
     label: t("dial.label"),
     value: share(app.live.latest),
-    low: LEAST,
+    low: 100 * (limitsOf("DialShare", "share").minimum ?? 0),
     high: 100,
     step: STEP,
     digits: 0,

@@ -2,6 +2,7 @@
  * What was replaced in the last 30 days, each with a button that puts it back under a free name.
  * @import { ReplacedView } from "types/api"
  */
+import { REFERENCE } from "../reference.js";
 import { t } from "../texts.js";
 import { h, put } from "./dom.js";
 import { day } from "./format.js";
@@ -14,7 +15,7 @@ import { day } from "./format.js";
  */
 export function replacedList(app, kinds, onBack) {
   const rows = h("div", { class: "plan-rows" });
-  const element = h("details", { hidden: true }, h("summary", {}, t("replaced.title")), rows);
+  const element = h("details", { hidden: true }, h("summary", {}, t("replaced.title", { days: REFERENCE.numbers.replaced_days })), rows);
   let shown = ""; // a list that is the same stays as it is, for whoever is about to tap in it
   const show = async () => {
     const list = (await app.api.get("/replaced")).filter(({ kind }) => kinds.includes(kind));

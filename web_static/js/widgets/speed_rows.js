@@ -2,6 +2,7 @@
  * The limits of speed and of its change, as steppers and in words: those of a set, of the clinic, of a chair.
  * @import { Speeds } from "types/api"
  */
+import { limitsOf } from "../reference.js";
 import { hasText, t } from "../texts.js";
 import { h, write } from "./dom.js";
 import { segments, setting, stepper } from "./fields.js";
@@ -9,23 +10,22 @@ import { number } from "./format.js";
 
 const DEGREES = 180 / Math.PI; // people read degrees, the chair radians
 
+const LOWEST = 0.05; // m/s or rad/s, of speeds for which the server takes any number above 0
+
 /**
- * In the order of wheelchair programming. `range` is what anybody may choose from, in SI units, where the server names
- * no other: that of app/calibration/speeds.py.
- */
-/**
+ * In the order of wheelchair programming.
  * `soft`: what Soft, Medium and Brisk are, in SI units, where people choose a word and only an owner the number.
- * @type {{name: keyof Speeds, unit: string, step: number, digits: number, factor: number, range: [number, number], soft?: [number, number, number]}[]}
+ * @type {{name: keyof Speeds, unit: string, step: number, digits: number, factor: number, soft?: [number, number, number]}[]}
  */
 export const SPEEDS = [
-  { name: "forward", unit: "speed", step: 0.05, digits: 2, factor: 1, range: [0.05, 1.5] },
-  { name: "reverse", unit: "speed", step: 0.05, digits: 2, factor: 1, range: [0.05, 1.5] },
-  { name: "turn", unit: "turn", step: 5, digits: 0, factor: DEGREES, range: [0.05, 2.5] },
-  { name: "acceleration", unit: "acceleration", step: 0.1, digits: 1, factor: 1, range: [0.1, 3] },
-  { name: "deceleration", unit: "acceleration", step: 0.1, digits: 1, factor: 1, range: [0.1, 3] },
-  { name: "turn_acceleration", unit: "turn_acceleration", step: 20, digits: 0, factor: DEGREES, range: [0.1, 20] },
-  { name: "jerk", unit: "details.jerk", step: 0.5, digits: 1, factor: 1, range: [0.5, 20], soft: [2, 8, 20] },
-  { name: "turn_jerk", unit: "details.turn_jerk", step: 100, digits: 0, factor: DEGREES, range: [1, 400], soft: [15, 60, 240] },
+  { name: "forward", unit: "speed", step: 0.05, digits: 2, factor: 1 },
+  { name: "reverse", unit: "speed", step: 0.05, digits: 2, factor: 1 },
+  { name: "turn", unit: "turn", step: 5, digits: 0, factor: DEGREES },
+  { name: "acceleration", unit: "acceleration", step: 0.1, digits: 1, factor: 1 },
+  { name: "deceleration", unit: "acceleration", step: 0.1, digits: 1, factor: 1 },
+  { name: "turn_acceleration", unit: "turn_acceleration", step: 20, digits: 0, factor: DEGREES },
+  { name: "jerk", unit: "details.jerk", step: 0.5, digits: 1, factor: 1, soft: [2, 8, 20] },
+  { name: "turn_jerk", unit: "details.turn_jerk", step: 100, digits: 0, factor: DEGREES, soft: [15, 60, 240] },
 ];
 
 const SOFTNESS = /** @type {const} */ (["soft", "medium", "brisk"]);
@@ -34,6 +34,12 @@ const SOFTNESS = /** @type {const} */ (["soft", "medium", "brisk"]);
 function softness(soft, value) {
   const ratios = soft.map((one) => Math.abs(Math.log(one / value)));
   return SOFTNESS[ratios.indexOf(Math.min(...ratios))];
+}
+
+/** What anybody may choose from, in SI units, where nothing narrower is set. @param {keyof Speeds} name @returns {[number, number]} */
+function rangeOf(name) {
+  const { minimum, maximum } = limitsOf("Speeds", name);
+  return [minimum ?? LOWEST, maximum ?? Infinity];
 }
 
 /** A limit with its unit, or in a word. @param {typeof SPEEDS[number]} speed @param {number} value in SI units */
@@ -50,8 +56,8 @@ export function speedWords({ unit, digits, factor, soft }, value) {
 export function speedRows(speeds, limits, onChange, { hasNumbers }) {
   /** @type {Map<string, HTMLElement>} */
   const notes = new Map();
-  const elements = SPEEDS.map(({ name, unit, step, digits, factor, range, soft }) => {
-    const [low, high] = limits[name] ?? range;
+  const elements = SPEEDS.map(({ name, unit, step, digits, factor, soft }) => {
+    const [low, high] = limits[name] ?? rangeOf(name);
     const label = t(`speed.${name}`);
     const hint = `speed.${name}.hint`;
     const note = h("span", { class: "held" });

@@ -2,6 +2,7 @@
  * Deleted patients: how many days are left, undo, and erase for good now.
  * @import { BackupsView, DeletedPatientView } from "types/api"
  */
+import { REFERENCE } from "../../reference.js";
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { rowList } from "../../widgets/list.js";
@@ -76,7 +77,7 @@ export function deletedCard(app, first, onChanged) {
     );
   };
   draw();
-  const element = h("section", { class: "card" }, h("h2", {}, t("deleted.title")), h("p", { class: "quiet small" }, t("deleted.lead")), list);
+  const element = h("section", { class: "card" }, h("h2", {}, t("deleted.title")), h("p", { class: "quiet small" }, t("deleted.lead", { days: REFERENCE.numbers.deleted_days })), list);
   return { element, draw };
 }
 

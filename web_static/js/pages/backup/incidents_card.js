@@ -2,6 +2,7 @@
  * Incidents: the archives that were made, and the mark that keeps their patients, which an owner lifts with a reason.
  * @import { BackupsView, IncidentView } from "types/api"
  */
+import { textLimits } from "../../reference.js";
 import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, write } from "../../widgets/dom.js";
@@ -29,7 +30,7 @@ export function incidentsCard(app, first, onChanged) {
   };
   /** @param {IncidentView} incident */
   const form = (incident) => {
-    const reason = h("input", { type: "text", required: true, minlength: 3, maxlength: 400 });
+    const reason = h("input", { type: "text", required: true, ...textLimits("Lifting", "reason") });
     const problem = h("p", { class: "problem", role: "alert" });
     /** @param {SubmitEvent} event */
     const submit = async (event) => {

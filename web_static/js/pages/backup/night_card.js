@@ -2,6 +2,7 @@
  * Where the backups of every night go, from which hour on, and whether they are encrypted.
  * @import { BackupsView } from "types/api"
  */
+import { textLimits } from "../../reference.js";
 import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, write } from "../../widgets/dom.js";
@@ -9,12 +10,12 @@ import { field, selection, toggle } from "../../widgets/fields.js";
 
 /** @param {import("../../main.js").App} app @param {BackupsView} settings @param {(view: BackupsView) => void} onSaved */
 export function nightCard(app, settings, onSaved) {
-  const folder = h("input", { type: "text", autocomplete: "off", spellcheck: "false", maxlength: 1000, value: settings.folder ?? "" });
+  const folder = h("input", { type: "text", autocomplete: "off", spellcheck: "false", ...textLimits("BackupSettings", "folder"), value: settings.folder ?? "" });
   const hours = Array.from({ length: 24 }, (_, hour) => ({ value: String(hour), label: `${String(hour).padStart(2, "0")}:00` }));
   const hour = selection(hours, String(settings.hour));
   let { encrypted, with_keys: withKeys } = settings;
-  const passphrase = h("input", { type: "password", autocomplete: "new-password", minlength: 8, maxlength: 200 });
-  const secret = field(t("backup.passphrase"), passphrase, t(settings.encrypted ? "backup.passphrase.kept" : "backup.passphrase.new"));
+  const passphrase = h("input", { type: "password", autocomplete: "new-password", ...textLimits("BackupSettings", "passphrase") });
+  const secret = field(t("backup.passphrase"), passphrase, t(settings.encrypted ? "backup.passphrase.kept" : "backup.passphrase.new", { count: textLimits("BackupSettings", "passphrase").minlength }));
   secret.hidden = !encrypted;
   const problem = h("p", { class: "problem", role: "alert" });
   const go = h("button", { class: "btn" }, t("backup.save"));

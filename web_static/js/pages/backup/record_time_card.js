@@ -2,6 +2,7 @@
  * For how many years after the last session records must be kept.
  * @import { BackupsView } from "types/api"
  */
+import { numberLimits } from "../../reference.js";
 import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, write } from "../../widgets/dom.js";
@@ -9,7 +10,7 @@ import { field } from "../../widgets/fields.js";
 
 /** @param {import("../../main.js").App} app @param {BackupsView} kept @param {(view: BackupsView) => void} onSaved */
 export function recordTimeCard(app, kept, onSaved) {
-  const years = h("input", { type: "number", min: 1, max: 100, step: 1, value: kept.years ?? "" });
+  const years = h("input", { type: "number", ...numberLimits("RecordTime", "years"), step: 1, value: kept.years ?? "" });
   const problem = h("p", { class: "problem", role: "alert" });
   /** @param {SubmitEvent} event */
   const submit = async (event) => {

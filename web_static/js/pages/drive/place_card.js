@@ -3,13 +3,13 @@
  * @import { FloorPlan, PrescribedPath } from "../../plan/floor_plan.js"
  * @import { TrialMoment } from "types/api"
  */
+import { REFERENCE } from "../../reference.js";
 import { t } from "../../texts.js";
 import { h, write } from "../../widgets/dom.js";
 import { clock, number } from "../../widgets/format.js";
 
 const OFF_PATH = 0.01; // m: less is drawn as on the path
 const DEGREES = 180 / Math.PI;
-const NEAR = 0.5; // m beside the asked distance to a leader that are just right; the measures count the same
 
 /** @param {FloorPlan} plan @param {PrescribedPath} path */
 export function placeCard(plan, path) {
@@ -63,13 +63,13 @@ function asideWords({ kind, cross_track: aside }) {
 function leaderBar(asked) {
   const words = h("span", {});
   const element = h("div", { class: "leader" }, words, h("div", { class: "leader-bar", "aria-hidden": "true" }, h("i", {})));
-  element.style.setProperty("--near", `${(50 * (asked - NEAR)) / asked}%`);
-  element.style.setProperty("--far", `${(50 * (asked + NEAR)) / asked}%`);
+  element.style.setProperty("--near", `${(50 * (asked - REFERENCE.numbers.leader_near)) / asked}%`);
+  element.style.setProperty("--far", `${(50 * (asked + REFERENCE.numbers.leader_near)) / asked}%`);
   /** @param {number | null} distance m */
   const show = (distance) => {
     const metres = distance ?? 0;
     const error = metres - asked;
-    const tone = Math.abs(error) <= NEAR ? "right" : error < 0 ? "near" : "far";
+    const tone = Math.abs(error) <= REFERENCE.numbers.leader_near ? "right" : error < 0 ? "near" : "far";
     element.dataset.tone = tone;
     write(words, `${t("trial.behind", { distance: number(distance, 1) })}: ${t(`trial.behind.${tone}`)}`);
     element.style.setProperty("--at", `${Math.min(100, (50 * metres) / asked)}%`);

@@ -2,6 +2,7 @@
  * How demanding the test felt: six sliders of the NASA task load index, each of which may be left out.
  * @import { InterfaceTestView } from "types/api"
  */
+import { numberLimits } from "../../reference.js";
 import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, put, set, write } from "../../widgets/dom.js";
@@ -43,7 +44,7 @@ export function workloadCard(app, test) {
 function question(name, answers) {
   const id = `workload-${name}`;
   const value = h("output", { for: id, class: "number" });
-  const input = h("input", { type: "range", id, min: 0, max: 100, step: STEP, "aria-describedby": `${id}-ends` });
+  const input = h("input", { type: "range", id, ...numberLimits("Workload", name), step: STEP, "aria-describedby": `${id}-ends` });
   const clear = h("button", { type: "button", class: "btn small bare", "aria-label": t("test.workload.clear", { question: t(`test.workload.${name}`) }) }, t("test.workload.leave-out"));
   const show = () => {
     const answer = answers[name];

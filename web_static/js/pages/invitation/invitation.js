@@ -1,4 +1,5 @@
 /** The page that an invitation opens: for whom it is, and the password that this person chooses. */
+import { REFERENCE } from "../../reference.js";
 import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
@@ -65,7 +66,7 @@ function door(app, code, { name, role, is_new: isNew }) {
       "form",
       { class: "stack", onsubmit: submit },
       field(t("sign-in.name"), account),
-      passwordField(t("invitation.password"), password, t("setup.password.hint")),
+      passwordField(t("invitation.password"), password, t("setup.password.hint", { count: REFERENCE.numbers.password_length })),
       problem,
       go,
     ),

@@ -1,4 +1,5 @@
 /** The form for a new patient. */
+import { textLimits } from "../../reference.js";
 import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
@@ -12,12 +13,12 @@ export function newPatientForm(app, { onAdded, onClose }) {
   const code = h("input", {
     type: "text",
     required: true,
-    maxlength: 64,
+    ...textLimits("NewPatient", "code"),
     pattern: "[A-Za-z0-9][A-Za-z0-9_.\\-]*",
     autocomplete: "off",
   });
-  const pseudonym = h("input", { type: "text", required: true, maxlength: 80, autocomplete: "off" });
-  const note = h("input", { type: "text", maxlength: 2000, autocomplete: "off" });
+  const pseudonym = h("input", { type: "text", required: true, ...textLimits("NewPatient", "pseudonym"), autocomplete: "off" });
+  const note = h("input", { type: "text", ...textLimits("NewPatient", "note"), autocomplete: "off" });
   const problem = h("p", { class: "problem", role: "alert" });
   /** @param {SubmitEvent} event */
   const submit = async (event) => {

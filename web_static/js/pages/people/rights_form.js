@@ -2,6 +2,7 @@
  * The form for a person's name and rights: role, and for a reviewer which patients.
  * @import { PatientView, PersonView } from "types/api"
  */
+import { textLimits } from "../../reference.js";
 import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
@@ -16,7 +17,7 @@ const ROLES = /** @type {const} */ (["clinician", "reviewer", "owner"]);
  * @param {{send: (rights: {name: string, role: Role, patients: number[] | null}) => Promise<void>, onClose: () => void}} then
  */
 export function rightsForm(patients, person, { send, onClose }) {
-  const name = h("input", { type: "text", required: true, maxlength: 80, autocomplete: "off" });
+  const name = h("input", { type: "text", required: true, ...textLimits("NewPerson", "name"), autocomplete: "off" });
   /** @type {Role} */
   let role = person?.role ?? "clinician";
   /** @type {"all" | "chosen"} */

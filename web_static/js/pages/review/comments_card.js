@@ -3,12 +3,12 @@
  * @import { CommentView } from "types/api"
  * @import { PlayHead } from "./play_head.js"
  */
+import { limitsOf } from "../../reference.js";
 import { t } from "../../texts.js";
 import { h, put, set } from "../../widgets/dom.js";
 import { moment, number } from "../../widgets/format.js";
 import { textForm } from "../../widgets/fields.js";
 
-const LONGEST = 2000; // characters, as the server allows
 const NEAR = 0.05; // s from the moment that the replay shows
 
 /**
@@ -85,7 +85,7 @@ export function commentsCard(app, trial, comments, head, signal) {
       label: t("comments.text", { t: number(at, 1) }),
       text: revisions[0].text,
       action: t("comments.save"),
-      longest: LONGEST,
+      longest: limitsOf("NewComment", "text").longest ?? Infinity,
       send: async (text) => (await change(() => app.api.put(`/comments/${id}`, { text }), t("comments.revised"))) && again(),
       onClose: () => {
         draw();
@@ -110,7 +110,7 @@ export function commentsCard(app, trial, comments, head, signal) {
           label: t("comments.text", { t: number(at, 1) }),
           hint: t("comments.hint"),
           action: t("comments.add"),
-          longest: LONGEST,
+          longest: limitsOf("NewComment", "text").longest ?? Infinity,
           send: async (text) =>
             (await change(() => app.api.post(`/trials/${trial}/comments`, { t: at, text }), t("comments.added"))) && close(),
           onClose: close,

@@ -2,6 +2,7 @@
  * Two trials on one plan, both replayed from when motion was permitted; and speed and error along the path.
  * @import { FloorPlan, Timeline, TrialDetail } from "types/api"
  */
+import { REFERENCE } from "../../reference.js";
 import { t } from "../../texts.js";
 import { h, write } from "../../widgets/dom.js";
 import { number } from "../../widgets/format.js";
@@ -11,7 +12,6 @@ import { PlayHead } from "./play_head.js";
 import { chart } from "../../charts/plotly.js";
 import { poseAt, trajectoryOf } from "../../plan/replay_plan.js";
 
-const ARMED = 2; // app.faults.State
 /** Of the first and of the second trial. */
 export const COLOURS = /** @type {const} */ (["path-driven", "action"]);
 
@@ -95,7 +95,7 @@ function momentWords(line, place) {
 function alongChart(trials, lines, column, label, axis, signal) {
   return chart(label, signal, (colours) => ({
     traces: lines.map((line, i) => {
-      const armed = line.t.map((_, k) => k).filter((k) => line.state[k] === ARMED);
+      const armed = line.t.map((_, k) => k).filter((k) => line.state[k] === REFERENCE.numbers.armed);
       return {
         mode: "lines",
         x: armed.map((k) => line.along[k]),

@@ -4,9 +4,9 @@
  * @typedef {{key: string, floorplan: string, name: string, title: string}} PathChoice
  */
 
+import { REFERENCE } from "../../reference.js";
 import { GROUPS, groupOf } from "../../results/source_group.js";
 
-const NEEDED = 5; // compared trials without which a verdict is “too few trials”
 
 /** Which path a trial was driven on. @param {{floorplan: string, path: string}} trial */
 export function keyOf({ floorplan, path }) {
@@ -42,7 +42,7 @@ export function firstPath(paths, trials) {
       return new Set(own.map((one) => one.compared_in)).size > 1 && own.length >= needed;
     });
   return (
-    paths.findLast((path) => isCompared(path, NEEDED)) ??
+    paths.findLast((path) => isCompared(path, REFERENCE.numbers.trials_for_verdict)) ??
     paths.findLast((path) => isCompared(path, 2)) ??
     paths[paths.length - 1]
   );

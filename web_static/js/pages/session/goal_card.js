@@ -2,6 +2,7 @@
  * The goal of a session, in the patient's words.
  * @import { SessionRecordView } from "types/api"
  */
+import { textLimits } from "../../reference.js";
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
@@ -11,7 +12,7 @@ export function goalCard(app, now, { mayChange, change }) {
   const { id, goal } = now();
   const title = h("h2", {}, t("record.goal"));
   if (!mayChange) return h("section", { class: "card" }, title, h("p", { class: goal ? "own-words" : "quiet" }, goal || t("record.goal.none")));
-  const text = h("textarea", { rows: 2, maxlength: 1000 });
+  const text = h("textarea", { rows: 2, ...textLimits("Goal", "goal") });
   text.defaultValue = text.value = goal;
   /** @param {SubmitEvent} event */
   const submit = async (event) => {

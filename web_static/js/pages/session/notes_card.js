@@ -2,12 +2,12 @@
  * The notes of a session: each with who wrote it and when, its earlier texts, and a form for another text.
  * @import { NoteView, SessionRecordView } from "types/api"
  */
+import { limitsOf } from "../../reference.js";
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { moment } from "../../widgets/format.js";
 import { textForm } from "../../widgets/fields.js";
 
-const LONGEST = 8000; // characters, as the server allows
 
 /** @param {import("../../main.js").App} app @param {() => SessionRecordView} now @param {import("./session.js").Writing} writing */
 export function notesCard(app, now, { mayChange, change }) {
@@ -30,7 +30,7 @@ export function notesCard(app, now, { mayChange, change }) {
         /** @type {HTMLElement} */ (list.children[now().notes.findIndex((one) => one.id === note.id)]).querySelector("button")?.focus();
       };
       const action = t("record.note.save");
-      put(element, textForm({ label: t("record.note.text"), text: newest.text, action, longest: LONGEST, send, onClose: draw }));
+      put(element, textForm({ label: t("record.note.text"), text: newest.text, action, longest: limitsOf("NoteText", "text").longest ?? Infinity, send, onClose: draw }));
       element.querySelector("textarea")?.focus();
     };
     return put(
@@ -61,7 +61,7 @@ export function notesCard(app, now, { mayChange, change }) {
       newForm();
       place.querySelector("textarea")?.focus();
     };
-    put(place, textForm({ label: t("record.note.new"), action: t("record.note.add"), longest: LONGEST, send }));
+    put(place, textForm({ label: t("record.note.new"), action: t("record.note.add"), longest: limitsOf("NoteText", "text").longest ?? Infinity, send }));
   };
   draw();
   if (mayChange) newForm();

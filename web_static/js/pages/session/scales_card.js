@@ -2,6 +2,7 @@
  * The outcome scales of a session: name, total and date of each.
  * @import { ScaleView, SessionRecordView } from "types/api"
  */
+import { textLimits } from "../../reference.js";
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
@@ -51,7 +52,7 @@ export function scalesCard(app, now, { mayChange, change }) {
 
 /** @param {import("../../main.js").App} app @param {number} id of the session @param {import("./session.js").Writing["change"]} change @param {() => void} onAdded */
 function newScale(app, id, change, onAdded) {
-  const name = h("input", { type: "text", required: true, maxlength: 80, autocomplete: "off" });
+  const name = h("input", { type: "text", required: true, ...textLimits("NewScale", "name"), autocomplete: "off" });
   const total = h("input", { type: "text", inputmode: "decimal", required: true, autocomplete: "off" });
   const date = h("input", { type: "date", required: true });
   date.defaultValue = date.value = today();

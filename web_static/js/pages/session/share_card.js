@@ -2,6 +2,7 @@
  * The share links of a patient, with their ends and openings, and the form that makes one. Link and PIN are shown once.
  * @import { ConsentsView, MadeShare, SessionRow, ShareRow, SharesView } from "types/api"
  */
+import { limitsOf } from "../../reference.js";
 import { t } from "../../texts.js";
 import { copyText } from "../../widgets/clipboard.js";
 import { h, put } from "../../widgets/dom.js";
@@ -9,7 +10,7 @@ import { field, selection } from "../../widgets/fields.js";
 import { day, moment } from "../../widgets/format.js";
 
 const ALL = "";
-const DAYS = ["1", "3", "7", "14"]; // 14 is the longest that the server allows
+const DAYS = [1, 3, 7]; // beside the longest that the server allows
 const FIRST_DAYS = "7";
 
 /**
@@ -77,7 +78,8 @@ export function shareCard(app, { patient_id: patient, code, consents }, sessions
   const form = () => {
     const options = sessions.map(({ id }) => ({ value: String(id), label: whatWords(id) }));
     const what = selection([{ value: ALL, label: t("shares.all") }, ...options], ALL);
-    const days = selection(DAYS.map((value) => ({ value, label: t("shares.days", { count: Number(value) }) })), FIRST_DAYS);
+    const longest = limitsOf("NewShare", "days").maximum ?? Infinity;
+    const days = selection([...DAYS, longest].map((count) => ({ value: String(count), label: t("shares.days", { count }) })), FIRST_DAYS);
     let isBusy = false;
     /** @param {SubmitEvent} event */
     const make = async (event) => {

@@ -2,6 +2,7 @@
  * The sign-off of a session: signing with a second tap, the history, and for an owner unlocking with a reason.
  * @import { SessionRecordView } from "types/api"
  */
+import { textLimits } from "../../reference.js";
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
@@ -53,7 +54,7 @@ export function signOffCard(app, record, { mayChange, isOwner, person, change })
 
 /** @param {(reason: string) => Promise<boolean>} send @param {() => void} onClose */
 function unlockForm(send, onClose) {
-  const reason = h("input", { type: "text", required: true, maxlength: 200, autocomplete: "off" });
+  const reason = h("input", { type: "text", required: true, ...textLimits("Unlock", "reason"), autocomplete: "off" });
   /** @param {SubmitEvent} event */
   const submit = async (event) => {
     event.preventDefault();

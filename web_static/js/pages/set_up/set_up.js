@@ -1,4 +1,5 @@
 /** The first start: the first owner is made with the code from the console. */
+import { REFERENCE, textLimits } from "../../reference.js";
 import { h, put } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
 import { passwordField } from "../../shell/password_field.js";
@@ -15,7 +16,7 @@ export async function show(app, root) {
     value: link ? decodeURIComponent(link[1]) : null,
   });
   if (link) history.replaceState(null, "", location.pathname);
-  const name = h("input", { type: "text", autocomplete: "username", required: true, maxlength: 80 });
+  const name = h("input", { type: "text", autocomplete: "username", required: true, ...textLimits("FirstOwner", "name") });
   const password = h("input", { type: "password", autocomplete: "new-password", required: true });
   const problem = h("p", { class: "problem", role: "alert" });
   /** @param {SubmitEvent} event */
@@ -41,7 +42,7 @@ export async function show(app, root) {
         { class: "stack", onsubmit: submit },
         field(t("setup.code"), code, t("setup.code.hint")),
         field(t("sign-in.name"), name),
-        passwordField(t("sign-in.password"), password, t("setup.password.hint")),
+        passwordField(t("sign-in.password"), password, t("setup.password.hint", { count: REFERENCE.numbers.password_length })),
         problem,
         h("button", { class: "btn go large" }, t("setup.go")),
       ),

@@ -3,13 +3,13 @@
  * @import { NewChair, PairedView, Speeds } from "types/api"
  * @import { Attributes } from "types/dom"
  */
+import { limitsOf, numberLimits, textLimits } from "../../reference.js";
 import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
 import { speedRows } from "../../widgets/speed_rows.js";
 
-const PORT = 5354; // the receiver's default
 // For a chair that nobody here has driven yet: an indoor walking pace, in SI units.
 const FIRST_SPEEDS = {
   forward: 0.5,
@@ -29,9 +29,9 @@ const FIRST_SPEEDS = {
 export function pairForm(app, { onPaired, onClose }) {
   /** @param {Attributes} more */
   const text = (more) => h("input", { type: "text", required: true, autocomplete: "off", ...more });
-  const name = text({ maxlength: 40 });
-  const host = text({ maxlength: 253, inputmode: "url", spellcheck: "false" });
-  const port = h("input", { type: "number", required: true, min: 1, max: 65535, value: PORT });
+  const name = text(textLimits("NewChair", "name"));
+  const host = text({ ...textLimits("NewChair", "host"), inputmode: "url", spellcheck: "false" });
+  const port = h("input", { type: "number", required: true, ...numberLimits("NewChair", "port"), value: limitsOf("NewChair", "port").usual });
   /** @type {Speeds} */
   const speeds = { ...FIRST_SPEEDS };
   const problem = h("p", { class: "problem", role: "alert" });

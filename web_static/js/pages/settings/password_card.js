@@ -1,4 +1,5 @@
 /** The change of the own password: it needs the old one, and signs this person out everywhere else. */
+import { REFERENCE } from "../../reference.js";
 import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
@@ -33,7 +34,7 @@ export function passwordCard(app) {
       "form",
       { class: "stack", onsubmit: submit },
       field(t("password.old"), old),
-      field(t("password.new"), chosen, t("setup.password.hint")),
+      field(t("password.new"), chosen, t("setup.password.hint", { count: REFERENCE.numbers.password_length })),
       problem,
       h("div", {}, go),
     ),

@@ -9,6 +9,7 @@
  * @typedef {{kind?: string, host?: string, port?: number, device?: string, baud?: number, address?: number | null, file?: string}} HeadSettings
  * @typedef {{fields: Child, config: () => HeadRequest}} Part the settings of one kind of head tracker
  */
+import { limitsOf, numberLimits } from "../../reference.js";
 import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
@@ -18,8 +19,8 @@ import { endTabletHead, tabletHead } from "./tablet_head.js";
 
 const KINDS = ["none", "opentrack", "freepie", "flock_of_birds", "tablet", "recorded", "simulator"];
 /** @type {Record<string, number>} */
-const PORTS = { opentrack: 4242, freepie: 5555 };
-const BAUD = 115200;
+/** @type {Record<string, string>} */
+const OVER_NETWORK = { opentrack: "OpentrackConfig", freepie: "FreepieConfig" };
 
 /** In one line what is in use. @param {HeadSettings | null} config */
 export function headWords(config) {
@@ -96,9 +97,9 @@ function fieldsOf(app, kind, now, files) {
     const element = h("input", { type: "text", value, required: true, autocomplete: "off", ...more });
     return { element: field(t(label), element), read: () => element.value.trim() };
   };
-  if (kind in PORTS) {
+  if (kind in OVER_NETWORK) {
     const host = input("source.host", now?.host ?? "127.0.0.1");
-    const port = input("source.port", now?.port ?? PORTS[kind], { type: "number", min: 1, max: 65535 });
+    const port = input("source.port", now?.port ?? Number(limitsOf(OVER_NETWORK[kind], "port").usual), { type: "number", ...numberLimits(OVER_NETWORK[kind], "port") });
     const config = () => ({ kind, host: host.read(), port: Number(port.read()) });
     return {
       fields: [h("div", { class: "columns" }, host.element, port.element)],
@@ -107,8 +108,8 @@ function fieldsOf(app, kind, now, files) {
   }
   if (kind === "flock_of_birds") {
     const device = input("head.device", now?.device ?? "/dev/ttyUSB0");
-    const baud = input("head.baud", now?.baud ?? BAUD, { type: "number", min: 2400, max: 115200 });
-    const address = input("head.address", now?.address ?? "", { type: "number", min: 1, max: 14, required: false });
+    const baud = input("head.baud", now?.baud ?? Number(limitsOf("FlockOfBirdsConfig", "baud").usual), { type: "number", ...numberLimits("FlockOfBirdsConfig", "baud") });
+    const address = input("head.address", now?.address ?? "", { type: "number", ...numberLimits("FlockOfBirdsConfig", "address"), required: false });
     /** @returns {HeadRequest} */
     const config = () => ({
       kind,

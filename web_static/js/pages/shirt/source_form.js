@@ -8,6 +8,7 @@
  * @typedef {Body<"put", "/equipment/shirt">} ShirtRequest
  * @typedef {{fields: Child, config: () => Promise<ShirtRequest>}} Part the settings of one kind of shirt
  */
+import { limitsOf, numberLimits } from "../../reference.js";
 import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
@@ -16,7 +17,6 @@ import { size } from "../../widgets/format.js";
 import { sendUnderName } from "../../widgets/same_name.js";
 
 const RATES = [50, 100, 200, 500, 1000]; // Hz; 100 is the rate of the shirts that there are
-const PORT = 5252;
 const REPLAYED = new Set(["signals", "recording"]);
 
 /**
@@ -166,10 +166,10 @@ function replay(app, { shirt, files }) {
 
 /** @param {App} _app @param {Equipment} equipment @returns {Part} */
 function udp(_app, { shirt, layout, shirt_keys: keys }) {
-  const now = shirt?.kind === "udp" ? shirt : { host: "127.0.0.1", port: PORT, sample_rate: 100, key_file: null };
+  const now = shirt?.kind === "udp" ? shirt : { host: "127.0.0.1", port: Number(limitsOf("UdpConfig", "port").usual), sample_rate: Number(limitsOf("UdpConfig", "sample_rate").usual), key_file: null };
   const host = h("input", { type: "text", value: now.host, required: true, autocomplete: "off" });
-  const port = h("input", { type: "number", value: now.port, min: 1, max: 65535, required: true });
-  const rate = h("input", { type: "number", value: now.sample_rate, min: 1, max: 5000, required: true });
+  const port = h("input", { type: "number", value: now.port, ...numberLimits("UdpConfig", "port"), required: true });
+  const rate = h("input", { type: "number", value: now.sample_rate, ...numberLimits("UdpConfig", "sample_rate"), required: true });
   const file = h("input", { type: "file", accept: ".json,application/json" });
   let key = now.key_file && keys.includes(now.key_file) ? now.key_file : "";
   /** @returns {Promise<ShirtRequest>} */

@@ -1,4 +1,5 @@
 /** Signing in by name and password. */
+import { textLimits } from "../../reference.js";
 import { h, put, set, write } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
 import { passwordField } from "../../shell/password_field.js";
@@ -7,7 +8,7 @@ import { t } from "../../texts.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root */
 export async function show(app, root) {
-  const name = h("input", { type: "text", autocomplete: "username", required: true, maxlength: 80 });
+  const name = h("input", { type: "text", autocomplete: "username", required: true, ...textLimits("Credentials", "name") });
   const password = h("input", { type: "password", autocomplete: "current-password", required: true });
   const problem = h("p", { class: "problem", role: "alert" });
   const go = h("button", { class: "btn go large" }, t("sign-in.go"));

@@ -116,7 +116,7 @@ export default {
   "setup.lead": "This clinic has no people yet. You become the first owner: the one who may add people.",
   "setup.code": "Set-up code",
   "setup.code.hint": "The program printed it on its console when it started.",
-  "setup.password.hint": "At least 8 characters. A short sentence is easy to remember.",
+  "setup.password.hint": "At least {count} characters. A short sentence is easy to remember.",
   "setup.go": "Set up and sign in",
   "nobody.title": "No session is open",
   "nobody.lead": "Choose a patient: that starts a session, and this page shows it.",

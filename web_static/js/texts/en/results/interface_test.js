@@ -16,7 +16,7 @@ export default {
   "test.result": "Test {number}",
   "test.session": "Session {number}",
   "test.number": "Test",
-  "test.reached": "{acquired} targets reached, {missed} missed within 15 s.",
+  "test.reached": "{acquired} targets reached, {missed} missed within {seconds} s.",
   "test.so-far": "Until then, after {seconds} s: {count} targets.",
   "test.end.by hand": "This test was ended early, so it does not count.",
   "test.end.stopped": "This test was stopped, so it does not count.",
