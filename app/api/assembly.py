@@ -22,6 +22,7 @@ from app.features.registration import features
 from app.session.adaptation import AdaptationFlow
 from app.session.calibration.calibration_flow import CalibrationFlow
 from app.session.calibration.garment import NobodyElse, OthersPrior
+from app.session.calibration.gesture_discovery import GestureDiscoveries
 from app.session.clinic_spread import ClinicSpread
 from app.session.control_link import ControlLink, LinkedProcess
 from app.session.equipment.chairs import Chairs
@@ -100,6 +101,7 @@ def make_parts(
         shirt_watch=ShirtWatch(equipment),
         runs=runs,
         calibration=calibration,
+        discoveries=GestureDiscoveries(database, runs.folder_of, computing),
         trials=trials,
         drives=drives,
         tests=tests,

@@ -26,6 +26,7 @@ from app.clock import monotonic
 from app.computing_process import ComputingProcess
 from app.session.adaptation import AdaptationFlow
 from app.session.calibration.calibration_flow import CalibrationFlow
+from app.session.calibration.gesture_discovery import GestureDiscoveries
 from app.session.clinic_spread import ClinicSpread
 from app.session.control_link import ControlLink, ScreenSign
 from app.session.equipment.chairs import Chairs
@@ -61,6 +62,7 @@ class WebParts:
     shirt_watch: ShirtWatch
     runs: SessionRuns
     calibration: CalibrationFlow
+    discoveries: GestureDiscoveries
     trials: TrialFlow
     drives: RealDriveFlow
     tests: InterfaceTestFlow

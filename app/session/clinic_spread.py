@@ -32,6 +32,7 @@ class ClinicSpread:
 
     def __init__(self, database: Database, computing: ComputingProcess) -> None:
         self._database, self._computing = database, computing
+        # No DerivedResults: an estimate holds on while the trials are nearly those that it was made of.
         self._known: dict[Task, tuple[int, frozenset[int], PeopleVariances]] = {}
 
     def of_others(self, task: Task, patient_id: int) -> dict[str, Spread]:

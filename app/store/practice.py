@@ -8,12 +8,16 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.calibration.vocabulary import DriveParameters
+from app.derived_results import DerivedResults
 from app.refusals import Conflict
 from app.store.parameters import as_document
 from app.store.records.import_tables import ImportedSession
 from app.store.tables import ParameterSet, Profile, Run, Trial
 
 PRACTICE_ENDS = ("goal", "time-out", "by hand")  # a trial that a fault ended is no practice
+
+
+KEPT = 2000  # hashes; a patient has some hundred sets of parameters
 
 
 class Practice(NamedTuple):
@@ -34,7 +38,7 @@ class PracticeHistory:
     """
 
     def __init__(self) -> None:
-        self._hashes: dict[int, str] = {}  # of rows of parameters, which never change
+        self._hashes: DerivedResults[int, str] = DerivedResults(KEPT)  # of rows of parameters, which never change
 
     def practice(self, db: Session, patient_id: int, digest: str, *, simulated: bool | None) -> Practice:
         """Return how often the patient practised the set of this hash, in finished and kept trials."""
@@ -49,10 +53,7 @@ class PracticeHistory:
         return None
 
     def _has_hash(self, row: ParameterSet, profile: Profile, digest: str) -> bool:
-        if row.id not in self._hashes:
-            document = _document(row, profile)
-            self._hashes[row.id] = "" if document is None else document.hash
-        return self._hashes[row.id] == digest
+        return self._hashes.of(row.id, lambda: _hash(row, profile)) == digest
 
 
 def _practice_trials(
@@ -72,6 +73,11 @@ def _practice_trials(
         .order_by(Trial.id.desc())
     )
     yield from ((trial, row, profile) for trial, row, profile in found if trial.measures is not None)
+
+
+def _hash(row: ParameterSet, profile: Profile) -> str:
+    document = _document(row, profile)
+    return "" if document is None else document.hash
 
 
 def _document(row: ParameterSet, profile: Profile) -> DriveParameters | None:

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from app.computing_process import ComputingProcess
+from app.derived_results import DerivedResults
 from app.scoring.timeline import timeline_of
 
 KEPT = 16  # time lines in memory, about 0.25 MB each
@@ -15,7 +16,7 @@ class Timelines:
 
     def __init__(self, computing: ComputingProcess) -> None:
         self._computing = computing
-        self._packed: dict[Path, bytes] = {}
+        self._packed: DerivedResults[Path, bytes] = DerivedResults(KEPT)
 
     def of(self, folder: Path, path_points: list[Any], end: str | None) -> bytes:
         """Return the time line of an ended trial as compressed JSON.
@@ -25,13 +26,7 @@ class Timelines:
         ValueError
             In one sentence, when there is no recording, or it holds nothing.
         """
-        packed = self._packed.get(folder)
-        if packed is None:
-            packed = self._computing.ask(packed_timeline, folder, path_points, end)
-            if len(self._packed) >= KEPT:
-                self._packed.pop(next(iter(self._packed)), None)
-            self._packed[folder] = packed
-        return packed
+        return self._packed.of(folder, lambda: self._computing.ask(packed_timeline, folder, path_points, end))
 
 
 def packed_timeline(folder: Path, path_points: list[Any], end: str | None) -> bytes:

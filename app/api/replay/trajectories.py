@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from app.computing_process import ComputingProcess
+from app.derived_results import DerivedResults
 from app.quantities import Document
 from app.recording.recorded_trajectory import read_trajectory, thinned
 
@@ -35,7 +36,7 @@ class Trajectories:
 
     def __init__(self, computing: ComputingProcess) -> None:
         self._computing = computing
-        self._trajectories: dict[Path, Trajectory] = {}
+        self._trajectories: DerivedResults[Path, Trajectory] = DerivedResults(KEPT)
 
     def of(self, folder: Path) -> Trajectory | None:
         """Return the trajectory of an ended trial, None when its recording cannot be read."""
@@ -43,16 +44,12 @@ class Trajectories:
 
     def all(self, folders: Sequence[Path]) -> list[Trajectory | None]:
         """Return the trajectory of each ended trial; those that are not known yet are read in one go."""
-        known = self._trajectories
+        known = self._trajectories.known(folders)
         unread = [folder for folder in folders if folder not in known]
-        read = dict(zip(unread, self._computing.ask(shown_trajectories, unread) if unread else [], strict=True))
-        for folder, trajectory in read.items():
-            if trajectory is not None:
-                known[folder] = trajectory
-        found = [known.get(folder) for folder in folders]
-        while len(known) > KEPT:
-            known.pop(next(iter(known)), None)
-        return found
+        answers = self._computing.ask(shown_trajectories, unread) if unread else []
+        read = {folder: found for folder, found in zip(unread, answers, strict=True) if found is not None}
+        self._trajectories.keep(read)
+        return [known.get(folder) or read.get(folder) for folder in folders]
 
     def lines(self, trials: Sequence[tuple[int, Path]]) -> list[TrialLine]:
         """Return the lines of ended trials, given by number and folder, without those that cannot be read."""

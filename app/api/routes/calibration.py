@@ -15,7 +15,6 @@ from app.calibration.linear_map import MapKind
 from app.calibration.vocabulary import standard_parameters
 from app.quantities import Document, Line, Name
 from app.refusals import Conflict
-from app.session.calibration.gesture_discovery import session_gestures
 from app.session.calibration.map_choice import choose_map
 from app.session.calibration.sitting import note_sitting
 from app.store.calibrations import is_calibration_simulated
@@ -60,10 +59,10 @@ async def look(who: Clinician, web: Web) -> CalibrationView:
 
 
 @router.get("/gestures")
-async def gestures(who: Clinician, parts: PeopleParts, web: Web) -> Discovery:
+async def gestures(who: Clinician, web: Web) -> Discovery:
     """Return all gestures of the calibration under way, or else of the newest accepted one."""
     session = await web.session.needed_session(who.clinic_id)
-    return await asyncio.to_thread(session_gestures, parts.database, web.runs.folder_of, web.computing, session.id)
+    return await asyncio.to_thread(web.discoveries.of_session, session.id)
 
 
 @router.post("/steps/{step}/start")

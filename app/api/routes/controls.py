@@ -16,7 +16,6 @@ from app.calibration.vocabulary import Binding, ControlMode, CruiseTime, DrivePa
 from app.messages import MAX_GESTURES
 from app.quantities import Cutoff, Document, Title
 from app.sentences import one_sentence
-from app.session.calibration.gesture_discovery import patient_gestures
 from app.speeds import Speeds
 from app.store.database import Transaction
 from app.store.log import write_log
@@ -109,9 +108,9 @@ def _view(db: Transaction, web: WebParts, patient_id: int, suggestion: Suggested
     )
 
 
-def _suggestion(parts: People, web: WebParts, patient_id: int) -> SuggestedVocabulary:
+def _suggestion(web: WebParts, patient_id: int) -> SuggestedVocabulary:
     """Return the vocabulary that the newest map suggests; call outside of a transaction: it reads recordings."""
-    return patient_gestures(parts.database, web.runs.folder_of, web.computing, patient_id).suggestion
+    return web.discoveries.of_patient(patient_id).suggestion
 
 
 @router.get("")
@@ -120,7 +119,7 @@ async def look(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
     session = await web.session.needed_session(who.clinic_id)
 
     def _read() -> ControlsView:
-        suggestion = _suggestion(parts, web, session.patient_id)
+        suggestion = _suggestion(web, session.patient_id)
         with parts.database.transaction() as db:
             return _view(db, web, session.patient_id, suggestion)
 
@@ -140,7 +139,7 @@ async def _change(who: SignedInPerson, parts: People, web: WebParts, what: str, 
     """Change the current set, and load it into the control process."""
 
     def _write(session: PatientSession) -> ControlsView:
-        suggestion = _suggestion(parts, web, session.patient_id)
+        suggestion = _suggestion(web, session.patient_id)
         with parts.database.transaction() as db:
             row = change(db, session, suggestion)
             view = _view(db, web, session.patient_id, suggestion)

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from app.computing_process import ComputingProcess
+from app.derived_results import DerivedResults
 from app.refusals import Refusal
 from app.scoring.verdict.deterioration import deteriorations
 from app.session.clinic_spread import ClinicSpread, Task
@@ -20,6 +21,7 @@ from app.store.database import Database
 from app.store.learning_trials import counted_trials
 
 LOG = logging.getLogger(__name__)
+KEPT = 20_000  # tasks: more than a clinic of 1,000 patients has; with fewer, a page would never be complete
 
 
 class CountedTask(NamedTuple):
@@ -45,16 +47,16 @@ class Deteriorations:
 
     def __init__(self, database: Database, computing: ComputingProcess, spread: ClinicSpread) -> None:
         self._database, self._computing, self._spread = database, computing, spread
-        self._known: dict[CountedTask, Deterioration | None] = {}
+        self._known: DerivedResults[CountedTask, Deterioration | None] = DerivedResults(KEPT)
         self._missing: dict[CountedTask, int] = {}  # with its clinic, in the order in which they were asked for
         self._lock = threading.Lock()
         self._is_working = False
 
     def known(self, clinic_id: int, tasks: Sequence[CountedTask]) -> dict[CountedTask, Deterioration | None]:
         """Return what is known of these tasks, and begin to work out the others; None: no worse than noise explains."""
-        found = {task: self._known[task] for task in tasks if task in self._known}
         with self._lock:
-            self._missing.update({task: clinic_id for task in tasks if task not in self._known})
+            found = self._known.known(tasks)
+            self._missing.update({task: clinic_id for task in tasks if task not in found})
             begin = bool(self._missing) and not self._is_working
             self._is_working = self._is_working or begin
         if begin:
@@ -79,8 +81,8 @@ class Deteriorations:
 
     def _keep(self, task: tuple[CountedTask, int], found: Deterioration | None) -> None:
         with self._lock:
-            same = {one for one in self._known if one[:4] == task[0][:4]}
-            self._known = {one: kept for one, kept in self._known.items() if one not in same} | {task[0]: found}
+            self._known.forget(lambda one: one[:4] == task[0][:4])  # with the trials that counted before
+            self._known.keep({task[0]: found})
             self._missing.pop(task[0], None)
 
     def _found(self, task: CountedTask, clinic_id: int) -> Deterioration | None:

@@ -9,7 +9,7 @@ from session.test_recordings import LAYOUT, record, step_ticks
 from app.calibration.script import calibration_script
 from app.calibration.vocabulary import standard_parameters
 from app.refusals import Conflict
-from app.session.calibration.gesture_discovery import patient_gestures, session_gestures
+from app.session.calibration.gesture_discovery import GestureDiscoveries
 from app.session.recordings import fit_recordings
 from app.store.calibrations import begin_calibration, set_step
 from app.store.map_versions import save_adapted
@@ -27,6 +27,7 @@ class RecordedCalibration:
 
     def __init__(self, database, folder):
         self.database, self.folder = database, folder
+        self.discoveries = GestureDiscoveries(database, self.folder_of, COMPUTING)
         self.steps = calibration_script(LAYOUT)
         recorded = [(step, record(folder / step.id, step_ticks(step), step.cues)) for step in self.steps]
         self.profile = fit_recordings(LAYOUT, recorded, [], None)
@@ -50,10 +51,10 @@ class RecordedCalibration:
             db.get_one(PatientSession, self.session).accepted = True
 
     def result(self):
-        return session_gestures(self.database, self.folder_of, COMPUTING, self.session)
+        return self.discoveries.of_session(self.session)
 
     def newest(self):
-        return patient_gestures(self.database, self.folder_of, COMPUTING, self.patient)
+        return self.discoveries.of_patient(self.patient)
 
 
 @pytest.fixture
