@@ -21,12 +21,13 @@ from app.store.files.replacements import BETWEEN, archive_on_shelf
 from app.store.keeping.incidents import incident_of
 from app.store.keeping.keeping_tables import ErasedPatient, PatientFile
 from app.store.keeping.last_ids import note_last_ids
-from app.store.keeping.owned_rows import RowIds, erase_rows, forget_in_lists, rows_of_patient
+from app.store.keeping.owned_rows import RowIds, erase_rows, forget_in_lists, rows_of_patient, tables_in
 from app.store.keeping.passed_time import passed_now
 from app.store.keeping.record_time import UNDO_FOR, must_be_kept_until
 from app.store.keeping.tombstones import Tombstone, add_tombstones, tombstone
 from app.store.log import write_log
 from app.store.own_rows import own_row
+from app.store.schema import metadata
 from app.store.tables import Patient, PatientSession, Run
 
 AFTER_30_DAYS = "30 days after the deletion"
@@ -173,9 +174,10 @@ def _erase(db: Session, patient: Patient, now: datetime) -> RowIds:
     kept = ErasedPatient(id=patient.id, created=patient.created, erased=now, files=_files_of(db, patient))
     db.flush()
     connection = _raw(db)
-    rows = rows_of_patient(connection, patient.id)
-    note_last_ids(connection, rows)
-    erase_rows(connection, rows)
+    tables = metadata()
+    rows = rows_of_patient(connection, tables, patient.id)
+    note_last_ids(connection, tables, rows)
+    erase_rows(connection, tables, rows)
     forget_in_lists(connection, patient.id)
     db.expunge_all()
     db.merge(kept)  # a backup of before may know the erasure of another patient of this id
@@ -185,7 +187,7 @@ def _erase(db: Session, patient: Patient, now: datetime) -> RowIds:
 
 def _files_of(db: Session, patient: Patient) -> list[str]:
     """Return recordings and uploads of a patient, with what was replaced, relative to the state folder."""
-    rows = rows_of_patient(_raw(db), patient.id)
+    rows = rows_of_patient(_raw(db), metadata(), patient.id)
     runs = select(Run.folder).where(Run.session_id.in_(rows.get("session", ())))
     recordings = [f"runs/{folder}" for folder in db.scalars(runs, execution_options=WITH_DELETED)]
     query = select(PatientFile).where(PatientFile.patient_id == patient.id)
@@ -207,10 +209,11 @@ def _remove(place: Path) -> None:
 def _erase_in_copies(settings: Settings, patient: int) -> None:
     """Erase a patient from the copies of the database that upgrades have made; their schemas may be of any age."""
     for copy in settings.state.glob(f"{settings.database.name}.*.backup"):
+        tables = tables_in(copy)
         with closing(sqlite3.connect(copy, isolation_level=None)) as connection:
             connection.execute("PRAGMA secure_delete=ON")
             connection.execute("BEGIN IMMEDIATE")
-            erase_rows(connection, rows_of_patient(connection, patient))
+            erase_rows(connection, tables, rows_of_patient(connection, tables, patient))
             forget_in_lists(connection, patient)
             connection.execute("COMMIT")
             connection.execute("VACUUM")

@@ -7,18 +7,18 @@ SQLite gives the highest id of a table plus one, which may be one that was erase
 import sqlite3
 from typing import Any
 
-from sqlalchemy import Connection, Integer, event
+from sqlalchemy import Connection, Integer, MetaData, event
 from sqlalchemy.orm import Mapper
 
 from app.store.keeping.owned_rows import RowIds
 from app.store.tables import Table
 
 
-def note_last_ids(connection: sqlite3.Connection, rows: RowIds) -> None:
+def note_last_ids(connection: sqlite3.Connection, tables: MetaData, rows: RowIds) -> None:
     """Store the highest id of each table of which rows are about to be erased."""
     for table in rows:
-        keys = [row for row in connection.execute(f'PRAGMA table_info("{table}")') if row[5]]
-        if [(row[1], row[2]) for row in keys] == [("id", "INTEGER")]:
+        keys = list(tables.tables[table].primary_key)
+        if [key.name for key in keys] == ["id"] and isinstance(keys[0].type, Integer):
             (highest,) = connection.execute(f'SELECT MAX(id) FROM "{table}"').fetchone()  # noqa: S608
             connection.execute(
                 "INSERT INTO last_id (name, id) VALUES (?, ?) ON CONFLICT DO UPDATE SET id = MAX(id, excluded.id)",

@@ -1,15 +1,17 @@
-"""The rows of a database that belong to a patient, found by its foreign keys, and their erasure.
+"""The rows of a database that belong to a patient, found by the foreign keys of its tables, and their erasure.
 
-This works on a file of any schema: on the clinic's database, on a copy made before an upgrade, on a restored backup.
-A table that is added later needs no line here.
+The tables are those of the metadata: of the program for the clinic's database, and of the file itself for a copy that
+was made before an upgrade (`tables_in`). A table that is added later needs no line here.
 """
 
-# ruff: noqa: S608  (names of tables and columns come from the database itself)
+# ruff: noqa: S608  (names of tables and columns come from the metadata)
 import json
 import sqlite3
 from collections import defaultdict
-from collections.abc import Iterator
+from pathlib import Path
 from typing import NamedTuple
+
+from sqlalchemy import MetaData, create_engine
 
 RowIds = dict[str, set[int]]
 """SQLite's row ids, by table."""
@@ -25,9 +27,18 @@ class ForeignKey(NamedTuple):
     parent_column: str
 
 
-def rows_of_patient(connection: sqlite3.Connection, patient: int) -> RowIds:
+def tables_in(file: Path) -> MetaData:
+    """Return the tables of a database file of any schema, without those of Alembic."""
+    found = MetaData()
+    engine = create_engine(f"sqlite:///{file}")
+    found.reflect(engine, only=lambda name, _: name != "alembic_version")
+    engine.dispose()
+    return found
+
+
+def rows_of_patient(connection: sqlite3.Connection, tables: MetaData, patient: int) -> RowIds:
     """Return the patient's own row and all rows that belong to it: their required foreign keys lead to it."""
-    keys = [key for key in foreign_keys(connection) if key.required]
+    keys = [key for key in foreign_keys(tables) if key.required]
     found: RowIds = defaultdict(set)
     found["patient"] = {row[0] for row in connection.execute("SELECT id FROM patient WHERE id = ?", (patient,))}
     is_complete = False
@@ -40,10 +51,10 @@ def rows_of_patient(connection: sqlite3.Connection, patient: int) -> RowIds:
     return {table: ids for table, ids in found.items() if ids}
 
 
-def erase_rows(connection: sqlite3.Connection, rows: RowIds) -> None:
+def erase_rows(connection: sqlite3.Connection, tables: MetaData, rows: RowIds) -> None:
     """Erase rows, and let other rows no longer name them. Within a transaction that has begun."""
     connection.execute("PRAGMA defer_foreign_keys=ON")  # until the commit: the order of the tables does not matter
-    for key in foreign_keys(connection):
+    for key in foreign_keys(tables):
         if not key.required and rows.get(key.parent):
             named = _children(connection, key, rows[key.parent]) - rows.get(key.table, set())
             _run(connection, f'UPDATE "{key.table}" SET "{key.column}" = NULL WHERE rowid IN', named)
@@ -52,9 +63,7 @@ def erase_rows(connection: sqlite3.Connection, rows: RowIds) -> None:
 
 
 def forget_in_lists(connection: sqlite3.Connection, patient: int) -> None:
-    """Remove a patient from the patients that are shown to reviewers, where this schema has such lists."""
-    if "patients" not in {row[1] for row in connection.execute("PRAGMA table_info(person)")}:
-        return
+    """Remove a patient from the patients that are shown to reviewers."""
     for person, text in connection.execute("SELECT id, patients FROM person WHERE patients IS NOT NULL").fetchall():
         shown = json.loads(text)
         if shown and patient in shown:
@@ -62,21 +71,14 @@ def forget_in_lists(connection: sqlite3.Connection, patient: int) -> None:
             connection.execute("UPDATE person SET patients = ? WHERE id = ?", (left, person))
 
 
-def foreign_keys(connection: sqlite3.Connection) -> list[ForeignKey]:
-    """Return all foreign keys of a database."""
-    return [key for table in tables(connection) for key in _keys_of(connection, table)]
-
-
-def tables(connection: sqlite3.Connection) -> list[str]:
-    """Return the names of all tables."""
-    found = connection.execute("SELECT name FROM sqlite_master WHERE type = 'table' AND name NOT LIKE 'sqlite_%'")
-    return [name for (name,) in found.fetchall()]
-
-
-def _keys_of(connection: sqlite3.Connection, table: str) -> Iterator[ForeignKey]:
-    required = {row[1] for row in connection.execute(f'PRAGMA table_info("{table}")') if row[3] or row[5]}
-    for _, _, parent, column, parent_column, *_ in connection.execute(f'PRAGMA foreign_key_list("{table}")').fetchall():
-        yield ForeignKey(table, column, column in required, parent, parent_column or "id")
+def foreign_keys(tables: MetaData) -> list[ForeignKey]:
+    """Return all foreign keys of these tables, in the order of the tables' names."""
+    return [
+        ForeignKey(name, column.name, not column.nullable, key.column.table.name, key.column.name)
+        for name, table in sorted(tables.tables.items())
+        for column in table.columns
+        for key in column.foreign_keys
+    ]
 
 
 def _children(connection: sqlite3.Connection, key: ForeignKey, parents: set[int]) -> set[int]:

@@ -14,6 +14,7 @@ from app.store.keeping.record_time import must_be_kept_until
 from app.store.records.import_tables import ImportedSession
 from app.store.records.imports import require_no_runs, runs_here
 from app.store.records.patient_rows import Rows
+from app.store.schema import metadata
 from app.store.tables import Patient, PatientSession
 
 HERE: Final = "{code} is in this clinic already, and nothing was imported: replace that patient, or leave it as it is."
@@ -56,9 +57,10 @@ def remove_replaced_rows(db: Session, patient_id: int) -> list[PatientFile]:
     query = select(PatientFile).where(PatientFile.patient_id == patient_id)
     uploads = [PatientFile(name=row.name, current=row.current) for row in db.scalars(query)]
     connection: Any = db.connection().connection.driver_connection
-    rows = rows_of_patient(connection, patient_id)
-    note_last_ids(connection, rows)
-    erase_rows(connection, rows)
+    tables = metadata()
+    rows = rows_of_patient(connection, tables, patient_id)
+    note_last_ids(connection, tables, rows)
+    erase_rows(connection, tables, rows)
     forget_in_lists(connection, patient_id)
     db.expunge_all()
     return uploads

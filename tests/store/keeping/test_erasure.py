@@ -27,6 +27,7 @@ from app.store.keeping.record_time import record_keeping, years_later
 from app.store.keeping.tombstones import add_tombstones, read_tombstones
 from app.store.log_chain import verify_log
 from app.store.patients import add_patient, delete_patient, restore_patient, start_session
+from app.store.schema import metadata
 from app.store.tables import LogEntry, Patient, PatientSession, Table
 
 GOES, STAYS = "Zebra", "Heron"
@@ -98,8 +99,7 @@ def test_an_erased_patient_leaves_no_row_and_no_file_and_the_log_says_so(filled:
 
 
 def test_every_table_that_can_name_a_patient_was_filled(filled: Filled) -> None:
-    with closing(sqlite3.connect(filled.settings.database)) as connection:
-        naming = {key.table for key in foreign_keys(connection) if key.parent in {"patient", "session", "trial", "run"}}
+    naming = {key.table for key in foreign_keys(metadata()) if key.parent in {"patient", "session", "trial", "run"}}
     assert naming <= set(rows_by_table(filled.settings.database, filled.goes))
 
 
