@@ -6,17 +6,17 @@ from typing import Any, NamedTuple
 
 from pydantic import ValidationError
 
+from app.calibration.own_movement import own_movement_refusal
 from app.clock import Clock
-from app.faults import Fault, State
-from app.hardware.base import HardwareError
+from app.faults import EXPLANATIONS, Fault, State
+from app.hardware.base import HardwareError, NetworkShirt
 from app.hardware.registry import parse_body, parse_chair, parse_head, parse_shirt
 from app.pipeline import command_fields
-from app.pipeline.arming_refusals import device_refusal, refusal
 from app.pipeline.loop import ControlLoop
 from app.pipeline.opening import DeviceChange, Openings, defect
+from app.pipeline.person_brakes import missing_brake
 from app.pipeline.runs import Runs
 from app.pipeline.setup import CommandRefused
-from app.pipeline.status import status
 from app.process.command_channel import CommandServer
 from app.quantities import Document
 from app.realtime import collect_garbage
@@ -281,3 +281,84 @@ def _refuse(sentence: str) -> None:
     """Raise CommandRefused unless the sentence is empty."""
     if sentence:
         raise CommandRefused(sentence)
+
+
+def refusal(loop: ControlLoop, digest: str) -> str:
+    """Return in a sentence why the chair cannot be armed with the parameters of this hash; empty when it can."""
+    setup, gate = loop.setup, loop.setup.chain.gate
+    if loop.run is not None and loop.run.task is not None:
+        return "The two-minute test is running, in which no chair moves: end it first, then arm."
+    if setup.chain.parameters is None:
+        return "There is nothing to drive with: calibrate first."
+    if digest != setup.hash:
+        return "The controls were changed meanwhile: load them again, then arm."
+    missing = missing_brake(setup.chain.parameters)
+    if missing:
+        return missing
+    if gate.state is State.FAULT:
+        what = EXPLANATIONS[gate.fault]
+        return f"{what.happened} {what.remedy} Take the stop back, then start again."
+    return device_refusal(loop)
+
+
+def device_refusal(loop: ControlLoop) -> str:
+    """Return in a sentence which device is no longer paired, or what a real chair still needs before it is armed."""
+    setup = loop.setup
+    chair, parameters = setup.chair, setup.parameters
+    lost = setup.network_shirt.lost_key() if setup.network_shirt else ""
+    if lost:
+        return f"The shirt is no longer paired: {lost}."
+    lost = chair.lost_key()
+    if lost:
+        return f"The chair is no longer paired: {lost}."
+    if not chair.is_real or parameters is None:
+        return ""
+    if setup.mistrust:
+        return setup.mistrust
+    unconfirmed = own_movement_refusal(parameters)
+    if unconfirmed:
+        return unconfirmed
+    if loop.run is None:
+        return "A real chair drives only while it is recorded: begin a drive first."
+    if chair.silent:
+        return chair.words()
+    if chair.inhibited:
+        return f"{chair.words()} Look around, release the switch, then arm again."
+    if parameters.keeps_speed and not chair.switch_reported:
+        return (
+            "With “Keeps its speed” or “Keeps turning” a chair goes on by itself, so a real one needs its stop switch: "
+            "press and release it once to show that it works, or choose “Follows the movement” on the Controls page."
+        )
+    return ""
+
+
+def status(loop: ControlLoop) -> dict[str, Any]:
+    """Return the state of shirt, chair and head tracker, in words and numbers."""
+    setup = loop.setup
+    return {
+        "shirt": {
+            "kind": setup.shirt_kind,
+            "words": setup.shirt_words,
+            "alive": loop.shirt_alive,
+            "silent": loop.shirt_silent,
+            "sample_rate": setup.sample_rate if setup.shirt else 0.0,
+            "lost": setup.shirt.lost if setup.shirt else 0,
+            "senders": _senders(setup.network_shirt),
+        },
+        "chair": {
+            "kind": setup.chair.kind,
+            "words": setup.chair.words(),
+            "switch_seen": setup.chair.switch_reported,
+        },
+        "head": {"kind": setup.head.kind, "words": setup.head.words},
+        "dial": setup.chain.dial,
+        "late": loop.late,
+        "hash": setup.hash,
+    }
+
+
+def _senders(shirt: NetworkShirt | None) -> dict[str, Any] | None:
+    if shirt is None:
+        return None
+    choice = shirt.sender_choice
+    return {"shirt": choice.name, "other": choice.other, "others": choice.other_frames}

@@ -1,11 +1,55 @@
 """Warnings for the clinician from the control quality of a patient's trials, each with advice."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from itertools import groupby
+from typing import Literal, NamedTuple
 
-from app.scoring.map_warnings import fit_warnings, sensor_warnings
-from app.scoring.movement_warnings import LEAST_SESSIONS, LEAST_TRIALS, noise_warnings, span_warnings
-from app.scoring.trial_assessment import ControlWarning, Kind, TrialAssessment, comparable_trials, trials_of_joint
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.grades import EVR_LIMITS, LARGEST_ANGLE
+from app.number_words import percent
+from app.scoring.control_quality import BadChannel
+from app.scoring.trend import mann_kendall
+from app.scoring.trial_assessment import (
+    EDGE,
+    FEWEST,
+    ControlWarning,
+    JointInTrial,
+    Kind,
+    TrialAssessment,
+    comparable_trials,
+    median_of,
+    trials_of_joint,
+)
+
+# Share of the dead-zone: noise of a third of the dead-zone activates a gesture by chance about once a minute.
+NOISE_SHARE = 1.0 / 3.0
+
+NOISE_GROWTH = 1.5  # ratio to the first trials' noise; between sessions, constant noise differs by a factor of 1.2
+
+SPAN_FALL = 0.08  # share of the first session's span: a loss of 2 % a session over five sessions
+
+SPAN_FALL_WITHIN = 0.15  # share of the session's first trials' span; smaller strokes on purpose make a smaller fall
+
+LEAST_TRIALS = 8  # of one session, for a trend within it, as for a learning curve
+
+LEAST_SESSIONS = 5  # for a trend over sessions; four values rise or fall throughout by chance once in twelve times
+
+SIGNIFICANCE = 0.05
+
+
+# Share of the time for which a failed channel was bad. Smaller shares occur when a channel rests at the edge of its
+# calibrated range or the fabric is pulled; the simulated fabric drifts out of its range for up to 4 % of a trial in one
+# person of ten, and for more in another one.
+FAILED_SHARE = 0.05
+
+# Degrees by which a joint's main direction may differ from that of its first trials with the same map. In simulated
+# people it varies by 2 degrees; putting a real knit on again turned it by 8 to 17.
+LARGEST_TURN = 6.0
+
+EVR_FALL = 0.1  # least fall of the EVR for a warning: some joints have a low EVR from the first trial on
+
 
 ORDER: tuple[Kind, ...] = ("sensor", "map", "noise", "span")
 
@@ -53,3 +97,177 @@ def _note(trials: Sequence[TrialAssessment]) -> str:
         f"from {LEAST_SESSIONS} sessions on; so far there {'is' if here == 1 else 'are'} {here} in the last session, "
         f"and {sessions} {'session' if sessions == 1 else 'sessions'}."
     )
+
+
+def sensor_warnings(trial: TrialAssessment) -> list[ControlWarning]:
+    """Warn of sensors that failed in the last trial; several sensors outside their range mean that the shirt moved."""
+    labels = {joint.name: joint.label for joint in trial.quality.joints}
+    failed = [channel for channel in trial.quality.bad_channels if channel.share >= FAILED_SHARE]
+    outside = [channel for channel in failed if not channel.silent]
+    warnings = [_sensor_warning(trial, channel, labels[channel.joint]) for channel in failed if channel.silent]
+    if len(outside) == 1:
+        warnings.append(_sensor_warning(trial, outside[0], labels[outside[0].joint]))
+    elif outside:
+        where = ", ".join(dict.fromkeys(labels[channel.joint] for channel in outside))
+        warnings.append(
+            ControlWarning(
+                kind="map",
+                joint=where,
+                words=f"The shirt does not sit as it was calibrated: {len(outside)} sensors ({where}) lay "
+                f"outside their calibrated range in trial {trial.number}, and what these joints did had no effect.",
+                advice="Set the shirt straight. When it was put on again, fit the calibration to it in Calibrate.",
+            )
+        )
+    return warnings
+
+
+def _sensor_warning(trial: TrialAssessment, channel: BadChannel, label: str) -> ControlWarning:
+    fault = "gave no signal" if channel.silent else "lay outside its calibrated range"
+    return ControlWarning(
+        kind="sensor",
+        joint=label,
+        words=f"{label}: sensor {channel.name} {fault} for {percent(channel.share)} of trial {trial.number}; meanwhile "
+        "what this joint did had no effect.",
+        advice="Look at it on the Shirt page, set the shirt straight and push the plug in fully. If it stays so, mark "
+        "the sensor as unused and calibrate again: the sensor is then left out.",
+    )
+
+
+def fit_warnings(rows: Sequence[JointInTrial]) -> list[ControlWarning]:
+    """Warn when a joint's movement no longer lies along its map; `rows` are of one map."""
+    rows = [row for row in rows if row.joint.direction is not None]
+    if len(rows) < FEWEST:
+        return []
+    now, label = rows[-min(EDGE, len(rows)) :], rows[-1].joint.label
+    guided = (
+        " Another calibration than the standard one drives this joint: look whether it is still right."
+        if rows[-1].joint.guided
+        else ""
+    )
+    angle, evr = median_of(now, "map_angle_deg"), median_of(now, "evr")
+    turn = _turn(rows)
+    if turn > LARGEST_TURN:
+        words = f"{label}: the movement has turned by {turn:.0f}° against the first trials with this calibration."
+        advice = "Was the shirt put on again, or has it slipped? Set it straight, or calibrate again."
+    elif angle > LARGEST_ANGLE and evr >= EVR_LIMITS[0]:
+        words = (
+            f"{label}: the movement lies {angle:.0f}° off the calibration, and "
+            f"{percent(median_of(now, 'null_space_share'))} of it never reaches the control."
+        )
+        advice = "Repeat this joint's free movement and prompts as the person moves it while driving."
+    elif evr < EVR_LIMITS[0] and evr < median_of(rows[:EDGE], "evr") - EVR_FALL:
+        words = f"{label}: the main movement is clear to only {percent(evr)}, less than in the first trials."
+        advice = "Ask the person to move this joint one way only; if that does not help, calibrate again."
+    else:
+        return []
+    return [ControlWarning(kind="map", joint=label, words=words, advice=advice + guided)]
+
+
+def _turn(rows: Sequence[JointInTrial]) -> float:
+    """Return by how many degrees a joint's direction has turned since the first trials with this map.
+
+    Of the last two trials the one with the smaller turn counts, so that one unusual trial makes no warning. 0 when the
+    trials to be compared have other channels.
+    """
+    names = set(_direction(rows[-1]))
+    latest = rows[-FEWEST:]
+    first = [row for row in rows[:EDGE] if row not in latest and set(_direction(row)) == names]
+    last = [row for row in latest if set(_direction(row)) == names]
+    if not first or len(last) < FEWEST:
+        return 0.0
+    channels = sorted(names)
+    base = np.mean([_vector(row, channels) for row in first], axis=0)
+    cosines = [abs(float(base @ _vector(row, channels))) / float(np.linalg.norm(base)) for row in last]
+    return float(np.degrees(np.arccos(min(1.0, max(cosines)))))
+
+
+def _direction(row: JointInTrial) -> dict[str, float]:
+    return row.joint.direction or {}
+
+
+def _vector(row: JointInTrial, channels: list[str]) -> NDArray[np.float64]:
+    return np.array([_direction(row)[channel] for channel in channels])
+
+
+def noise_warnings(of_map: Sequence[JointInTrial], every: Sequence[JointInTrial]) -> list[ControlWarning]:
+    """Warn when a joint's noise at rest is near its dead-zone, or has grown."""
+    known = [row for row in of_map if row.joint.rest_rate is not None]
+    if len(known) >= FEWEST and known[-1].joint.dead_zone is not None:
+        now, dead_zone, label = median_of(known[-EDGE:], "rest_rate"), known[-1].joint.dead_zone, known[-1].joint.label
+        if now > NOISE_SHARE * dead_zone:
+            return [
+                ControlWarning(
+                    kind="noise",
+                    joint=label,
+                    words=f"{label}: at rest it trembles with {percent(now)} / s of the full movement, and it counts "
+                    f"from {percent(dead_zone)} / s, so that it may act by itself: let it count from "
+                    f"{percent(4 * now)} / s.",
+                    advice="Look for tremor, a tired patient or a loose plug. Then raise its “Counts from” in "
+                    "Controls, or lower “Tremor damping”: lower damps more.",
+                )
+            ]
+    rows = [row for row in every if row.joint.rest_rate is not None]
+    if len(rows) < LEAST_TRIALS:
+        return []
+    values = [float(row.joint.rest_rate or 0.0) * _unit(row) for row in rows]
+    first, last = float(np.median(values[:EDGE])), float(np.median(values[-EDGE:]))
+    if first <= 0 or last < NOISE_GROWTH * first or not _has_trend(values, "rises"):
+        return []
+    label = rows[-1].joint.label
+    return [
+        ControlWarning(
+            kind="noise",
+            joint=label,
+            words=f"{label}: the noise at rest has grown to {last / first:.1f} times that of the first trials.",
+            advice="Look for tremor, a tired patient or a loose plug on the Shirt page. When it stays, repeat the step "
+            "Rest of the calibration, so that the movement counts only above the noise.",
+        )
+    ]
+
+
+def span_warnings(every: Sequence[JointInTrial]) -> list[ControlWarning]:
+    """Warn when a joint's movement becomes smaller on one task, over sessions or within the last session.
+
+    No warning when the person also needs fewer and fewer movements per metre: that is skill and no loss.
+    """
+    rows = [row for row in every if row.joint.span]
+    if not rows or _has_trend(_per_metre(rows), "falls"):
+        return []
+    label = rows[-1].joint.label
+    sessions = [
+        float(np.median([float(row.joint.span or 0.0) for row in group]))
+        for _, group in groupby(rows, key=lambda row: row.trial.session)
+    ]
+    here = [float(row.joint.span or 0.0) for row in rows if row.trial.session == rows[-1].trial.session]
+    has_fallen = len(sessions) >= LEAST_SESSIONS and sessions[-1] < (1 - SPAN_FALL) * sessions[0]
+    if has_fallen and _has_trend(sessions, "falls"):
+        fall = 1 - sessions[-1] / sessions[0]
+        words = f"{label}: the movement has become {percent(fall)} smaller over {len(sessions)} sessions."
+        advice = (
+            "Ask about strength and pain. When it stays, calibrate again, so that “Full at” is what the person can "
+            "reach now, and note the range of motion in the record."
+        )
+    elif len(here) >= LEAST_TRIALS and _has_trend(here, "falls"):
+        first, last = float(np.median(here[:EDGE])), float(np.median(here[-EDGE:]))
+        if last >= (1 - SPAN_FALL_WITHIN) * first:
+            return []
+        words = f"{label}: the movement has become {percent(1 - last / first)} smaller within this session."
+        advice = "The person may be tired: let them rest, or end the session. Do not calibrate on a tired movement."
+    else:
+        return []
+    return [ControlWarning(kind="span", joint=label, words=words, advice=advice)]
+
+
+def _unit(row: JointInTrial) -> float:
+    """Return the full scale of the trial's map in signal units; 0 when unknown."""
+    return (row.joint.span or 0.0) / row.joint.span_share if row.joint.span_share else 0.0
+
+
+def _per_metre(rows: Sequence[JointInTrial]) -> list[float]:
+    known = (row.trial.quality.activations_per_metre for row in rows)
+    return [value for value in known if value is not None]
+
+
+def _has_trend(values: Sequence[float], direction: Literal["falls", "rises"]) -> bool:
+    trend = mann_kendall(values)
+    return trend.p < SIGNIFICANCE and trend.direction == direction

@@ -3,9 +3,9 @@
 import asyncio
 import logging
 import threading
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Coroutine
 from contextlib import suppress
-from typing import Any, Literal, NamedTuple, Protocol, get_args
+from typing import Any, Literal, NamedTuple, Protocol, TypeVar, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,41 @@ from numpy.typing import NDArray
 from app.clock import monotonic
 from app.process.command_channel import LinkLost, LinkRefused
 from app.refusals import Conflict, Unavailable
-from app.session.loop_thread import LoopThread
+
+Answer = TypeVar("Answer")
+
+
+class LoopThread:
+    """Runs coroutines in the event loop of a thread of its own."""
+
+    def __init__(self, name: str) -> None:
+        self._loop = asyncio.new_event_loop()
+        self._thread = threading.Thread(target=self._run, name=name, daemon=True)
+        self._thread.start()
+
+    async def run(self, coroutine: Coroutine[Any, Any, Answer]) -> Answer:
+        """Run a coroutine in the thread's loop, and return its result to the caller's loop."""
+        return await asyncio.wrap_future(asyncio.run_coroutine_threadsafe(coroutine, self._loop))
+
+    def begin(self, coroutine: Coroutine[Any, Any, None]) -> None:
+        """Run a coroutine in the thread's loop until `close`."""
+        asyncio.run_coroutine_threadsafe(coroutine, self._loop)
+
+    def soon(self, function: Callable[[], None]) -> None:
+        """Call a function in the thread's loop as soon as possible."""
+        self._loop.call_soon_threadsafe(function)
+
+    async def close(self) -> None:
+        """Cancel all tasks of the thread's loop, and end the thread."""
+        await self.run(_cancel_others())
+        self._loop.call_soon_threadsafe(self._loop.stop)
+        await asyncio.to_thread(self._thread.join)
+        self._loop.close()
+
+    def _run(self) -> None:
+        asyncio.set_event_loop(self._loop)
+        self._loop.run_forever()
+
 
 logger = logging.getLogger("bodydrive")
 
@@ -272,3 +306,10 @@ class ControlLink:
 
 async def _opened(start_process: Callable[[], Awaitable[LinkedProcess]]) -> LinkedProcess:
     return await start_process()
+
+
+async def _cancel_others() -> None:
+    others = [task for task in asyncio.all_tasks() if task is not asyncio.current_task()]
+    for task in others:
+        task.cancel()
+    await asyncio.gather(*others, return_exceptions=True)

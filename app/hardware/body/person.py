@@ -1,16 +1,126 @@
 """A simulated person, who follows cues and drives along a path by himself."""
 
+import math
+import random
+from collections import deque
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
 from app.hardware.base import BodyView
 from app.hardware.body.cued_body import CuedBody
+from app.hardware.body.cursor_view import CursorView
 from app.hardware.body.driver import Driver
 from app.hardware.body.joints import ARM_DEGREES_OF_FREEDOM, second_way
 from app.hardware.body.person_parameters import PARAMETERS, PersonParameters, Skill
-from app.hardware.body.pointer import Pointer
+from app.hardware.body.stroke_estimate import StrokeEstimate
+from app.hardware.body.stroke_maker import MadeStroke, StrokeMaker
 from app.hardware.body.tremor import Tremor
 from app.world.floorplan import FloorPlan, PrescribedPath
+
+LIMB_TOWARDS = {
+    ("ahead", True): "right_elbow",
+    ("ahead", False): "left_elbow",
+    ("left", True): "right_shoulder",
+    ("left", False): "left_shoulder",
+}
+
+AXIS_OF = {limb: axis for (axis, _), limb in LIMB_TOWARDS.items()}
+
+SIGN_OF = {limb: 1.0 if towards else -1.0 for (_, towards), limb in LIMB_TOWARDS.items()}
+
+USUAL_EFFECT = 0.375  # arms of the cross, of a full stroke under the standard parameters
+
+USUAL_LOSS = 0.08  # of the range, lost in the dead-zone
+
+LARGEST_FIRST_ERROR = 1.5  # of a first estimate, in standard deviations
+
+LOOK_PERIOD = 0.05  # s between two decisions
+
+SETTLING = 0.12  # s until the effect of a finished stroke has passed the low-pass filter
+
+AIM = 0.6  # of the target's radius: nearer to the middle nothing is corrected
+
+SEED_APART = 7_919  # the strokes of driving do not depend on whether the test was done
+
+
+class PointingStroke(NamedTuple):
+    """A stroke whose outcome is not yet seen."""
+
+    made: MadeStroke
+    end: float  # s
+    before: float  # place of the cursor along the stroke's axis, arms
+    missed: int  # targets missed before it
+
+
+class Pointer:
+    """Moves the cursor into the target: first along the longer of the two ways that are left, then the other.
+
+    The strokes are those of the driver, whose practice, fatigue and errors they share; what a stroke does to the
+    cursor is learnt apart from what it does to the chair.
+    """
+
+    def __init__(self, strokes: StrokeMaker, seed: int) -> None:
+        self._strokes = strokes
+        rng = random.Random(seed + SEED_APART)
+        spread = strokes.parameters.estimate_error.after(strokes.practice)
+        self.estimates = {
+            limb: StrokeEstimate(
+                USUAL_EFFECT
+                * math.exp(spread * min(LARGEST_FIRST_ERROR, max(-LARGEST_FIRST_ERROR, rng.gauss(0.0, 1.0)))),
+                USUAL_LOSS,
+            )
+            for limb in AXIS_OF
+        }
+        self._seen: deque[tuple[float, CursorView]] = deque()
+        self._open: PointingStroke | None = None  # whose outcome is not yet seen
+        self._free_at = self._look_at = -math.inf
+
+    def rest(self) -> None:
+        """Stop pointing; moving limbs return to rest."""
+        self._seen.clear()
+        self._open = None
+
+    def point(self, t: float, view: CursorView) -> None:
+        """Look at `t` (s) at the cursor and the target; begin a stroke when one is due."""
+        seen = self._seen
+        if not seen:
+            self._free_at = self._look_at = t + self._strokes.parameters.reaction_time
+        seen.append((t, view))
+        while len(seen) > 1 and seen[1][0] <= t - self._strokes.parameters.reaction_time:
+            seen.popleft()
+        if t < self._look_at:
+            return
+        self._look_at = t + LOOK_PERIOD
+        self._look(t, *seen[0])
+
+    def _look(self, t: float, seen_t: float, view: CursorView) -> None:
+        self._learn(seen_t, view)
+        if view.target is None or self._open is not None or t < self._free_at or self._strokes.is_moving(t):
+            return
+        error = {"ahead": view.target[0] - view.place[0], "left": view.target[1] - view.place[1]}
+        axis = max(error, key=lambda name: abs(error[name]))
+        if abs(error[axis]) <= AIM * view.radius:
+            return
+        limb = LIMB_TOWARDS[axis, error[axis] > 0.0]
+        if not self._strokes.can_move(limb, t):
+            return
+        made = self._strokes.make(t, limb, self.estimates[limb].size_for(abs(error[axis])))
+        self._open = PointingStroke(made, t + made.rise, _along(made.limb, view), view.missed)
+        self._free_at = made.free_at
+
+    def _learn(self, seen_t: float, view: CursorView) -> None:
+        """Compare the seen effect of the last stroke with the expected effect, and correct the estimate."""
+        stroke = self._open
+        if stroke is None or (seen_t < stroke.end + SETTLING and view.missed == stroke.missed):
+            return
+        self._open = None
+        limb, after = stroke.made.limb, _along(stroke.made.limb, view)
+        was_moved = view.missed != stroke.missed or abs(after) >= 1.0  # put back, or kept back by the edge
+        if self._strokes.parameters.learns and not was_moved:
+            effect = SIGN_OF[limb] * (after - stroke.before)
+            self.estimates[limb].learn(stroke.made.size, effect, self._strokes.parameters.correction)
 
 
 class SimulatedPerson:
@@ -85,3 +195,7 @@ class SimulatedPerson:
         if self._tremor.size > 0.0:
             posture += self._tremor.at(self._t)
         return posture
+
+
+def _along(limb: str, view: CursorView) -> float:
+    return view.place[0 if AXIS_OF[limb] == "ahead" else 1]

@@ -18,12 +18,27 @@ from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
 from app.messages import SensorFrame
 from app.pipeline.chain import Chain
-from app.pipeline.replay.recorded_gate import RecordedGate
 from app.pipeline.replay.rerun import chair_of, sample_rate_of
-from app.pipeline.safety_gate import Conditions
+from app.pipeline.safety_gate import BadGestures, Conditions, SafetyGate
 from app.recording.reader import RunRecording
 from app.sentences import one_sentence
 from app.speeds import Speeds
+
+
+class RecordedGate(SafetyGate):
+    """Limits the twist as the gate does, and permits motion where the recording says that it was permitted."""
+
+    recorded = State.DISARMED
+
+    def decide(
+        self, t: float, pause: float, neutral: bool, bad: BadGestures, frame_age: float, conditions: Conditions
+    ) -> State:
+        """Return the recorded decision of this tick; the arguments do not matter."""
+        del t, pause, neutral, bad, frame_age, conditions
+        if self.state is not self.recorded:
+            self._withdraw(self.recorded)
+        return self.state
+
 
 DIAL_DIGITS = 6  # the dial is recorded in single precision; people set it in steps of 0.01
 

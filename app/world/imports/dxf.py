@@ -8,16 +8,20 @@ from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import distance_transform_edt
 
 from app.world.floorplan import MAX_WALLS
 from app.world.imports.draft import Draft, path_document, plain_name
 from app.world.imports.dxf_lines import UNITS, DxfDrawing, read_dxf
 from app.world.imports.inside import inside_of_building
-from app.world.imports.raster import free_cells
 from app.world.imports.route import propose_route
 from app.world.imports.wall_pieces import DECIMALS as MILLIMETRES
 from app.world.imports.wall_pieces import Point, chain_pieces, join_pieces
 from app.world.path import Path as Line
+
+STEP = 0.4  # cells between two points along a wall whose cells are marked
+
 
 PATH_LAYER: Final = "path"
 WORDS_ON: Final = re.compile(
@@ -213,3 +217,21 @@ def _listed(counts: Counter[str]) -> str:
     shown = ", ".join(f"{count} {name[:60]}" for name, count in sorted(counts.items())[:MOST_LISTED])
     more = len(counts) - MOST_LISTED
     return f"{shown} and {more} more" if more > 0 else shown
+
+
+def free_cells(
+    walls: list[list[Point]], thickness: float, size: tuple[float, float], resolution: float
+) -> NDArray[np.bool_]:
+    """Return which cells (rows, columns) of `resolution` (m) from the origin to `size` (m) are free of walls."""
+    columns, rows = (int(np.ceil(side / resolution)) + 1 for side in size)
+    marked = np.zeros((rows, columns), dtype=np.bool_)
+    for wall in walls:
+        points = np.array(wall)
+        for a, b in pairwise(points):
+            count = int(np.hypot(*(b - a)) / (resolution * STEP)) + 2
+            places = (a + np.linspace(0.0, 1.0, count)[:, np.newaxis] * (b - a)) / resolution
+            at = places.astype(int).clip(0, (columns - 1, rows - 1))
+            marked[at[:, 1], at[:, 0]] = True
+    if not marked.any():
+        return ~marked
+    return np.asarray(distance_transform_edt(~marked) * resolution > thickness / 2)
