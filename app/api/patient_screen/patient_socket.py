@@ -13,6 +13,7 @@ from app.api.deps import People
 from app.api.live.hub import Viewer
 from app.api.live.screen_pictures import Picture
 from app.api.parts import WebParts
+from app.api.sockets import cut_off
 from app.clock import monotonic
 from app.quantities import Document
 from app.store.patient_screens import screen_settings_of
@@ -70,7 +71,8 @@ async def patient_live(websocket: WebSocket) -> None:
 async def _take(websocket: WebSocket, screen_id: int, web: WebParts) -> None:
     """Receive picture reports until the page leaves, or has sent more than `FLOOD` messages within 10 s.
 
-    A page that has reported once must go on: after `SILENCE` it counts as gone, which halts the trial.
+    A page that has reported once must go on: after `SILENCE` its connection is cut off, which halts the trial. A page
+    that the browser has put aside keeps its socket open, and shows nothing.
     """
     count, since = 0, monotonic()
     limit: float | None = None
@@ -79,10 +81,8 @@ async def _take(websocket: WebSocket, screen_id: int, web: WebParts) -> None:
             async with asyncio.timeout(limit):
                 message = await websocket.receive()
         except TimeoutError:
-            web.pictures.forget(websocket)
-            web.live.tell("screens")
-            limit = None
-            continue
+            cut_off(websocket)
+            return
         if message["type"] == "websocket.disconnect":
             return
         if monotonic() - since > WITHIN:

@@ -192,6 +192,15 @@ def test_a_patients_screen_that_falls_silent_halts_the_trial(ready: Any, monkeyp
         assert until_state(ready, "fault") == "PICTURE_LOST"  # though the socket is open
 
 
+def test_a_patients_screen_that_falls_silent_is_out_of_reach(ready: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A page that the browser has put aside keeps its socket, and the clinician's header called it connected."""
+    monkeypatch.setattr(patient_socket, "SILENCE", 0.2)
+    with ready.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
+        socket.send_json({"picture": "plan"})  # and nothing after it
+        ready.until("/patient-screen", lambda now: now["screens"][0]["picture"] == "plan")
+        ready.until("/patient-screen", lambda now: not now["screens"][0]["connected"])
+
+
 def test_the_patients_page_is_given_what_it_needs_to_draw_the_plan(ready: Any) -> None:
     assert ready.good("GET", "/view/patient/plan") is None
     trial = ready.good("POST", "/trials", json=ready.where)
