@@ -39,6 +39,7 @@ class MapReadings:
     def __init__(
         self, read: Projections, is_smoothed: list[bool], coefficients: Coefficients, sample_rate: float
     ) -> None:
+        self._read = read
         self._score, self._offset = read.score, read.offset
         self._is_smoothed = np.array(is_smoothed, dtype=np.bool_)
         self._centre = np.where(self._is_smoothed, read.offset, 0.0)
@@ -71,6 +72,14 @@ class MapReadings:
         self._heads = [row[: self._head] for row in self._rows]
         self._places = list(self._memory_places())
         self.reset()
+
+    def __deepcopy__(self, _memo: dict[int, object]) -> "MapReadings":
+        """Return readings that go on by themselves: rows and memory are views, which a plain copy would part."""
+        other = MapReadings(self._read, self._is_smoothed.tolist(), self._filter, self._sample_rate)
+        other._ring[:], other._input[:], other._steps[:] = self._ring, self._input, self._steps
+        other._newest, other._even = self._newest, self._even
+        other.is_even, other._fresh = self.is_even, self._fresh
+        return other
 
     def reset(self) -> None:
         """Reset all state; the next frame settles the filters."""

@@ -1,5 +1,7 @@
 """Linear maps of all kinds: decoding frame by frame and at once agree, and follow the definition."""
 
+import copy
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -223,3 +225,19 @@ def test_rest_is_rest(parameters):
     for frame in still:
         decoder.step(frame, 1.0)
         assert decoder.rate[0] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_copy_goes_on_as_the_original_and_without_it():
+    parameters = prior_parameters(joints=(1,), guided=(2,))
+    values = make_signals(parameters, 300)
+    decoder = Decoder(parameters, 100.0)
+    for frame in values[:150]:
+        decoder.step(frame, 1.0)
+    other = copy.deepcopy(decoder)
+    rates = []
+    for frame in values[150:]:
+        decoder.step(frame, 1.0)
+        rates.append(decoder.rate)
+    for frame, rate in zip(values[150:], rates, strict=True):
+        other.step(frame, 1.0)
+        assert other.rate == rate
