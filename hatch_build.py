@@ -19,6 +19,10 @@ from typing import Any, NamedTuple
 SAME_ROUNDING = "-ffp-contract=off"
 
 
+# The line of a module that is compiled: what a frame passes on its way to the chair, what decodes a recording, and what
+# drives by itself in a study. Models (pydantic) stay plain Python. Constants in these modules are Final, so that the
+# compiler puts their values into the code.
+MARK = "# Compiled in a wheel (hatch_build.py)."
 NOTICES = "app/THIRD_PARTY_NOTICES.txt"  # in the wheel
 BEFORE_NOTICES = """The work of others that is in this package, with its licence. It holds no other package: those that
 it needs are installed beside it, and `bodydrive about --licences` lists them.
@@ -64,6 +68,12 @@ class CompileError(Exception):
     """Why the modules cannot be compiled."""
 
 
+def marked_modules(root: Path) -> list[str]:
+    """Return the paths below `root` of the modules that have the line `MARK`, in order."""
+    files = sorted((root / "app").rglob("*.py"))
+    return [file.relative_to(root).as_posix() for file in files if MARK in file.read_text("utf-8").splitlines()]
+
+
 def compile_modules(modules: list[str], folder: Path) -> None:
     """Compile `modules`, paths of files below the working folder, and write the libraries into `folder`."""
     from mypyc.build import mypycify  # noqa: PLC0415
@@ -100,7 +110,7 @@ else:
         _folder: tempfile.TemporaryDirectory[str]
 
         def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-            """Write the notices, and compile the modules that pyproject.toml lists."""
+            """Write the notices, and compile the modules with the mark."""
             self._folder = tempfile.TemporaryDirectory()
             file = Path(self._folder.name) / "notices.txt"
             file.write_text(notices(Path(self.root), [Foreign(**one) for one in self.config["foreign"]]))
@@ -131,7 +141,7 @@ else:
         def _compiled(self) -> dict[str, str]:
             """Return the compiled files, each with its place in the wheel."""
             folder = Path(self._folder.name) / "compiled"
-            words = [sys.executable, __file__, str(folder), *self.config["modules"]]
+            words = [sys.executable, __file__, str(folder), *marked_modules(Path(self.root))]
             ended = subprocess.run(words, cwd=self.root, check=False, capture_output=True, text=True)
             if ended.returncode:
                 raise CompileError(f"the compiler ended with\n{ended.stdout}{ended.stderr}")

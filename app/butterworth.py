@@ -1,5 +1,7 @@
 """Coefficients of the causal second-order Butterworth low-pass, the only filter of the signal chain."""
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 from typing import NamedTuple
 

@@ -1,5 +1,7 @@
 """Poses and twists on the floor: x ahead, y left, angles counter-clockwise, SI units."""
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 from typing import NamedTuple
 

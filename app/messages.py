@@ -1,5 +1,7 @@
 """The messages of each turn of the loop: frames, head poses and states of the chair in, ticks out."""
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 from dataclasses import dataclass, field
 from typing import NamedTuple

@@ -1,5 +1,7 @@
 """From a frame to a tick: decode, controls, shape, gate, chair. The loop, replay, the study and tests run this code."""
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 
 from app.calibration.vocabulary import DriveParameters

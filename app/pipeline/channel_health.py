@@ -1,5 +1,7 @@
 """Which channels are bad, and whether too many frames are lost."""
 
+# Compiled in a wheel (hatch_build.py).
+
 from collections import deque
 from typing import Any, Final
 

@@ -7,6 +7,8 @@ reads the frame, rates or levels, sees no step, neither when a channel breaks no
 known covariance, and a channel without good neighbours, keep their last value.
 """
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 from collections.abc import Iterator, Sequence
 from typing import Final, NamedTuple

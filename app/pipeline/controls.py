@@ -1,5 +1,7 @@
 """From activations to u1, u2 and the stop gesture (signal-chain.md, section 4)."""
 
+# Compiled in a wheel (hatch_build.py).
+
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.person_brakes import STOP_ACTIVATION, Brakes
 

@@ -1,5 +1,7 @@
 """From a frame to gestures: project, differentiate, smooth, dead-zone (signal-chain.md, section 3)."""
 
+# Compiled in a wheel (hatch_build.py).
+
 from typing import Final
 
 import numpy as np

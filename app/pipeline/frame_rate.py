@@ -1,5 +1,7 @@
 """Whether a shirt sends as many frames a second as the chain counts on."""
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 from typing import Final
 

@@ -5,6 +5,8 @@ product for all gestures. Its input are the frame, earlier projections and the s
 readings and the new state. A frame after a gap takes a longer way to the same numbers.
 """
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 
 import numpy as np

@@ -4,6 +4,8 @@ Three kinds of change are none, whatever drives them (docs/decisions/0039): a st
 the same movement in all channels of joints that move independently; and an oscillation whose strokes are equal.
 """
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 from collections.abc import Sequence
 from typing import Final, NamedTuple

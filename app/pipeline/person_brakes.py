@@ -1,5 +1,7 @@
 """Whether the person can still stop the motion of the chair (safety S5 and S22)."""
 
+# Compiled in a wheel (hatch_build.py).
+
 import itertools
 from collections.abc import Iterator, Sequence
 from typing import Final, NamedTuple

@@ -1,5 +1,7 @@
 """How gestures read a frame: the projections of their joints."""
 
+# Compiled in a wheel (hatch_build.py).
+
 from typing import NamedTuple
 
 import numpy as np

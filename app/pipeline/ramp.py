@@ -3,6 +3,8 @@
 The gate limits every requested twist with ramps; the shaper reaches its target speeds with them.
 """
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 from dataclasses import dataclass
 from typing import Final

@@ -6,6 +6,8 @@ readings agree: the doubt, which is added to its rate before the dead-zone, is w
 levels if it was a movement. The doubt fades as the averages do from which levels are counted.
 """
 
+# Compiled in a wheel (hatch_build.py).
+
 from typing import Final
 
 import numpy as np

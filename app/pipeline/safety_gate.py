@@ -4,6 +4,8 @@ Every command to a chair passes it, the virtual chair included (safety.md). It d
 and every doubt ends in a ramp to standstill that no earlier step of the chain can lengthen.
 """
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 from dataclasses import dataclass
 from enum import IntEnum

@@ -4,6 +4,8 @@ Nobody sits in the virtual chair, so that a slow picture need not be a stop that
 nothing about a real chair, and clears no fault: it disarms the gate, and arms it again, which begins a neutral check.
 """
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 from typing import Final
 

@@ -1,5 +1,7 @@
 """From u1 and u2 to the requested twist: control mode, speeds, ramps. Stops do not pass through here."""
 
+# Compiled in a wheel (hatch_build.py).
+
 from typing import Final
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Collision of the chair with walls and obstacles: it slides along them and never passes through."""
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 from itertools import pairwise
 from typing import Final

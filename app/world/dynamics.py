@@ -11,6 +11,8 @@ Grindle, Assistive Technology 15, 2003. That wheels slip on ordinary floors: Wan
 Medical Engineering and Physics 31, 2009. The numbers are plausible choices, not those of one measured chair.
 """
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 from dataclasses import dataclass, fields
 from typing import NamedTuple

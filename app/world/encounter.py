@@ -1,5 +1,7 @@
 """Contact of the chair with moving things: each stops the chair as a column would, and never pushes it."""
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 from collections.abc import Sequence
 from typing import Final

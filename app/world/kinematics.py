@@ -1,5 +1,7 @@
 """Kinematics of the chair: the unicycle of the paper."""
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 from typing import Final
 

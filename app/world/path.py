@@ -1,5 +1,7 @@
 """The geometry of a prescribed path: points and headings along it, and the projection of a point on it."""
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 from bisect import bisect_right
 from collections.abc import Sequence

@@ -1,5 +1,7 @@
 """Progress along a path and in a task, computed alike for live picture, score, study and simulated people."""
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 from abc import ABC, abstractmethod
 

@@ -1,21 +1,15 @@
-"""The modules that a wheel holds compiled: what pyproject.toml lists can be compiled as it stands."""
+"""The modules that a wheel holds compiled: those with the mark can be compiled as they stand."""
 
 import ast
-import tomllib
 
 from folders import ROOT
+from hatch_build import marked_modules
 
-SETTINGS = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-MODULES = SETTINGS["tool"]["hatch"]["build"]["targets"]["wheel"]["hooks"]["custom"]["modules"]
+MODULES = marked_modules(ROOT)
 
 
 def classes_in(file):
     return [node for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))) if isinstance(node, ast.ClassDef)]
-
-
-def test_each_listed_module_is_there_once():
-    assert [name for name in MODULES if not (ROOT / name).is_file()] == []
-    assert sorted(set(MODULES)) == MODULES
 
 
 def test_no_class_of_plain_python_inherits_from_a_compiled_one():

@@ -1,5 +1,7 @@
 """The path as a driver sees it: the point to steer for, and the speed for each place."""
 
+# Compiled in a wheel (hatch_build.py).
+
 import bisect
 import math
 from collections.abc import Sequence

@@ -1,5 +1,7 @@
 """A simulated body that follows cues: rests, moves freely, makes the prompted movement and returns."""
 
+# Compiled in a wheel (hatch_build.py).
+
 import random
 from collections.abc import Sequence
 

@@ -1,5 +1,7 @@
 """The simulated person as a driver: sees with a delay, moves in strokes, makes errors, and learns."""
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 import random
 from collections import deque

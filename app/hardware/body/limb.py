@@ -1,5 +1,7 @@
 """One limb of the simulated person: a stroke along a minimum-jerk curve, and a slower return to rest."""
 
+# Compiled in a wheel (hatch_build.py).
+
 from app.hardware.body.minimum_jerk import minimum_jerk
 
 REUSABLE = 0.12  # of the range: below it a limb can make its next stroke

@@ -1,5 +1,7 @@
 """The reaching movement with the least jerk (Flash and Hogan, J Neurosci 5, 1985)."""
 
+# Compiled in a wheel (hatch_build.py).
+
 
 def minimum_jerk(phase: float) -> float:
     """Return the share of the way (0..1) covered after the share `phase` of the time; 0 before, 1 after."""

@@ -1,5 +1,7 @@
 """A simulated person, who follows cues and drives along a path by himself."""
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 import random
 from collections import deque

@@ -1,5 +1,7 @@
 """The driver's next intention on a path: faster, slower, left or right, and by how much."""
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 from collections.abc import Sequence
 from typing import Literal, NamedTuple

@@ -1,5 +1,7 @@
 """A person's estimate of the effect of a stroke, and its correction by observed effects."""
 
+# Compiled in a wheel (hatch_build.py).
+
 LOSS_SHARE = 0.005  # learning rate of the loss relative to that of the gain
 
 

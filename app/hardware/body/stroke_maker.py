@@ -1,5 +1,7 @@
 """The strokes of a simulated person: which limb moves how far and for how long, with the errors of the person."""
 
+# Compiled in a wheel (hatch_build.py).
+
 import random
 from typing import NamedTuple
 

@@ -1,5 +1,7 @@
 """The virtual chair on a floor plan, stopped by walls: a unicycle, or a wheelchair with lag, castors and slip."""
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 from typing import Final, Literal, get_args
 

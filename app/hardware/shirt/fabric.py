@@ -5,6 +5,8 @@ response, creep with two time constants, a hysteresis loop, drift, noise, steps 
 offsets each time the shirt is put on.
 """
 
+# Compiled in a wheel (hatch_build.py).
+
 import math
 from collections.abc import Callable, Collection
 from dataclasses import dataclass

@@ -5,6 +5,8 @@ of the loop. The gate's decisions are not made again but read from the recording
 armed throughout.
 """
 
+# Compiled in a wheel (hatch_build.py).
+
 from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass

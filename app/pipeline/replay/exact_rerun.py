@@ -5,6 +5,8 @@ Everything else uses the objects of the loop, in their order. `app.pipeline.repl
 and equal to a millionth.
 """
 
+# Compiled in a wheel (hatch_build.py).
+
 from dataclasses import dataclass
 from typing import Any
 
