@@ -57,7 +57,7 @@ NO_KEY = (
 )
 
 BODIES: Table = {
-    "person": ("app.hardware.body.person", "Person"),
+    "person": ("app.hardware.body.person", "SimulatedPerson"),
     "visitor": ("app.hardware.body.visitor", "Visitor"),
     "recorded": ("app.hardware.body.recorded", "RecordedBody"),
 }
