@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from fake_clinic import Clinic
-from pairing import code_of, only, pair
-from running_app import running
+from api.fake_clinic import Clinic
+from api.pairing import code_of, only, pair
+from api.running_app import running
 from session.same_process import SameProcess
 from session.same_reader import read_in_this_process
 

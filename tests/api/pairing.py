@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from fake_clinic import Clinic
+from api.fake_clinic import Clinic
 from starlette.websockets import WebSocketDisconnect
 
 COOKIES = ("bodydrive_sign_in", "bodydrive_screen")

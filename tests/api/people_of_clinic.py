@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from fake_clinic import Clinic
+from api.fake_clinic import Clinic
 
 OWNER = {"code": "set-up-code", "name": "Ada", "password": "correct horse battery"}
 PASSWORD = "a quiet blue heron"

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
-from fake_clinic import Clinic
+from api.fake_clinic import Clinic
 
 IDS = {  # names of whole numbers that are ids, and of which table
     "patient_id": "patient",

@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from fake_clinic import BASE, Clinic, FakeProcess, TestClient, profile_for
-from one_hop import OneHop
+from api.fake_clinic import BASE, Clinic, FakeProcess, TestClient, profile_for
+from api.one_hop import OneHop
 from session.same_process import SameProcess
 
 from app.api.app import create_app

@@ -6,7 +6,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
-from fake_clinic import BASE, LAYOUT, WORD
+from api.fake_clinic import BASE, LAYOUT, WORD
 from starlette.websockets import WebSocketDisconnect
 
 from app.session.calibration.calibration_flow import CalibrationFlow

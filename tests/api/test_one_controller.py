@@ -1,7 +1,7 @@
 """A trial on the virtual chair has one controller too: others look and stop, and do not go on or end it."""
 
-from fake_clinic import WORD, Clinic
-from people_of_clinic import as_person
+from api.fake_clinic import WORD, Clinic
+from api.people_of_clinic import as_person
 
 from app.api.one_controller import ANOTHER
 from app.store.people import add_person, sign_in, the_clinic

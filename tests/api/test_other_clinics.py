@@ -4,8 +4,8 @@ import re
 from typing import Any
 
 import pytest
-from fake_clinic import Clinic
-from routes_with_ids import IDS, MISSING, places
+from api.fake_clinic import Clinic
+from api.routes_with_ids import IDS, MISSING, places
 
 from app.api import refusals
 from app.clock import utc_now

@@ -3,9 +3,9 @@
 from typing import Any
 
 import pytest
-from fake_clinic import Clinic
+from api.fake_clinic import Clinic
+from api.test_roles import contexts
 from fastapi.routing import APIRoute
-from test_roles import contexts
 
 from app.api.page_session import READS, without_session
 from app.refusals import Conflict

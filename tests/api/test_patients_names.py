@@ -5,7 +5,7 @@ import re
 from typing import Any
 
 import pytest
-from fake_clinic import Clinic
+from api.fake_clinic import Clinic
 
 from app.settings import Settings
 

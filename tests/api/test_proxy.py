@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from fake_clinic import Clinic
+from api.fake_clinic import Clinic
+from api.running_app import running
 from hypothesis import given
 from hypothesis import strategies as st
-from running_app import running
 from starlette.requests import HTTPConnection
 from starlette.websockets import WebSocketDisconnect
 

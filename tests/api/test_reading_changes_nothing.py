@@ -4,10 +4,10 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from fake_clinic import Clinic
+from api.fake_clinic import Clinic
+from api.test_roles import contexts, requested
 from fastapi.routing import APIRoute
 from sqlalchemy import select
-from test_roles import contexts, requested
 
 from app.store.tables import Table
 

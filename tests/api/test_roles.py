@@ -4,11 +4,11 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from fake_clinic import BASE, Clinic
+from api.fake_clinic import BASE, Clinic
+from api.pairing import code_of, pair
 from fastapi import FastAPI
 from fastapi.dependencies.models import Dependant
 from fastapi.routing import APIRoute, APIWebSocketRoute, RouteContext, iter_route_contexts
-from pairing import code_of, pair
 from starlette.websockets import WebSocketDisconnect
 
 from app.api.deps import anyone_signed_in, clinician, everyone, exporter, owner, viewer

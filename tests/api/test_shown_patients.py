@@ -6,13 +6,13 @@ from contextlib import ExitStack
 from typing import Any
 
 import pytest
-from fake_clinic import BASE, Clinic
+from api.fake_clinic import BASE, Clinic
+from api.people_of_clinic import as_person
+from api.routes_with_ids import MISSING, places
+from api.test_roles import FOR_REVIEWERS, contexts, requested
+from api.view.served_view import VIEW, serve_view
 from fastapi.routing import APIRoute
-from people_of_clinic import as_person
-from routes_with_ids import MISSING, places
 from starlette.websockets import WebSocketDisconnect
-from test_roles import FOR_REVIEWERS, contexts, requested
-from view.served_view import VIEW, serve_view
 
 from app.scene.client_messages import SUBPROTOCOL
 from app.store.access.visible_patients import VISIBLE_PATIENTS

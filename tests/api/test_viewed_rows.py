@@ -6,10 +6,10 @@ from datetime import timedelta
 from typing import Any
 
 import pytest
-from fake_clinic import BASE, Clinic
+from api.fake_clinic import BASE, Clinic
+from api.people_of_clinic import as_person
+from api.test_roles import contexts, requested
 from fastapi.routing import APIRoute
-from people_of_clinic import as_person
-from test_roles import contexts, requested
 
 from app.store import log
 from app.store.log import LISTED, VIEWED

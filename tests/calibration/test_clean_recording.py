@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from simulated_person import SimulatedPerson, layout_of
+from calibration.simulated_person import SimulatedPerson, layout_of
 
 from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.repetitions import Stretch

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from cued_calibration import profile_of, record_steps, runs_of, simulated_participant
+from calibration.cued_calibration import profile_of, record_steps, runs_of, simulated_participant
 from hypothesis import given, settings
 from hypothesis import strategies as st
 

@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
+from calibration.simulated_person import JOINTS, SimulatedPerson, calibrate, layout_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from simulated_person import JOINTS, SimulatedPerson, calibrate, layout_of
 
 from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.profile_fit import fit_profile

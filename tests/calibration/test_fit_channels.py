@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
+from calibration.simulated_person import SimulatedPerson, calibrate, layout_of
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from simulated_person import SimulatedPerson, calibrate, layout_of
 
 from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.profile_fit import fit_profile, joints_without_map

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
+from calibration.simulated_person import SimulatedPerson, calibrate, layout_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from simulated_person import SimulatedPerson, calibrate, layout_of
 
 from app.calibration.gaps import bridge_gaps, why_missing
 from bench.learning.guided_map import FOLDER, Knit

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from simulated_person import SimulatedPerson, layout_of, stroke
+from calibration.simulated_person import SimulatedPerson, layout_of, stroke
 
 from app.calibration.clean_recording import CleanRecording
 from app.calibration.features import features

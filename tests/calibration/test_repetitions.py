@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from simulated_person import layout_of
+from calibration.simulated_person import layout_of
 
 from app.calibration.fit.repetitions import Prompt, repetitions_of_prompts, repetitions_of_run
 from app.calibration.prompts_file import read_prompts

@@ -1,5 +1,5 @@
 import pytest
-from simulated_person import layout_of
+from calibration.simulated_person import layout_of
 
 from app.calibration.script import REPETITIONS, calibration_script
 from app.cues import Cue, cue_index

@@ -1,4 +1,4 @@
-from simulated_person import JOINTS, SimulatedPerson, layout_of
+from calibration.simulated_person import JOINTS, SimulatedPerson, layout_of
 
 from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.profile_fit import fit_profile

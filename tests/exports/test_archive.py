@@ -5,8 +5,8 @@ import io
 from contextlib import closing, suppress
 
 import pytest
-from archive_clinics import bring, empty_clinic, rewrite, state_of
-from exported_clinic import CODE, MEASURES, RUN, SIMULATED, make_clinic
+from exports.archive_clinics import bring, empty_clinic, rewrite, state_of
+from exports.exported_clinic import CODE, MEASURES, RUN, SIMULATED, make_clinic
 
 from app.clock import utc_now
 from app.csv_cells import SPREADSHEET_BEGIN

@@ -5,8 +5,8 @@ import sys
 from contextlib import closing
 from pathlib import Path
 
-from archive_clinics import empty_clinic, rewrite, state_of
-from exported_clinic import make_clinic
+from exports.archive_clinics import empty_clinic, rewrite, state_of
+from exports.exported_clinic import make_clinic
 
 from app.exports.archive.archive_making import make_archive
 from app.store.database import Database

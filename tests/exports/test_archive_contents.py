@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from archive_clinics import bring, empty_clinic, rewrite
-from exported_clinic import make_clinic
+from exports.archive_clinics import bring, empty_clinic, rewrite
+from exports.exported_clinic import make_clinic
 
 from app.clock import utc_now
 from app.exports.archive.archive_list import LIST, REPORT

@@ -5,7 +5,7 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from exported_clinic import make_clinic
+from exports.exported_clinic import make_clinic
 
 from app.exports.archive.archive_contents import checked_rows
 from app.exports.archive.archive_making import make_archive

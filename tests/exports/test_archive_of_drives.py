@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from archive_clinics import bring, empty_clinic
-from exported_clinic import make_clinic
+from exports.archive_clinics import bring, empty_clinic
+from exports.exported_clinic import make_clinic
 from recorded_trial import record_trial
 
 from app.exports.archive.archive_list import PATIENT

@@ -7,7 +7,7 @@ from contextlib import closing
 from pathlib import Path
 
 import pytest
-from exported_clinic import make_clinic
+from exports.exported_clinic import make_clinic
 from store.keeping.filled_clinic import two_patients
 
 from app.exports.archive.archive_making import make_archive

@@ -2,8 +2,8 @@
 
 from contextlib import closing
 
-from archive_clinics import bring, empty_clinic
-from exported_clinic import MEASURES, SIMULATED, make_clinic
+from exports.archive_clinics import bring, empty_clinic
+from exports.exported_clinic import MEASURES, SIMULATED, make_clinic
 from recorded_trial import plan_of, store_trial
 
 from app.clock import utc_now

@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from archive_clinics import bring, empty_clinic, rewrite, state_of
-from exported_clinic import MEASURES, RUN, SIMULATED, make_clinic
+from exports.archive_clinics import bring, empty_clinic, rewrite, state_of
+from exports.exported_clinic import MEASURES, RUN, SIMULATED, make_clinic
 from recorded_trial import plan_of, record_trial, store_trial
 from sqlalchemy import select
 

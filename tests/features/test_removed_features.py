@@ -17,7 +17,7 @@ ENDS = ("DELETE /session", "DELETE /patients/1", "POST /deleted-patients/1/erasu
 
 def answers(folder: Path, *without: str) -> dict[str, int]:
     """Return the status of each answer of a program without these features."""
-    paths = os.pathsep.join(str(ROOT / folder) for folder in ("", "tests", "tests/api"))
+    paths = os.pathsep.join(str(ROOT / folder) for folder in ("", "tests"))
     command = [sys.executable, "-m", "features.without_feature", str(folder), *without]
     ended = subprocess.run(
         command, cwd=ROOT, env=os.environ | {"PYTHONPATH": paths}, check=False, capture_output=True, text=True

@@ -57,7 +57,7 @@ def answers(folder: Path) -> dict[str, int]:
     """Return the status of each answer."""
     import pytest
     from api.conftest import demonstration, quick, sign_in
-    from running_app import running
+    from api.running_app import running
 
     from app.clock import utc_now
     from app.settings import static_folder

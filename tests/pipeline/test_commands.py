@@ -7,8 +7,8 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from commanded_loop import CommandedLoop
 from hardware.chair.chair_stand_in import StandInChair
+from pipeline.commanded_loop import CommandedLoop
 
 from app.calibration.vocabulary import Binding
 from app.disk_room import ROOM_TO_RECORD

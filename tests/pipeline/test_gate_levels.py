@@ -5,9 +5,9 @@ import os
 
 import numpy as np
 import pytest
-from gates import DT, SPEEDS, armed_gate, moving_gate
 from hypothesis import given
 from hypothesis import strategies as st
+from pipeline.gates import DT, SPEEDS, armed_gate, moving_gate
 
 from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from gates import DT, SPEEDS, armed_gate, decide, moving_gate
+from pipeline.gates import DT, SPEEDS, armed_gate, decide, moving_gate
 
 from app.faults import EXPLANATIONS, Fault, State
 from app.geometry import STANDSTILL, Twist

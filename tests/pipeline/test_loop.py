@@ -8,7 +8,7 @@ import pytest
 from fake_clock import FakeClock
 from hypothesis import given
 from hypothesis import strategies as st
-from scripted_shirt import RATE, ScriptedShirt
+from pipeline.scripted_shirt import RATE, ScriptedShirt
 
 from app.cues import Cue, cue_index
 from app.hardware.base import BodyView

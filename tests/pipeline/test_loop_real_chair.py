@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from fake_clock import FakeClock
 from hardware.chair.chair_stand_in import ARMED, CHECKING, DISARMED, StandInChair
-from scripted_shirt import RATE, ScriptedShirt
+from pipeline.scripted_shirt import RATE, ScriptedShirt
 
 from app.faults import Fault, State
 from app.hardware.chair.packet import DRIVE, STOP

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 import pytest
-from gates import DT, SPEEDS, armed_gate, decide, moving_gate
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from pipeline.gates import DT, SPEEDS, armed_gate, decide, moving_gate
 
 from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist

@@ -1,7 +1,7 @@
 """The scene's time in the loop: it runs while the chair is armed, and the body sees what it moves."""
 
 import pytest
-from commanded_loop import CommandedLoop
+from pipeline.commanded_loop import CommandedLoop
 
 from app.faults import State
 from app.hardware.base import BodyView, LeaderView

@@ -2,7 +2,7 @@
 
 import re
 
-from test_imports import LEAVES, MAY_IMPORT, PURE_CHAIN, WEB_KERNEL
+from rules.test_imports import LEAVES, MAY_IMPORT, PURE_CHAIN, WEB_KERNEL
 
 from folders import ROOT
 

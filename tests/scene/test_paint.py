@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from shown_colours import shown
+from scene.shown_colours import shown
 
 from app.scene.meshes.bodies import box, rectangle
 from app.scene.meshes.paint import joined, painted

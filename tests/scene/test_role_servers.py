@@ -5,7 +5,7 @@ import socket
 import threading
 
 import pytest
-from scene_messages import everything
+from scene.scene_messages import everything
 
 from app.scene.role_servers import ROLES, RoleServers
 from app.scene.session_scene import LiveScene

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from shown_colours import contrast, luminance
+from scene.shown_colours import contrast, luminance
 
 from app.scene.meshes import palette
 from app.scene.meshes.bodies import box

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from scene_messages import everything, of_node, tick
+from scene.scene_messages import everything, of_node, tick
 from session.same_reader import read_in_this_process
 
 from app.geometry import Pose

@@ -1,7 +1,7 @@
 """The thread that lets the scene follow the newest tick."""
 
 import pytest
-from scene_messages import messages, tick
+from scene.scene_messages import messages, tick
 
 from app.clock import MonotonicClock
 from app.scene.scene_thread import SceneThread, start_scene

@@ -3,7 +3,7 @@
 import itertools
 
 import numpy as np
-from scanned_homes import ScannedHome, scan, thickened
+from world.scanned_homes import ScannedHome, scan, thickened
 
 RESOLUTION = 0.05  # m
 CROSS = 3.0  # m, width of the corridor that joins the wings

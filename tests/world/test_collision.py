@@ -4,7 +4,7 @@ from itertools import pairwise
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
-from storey import storey
+from world.storey import storey
 
 from app.world.clearance import between_segments
 from app.world.collision import Collision

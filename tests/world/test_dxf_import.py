@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from drawings import drawing, room
+from world.drawings import drawing, room
 
 from app.world.imports.draft import plan_of
 from app.world.imports.dxf import import_dxf

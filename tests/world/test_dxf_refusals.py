@@ -5,9 +5,9 @@ import json
 import re
 
 import pytest
-from drawings import drawing, room
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from world.drawings import drawing, room
 
 from app.world.imports import dxf_lines
 from app.world.imports.dxf import import_dxf

@@ -4,7 +4,7 @@ import math
 
 import ezdxf.xclip
 import pytest
-from drawings import drawing, room
+from world.drawings import drawing, room
 
 from app.world.imports.dxf import import_dxf
 

@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import pytest
 from pydantic import ValidationError
-from storey import storey
+from world.storey import storey
 
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
 

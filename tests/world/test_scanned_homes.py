@@ -5,8 +5,8 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from scanned_homes import OCCUPIED, scanned_home, write_map
-from scanned_hospital import scanned_hospital
+from world.scanned_homes import OCCUPIED, scanned_home, write_map
+from world.scanned_hospital import scanned_hospital
 
 from app.world.imports import map_draft
 from app.world.imports.draft import plan_of

@@ -4,8 +4,8 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from adapting import change
-from fake_clinic import WORD, Clinic
+from api.adaptation.adapting import change
+from api.fake_clinic import WORD, Clinic
 
 from app.api.routes import drives
 from app.calibration.vocabulary import DriveParameters

@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from adapting import EFFECT, UP, apply, choose, drive, proposed, settled, versions
+from api.adaptation.adapting import EFFECT, UP, apply, choose, drive, proposed, settled, versions
 
 
 def test_it_is_off_until_somebody_chooses_otherwise_and_may_be_looked_at_all_the_same(ready: Any) -> None:

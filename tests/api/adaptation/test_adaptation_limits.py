@@ -5,8 +5,8 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from adapting import apply, begin, change, choose, choose_chair, drive, end, proposed, settled, versions
-from fake_clinic import WORD
+from api.adaptation.adapting import apply, begin, change, choose, choose_chair, drive, end, proposed, settled, versions
+from api.fake_clinic import WORD
 
 from app.calibration.adaptation.proposal_document import Proposal
 from app.calibration.vocabulary import DriveParameters

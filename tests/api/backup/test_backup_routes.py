@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from fake_clinic import Clinic
+from api.fake_clinic import Clinic
 
 from app.api.backup.schedule import is_due
 from app.backup.age_files import opened_secret

@@ -4,13 +4,13 @@ import json
 import re
 
 import pytest
-from fake_clinic import Clinic
+from api.fake_clinic import Clinic
+from api.people_of_clinic import as_person
+from api.routes_with_ids import MISSING, places
+from api.test_roles import contexts, requested
+from api.test_shown_patients import HIDDEN, reviewed
 from fastapi.routing import APIRoute
-from people_of_clinic import as_person
-from routes_with_ids import MISSING, places
 from stored_interface_test import store_interface_test
-from test_roles import contexts, requested
-from test_shown_patients import HIDDEN, reviewed
 
 from app.clock import utc_now
 from app.features.comments.tables import MomentComment

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from fake_clinic import Clinic
-from running_app import running
+from api.fake_clinic import Clinic
+from api.running_app import running
 
 from app.api.backup import night_backups
 from app.backup.backup_file import read_backup

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from typing import Any
 
 import pytest
-from fake_clinic import BASE, WORD, Clinic
+from api.fake_clinic import BASE, WORD, Clinic
 
 from app.api.computer import graphics
 from app.api.computer.measurement import BUSY, FAILED, INTERRUPTED, UNDER_WAY

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from fake_clinic import WORD
+from api.fake_clinic import WORD
 
 from app.speeds import Speeds
 

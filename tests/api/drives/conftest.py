@@ -3,8 +3,8 @@
 from typing import Any
 
 import pytest
-from chair_drives import choose_chair, practise, velocity
-from fake_clinic import WORD, Clinic
+from api.drives.chair_drives import choose_chair, practise, velocity
+from api.fake_clinic import WORD, Clinic
 
 from app.api.routes import drives
 

@@ -3,8 +3,8 @@
 from typing import Any
 
 import pytest
-from chair_drives import arm, choose_chair, practise, velocity
-from fake_clinic import WORD, Clinic
+from api.drives.chair_drives import arm, choose_chair, practise, velocity
+from api.fake_clinic import WORD, Clinic
 
 from app.hardware.chair.reasons import WORDS, Reason
 from app.hardware.registry import NO_KEY

@@ -3,8 +3,8 @@
 from typing import Any
 
 import pytest
-from chair_drives import arm, choose_chair, practise, velocity
-from fake_clinic import profile_for
+from api.drives.chair_drives import arm, choose_chair, practise, velocity
+from api.fake_clinic import profile_for
 
 from building import AGREES, taught_by_others
 

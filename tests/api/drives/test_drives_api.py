@@ -4,8 +4,8 @@ import time
 from typing import Any
 
 import pytest
-from chair_drives import arm
-from fake_clinic import WORD
+from api.drives.chair_drives import arm
+from api.fake_clinic import WORD
 
 from app.faults import Fault, State
 from app.hardware.chair.reasons import WORDS, Reason

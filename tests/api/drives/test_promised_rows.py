@@ -4,7 +4,7 @@ from datetime import timedelta
 from typing import Any
 
 import pytest
-from chair_drives import arm, choose_chair, practise, velocity
+from api.drives.chair_drives import arm, choose_chair, practise, velocity
 
 from app.clock import utc_now
 from app.store import log

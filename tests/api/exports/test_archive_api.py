@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from api.people_of_clinic import accepted, as_person, invited
 from exports.archive_clinics import rewrite
 from exports.exported_clinic import CODE, RUN, make_clinic
-from people_of_clinic import accepted, as_person, invited
 
 from app.api.exports import archive_import
 from app.disk_room import ROOM_TO_RECORD

@@ -12,10 +12,10 @@ from zlib import crc32
 
 import pyarrow.parquet as pq
 import pytest
-from archive_mutations import mutations, rows_of, whole_clinic
+from api.exports.archive_mutations import mutations, rows_of, whole_clinic
+from api.exports.test_imported_review import reviewed
 from exports.archive_clinics import empty_clinic, rewrite
 from exports.exported_clinic import RUN
-from test_imported_review import reviewed
 
 from app.exports.archive.imported_archive import import_archive
 from app.recording.format import END_FILE, META_FILE, META_KEY, PARQUET_FILE, end_bytes

@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from api.fake_clinic import Clinic
+from api.running_app import running
 from exports.archive_clinics import bring, empty_clinic
 from exports.exported_clinic import MEASURES, RUN, SIMULATED, make_clinic
-from fake_clinic import Clinic
 from recorded_trial import plan_of, record_trial, store_trial
-from running_app import running
 
 from app.clock import utc_now
 from app.exports.archive.archive_making import make_archive

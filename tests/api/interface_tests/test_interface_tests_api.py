@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 import pytest
-from fake_clinic import WORD
+from api.fake_clinic import WORD
 from stored_interface_test import MEASURES, store_interface_test
 
 from app.clock import utc_now

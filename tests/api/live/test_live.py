@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from fake_clinic import BASE, WORD
+from api.fake_clinic import BASE, WORD
 from starlette.websockets import WebSocketDisconnect
 
 ORIGIN = {"Origin": BASE}

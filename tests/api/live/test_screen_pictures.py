@@ -4,8 +4,8 @@ import time
 from typing import Any
 
 import pytest
-from fake_clinic import BASE, WORD
-from pairing import code_of, pair
+from api.fake_clinic import BASE, WORD
+from api.pairing import code_of, pair
 
 from app.api.live.screens import Screen
 from app.api.patient_screen import patient_socket

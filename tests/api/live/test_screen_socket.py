@@ -4,7 +4,7 @@ import time
 from typing import Any
 
 import pytest
-from fake_clinic import BASE, WORD
+from api.fake_clinic import BASE, WORD
 from starlette.websockets import WebSocketDisconnect
 
 from app.api import parts

@@ -8,8 +8,8 @@ from typing import Any
 from urllib.parse import quote
 
 import pytest
-from fake_clinic import BASE, Clinic
-from openapi.json_schema import misfits, value_for
+from api.fake_clinic import BASE, Clinic
+from api.openapi.json_schema import misfits, value_for
 
 from app.store.access.person_tables import Person
 from app.store.people import add_person, sign_in, the_clinic

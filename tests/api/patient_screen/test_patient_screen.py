@@ -3,10 +3,10 @@
 from datetime import timedelta
 
 import pytest
-from fake_clinic import BASE, Clinic
-from pairing import closing, code_of, only, pair
+from api.fake_clinic import BASE, Clinic
+from api.pairing import closing, code_of, only, pair
+from api.test_roles import FOR_EVERYONE, FOR_PATIENTS_SCREENS, table
 from starlette.websockets import WebSocketDisconnect
-from test_roles import FOR_EVERYONE, FOR_PATIENTS_SCREENS, table
 
 from app.api import sockets
 from app.scene.client_messages import SUBPROTOCOL

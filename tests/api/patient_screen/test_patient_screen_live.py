@@ -3,8 +3,8 @@
 from typing import Any
 
 import pytest
-from fake_clinic import BASE, WORD, Clinic
-from pairing import closing
+from api.fake_clinic import BASE, WORD, Clinic
+from api.pairing import closing
 
 from app.api.patient_screen import patient_socket
 from app.store.patient_screens import ScreenSettings

@@ -6,8 +6,8 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
-from fake_clinic import JOINTS, WORD, Clinic, profile_for
-from running_app import running
+from api.fake_clinic import JOINTS, WORD, Clinic, profile_for
+from api.running_app import running
 
 from app.session.calibration import calibration_flow
 from app.settings import Settings

@@ -5,8 +5,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from fake_clinic import Clinic
-from running_app import running
+from api.fake_clinic import Clinic
+from api.running_app import running
 
 from app.hardware.chair.key import read_key
 from app.settings import Settings

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from fake_clinic import Clinic
+from api.fake_clinic import Clinic
 
 
 def test_controls_are_set_undone_named_and_never_half(signed_in: Any) -> None:

@@ -3,8 +3,8 @@
 from contextlib import ExitStack
 from typing import Any
 
-from fake_clinic import BASE, Clinic
-from people_of_clinic import as_person
+from api.fake_clinic import BASE, Clinic
+from api.people_of_clinic import as_person
 
 from app.store.tables import Run
 

@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-import running_app
+from api import running_app
 
 from app.calibration.linear_map import LinearMap, MapCheck
 

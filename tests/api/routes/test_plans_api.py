@@ -9,7 +9,7 @@ import ezdxf
 import numpy as np
 import pytest
 import trimesh
-from fake_clinic import WORD
+from api.fake_clinic import WORD
 from PIL import Image
 
 from app import isolated_reader

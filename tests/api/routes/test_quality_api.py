@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from fake_clinic import WORD
+from api.fake_clinic import WORD
 
 from app.store.tables import Trial
 

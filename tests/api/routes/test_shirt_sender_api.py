@@ -1,6 +1,6 @@
 """The sender of the shirt's frames: shown to everybody, chosen by a clinician, not while a run is going on."""
 
-from fake_clinic import Clinic
+from api.fake_clinic import Clinic
 
 FORGER = "10.0.0.9:4000"
 SENDERS = {"shirt": "10.0.0.2:4000", "other": FORGER, "others": 3}

@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from fake_clinic import BASE, WORD, Clinic
+from api.fake_clinic import BASE, WORD, Clinic
 
 from app.session.equipment import shirt_watch
 

@@ -5,8 +5,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from fake_clinic import WORD, Clinic
-from running_app import running
+from api.fake_clinic import WORD, Clinic
+from api.running_app import running
 
 from app.settings import Settings
 from app.store.calibrations import MIXED

@@ -7,7 +7,7 @@ from typing import Any
 import anyio
 import anyio.to_thread
 import pytest
-from fake_clinic import WORD
+from api.fake_clinic import WORD
 
 
 @pytest.fixture

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from fake_clinic import Clinic
-from people_of_clinic import as_person
+from api.fake_clinic import Clinic
+from api.people_of_clinic import as_person
 from store.course_of_sessions import store_course
 
 from app.source import Source

@@ -4,9 +4,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from fake_clinic import Clinic
-from people_of_clinic import OWNER
-from running_app import running
+from api.fake_clinic import Clinic
+from api.people_of_clinic import OWNER
+from api.running_app import running
 
 from app.settings import Settings
 

@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from fake_clinic import Clinic, TestClient
-from running_app import running
+from api.fake_clinic import Clinic, TestClient
+from api.running_app import running
 from starlette.websockets import WebSocketDisconnect
 
 from app.api.sign_in import hashing

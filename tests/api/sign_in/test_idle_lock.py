@@ -5,11 +5,11 @@ from datetime import timedelta
 from typing import Any
 
 import pytest
-from fake_clinic import BASE, Clinic
-from people_of_clinic import OWNER, accepted, as_person, invited
+from api.fake_clinic import BASE, Clinic
+from api.people_of_clinic import OWNER, accepted, as_person, invited
+from api.test_roles import FOR_EVERYONE, requested, table
+from api.view.served_view import VIEW, serve_view
 from starlette.websockets import WebSocketDisconnect
-from test_roles import FOR_EVERYONE, requested, table
-from view.served_view import VIEW, serve_view
 
 from app.api import sockets
 from app.clock import utc_now

@@ -1,7 +1,7 @@
 """The sentences for a first time: put away once, they stay away for this person, whatever the browser."""
 
-from fake_clinic import Clinic
-from people_of_clinic import accepted, as_person, invited
+from api.fake_clinic import Clinic
+from api.people_of_clinic import accepted, as_person, invited
 
 
 def test_what_one_person_put_away_stays_away_for_this_person_only(owned: Clinic) -> None:

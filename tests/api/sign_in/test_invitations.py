@@ -5,8 +5,8 @@ from dataclasses import replace
 from datetime import timedelta
 
 import pytest
-from fake_clinic import Clinic
-from people_of_clinic import PASSWORD, accepted, as_person, code_of, invited
+from api.fake_clinic import Clinic
+from api.people_of_clinic import PASSWORD, accepted, as_person, code_of, invited
 
 from app.clock import utc_now
 from app.network import CertificateTrust, NetworkService

@@ -5,9 +5,9 @@ import sys
 from contextlib import ExitStack
 
 import pytest
-from fake_clinic import BASE, Clinic
-from pairing import closing
-from people_of_clinic import OWNER, PASSWORD, accepted, as_person, invited
+from api.fake_clinic import BASE, Clinic
+from api.pairing import closing
+from api.people_of_clinic import OWNER, PASSWORD, accepted, as_person, invited
 
 from app.api import sockets
 from app.store.access.person_tables import KnownBrowser

@@ -5,8 +5,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from fake_clinic import BASE, Clinic
-from running_app import running
+from api.fake_clinic import BASE, Clinic
+from api.running_app import running
 
 from app.api.sign_in import set_up
 from app.api.sign_in.hashing import Hashing

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from fake_clinic import BASE, Clinic
-from running_app import running
+from api.fake_clinic import BASE, Clinic
+from api.running_app import running
 
 from app.api.sign_in.hashing import MOST_AT_ONCE, Hashing
 from app.settings import Settings

@@ -1,7 +1,7 @@
 """A 3D view for a test of who may see it: the bridge accepts an admitted browser, and shows nothing."""
 
 import pytest
-from fake_clinic import BASE
+from api.fake_clinic import BASE
 from fastapi import WebSocket
 
 from app.api.view import view_bridge

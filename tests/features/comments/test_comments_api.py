@@ -2,11 +2,11 @@
 
 from typing import Any
 
-from fake_clinic import BASE, Clinic
+from api.fake_clinic import BASE, Clinic
+from api.people_of_clinic import as_person
+from api.routes_with_ids import BODIES
+from api.test_roles import contexts
 from fastapi.routing import APIRoute
-from people_of_clinic import as_person
-from routes_with_ids import BODIES
-from test_roles import contexts
 
 from app.features.comments.service import comment_history
 

@@ -1,7 +1,7 @@
 """Consents at the API: entered, withdrawn, logged; a worn shirt records nothing before the consent to it."""
 
 import pytest
-from fake_clinic import Clinic
+from api.fake_clinic import Clinic
 
 
 def given(clinic: Clinic, patient: int) -> dict[str, str | None]:

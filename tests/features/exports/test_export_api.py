@@ -11,7 +11,7 @@ from typing import Any
 
 import pyarrow.parquet as pa_parquet
 import pytest
-from fake_clinic import WORD
+from api.fake_clinic import WORD
 from recorded_trial import record_trial
 
 from app import computing_process

@@ -10,8 +10,8 @@ from datetime import datetime
 from types import SimpleNamespace
 
 import pytest
-from fake_clinic import Clinic
-from pairing import code_of
+from api.fake_clinic import Clinic
+from api.pairing import code_of
 
 from app.features.log import routes as log_routes
 from app.settings import Settings
@@ -39,7 +39,7 @@ def test_the_owner_sees_that_the_log_is_whole_and_that_it_was_changed(signed_in:
 def test_a_changed_log_is_said_on_the_console_at_the_start(
     settings: Settings, clinic: Clinic, caplog: pytest.LogCaptureFixture
 ) -> None:
-    from running_app import running
+    from api.running_app import running
 
     clinic.good("POST", "/auth/demo", json={"code": "the-code-of-the-link"})
     remove_newest(settings)

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from fake_clinic import Clinic
+from api.fake_clinic import Clinic
 
 from app.calibration.linear_map import KINDS
 

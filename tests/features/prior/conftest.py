@@ -4,8 +4,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from calibrated_others import calibrate_others, entry
-from fake_clinic import Clinic
+from api.fake_clinic import Clinic
+from features.prior.calibrated_others import calibrate_others, entry
 
 
 @pytest.fixture(scope="session")

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from calibrated_others import OTHERS, begin, record
+from features.prior.calibrated_others import OTHERS, begin, record
 
 
 def test_with_four_others_a_new_patient_drives_after_rest_and_free_movement(with_others: Any) -> None:

@@ -3,9 +3,9 @@
 from pathlib import Path
 from typing import Any
 
-import fake_clinic
 import pytest
-from calibrated_others import record
+from api import fake_clinic
+from features.prior.calibrated_others import record
 
 
 @pytest.fixture

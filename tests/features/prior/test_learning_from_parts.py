@@ -3,8 +3,8 @@
 from typing import Any
 
 import pytest
-from calibrated_others import begin, entry, record
-from fake_clinic import profile_for
+from api.fake_clinic import profile_for
+from features.prior.calibrated_others import begin, entry, record
 
 from app.calibration.linear_map import Arrangement
 from app.features.prior.tables import PriorEntry

@@ -3,8 +3,8 @@
 from typing import Any
 
 import pytest
-from fake_clinic import profile_for
-from prior.test_drive_now import record
+from api.fake_clinic import profile_for
+from features.prior.test_drive_now import record
 
 from app.calibration.linear_map import Arrangement
 from app.layout import Channel, ShirtLayout

@@ -3,10 +3,10 @@
 from typing import Any
 
 import pytest
-from fake_clinic import Clinic
+from api.fake_clinic import Clinic
+from api.people_of_clinic import as_person
+from api.test_roles import contexts
 from fastapi.routing import APIRoute
-from people_of_clinic import as_person
-from test_roles import contexts
 
 from app import __version__
 from app.api.who_asks import READS

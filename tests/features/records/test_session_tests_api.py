@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from fake_clinic import Clinic
+from api.fake_clinic import Clinic
 from store.course_of_sessions import store_course
 from stored_interface_test import store_interface_test
 

@@ -1,8 +1,8 @@
 """What people wrote about a patient is nowhere after the erasure, also not in the log; the log stays whole."""
 
-from fake_clinic import Clinic
+from api.fake_clinic import Clinic
+from features.records.test_session_records_api import drive_trial
 from store.keeping.filled_clinic import mentions
-from test_session_records_api import drive_trial
 
 WORD = "Kestrel"
 TOTAL = 41.625

@@ -5,10 +5,10 @@ from datetime import date
 from typing import Any
 
 import pytest
-from fake_clinic import Clinic
+from api.fake_clinic import Clinic
+from api.people_of_clinic import as_person
 from features.reports.reported_clinic import CODE, store_reported_course
 from features.reports.words_of import html_page, pdf_pages
-from people_of_clinic import as_person
 
 from app.features.consents.service import give_consent, withdraw_consent
 from app.settings import Settings

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from fake_clinic import Clinic
+from api.fake_clinic import Clinic
 from store.course_of_sessions import store_course
 
 from app.features.sharing.attention import RECENT

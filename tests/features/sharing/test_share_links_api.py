@@ -5,10 +5,10 @@ from datetime import datetime, timedelta
 from typing import Any
 
 import pytest
-from fake_clinic import BASE, Clinic
+from api.fake_clinic import BASE, Clinic
+from api.people_of_clinic import as_person
+from api.test_roles import contexts, requested, table
 from fastapi.routing import APIRoute
-from people_of_clinic import as_person
-from test_roles import contexts, requested, table
 
 from app.clock import utc_now
 from app.features.sharing.shared_page import WRONG

@@ -1,7 +1,7 @@
 """The link and its chair for each test."""
 
 import pytest
-from link_and_chair import LinkAndChair
+from hardware.chair.link_and_chair import LinkAndChair
 
 
 @pytest.fixture

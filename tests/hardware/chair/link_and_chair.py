@@ -2,7 +2,7 @@
 
 import itertools
 
-from chair_stand_in import ARMED, DISARMED, StandInChair
+from hardware.chair.chair_stand_in import ARMED, DISARMED, StandInChair
 
 from app.faults import State
 from app.geometry import STANDSTILL, Twist

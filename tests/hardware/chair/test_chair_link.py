@@ -6,8 +6,8 @@ import os
 import socket
 
 import pytest
-from chair_stand_in import DISARMED
-from link_and_chair import AHEAD, LIMITS, LinkAndChair
+from hardware.chair.chair_stand_in import DISARMED
+from hardware.chair.link_and_chair import AHEAD, LIMITS, LinkAndChair
 
 from app.faults import State
 from app.hardware.base import HardwareError

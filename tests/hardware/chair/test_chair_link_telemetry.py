@@ -4,8 +4,8 @@ import math
 import socket
 
 import pytest
-from chair_stand_in import ARMED, CHECKING, DISARMED, FAULT
-from link_and_chair import AHEAD
+from hardware.chair.chair_stand_in import ARMED, CHECKING, DISARMED, FAULT
+from hardware.chair.link_and_chair import AHEAD
 
 from app.faults import State
 from app.geometry import Pose
