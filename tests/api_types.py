@@ -5,8 +5,9 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
+from pydantic import BaseModel
 from pydantic.json_schema import models_json_schema
 
 from app.api.app import create_app
@@ -45,7 +46,7 @@ def openapi() -> dict[str, Any]:
 
 def sent() -> dict[str, Any]:
     """Return the schemas of what the sockets send, by their names."""
-    models = [(model, "serialization") for model in SOCKETS]
+    models: list[tuple[type[BaseModel], Literal["serialization"]]] = [(model, "serialization") for model in SOCKETS]
     schemas: dict[str, Any] = models_json_schema(models, ref_template="#/components/schemas/{model}")[1]["$defs"]
     return schemas
 
@@ -92,7 +93,7 @@ def generated() -> str:
     with tempfile.TemporaryDirectory() as folder:
         document, types = Path(folder, "openapi.json"), Path(folder, "api.d.ts")
         document.write_text(json.dumps(openapi()), encoding="utf-8")
-        command = [NODE, GENERATOR, document, *OPTIONS, "--output", types]
+        command: list[str | Path] = [NODE, GENERATOR, document, *OPTIONS, "--output", types]
         subprocess.run(command, check=True, capture_output=True, timeout=120)
         text = types.read_text(encoding="utf-8")
     return NOTE + text[text.index("export interface paths") :]

@@ -138,10 +138,10 @@ def _reason(after: str) -> str | None:
 
 def _changed(before: str, after: str) -> str:
     """Return what a change took out of a line and what it put there."""
-    words = [re.findall(r"\w+|\s+|[^\w\s]+", line) for line in (before, after)]
-    edits = [edit for edit in SequenceMatcher(None, *words, autojunk=False).get_opcodes() if edit[0] != "equal"]
+    old, new = (re.findall(r"\w+|\s+|[^\w\s]+", line) for line in (before, after))
+    edits = [edit for edit in SequenceMatcher(None, old, new, autojunk=False).get_opcodes() if edit[0] != "equal"]
     start, end = edits[0], edits[-1]
-    taken, put = "".join(words[0][start[1] : end[2]]), "".join(words[1][start[3] : end[4]])
+    taken, put = "".join(old[start[1] : end[2]]), "".join(new[start[3] : end[4]])
     return f"`{taken or ' '}` to `{put or ' '}`"
 
 

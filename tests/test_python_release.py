@@ -38,6 +38,6 @@ def test_a_start_says_it_of_the_release_that_runs(monkeypatch: pytest.MonkeyPatc
     monkeypatch.setattr(serve, "python_warning", warned)
     monkeypatch.setattr(server, "run_clinic", run)
     with socket.socket() as listening:
-        serve._run(Settings(), lambda: None, listening, ["The clinic."])
+        serve._run(Settings(), lambda: None, listening, ["The clinic."])  # type: ignore[arg-type]  # nothing starts
     assert asked == [tuple(sys.version_info[:3])]
     assert said == ["\n".join(["The clinic.", *filter(None, [warning])])]

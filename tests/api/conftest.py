@@ -12,6 +12,7 @@ from api.pairing import code_of, only, pair
 from api.running_app import running
 from session.same_process import SameProcess
 from session.same_reader import read_in_this_process
+from store.known_people import known_clinic, known_person
 
 from app.api.exports import archive_import, sent_packages
 from app.api.sign_in import hashing
@@ -22,7 +23,7 @@ from app.session.calibration import calibration_flow
 from app.settings import Settings
 from app.store.database import Database
 from app.store.files import ballast
-from app.store.people import add_clinic, add_person, find_person, the_clinic
+from app.store.people import add_clinic, add_person, find_person
 from app.store.people import sign_in as sign_in_person
 
 CODE = "the-code-of-the-link"
@@ -173,8 +174,8 @@ def cookies_of(calibrated: Clinic) -> Any:
     def cookies(name: str, role: str, patients: list[int] | None = None) -> dict[str, str]:
         with database.transaction() as db:
             if find_person(db, name) is None:
-                add_person(db, the_clinic(db), name, role, None, patients=patients)
-            return {"bodydrive_sign_in": sign_in_person(db, find_person(db, name), "test")}
+                add_person(db, known_clinic(db), name, role, None, patients=patients)
+            return {"bodydrive_sign_in": sign_in_person(db, known_person(db, name), "test")}
 
     return cookies
 

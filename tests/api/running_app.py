@@ -11,9 +11,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from api.fake_clinic import BASE, Clinic, FakeProcess, TestClient, profile_for
+from api.fake_clinic import BASE, Clinic, FakeProcess, profile_for
 from api.one_hop import OneHop
 from session.same_process import SameProcess
+from starlette.testclient import TestClient
 
 from app.api.app import create_app
 from app.api.replay.trajectories import Trajectory, shown_trajectories

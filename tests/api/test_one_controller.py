@@ -2,14 +2,15 @@
 
 from api.fake_clinic import WORD, Clinic
 from api.people_of_clinic import as_person
+from store.known_people import known_clinic
 
 from app.api.one_controller import ANOTHER
-from app.store.people import add_person, sign_in, the_clinic
+from app.store.people import add_person, sign_in
 
 
 def test_only_who_started_a_trial_goes_on_and_ends_it_and_anybody_stops(calibrated: Clinic) -> None:
     with calibrated.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
-        other = sign_in(db, add_person(db, the_clinic(db), "Other", "clinician", None), "test")
+        other = sign_in(db, add_person(db, known_clinic(db), "Other", "clinician", None), "test")
     plan = calibrated.good("GET", "/floorplans/apartment")
     where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"]}
     calibrated.good("POST", "/trials", json={**where, "screen": WORD})

@@ -6,11 +6,13 @@ import pytest
 from api.fake_clinic import Clinic
 from api.test_roles import contexts
 from fastapi.routing import APIRoute
+from store.known_people import known_person
 
-from app.api.page_session import READS, without_session
+from app.api.page_session import without_session
+from app.api.who_asks import READS
 from app.refusals import Conflict
 from app.session.page_session import PAGE_SESSION, PageSession
-from app.store.people import find_person, sign_in
+from app.store.people import sign_in
 
 OTHER = "can no longer be sent"
 UNNAMED = "does not name the session"
@@ -77,7 +79,7 @@ def test_every_changing_route_refuses_another_session_and_none_or_is_listed_with
             answer = asked(in_session, route, named)
             if answer.status_code == 401:  # some routes end the sign-in
                 with database.transaction() as db:
-                    in_session.client.cookies["bodydrive_sign_in"] = sign_in(db, find_person(db, name), "test")
+                    in_session.client.cookies["bodydrive_sign_in"] = sign_in(db, known_person(db, name), "test")
                 answer = asked(in_session, route, named)
             refused[named] = (
                 (answer.status_code == 409 and OTHER in answer.text),

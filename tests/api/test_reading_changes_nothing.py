@@ -41,7 +41,7 @@ def test_no_get_of_any_route_changes_anything(calibrated: Clinic, trial: int, se
         told = [do for do, *_ in calibrated.process.calls[before[2] :] if do not in LOOKED_UP]
         after = dict(rows(calibrated)), files(settings.state)
         if after != before[:2] or told:
-            pairs = zip(before[:2], after, strict=True)
+            pairs: Any = zip(before[:2], after, strict=True)  # of tables, and of files
             what = [{key for key in {*old, *new} if old.get(key) != new.get(key)} for old, new in pairs]
             changed.append((name, *what, told))
     assert answered > 25

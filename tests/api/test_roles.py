@@ -8,13 +8,14 @@ from api.fake_clinic import BASE, Clinic
 from api.pairing import code_of, pair
 from fastapi import FastAPI
 from fastapi.dependencies.models import Dependant
-from fastapi.routing import APIRoute, APIWebSocketRoute, RouteContext, iter_route_contexts
+from fastapi.routing import APIRoute, APIWebSocketRoute, iter_route_contexts
 from starlette.websockets import WebSocketDisconnect
+from store.known_people import known_clinic, known_person
 
 from app.api.deps import anyone_signed_in, clinician, everyone, exporter, owner, viewer
 from app.api.sign_in.identity import SCREEN_COOKIE
 from app.api.who_asks import who_asks
-from app.store.people import add_person, find_person, sign_in, the_clinic
+from app.store.people import add_person, sign_in
 
 RIGHTS = {everyone: 0, anyone_signed_in: 1, viewer: 1, clinician: 2, exporter: 2, owner: 3}
 ROLES = {
@@ -127,8 +128,8 @@ def asked(dependant: Dependant) -> Iterator[Any]:
         yield from asked(below)
 
 
-def contexts(app: FastAPI, kind: type) -> list[RouteContext]:
-    """Return all routes of a kind as they are reached, those of included routers too."""
+def contexts(app: FastAPI, kind: type) -> list[Any]:
+    """Return all routes of a kind as they are reached, those of included routers too; each has a path and methods."""
     return [context for context in iter_route_contexts(app.routes) if isinstance(context.original_route, kind)]
 
 
@@ -203,8 +204,8 @@ def test_the_matrix_of_roles_and_routes(in_session: Clinic, role: str) -> None:
         screen = clinic.client.cookies[SCREEN_COOKIE]
     elif role != "nobody":
         with database.transaction() as db:
-            patients = [] if role == "reviewer by patient" else None
-            add_person(db, the_clinic(db), role, role.partition(" ")[0], None, patients=patients)
+            patients: list[int] | None = [] if role == "reviewer by patient" else None
+            add_person(db, known_clinic(db), role, role.partition(" ")[0], None, patients=patients)
     wrong = []
     for name, right in table(clinic.client.app).items():  # type: ignore[arg-type]
         for view in ("clinician", "patient") if "{role}" in name else ("clinician",):
@@ -213,7 +214,7 @@ def test_the_matrix_of_roles_and_routes(in_session: Clinic, role: str) -> None:
                 clinic.client.cookies[SCREEN_COOKIE] = screen
             elif role != "nobody":
                 with database.transaction() as db:  # anew: one of the routes signs out
-                    clinic.client.cookies["bodydrive_sign_in"] = sign_in(db, find_person(db, role), "test")
+                    clinic.client.cookies["bodydrive_sign_in"] = sign_in(db, known_person(db, role), "test")
             status = requested(clinic, name, view).status_code
             if status not in expected(role, name, right or 0, view):
                 wrong.append((name, view, status))

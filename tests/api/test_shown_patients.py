@@ -104,7 +104,7 @@ def test_the_open_session_is_shown_live_to_the_reviewers_of_its_patient_only(
         picture = live_picture(reviewed)
         assert (picture["hidden"], picture["session"]) == (False, session)
         assert picture["gestures"]
-        with reviewed.client.websocket_connect(**VIEW) as socket:  # type: ignore[arg-type]
+        with reviewed.client.websocket_connect(**VIEW) as socket:
             assert socket.accepted_subprotocol == SUBPROTOCOL
 
 

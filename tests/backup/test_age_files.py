@@ -4,6 +4,7 @@ import io
 import shutil
 import subprocess
 import tarfile
+import threading
 from pathlib import Path
 
 import pytest
@@ -12,7 +13,6 @@ from hypothesis import strategies as st
 from pyrage import decrypt, passphrase, x25519
 from store.keeping.filled_clinic import two_patients
 
-from app.backup import age_files
 from app.backup.age_files import Secret, decrypted, encrypted, new_secret, opened_secret
 from app.backup.backup_file import HOW_TO_WORDS
 from app.backup.making import make_backup
@@ -82,7 +82,7 @@ def test_an_error_of_the_disk_is_itself_and_no_thread_stays(size: int) -> None:
         writer.write(bytes(size // 0))
     with decrypted(io.BytesIO(encrypted_bytes(bytes(size))), KEY) as reader:
         assert reader.read(1) == b"\0"  # and nobody reads the rest
-    assert not [one for one in age_files.threading.enumerate() if "_work" in one.name]
+    assert not [one for one in threading.enumerate() if "_work" in one.name]
 
 
 @pytest.fixture(scope="module", params=["file", "folder"])

@@ -69,7 +69,7 @@ def calibrations(folder: Path) -> dict[str, str]:
         )
     signals = str(KNIT / f"{SOMEBODY}.parquet")
     for kind in MAPS:
-        words = (
+        given = (
             "--prompts",
             f"{SOMEBODY}.csv",
             "--prior",
@@ -80,7 +80,7 @@ def calibrations(folder: Path) -> dict[str, str]:
             f"{kind}.json",
             "--json",
         )
-        printed[f"calibrate {kind}"] = command(folder, "calibrate", signals, *layout, *words)
+        printed[f"calibrate {kind}"] = command(folder, "calibrate", signals, *layout, *given)
         decode = ("--profile", f"{kind}.json", "--out", f"{kind} commands.csv", "--json")
         printed[f"decode {kind}"] = command(folder, "decode", signals, *decode)
     return printed

@@ -12,7 +12,7 @@ from bench.processes.junk import KEY_ID
 from bench.web.stop import measure_stop
 
 
-def test_junk_looks_like_frames_is_none_and_is_counted():
+def test_junk_looks_like_frames_is_none_and_is_counted() -> None:
     key = new_key(KEY_ID)
     with (
         socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as ours,
@@ -35,14 +35,14 @@ def test_junk_looks_like_frames_is_none_and_is_counted():
     assert not any(decode_telemetry(datagram, key) for datagram in datagrams)
 
 
-def test_a_stop_is_measured_from_its_command_to_its_frame():
+def test_a_stop_is_measured_from_its_command_to_its_frame() -> None:
     rows = measure_stop(runs=1, stops=2)
     assert [row.unit for row in rows] == ["ms", "ms"]
     assert all(0.0 < row.figure < 2000.0 for row in rows)
     assert all("2 stops" in row.details for row in rows)
 
 
-def test_the_command_period_is_measured_while_the_chair_drives_under_junk():
+def test_the_command_period_is_measured_while_the_chair_drives_under_junk() -> None:
     p99, longest = measure_period(seconds=3.0, rate=2000.0, runs=1)
     assert 5.0 < p99.figure <= longest.figure
     assert "/s to the chair's port" in p99.details

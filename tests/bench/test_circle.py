@@ -8,7 +8,7 @@ from bench.circle import RADIUS, ROUND, age_at, driving
 
 
 @given(st.floats(0, 1e5), st.floats(0, ROUND - 0.01))
-def test_the_place_tells_its_age(then, age):
+def test_the_place_tells_its_age(then: float, age: float) -> None:
     tick = driving(then)
     assert math.hypot(tick["x"], tick["y"]) == pytest.approx(RADIUS)
     found = age_at(float(tick["x"]), float(tick["y"]), then + age)
@@ -17,7 +17,7 @@ def test_the_place_tells_its_age(then, age):
 
 
 @given(st.floats(0, 1e5))
-def test_the_chair_looks_where_it_drives(now):
+def test_the_chair_looks_where_it_drives(now: float) -> None:
     here, there = driving(now), driving(now + 0.01)
     heading = math.atan2(there["y"] - here["y"], there["x"] - here["x"])
     assert math.remainder(heading - here["theta"], math.tau) == pytest.approx(0, abs=0.01)

@@ -19,20 +19,21 @@ KEY = new_key(1)
 PATIENCE = 20.0  # s
 
 
-def test_it_answers_a_hello_and_notes_the_commands_that_it_accepts():
+def test_it_answers_a_hello_and_notes_the_commands_that_it_accepts() -> None:
     clock = MonotonicClock()
     with MeasuredChair(KEY) as chair, socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
         sender.settimeout(PATIENCE)
         sender.connect(("127.0.0.1", chair.port))
         sender.send(encode_hello(1))
         telemetry = decode_telemetry(sender.recv(FRAME_BYTES), KEY)
+        assert telemetry is not None
         before = clock.now()
 
-        def send(sequence, flags, v=0.0):
+        def send(sequence: int, flags: int, v: float = 0.0) -> None:
             command = ChairCommand(flags, 1, 7, sequence, sequence, v, 0.0, 1.0, 1.0, bytes(8))
             sender.send(encode_command(command, KEY, telemetry.nonce))
 
-        def wait_for(count):
+        def wait_for(count: int) -> None:
             until = clock.now() + PATIENCE
             while len(chair.commands) < count and clock.now() < until:
                 clock.sleep_until(clock.now() + 0.01)

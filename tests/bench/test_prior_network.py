@@ -2,6 +2,7 @@
 
 import ast
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 
@@ -11,14 +12,14 @@ from bench.prior.wearers import Figures
 from folders import ROOT
 
 
-def person(seed):
+def person(seed: int) -> Any:
     """Return 4000 frames of a label that depends on the size of a feature, whatever its sign."""
     inputs = np.random.default_rng(seed).normal(size=(4000, 2))
     label = (np.abs(inputs[:, 0]) > 1.0).astype(np.int8)
     return SimpleNamespace(frames=OwnFrames(inputs, label, np.zeros(4000, np.int_), np.array([4000])))
 
 
-def test_the_network_learns_what_a_line_cannot():
+def test_the_network_learns_what_a_line_cannot() -> None:
     network = Network([person(1), person(2)], np.zeros(2))
     other = person(3).frames
     rate = network.rate(other.features)
@@ -26,12 +27,12 @@ def test_the_network_learns_what_a_line_cannot():
     assert 0.0 < network.dead_zone < network.full
 
 
-def test_an_activation_begins_at_the_dead_zone_and_ends_at_full():
+def test_an_activation_begins_at_the_dead_zone_and_ends_at_full() -> None:
     np.testing.assert_allclose(activation(np.array([-1.0, 1.0, 1.5, 2.0, 9.0]), 2.0), [0, 0, 0.5, 1, 1])
 
 
-def test_a_network_is_worth_its_place_for_a_gain_or_for_half_the_false_activations():
-    def people(in_phase, false):
+def test_a_network_is_worth_its_place_for_a_gain_or_for_half_the_false_activations() -> None:
+    def people(in_phase: float, false: float) -> list[Figures]:
         return [Figures(in_phase, 0.9, 0.7, false)] * 10
 
     alone = people(0.95, 2.0)
@@ -42,7 +43,7 @@ def test_a_network_is_worth_its_place_for_a_gain_or_for_half_the_false_activatio
     assert not is_better(people(1.0, 0.0), people(1.0, 0.0))
 
 
-def test_no_module_imports_a_program():
+def test_no_module_imports_a_program() -> None:
     """What a command and another one share lies in a module, which can be imported without the command."""
     programs = []
     for file in sorted((ROOT / "bench").rglob("*.py")):
@@ -51,7 +52,7 @@ def test_no_module_imports_a_program():
     assert programs == []
 
 
-def test_the_summary_names_both_maps_and_says_when_a_network_would_be_offered():
+def test_the_summary_names_both_maps_and_says_when_a_network_would_be_offered() -> None:
     alone, better = [Figures(0.95, 0.9, 0.7, 2.0)] * 10, [Figures(0.97, 0.9, 0.7, 2.0)] * 10
     same, gain = ({(5.0, LINEAR): alone, (5.0, MEAN): other} for other in (alone, better))
     assert verdict(same) == "A network would be offered after no amount of own prompts."

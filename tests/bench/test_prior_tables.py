@@ -12,7 +12,7 @@ from bench.prior.simulated import simulated_people
 from bench.prior.wearers import figures, movement_of, summary
 
 
-def test_movement_is_what_the_place_does():
+def test_movement_is_what_the_place_does() -> None:
     t = np.arange(1000) / 100.0
     place = 5.0 * (0.5 - 0.5 * np.cos(np.pi * np.clip(t - 3.0, 0.0, 1.0)))
     movement = movement_of(place, 100.0)
@@ -24,7 +24,7 @@ def test_movement_is_what_the_place_does():
     assert not movement.still[start:stop].any()
 
 
-def test_simulated_people_are_decoded_by_each_other_s_map():
+def test_simulated_people_are_decoded_by_each_other_s_map() -> None:
     people = simulated_people(5, ("right_elbow",))
     entries = entries_of(people)
     comparison = Comparison(people, entries)

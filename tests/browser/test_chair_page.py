@@ -75,8 +75,9 @@ class StandInChair:
         key.touch(mode=0o600)
         key.write_text(f"{key_line}\n")
         battery.write_text("0.82")
-        words = ["--key-file", key, "--port", str(self.port), "--output", "sim", "--battery-input", battery]
-        command = [sys.executable, "-m", "app.hardware.chair.receive", *words, "--stop-input", self.folder / "switch"]
+        words: list[str | Path] = ["--key-file", key, "--port", str(self.port), "--output", "sim"]
+        words += ["--battery-input", battery, "--stop-input", self.folder / "switch"]
+        command: list[str | Path] = [sys.executable, "-m", "app.hardware.chair.receive", *words]
         environment = {**os.environ, "PYTHONPATH": str(ROOT)}
         with subprocess.Popen(
             command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment

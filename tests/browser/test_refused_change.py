@@ -2,6 +2,7 @@
 
 import json
 import re
+from typing import Any
 
 import pytest
 from browser.served.clinic_app import assert_quiet, go
@@ -10,7 +11,7 @@ from playwright.sync_api import expect
 pytestmark = [pytest.mark.browser]
 
 REFUSED = "Another screen is changing the controls: try again."
-TRIAL = {"id": 1, "number": 1, "waits": None, "done": 0.0, "length": 1.0, "movers": []}
+TRIAL: dict[str, Any] = {"id": 1, "number": 1, "waits": None, "done": 0.0, "length": 1.0, "movers": []}
 
 
 def refuse(route):

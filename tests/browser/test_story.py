@@ -9,7 +9,7 @@ import pytest
 from browser.driving import bend_until, choose_task, drive_by_plan, go_on_until
 from browser.tablets import go_to, signed_in
 from playwright.sync_api import expect
-from processes.test_demo_process import bodydrive, printed_link
+from processes.served_demo import bodydrive, printed_link
 
 pytestmark = [pytest.mark.browser]
 

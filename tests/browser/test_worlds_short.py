@@ -2,7 +2,7 @@
 
 import pytest
 from browser.worlds import drive, open_drive_page, tasks
-from processes.test_demo_process import bodydrive, printed_link
+from processes.served_demo import bodydrive, printed_link
 
 pytestmark = [pytest.mark.browser, pytest.mark.long]
 

@@ -187,9 +187,9 @@ def _laughs() -> Bomb:
 
 def _blocks() -> Bomb:
     """Ten blocks in each other, each placed ten times: ten thousand million lines."""
-    import ezdxf
+    import ezdxf.filemanagement
 
-    drawing = ezdxf.new()
+    drawing = ezdxf.filemanagement.new()
     drawing.header["$INSUNITS"] = 6
     block = drawing.blocks.new("B0")
     block.add_line((0, 0), (1, 1))

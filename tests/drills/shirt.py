@@ -6,8 +6,9 @@ from itertools import pairwise
 
 from drills.injury import A_TICK, COMMAND, injure_at_random
 from drills.results import Result
-from drills.rig import PARAMETERS, RATE, rig
+from drills.rig import PARAMETERS, rig
 from processes.running_control import clear
+from processes.udp_shirt import RATE
 
 from app.clock import monotonic
 from app.faults import State

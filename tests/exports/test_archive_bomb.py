@@ -36,6 +36,6 @@ def test_an_archive_that_needs_too_much_memory_is_one_sentence_and_changes_nothi
 
 def problem_of(state: Path, package: Path) -> str:
     """Import an archive in a process with little memory; return the end of what it complains of."""
-    command = [sys.executable, "-c", IMPORT, state, package]
+    command: list[str | Path] = [sys.executable, "-c", IMPORT, state, package]
     ended = subprocess.run(command, check=False, capture_output=True, text=True, timeout=100)
     return ended.stderr.strip().rpartition("\n")[2]

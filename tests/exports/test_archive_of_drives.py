@@ -43,7 +43,7 @@ def driven(tmp_path_factory: pytest.TempPathFactory) -> Any:
             parameters, _ = current_parameters(db, 1)
             for run_id, distance in ((DRIVE, 12.5), ("0" * 32, None)):
                 run = add_run(db, run_id, 1, "drive", run_id, REAL)
-                given = {"run": run, "clinic_id": 1, "patient_id": 1, "chair_id": chair.id}
+                given: dict[str, Any] = {"run": run, "clinic_id": 1, "patient_id": 1, "chair_id": chair.id}
                 drive = add_drive(db, parameters_id=parameters.id, digest=parameters.hash, **given)
                 close_run(db, run_id, 100, 0)
                 finish_drive(db, drive.id, "by hand", distance)

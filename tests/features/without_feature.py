@@ -27,7 +27,7 @@ class WithoutFolder(MetaPathFinder):
 
 def hide(name: str) -> None:
     """Take a feature out of the program: its line, and its folder."""
-    features.NEEDS = {each: needs for each, needs in features.NEEDS.items() if each != name}
+    features.NEEDS = {each: needs for each, needs in features.NEEDS.items() if each != name}  # type: ignore[misc]
     sys.meta_path.insert(0, WithoutFolder(name))
 
 

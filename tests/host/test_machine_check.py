@@ -86,7 +86,7 @@ def test_a_screen_is_judged_by_its_pictures_a_second() -> None:
 
 
 def test_the_worst_finding_decides() -> None:
-    good, attention, bad = (Finding(verdict, "") for verdict in ("good", "attention", "bad"))  # type: ignore[arg-type]
+    good, attention, bad = (Finding(verdict, "") for verdict in ("good", "attention", "bad"))
     assert summary([good]).words == "This computer is good enough for driving."
     assert summary([good, attention]).verdict == "attention"
     assert "not good enough" in summary([bad, attention]).words

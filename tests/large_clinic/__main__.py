@@ -29,7 +29,7 @@ def main() -> int:
         state.mkdir()
         begin = time.perf_counter()
         token = furnish_years(state, size)
-        lines = [("made in", time.perf_counter() - begin, "s", None)]
+        lines: list[tuple[str, float, str, float | None]] = [("made in", time.perf_counter() - begin, "s", None)]
         lines.append(("database", (state / "bodydrive.sqlite").stat().st_size / 1e6, "MB", None))
         found = measure(state, token, size, given.rounds)
         backups = time_backups(state, Path(made) / "backups")

@@ -18,13 +18,13 @@ from browser.conftest import CHROMIUM, PATIENCE
 from browser.driving import choose_task, go_on_until
 from browser.tablets import go_to
 from PIL import Image
-from playwright.sync_api import Page, expect, sync_playwright
+from playwright.sync_api import Page, ViewportSize, expect, sync_playwright
 from processes.served_demo import bodydrive, printed_link
 
 from folders import ROOT
 
 PICTURES = ROOT / "docs" / "pictures"
-TABLET = {"width": 1024, "height": 768}
+TABLET: ViewportSize = {"width": 1024, "height": 768}
 MOVING = (640, 480)
 PAUSE = 250  # ms between two pictures: a page that is photographed all the time is too slow to drive by
 SECONDS = 14.0  # of the moving picture
@@ -47,7 +47,8 @@ class Camera:
 
     def moving(self, name: str, seconds: float) -> None:
         """Keep what the page shows in the next seconds, as fast as it happened."""
-        images, times = [], []
+        images: list[Image.Image] = []
+        times: list[float] = []
         begin = time.monotonic()
         while not times or times[-1] < seconds:
             times.append(time.monotonic() - begin)

@@ -14,6 +14,8 @@ from typing import Any
 import httpx
 import psutil
 from websockets.sync.client import ClientConnection, connect
+from websockets.sync.connection import Connection
+from websockets.typing import Origin
 
 from app.clock import monotonic
 from folders import ROOT
@@ -83,7 +85,9 @@ class Served:
         address = f"{self.base.replace('http', 'ws')}/api/v1/{name}"
         headers = {"Cookie": cookie}
         # A client with a full queue answers no ping, and is disconnected while the test does something else.
-        return connect(address, additional_headers=headers, origin=self.base, ping_interval=None, max_queue=None)
+        return connect(
+            address, additional_headers=headers, origin=Origin(self.base), ping_interval=None, max_queue=None
+        )
 
     def control_process(self) -> psutil.Process:
         children = psutil.Process(self.process.pid).children(recursive=True)
@@ -98,7 +102,7 @@ class Demo(Served):
         super().__init__(process, base)
         assert self.client.post("/auth/demo", json={"code": self.code}).json()["signed_in"]
 
-    def go_on_until(self, live: ClientConnection, good: Callable[[Any], bool]) -> Any:
+    def go_on_until(self, live: Connection, good: Callable[[Any], bool]) -> Any:
         """Wait for a message with `good`; at a stop, tap Continue, as a person does who sees only the newest message.
 
         A message that is older than the last tap, because it was not read before, does not count.
@@ -139,7 +143,7 @@ class InView:
         self._socket.send(json.dumps({"screen": self._word, "visible": self.visible, "silence": 0.0}))
 
 
-def until(socket_: ClientConnection, good: Callable[[Any], bool], since: float = 0.0) -> Any:
+def until(socket_: Connection, good: Callable[[Any], bool], since: float = 0.0) -> Any:
     """Read messages until one with `good` that was made after `since` (monotonic s)."""
     while True:
         message = json.loads(socket_.recv(timeout=PATIENCE))

@@ -13,9 +13,10 @@ import time
 from itertools import pairwise
 
 import pytest
-from processes.strange_sender import PATIENCE, ROOT, Receiver, StrangeSender
+from processes.strange_sender import PATIENCE, Receiver, StrangeSender
 
 from app.hardware.chair.reasons import WORDS, Reason
+from folders import ROOT
 
 CLOCK = getattr(time, "CLOCK_BOOTTIME", time.CLOCK_MONOTONIC)
 STEP, TELL = 0.01, 0.1  # s

@@ -55,9 +55,14 @@ class Installed:
         return run(sys.executable, "-c", code, *words, cwd=self._folder, env=self._environment)
 
     def bodydrive(self, *words: str | Path) -> "subprocess.Popen[str]":
-        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
-        words = (*COMMAND, *map(str, words))
-        return subprocess.Popen(words, text=True, cwd=self._folder, env=self._environment, **pipes)
+        return subprocess.Popen(
+            (*COMMAND, *map(str, words)),
+            text=True,
+            cwd=self._folder,
+            env=self._environment,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+        )
 
     @contextmanager
     def serving(self, state: Path) -> Iterator[SessionClient]:

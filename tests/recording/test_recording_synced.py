@@ -47,7 +47,7 @@ def test_no_row_waits_longer_than_half_a_second_for_the_disk(tmp_path: Path, mon
         on_disk.extend([turns.now] * (writer._written - len(on_disk)))
 
     monkeypatch.setattr(writer_module, "monotonic", lambda: turns.now)
-    monkeypatch.setattr(writer_module.os, "fsync", sync)
+    monkeypatch.setattr(os, "fsync", sync)
     monkeypatch.setattr(writer, "_wake", turns)
     writer._record(ring, 0, 1, real_time=False)
     ring.close()
@@ -84,7 +84,7 @@ def test_the_rows_that_are_said_are_on_the_disk_whenever_the_power_fails(
         wait(timeout)
 
     monkeypatch.setattr(writer_module, "monotonic", lambda: turns.now)
-    monkeypatch.setattr(writer_module.os, "fsync", sync)
+    monkeypatch.setattr(os, "fsync", sync)
     monkeypatch.setattr(turns, "wait", cut_and_wait)
     monkeypatch.setattr(writer, "_wake", turns)
     writer._record(ring, 0, 1, real_time=False)

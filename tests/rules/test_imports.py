@@ -126,7 +126,7 @@ def package_of(module: str) -> str:
 
 def imports_of(file: Path) -> set[str]:
     """Return the modules that a file names, also those inside functions."""
-    found = set()
+    found: set[str] = set()
     for node in ast.walk(ast.parse(file.read_text())):
         if isinstance(node, ast.Import):
             found.update(name.name for name in node.names)

@@ -1,6 +1,7 @@
 """The quality of control, for signals with known figures."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,7 +13,7 @@ from app.scoring.control_quality import control_quality, cross_talk
 from app.scoring.joint_quality import map_fit, rest_noise, stretches
 
 
-def quality_of(values: np.ndarray, activation: np.ndarray | None = None, **more: object):
+def quality_of(values: np.ndarray, activation: np.ndarray | None = None, **more: Any):
     n = len(values)
     pulses = np.zeros((n, 2)) if activation is None else activation
     armed = more.pop("armed", np.ones(n, dtype=bool))

@@ -73,6 +73,7 @@ class RecordedParticipant(Participant):
 def sessions_of(condition: Condition, seed: int, place: str = PLACE, path_name: str = PATH) -> list[TrialAssessment]:
     """Drive all sessions of one person, and return the trials in the order driven."""
     plan = find_place(place)
+    assert plan is not None
     path = plan.path_named(path_name)
     participant = RecordedParticipant(SimulatedPerson(condition.person, seed), seed + SEEDS_APART)
     parameters, version = standard_parameters(calibrate(participant)), 1

@@ -129,7 +129,8 @@ def test_a_drive_is_over_though_the_database_is_gone(tmp_path: Any) -> None:
 
 
 def test_a_trial_is_over_though_the_database_is_gone(tmp_path: Any) -> None:
-    control, told = FakeControl(), []
+    control = FakeControl()
+    told: list[Any] = []
     flow = TrialFlow(LostDatabase(), control, runs_with(control, tmp_path), told.append, None)  # type: ignore[arg-type]
     flow.current = SimpleNamespace(id=1, run=None, path=None)  # type: ignore[assignment]
 

@@ -12,11 +12,11 @@ from typing import NamedTuple
 
 import numpy as np
 from browser.conftest import CHROMIUM
-from playwright.sync_api import Page, sync_playwright
+from playwright.sync_api import Page, ViewportSize, sync_playwright
 from processes.served_demo import Demo, bodydrive
 
 VIEWERS = (1, 4, 8)
-SIZE = {"width": 640, "height": 400}
+SIZE: ViewportSize = {"width": 640, "height": 400}
 SETTLE = 10_000  # ms until a new page draws as fast as it will
 LOOKS = 100
 EVERY = 100  # ms

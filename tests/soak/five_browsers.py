@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from argon2 import PasswordHasher
-from playwright.sync_api import Browser, Page, Response
+from browser.conftest import FewPicturesBrowser
+from playwright.sync_api import Page, Response, ViewportSize
 from soak.cables import Cable
 
 from app.calibration.profile import CalibrationProfile
@@ -22,7 +23,7 @@ from app.store.people import add_clinic, add_person
 PASSWORD = "correct horse battery"
 PEOPLE = {"Ada": "owner", "Ben": "clinician", "Rhea": "reviewer"}
 PATIENTS = {"A-03": "Kingfisher", "B-12": "Oystercatcher"}
-SIZE = {"width": 800, "height": 600}
+SIZE: ViewportSize = {"width": 800, "height": 600}
 PATIENCE = 60_000  # ms: five browsers draw in software
 PAGE = """(besides) => {
   const page = document.documentElement.cloneNode(true);
@@ -107,7 +108,7 @@ class Seat:
 
 
 @contextmanager
-def seated(name: str, browser: Browser, lay: Callable[[], Cable], errors: Errors) -> Iterator[Seat]:
+def seated(name: str, browser: FewPicturesBrowser, lay: Callable[[], Cable], errors: Errors) -> Iterator[Seat]:
     """Yield a browser with a profile and a cable of its own, and close both."""
     cable = lay()
     context = browser.new_context(viewport=SIZE, has_touch=True)

@@ -19,6 +19,7 @@ from contextlib import ExitStack
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import psutil
 from browser.conftest import CHROMIUM, FewPicturesBrowser
@@ -182,7 +183,7 @@ def nobody_is_stopped(screens: list[Seat]) -> bool:
 
 def nobody_else_controls(looks_on: Seat, reviewer: Seat) -> int:
     """Try to end and to go on with the trial of somebody else; return the number of attempts, all refused."""
-    attempts = (("/trials/current/end", {}), ("/control/clear", {"stops": 0}))
+    attempts: tuple[tuple[str, dict[str, Any]], ...] = (("/trials/current/end", {}), ("/control/clear", {"stops": 0}))
     for seat, refusal in ((looks_on, 409), (reviewer, 403)):
         for path, body in attempts:
             status, answer = seat.call("POST", path, body)

@@ -29,7 +29,8 @@ def store_course(
 
     The last session was a day ago, each one before it a week earlier.
     """
-    parameters, path, ids = make_parameters(), plan.paths[0], []
+    parameters, path = make_parameters(), plan.paths[0]
+    ids: list[int] = []
     for place, trials in enumerate(sessions):
         morning = utc_now().astimezone().replace(hour=9, minute=0)
         day = morning - timedelta(days=1 + 7 * (len(sessions) - 1 - place))

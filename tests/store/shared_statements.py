@@ -22,6 +22,6 @@ def share_statements() -> None:
         make(engine, *given, **named)
         engine._compiled_cache = compiled
 
-    Engine.__init__ = make_sharing  # type: ignore[method-assign]
+    Engine.__init__ = make_sharing  # type: ignore[assignment,method-assign]
     SQLiteDialect_pysqlite.__eq__ = lambda one, other: type(one) is type(other)  # type: ignore[method-assign]
-    SQLiteDialect_pysqlite.__hash__ = lambda one: hash(type(one))  # type: ignore[method-assign]
+    SQLiteDialect_pysqlite.__hash__ = lambda one: hash(type(one))  # type: ignore[assignment,method-assign]

@@ -12,7 +12,6 @@ from store.small_disk import fill, small_disk
 
 from app.refusals import DiskFull
 from app.store.database import Database
-from app.store.files import ballast as ballast_module
 from app.store.files.ballast import HEADROOM, PART, SIZE, Ballast
 from app.store.log import write_log
 from app.store.log_chain import verify_log
@@ -105,7 +104,7 @@ def test_where_zeros_take_no_room_it_is_filled_with_noise(tmp_path: Path, monkey
     def sparse(descriptor: int, start: int, size: int) -> None:
         os.ftruncate(descriptor, start + size)
 
-    monkeypatch.setattr(ballast_module.os, "posix_fallocate", sparse)
+    monkeypatch.setattr(os, "posix_fallocate", sparse)
     ballast = Ballast(tmp_path / "ballast")
     ballast.refill()
     status = ballast.file.stat()

@@ -26,7 +26,7 @@ def test_a_browser_is_known_for_its_person_only_and_its_token_is_not_in_the_data
     assert token not in str([row.token_hash for row in db.query(KnownBrowser)])
 
 
-def ada_clinic(db: Session, person: Person):  # type: ignore[no-untyped-def]
+def ada_clinic(db: Session, person: Person):
     from app.store.tables import Clinic
 
     return db.get_one(Clinic, person.clinic_id)

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from alembic.autogenerate import compare_metadata
@@ -184,7 +185,7 @@ def test_a_migration_that_fails_midway_leaves_the_old_database_usable(
 
     add = op.add_column
 
-    def fails(table: str, column: object) -> None:
+    def fails(table: str, column: Any) -> None:
         add(table, column)
         raise OSError("the machine is tired")
 
@@ -225,7 +226,8 @@ def test_a_copy_that_is_not_equal_or_cannot_be_made_is_none(
         with pytest.raises(Unavailable, match="not equal"):
             back_up(file, folder, "bad")
     assert list(folder.iterdir()) == []
-    damaged = shutil.copy(file, tmp_path / "damaged.sqlite")
+    damaged = tmp_path / "damaged.sqlite"
+    shutil.copy(file, damaged)
     with damaged.open("r+b") as opened:
         opened.seek(4096 * 3)
         opened.write(b"\xff" * 4096 * 4)

@@ -12,13 +12,14 @@ import pytest
 import sqlalchemy as sa
 from exports.exported_clinic import make_clinic
 from store.keeping.filled_clinic import fill
+from store.known_people import known_clinic
 from store.later_schema import LATER, use_later_schema
 from store.test_schema import REVISIONS, migrated
 
 from app.store.database import Database, make_engine
 from app.store.log import write_log
 from app.store.patients import add_patient
-from app.store.people import add_person, the_clinic
+from app.store.people import add_person
 from app.store.schema import NEWEST, migrate, revision_of
 
 FIRST = "0001"  # of 0.2.0
@@ -45,7 +46,7 @@ def filled(tmp_path_factory: pytest.TempPathFactory) -> Path:
     with closing(Database(settings.database)) as database, database.transaction() as db:
         for word in ("Zebra", "Heron"):
             fill(db, add_patient(db, 1, f"{word}-code", f"{word} pseudonym", f"{word} note"), word)
-        add_person(db, the_clinic(db), "Rita", "reviewer", None, patients=[1, 2])
+        add_person(db, known_clinic(db), "Rita", "reviewer", None, patients=[1, 2])
         write_log(db, "Ada", "patient added", patient=2)
     return settings.database
 

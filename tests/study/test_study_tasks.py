@@ -1,5 +1,7 @@
 """Each kind of task, driven to its end by the simulated person through shirt, map and gate."""
 
+from typing import Any
+
 import pytest
 
 from app.calibration.vocabulary import DriveParameters, standard_parameters
@@ -24,7 +26,7 @@ def drive(calibrated_participant):
     """Return a function that drives a task of a bundled scene and returns the trial."""
     participant, parameters = calibrated_participant
 
-    def measured(scene: str, level: str, task: str):
+    def measured(scene: str, level: Any, task: str):
         plan = load_scene(bundled_scenes()[scene]).plans[level]
         path = plan.path_named(task)
         return score_trial(plan, path, drive_trial(1, participant, parameters, plan, path))

@@ -89,7 +89,7 @@ def test_the_other_lists_have_what_their_distributions_need(name: str) -> None:
             needed = [Requirement(each) for each in requires(Requirement(line).name) or []]
         except PackageNotFoundError:
             continue
-        here = default_environment() | {"extra": ""}
+        here = {key: str(value) for key, value in default_environment().items()} | {"extra": ""}
         names = {canonicalize_name(each.name) for each in needed if not each.marker or each.marker.evaluate(here)}
         assert names <= set(reached_from(name))
 

@@ -1,6 +1,7 @@
 """What a tablet needs to put the program on its home screen: the manifest and its icons."""
 
 import json
+from typing import Any
 
 import pytest
 from PIL import Image
@@ -29,10 +30,10 @@ def test_each_icon_has_its_size_and_its_margin(name: str, size: int, share: floa
     assert declared.get(f"icons/{name}.png", f"{size}x{size}") == f"{size}x{size}"
     pixels = [icon.getpixel((x, y)) for x in range(size) for y in range(size)]
     assert len(set(pixels)) > 10
-    corner = icon.getpixel((1, 1))
+    corner: Any = icon.getpixel((1, 1))
     assert corner == ((0, 0, 0, 0) if share == 1.0 else (11, 107, 107, 255))
     if share == 0.8:  # what a round mask cuts off has no drawing in it
-        outside = {
+        outside: set[Any] = {
             icon.getpixel((x, y))
             for x in range(size)
             for y in range(size)

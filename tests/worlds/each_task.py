@@ -9,7 +9,7 @@ from collections.abc import Iterator
 import pytest
 from browser.conftest import browser, page_log  # noqa: F401  (fixtures)
 from browser.worlds import drive, open_drive_page, tasks
-from processes.test_demo_process import bodydrive, printed_link
+from processes.served_demo import bodydrive, printed_link
 
 from folders import ROOT
 

@@ -7,12 +7,13 @@ from typing import Any
 import pytest
 from api.adaptation.adapting import apply, begin, change, choose, choose_chair, drive, end, proposed, settled, versions
 from api.fake_clinic import WORD
+from store.known_people import known_clinic
 
 from app.calibration.adaptation.proposal_document import Proposal
 from app.calibration.vocabulary import DriveParameters
 from app.faults import Fault, State
 from app.session.adaptation_reading import AdaptationResult
-from app.store.people import add_person, sign_in, the_clinic
+from app.store.people import add_person, sign_in
 
 
 def test_a_large_change_waits_for_a_person(ready: Any) -> None:
@@ -174,7 +175,7 @@ def test_a_reviewer_looks_and_changes_nothing(ready: Any) -> None:
     view = proposed(ready)
     database = ready.client.app.state.people.database
     with database.transaction() as db:
-        person = add_person(db, the_clinic(db), "Rita", "reviewer", None)
+        person = add_person(db, known_clinic(db), "Rita", "reviewer", None)
         token = sign_in(db, person, "test")
     ready.client.cookies["bodydrive_sign_in"] = token
     assert ready.good("GET", "/adaptation")["proposal"]["id"] == view["proposal"]["id"]

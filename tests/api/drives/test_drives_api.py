@@ -6,10 +6,11 @@ from typing import Any
 import pytest
 from api.drives.chair_drives import arm
 from api.fake_clinic import WORD
+from store.known_people import known_clinic
 
 from app.faults import Fault, State
 from app.hardware.chair.reasons import WORDS, Reason
-from app.store.people import add_person, sign_in, the_clinic
+from app.store.people import add_person, sign_in
 
 ARMED, FAULT = 2, 3  # of a chair's telemetry
 
@@ -71,7 +72,7 @@ def test_a_control_process_that_dies_ends_the_drive(ready: Any) -> None:
 def test_only_who_armed_goes_on_and_ends_and_anybody_stops(ready: Any) -> None:
     database = ready.client.app.state.people.database
     with database.transaction() as db:
-        other = sign_in(db, add_person(db, the_clinic(db), "Other", "clinician", None), "test")
+        other = sign_in(db, add_person(db, known_clinic(db), "Other", "clinician", None), "test")
     with ready.screen():
         arm(ready)
         mine = ready.client.cookies["bodydrive_sign_in"]

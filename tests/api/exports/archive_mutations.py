@@ -10,6 +10,7 @@ from typing import Any
 
 from exports.exported_clinic import MEASURES, SIMULATED, make_clinic
 from recorded_trial import plan_of, record_trial, store_trial
+from store.known_people import known_clinic
 
 from app.calibration.script import calibration_script
 from app.clock import utc_now
@@ -25,7 +26,7 @@ from app.store.drives import add_drive, finish_drive
 from app.store.interface_tests import add_interface_test, finish_interface_test, save_workload
 from app.store.map_versions import go_back, save_adapted
 from app.store.parameters import as_document, current_parameters
-from app.store.people import add_person, the_clinic
+from app.store.people import add_person
 from app.store.records.patient_rows import Rows, patient_rows
 from app.store.runs import add_run, close_run
 from app.store.tables import PatientSession, Trial
@@ -98,7 +99,7 @@ def whole_clinic(state: Path, trials: int) -> tuple[Any, Path]:
         finish_drive(db, drive.id, "by hand", 12.5)
         add_note(db, 1, "Went well.", "Ana")
         add_scale(db, 1, "SCIM III", 41.5, now.date())
-        person = add_person(db, the_clinic(db), "Dora", "reviewer", None)
+        person = add_person(db, known_clinic(db), "Dora", "reviewer", None)
         add_comment(db, db.get_one(Trial, 1), person.id, 2.5, "Here it turns late.")
     for number in range(2, trials + 1):
         record_trial(settings.runs / f"{number:032x}", parameters, seconds=2.0, seed=number, plan=plan)

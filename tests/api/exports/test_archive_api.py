@@ -68,8 +68,8 @@ def test_an_archive_goes_to_another_clinic_and_leaves_it_with_the_same_hash(
     runs = signed_in.client.app.state.people.settings.runs
     assert read_run(runs / RUN).damage == ""
     before = state_of(signed_in)
-    again = {"patient_id": patient, "code": CODE, "is_new": False, "sessions": 0, "trials": 0, "kept": ""}
-    assert brought(signed_in, package).json() == again
+    answer = {"patient_id": patient, "code": CODE, "is_new": False, "sessions": 0, "trials": 0, "kept": ""}
+    assert brought(signed_in, package).json() == answer
     assert state_of(signed_in) == before
     (tmp_path / "again.zip").write_bytes(signed_in("GET", f"/patients/{patient}/archive").content)
     with open_archive(tmp_path / "again.zip") as again, open_archive(package) as first:

@@ -71,7 +71,7 @@ class Importing:
         with self._database.transaction() as db:
             trials = [trial.id for trial in db.query(Trial).filter_by(patient_id=patient)]
             sessions = {trial.session_id for trial in db.query(Trial).filter_by(patient_id=patient)}
-        asked = [("GET", place, None) for place in OF_CLINIC]
+        asked: list[tuple[str, str, dict[str, int] | None]] = [("GET", place, None) for place in OF_CLINIC]
         asked += [("GET", f"/patients/{patient}/{what}", None) for what in OF_PATIENT]
         asked += [("GET", f"/trials/{trials[0]}{what}", None) for what in OF_TRIAL if trials]
         asked += [("GET", f"/sessions/{session}{what}", None) for session in sessions for what in ("", "/story")]
@@ -137,7 +137,7 @@ def refused(words: str, rows: Rows) -> bool:
     return True
 
 
-HEADERS = (
+HEADERS: tuple[dict[str, Any], ...] = (
     *({}, {"layout": None}, {"sample_rate": "fast"}, {"sample_rate": 1e300}, {"gestures": {}}, {"gestures": ["x"]}),
     *({"cues": [1]}, {"software": []}, {"kind": {}}, {"path": ["x"]}, {"parameters": []}, {"floorplan": 3}),
     *({"parameters": {}}, {"floorplan": {"name": "x"}}, {"dynamics": []}, {"clinic": "x"}, {"source": 1}, {"more": {}}),

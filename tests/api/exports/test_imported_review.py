@@ -11,6 +11,7 @@ from api.running_app import running
 from exports.archive_clinics import bring, empty_clinic
 from exports.exported_clinic import MEASURES, RUN, SIMULATED, make_clinic
 from recorded_trial import plan_of, record_trial, store_trial
+from store.known_people import known_clinic
 
 from app.clock import utc_now
 from app.exports.archive.archive_making import make_archive
@@ -18,7 +19,7 @@ from app.recording.recorded_trajectory import read_trajectory
 from app.settings import Settings
 from app.store.database import Database
 from app.store.parameters import current_parameters, save_parameters, save_profile
-from app.store.people import add_person, sign_in, the_clinic
+from app.store.people import add_person, sign_in
 from app.store.runs import close_run
 from app.store.tables import PatientSession, Trial
 from building import make_parameters
@@ -78,7 +79,7 @@ def reviewed(settings: Settings) -> Iterator[Clinic]:
     """Open a clinic's pages as somebody who may see everything."""
     for clinic in running(settings):
         with clinic.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
-            person = add_person(db, the_clinic(db), "Rita", "clinician", None)
+            person = add_person(db, known_clinic(db), "Rita", "clinician", None)
             clinic.client.cookies.set("bodydrive_sign_in", sign_in(db, person, "test"))
         yield clinic
 

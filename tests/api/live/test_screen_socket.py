@@ -7,8 +7,8 @@ import pytest
 from api.fake_clinic import BASE, WORD
 from starlette.websockets import WebSocketDisconnect
 
-from app.api import parts
 from app.api.live import screens
+from app.api.live.screens import VIRTUAL_SILENCE_LIMIT
 from app.session.control_link import ScreenSign
 
 URL = f"{BASE.replace('http', 'ws')}/api/v1/screen"
@@ -82,7 +82,7 @@ def test_hiding_standing_still_and_closing_are_told_apart_with_the_very_message(
         for _ in range(2):
             socket.send_json(saying(visible=False))
         tells_at_once("hidden")
-        socket.send_json(saying(silence=parts.VIRTUAL_SILENCE_LIMIT))
+        socket.send_json(saying(silence=VIRTUAL_SILENCE_LIMIT))
         until_told(driving, "in view")  # nobody sits in the virtual chair: a slow screen may draw for so long
         for silence in (3.1, 3.2):
             socket.send_json(saying(silence=silence))

@@ -43,7 +43,7 @@ TEXTS = (
     *("2026-01-31T10:00:00Z", "\u202ex", "\ud83e\udd86", "x" * 300, "-1", "null", "csv", "html", "simulated", "worn"),
 )
 NUMBERS = (0, 1, 2, 3, 0.5, -1, 1e-9, 100, 2**31, 2**63, 1e300, -0.0)
-JUNK = (None, True, "", "x", 1, -1, 0.5, 2**70, [], [[]], {}, {"x": 1}, "\x00", 1e308)
+JUNK: tuple[Any, ...] = (None, True, "", "x", 1, -1, 0.5, 2**70, [], [[]], {}, {"x": 1}, "\x00", 1e308)
 
 
 def misfits(schema: Any, value: Any, root: dict[str, Any], place: str = "") -> Iterator[str]:

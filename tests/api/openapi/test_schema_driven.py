@@ -10,9 +10,10 @@ from urllib.parse import quote
 import pytest
 from api.fake_clinic import BASE, Clinic
 from api.openapi.json_schema import misfits, value_for
+from store.known_people import known_clinic
 
 from app.store.access.person_tables import Person
-from app.store.people import add_person, sign_in, the_clinic
+from app.store.people import add_person, sign_in
 
 SLOW = {"/api/v1/computer/measurement"}  # it measures for as many seconds as it is asked to
 ODD = (0.0, 0.05, 0.3)  # probabilities that a part of a request is something else
@@ -60,7 +61,7 @@ def wrong_answer(operation: dict[str, Any], answer: Any, document: dict[str, Any
     if known is None:
         return [f"{code} is not declared"]
     kind = answer.headers.get("content-type", "").partition(";")[0]
-    content = known.get("content", {})
+    content: dict[str, dict[str, Any]] = known.get("content", {})
     if not content:  # nothing, or a file, whose content the document does not describe
         return (
             [f"{code} has a JSON content, and none is declared"]
@@ -88,11 +89,11 @@ def failures(clinic: Clinic, role: str, count: int, seed: int) -> tuple[list[str
     wrong: list[str] = []
     codes: Counter[int] = Counter()
     with database.transaction() as db:
-        person = add_person(db, the_clinic(db), f"A {role}", role, None).id
+        person = add_person(db, known_clinic(db), f"A {role}", role, None).id
     for number in range(count):
         path, method, operation = every[number % len(every)] if number < len(every) else dice.choice(every)
         with database.transaction() as db:
-            who = add_person(db, the_clinic(db), f"{role} {number}", role, None) if number % 50 == 0 else None
+            who = add_person(db, known_clinic(db), f"{role} {number}", role, None) if number % 50 == 0 else None
             person = who.id if who is not None else person
             clinic.client.cookies.set("bodydrive_sign_in", sign_in(db, db.get_one(Person, person), "test"))
         sent = request_of(path, operation, document, dice)

@@ -1,18 +1,21 @@
 """The patient's screen: paired once by a code, opened by its own cookie, closed with the session."""
 
 from datetime import timedelta
+from typing import Any
 
 import pytest
 from api.fake_clinic import BASE, Clinic
 from api.pairing import closing, code_of, only, pair
 from api.test_roles import FOR_EVERYONE, FOR_PATIENTS_SCREENS, table
 from starlette.websockets import WebSocketDisconnect
+from store.known_people import known_person
 
 from app.api import sockets
+from app.clock import monotonic, utc_now
 from app.scene.client_messages import SUBPROTOCOL
 from app.session import screen_codes
 from app.store import patient_screens as store_patient_screens
-from app.store.people import find_person, sign_in
+from app.store.people import sign_in
 from app.store.tables import PatientScreen
 
 ORIGIN = {"Origin": BASE}
@@ -56,7 +59,7 @@ def test_only_the_newest_code_pairs_and_not_for_long(in_session: Clinic, monkeyp
     first, second = code_of(in_session), code_of(in_session)
     assert first != second
     assert pair(in_session, first).status_code == 409
-    now = screen_codes.monotonic()
+    now = monotonic()
     monkeypatch.setattr(screen_codes, "monotonic", lambda: now + 601.0)
     assert pair(in_session, second).status_code == 409
 
@@ -88,7 +91,8 @@ def test_its_cookie_opens_no_other_route(screen: Clinic) -> None:
         for role in ("clinician", "patient") if "{role}" in path else ("",):
             url = f"{prefix}{path.replace('{role}', role)}"
             opens = name in FOR_PATIENTS_SCREENS and role == "patient"
-            for body in ({}, {"json": {}}):
+            bodies: list[dict[str, Any]] = [{}, {"json": {}}]
+            for body in bodies:
                 status = screen.client.request(method, url, headers=ORIGIN, **body).status_code
                 if status != (200 if opens else 401):
                     wrong.append((method, url, status))
@@ -151,7 +155,7 @@ def test_the_end_of_the_session_is_the_end_of_its_screens(paired: Clinic) -> Non
 def test_a_forgotten_session_keeps_no_screen_for_more_than_twelve_hours(
     screen: Clinic, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    now = store_patient_screens.utc_now()
+    now = utc_now()
     monkeypatch.setattr(store_patient_screens, "utc_now", lambda: now + timedelta(hours=12, minutes=1))
     assert screen.good("GET", "/patient-screen/me") == {"state": "over"}
     assert screen.client.get("/view/patient/", headers=ORIGIN).status_code == 401
@@ -162,7 +166,7 @@ def test_a_pairing_that_ends_behind_its_back_closes_its_socket(screen: Clinic, m
     with screen.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         socket.receive_json()
         with screen.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
-            db.get_one(PatientScreen, 1).unpaired = store_patient_screens.utc_now()
+            db.get_one(PatientScreen, 1).unpaired = utc_now()
         assert closing(socket) == 4401
 
 
@@ -192,7 +196,7 @@ def test_there_is_an_end_to_screens(paired: Clinic) -> None:
 def test_a_reviewer_pairs_nothing(paired: Clinic) -> None:
     database = paired.client.app.state.people.database  # type: ignore[attr-defined]
     with database.transaction() as db:
-        person = find_person(db, "Demo clinician")
+        person = known_person(db, "Demo clinician")
         person.role = "reviewer"
         paired.client.cookies["bodydrive_sign_in"] = sign_in(db, person, "test")
     for method, path in (("POST", "/pairing"), ("POST", "/settings"), ("GET", ""), ("DELETE", "/1")):

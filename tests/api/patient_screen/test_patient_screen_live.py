@@ -61,7 +61,7 @@ def test_a_prompt_of_the_calibration_is_a_cue(paired: Clinic) -> None:
         ticks["cue"] = 1 if process.run else -1
         return ticks
 
-    process.since = cued  # type: ignore[method-assign]
+    process.since = cued  # type: ignore[assignment,method-assign]
     with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         assert socket.receive_json()["cue"] is None
         paired.good("POST", f"/calibration/steps/{step['id']}/start")

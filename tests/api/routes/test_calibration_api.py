@@ -9,6 +9,7 @@ import pytest
 from api.fake_clinic import JOINTS, WORD, Clinic, profile_for
 from api.running_app import running
 
+from app.calibration.script import calibration_script
 from app.session.calibration import calibration_flow
 from app.settings import Settings
 from app.store.tables import CalibrationStep, PatientSession
@@ -203,7 +204,8 @@ def test_a_step_that_ends_while_it_is_looked_at_is_shown_as_running_or_as_ended(
 ) -> None:
     signed_in.begin_session()
     signed_in.good("POST", "/calibration/steps/rest/start")
-    script, calls = calibration_flow.calibration_script, []
+    script = calibration_script
+    calls: list[Any] = []
 
     def end_the_step_first(layout: Any) -> Any:
         is_first = not calls
@@ -275,7 +277,7 @@ def test_a_restart_of_the_web_process_comes_back_to_the_same_step(settings: Sett
 def test_another_shirt_does_not_drive_with_this_calibration(signed_in: Clinic) -> None:
     signed_in.begin_session()
     signed_in.calibrate()
-    worn = signed_in.client.app.state.web.equipment
+    worn = signed_in.client.app.state.web.equipment  # type: ignore[attr-defined]
     worn.sample_rate = 250.0
     obstacle = signed_in.good("GET", "/controls")["obstacle"]
     assert ("calibrate again" in obstacle["words"], obstacle["page"]) == (True, "calibrate")

@@ -4,6 +4,7 @@ from typing import Any
 
 import pytest
 from api import running_app
+from api.fake_clinic import profile_for
 
 from app.calibration.linear_map import LinearMap, MapCheck
 
@@ -26,7 +27,7 @@ def guided(pca: MapCheck, own: MapCheck) -> LinearMap:
 @pytest.fixture
 def fitted(signed_in: Any, monkeypatch: pytest.MonkeyPatch) -> Any:
     """A clinic whose calibration has guided maps: a better one for the first joint, a worse one for the second."""
-    plain = running_app.profile_for
+    plain = profile_for
 
     def with_guided(layout: Any) -> Any:
         profile = plain(layout)

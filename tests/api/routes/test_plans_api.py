@@ -5,7 +5,7 @@ import json
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
-import ezdxf
+import ezdxf.filemanagement
 import numpy as np
 import pytest
 import trimesh
@@ -188,7 +188,7 @@ def test_more_than_a_plan_can_hold_is_not_taken(signed_in: Any) -> None:
 
 
 def dxf(unit: int = 6) -> bytes:
-    document = ezdxf.new()
+    document = ezdxf.filemanagement.new()
     document.header["$INSUNITS"] = unit
     document.modelspace().add_lwpolyline([(0, 0), (8, 0), (8, 6), (0, 6)], close=True, dxfattribs={"layer": "A-WALL"})
     text = io.StringIO()

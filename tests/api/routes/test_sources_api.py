@@ -92,12 +92,13 @@ def test_trials_say_their_source_and_worn_and_simulated_ones_are_never_mixed(cli
     consent(clinic, patient)
     made: dict[str, list[int]] = {}
     for config in (WORN, SIMULATED, WORN):
+        kind = str(config["kind"])
         clinic.good("PUT", "/equipment/shirt", json=config)
         if config is WORN and not made:
             clinic.calibrate()
         where, trial = drive(clinic)
-        made.setdefault(config["kind"], []).append(trial["id"])
-        assert trial["source"]["words"] == WORDS[config["kind"]]
+        made.setdefault(kind, []).append(trial["id"])
+        assert trial["source"]["words"] == WORDS[kind]
         assert trial["source"]["simulated"] is (config is SIMULATED)
         detail = clinic.good("GET", f"/trials/{trial['id']}")
         assert detail["source"] == trial["source"]

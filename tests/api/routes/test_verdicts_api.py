@@ -9,10 +9,11 @@ import pytest
 from api.fake_clinic import Clinic
 from api.people_of_clinic import as_person
 from store.course_of_sessions import store_course
+from store.known_people import known_clinic
 
 from app.source import Source
 from app.store.patients import add_patient
-from app.store.people import add_person, sign_in, the_clinic
+from app.store.people import add_person, sign_in
 from app.world.floorplan import FloorPlan
 from app.world.scene import find_place
 
@@ -32,7 +33,7 @@ def course(signed_in: Clinic) -> Clinic:
     assert isinstance(plan, FloorPlan)
     clinic = signed_in
     with clinic.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
-        named = the_clinic(db)
+        named = known_clinic(db)
         assert named is not None
         for number in range(5):
             patient = add_patient(db, named.id, f"P-{number}", "Heron", "")
@@ -115,7 +116,7 @@ def test_trials_of_different_people_or_sources_are_refused_in_one_sentence(cours
 def test_a_reviewer_of_this_patient_alone_reads_the_same_verdicts(course: Any) -> None:
     owner = task(course)["verdicts"]
     with course.client.app.state.people.database.transaction() as db:
-        person = add_person(db, the_clinic(db), "Rita", "reviewer", None, patients=[course.heron])
+        person = add_person(db, known_clinic(db), "Rita", "reviewer", None, patients=[course.heron])
         cookies = {"bodydrive_sign_in": sign_in(db, person, "test")}
     with as_person(course, cookies):
         assert task(course)["verdicts"] == owner

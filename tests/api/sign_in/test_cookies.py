@@ -6,8 +6,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from api.fake_clinic import Clinic, TestClient
+from api.fake_clinic import Clinic
 from api.running_app import running
+from starlette.testclient import TestClient
 from starlette.websockets import WebSocketDisconnect
 
 from app.api.sign_in import hashing

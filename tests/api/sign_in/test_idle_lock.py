@@ -128,12 +128,12 @@ def test_the_live_socket_shows_nothing_of_a_patient_while_locked_and_stops(owned
 
 def test_the_3d_view_ends_when_the_page_is_locked(owned: Clinic, later: Later, monkeypatch: pytest.MonkeyPatch) -> None:
     serve_view(monkeypatch)
-    with owned.client.websocket_connect(**VIEW) as socket:  # type: ignore[arg-type]
+    with owned.client.websocket_connect(**VIEW) as socket:
         later(11)
         with pytest.raises(WebSocketDisconnect) as ended:
             socket.receive_text()
         assert ended.value.code == 4409
-    with pytest.raises(WebSocketDisconnect), owned.client.websocket_connect(**VIEW):  # type: ignore[arg-type]
+    with pytest.raises(WebSocketDisconnect), owned.client.websocket_connect(**VIEW):
         pass
 
 
@@ -147,13 +147,18 @@ def test_wrong_passwords_from_elsewhere_do_not_keep_a_page_locked(owned: Clinic,
     assert owned.good("POST", "/auth/unlock", json=PASSWORD)["locked"] is False
 
 
+def beyond(number: int) -> Callable[[Any], bool]:
+    """Return whether a message has a later tick than this."""
+    return lambda message: bool(message["tick"] > number)
+
+
 def test_a_touch_of_the_page_counts_as_an_action(owned: Clinic, later: Later) -> None:
     with owned.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         for _ in range(3):
             later(6)
             socket.send_json({"acted": True})
             number = socket.receive_json()["tick"]
-            next_that(socket, lambda m, n=number: m["tick"] > n + 1)
+            next_that(socket, beyond(number + 1))
         assert owned("GET", "/patients").status_code == 200
 
 
@@ -163,7 +168,7 @@ def test_armed_or_recording_is_not_idle(owned: Clinic, later: Later, monkeypatch
         for _ in range(3):
             later(6)
             number = socket.receive_json()["tick"]
-            next_that(socket, lambda m, n=number: m["tick"] > n + 4)
+            next_that(socket, beyond(number + 4))
         assert owned("GET", "/patients").status_code == 200
         monkeypatch.setattr(type(owned.web.session), "recording", property(lambda _self: False))
         later(10.5)

@@ -10,6 +10,7 @@ from api.running_app import running
 
 from app.api.sign_in import set_up
 from app.api.sign_in.hashing import Hashing
+from app.clock import monotonic
 from app.settings import Settings
 
 
@@ -71,7 +72,7 @@ def test_the_set_up_code_makes_one_owner(real: Any) -> None:
 
 
 def test_the_set_up_code_lasts_half_an_hour(real: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    later = set_up.monotonic() + 1801
+    later = monotonic() + 1801
     monkeypatch.setattr(set_up, "monotonic", lambda: later)
     answer = real("POST", "/auth/setup", json=OWNER)
     assert answer.status_code == 401

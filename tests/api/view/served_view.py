@@ -1,5 +1,7 @@
 """A 3D view for a test of who may see it: the bridge accepts an admitted browser, and shows nothing."""
 
+from typing import Any
+
 import pytest
 from api.fake_clinic import BASE
 from fastapi import WebSocket
@@ -9,7 +11,7 @@ from app.api.view.view_keeper import ViewKeeper
 from app.scene.client_messages import SUBPROTOCOL
 from app.scene.role_servers import Role
 
-VIEW = {
+VIEW: dict[str, Any] = {
     "url": f"{BASE.replace('http', 'ws')}/view/clinician/",
     "subprotocols": [SUBPROTOCOL],
     "headers": {"Origin": BASE},

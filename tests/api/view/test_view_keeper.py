@@ -7,8 +7,7 @@ import pytest
 from viser.infra._async_message_buffer import AsyncMessageBuffer
 
 from app.api.view.view_keeper import ServedScene, ViewKeeper
-from app.world.floorplan import load_floorplan
-from app.world.scene import bundled_floorplans
+from app.world.floorplan import bundled_floorplans, load_floorplan
 
 
 @pytest.fixture

@@ -2,10 +2,12 @@
 
 import re
 
+import pytest
+
 from bench.learning.donning import main
 
 
-def test_it_counts_what_s5_silences_with_each_kind_of_range(capsys) -> None:
+def test_it_counts_what_s5_silences_with_each_kind_of_range(capsys: pytest.CaptureFixture[str]) -> None:
     main(people=1)
     text = capsys.readouterr().out
     counts = [int(found) for found in re.findall(r"silences (\d+) of 16", text)]

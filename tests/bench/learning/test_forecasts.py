@@ -3,7 +3,7 @@
 from bench.learning.forecasts import KINDS, Kind, Tally, compare, row
 
 
-def test_one_person_is_compared_and_counted():
+def test_one_person_is_compared_and_counted() -> None:
     tally = Tally()
     compare(Kind("able", 0.0, 0.0), 1, tally, rest=5.0, repetitions=2)
     assert (tally.gestures, tally.movements) == (4, 8)
@@ -15,7 +15,7 @@ def test_one_person_is_compared_and_counted():
     assert (cells[0].strip(), cells[1].strip(), cells[8].strip()) == ("able", "4", "1.000")
 
 
-def test_people_differ_in_what_they_are_asked_to():
+def test_people_differ_in_what_they_are_asked_to() -> None:
     even, uneven = Tally(), Tally()
     compare(Kind("even", 0.0, 0.0), 2, even, rest=1.0, repetitions=6)
     compare(Kind("uneven", 0.0, 1.0), 2, uneven, rest=1.0, repetitions=6)

@@ -6,16 +6,16 @@ import numpy as np
 import pytest
 
 from app.scene.meshes.building import OVERHEAD, WALLS, building_parts
-from app.world.floorplan import bundled_floorplans, load_floorplan
+from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
 from bench.processes.eye_served import PLAN, plain_parts, tick_at
 
 
 @pytest.fixture(scope="module")
-def plan():
+def plan() -> FloorPlan:
     return load_floorplan(bundled_floorplans()[PLAN])
 
 
-def test_the_plain_scene_has_the_same_furniture_and_neither_ceiling_nor_tiles(plan):
+def test_the_plain_scene_has_the_same_furniture_and_neither_ceiling_nor_tiles(plan: FloorPlan) -> None:
     drawn, plain = building_parts(plan), plain_parts(plan)
     assert OVERHEAD in drawn
     assert set(plain) == set(drawn) - {OVERHEAD}
@@ -24,7 +24,7 @@ def test_the_plain_scene_has_the_same_furniture_and_neither_ceiling_nor_tiles(pl
     assert np.ptp(walls[:, 2]) == plan.wall_height
 
 
-def test_the_chair_drives_the_path_and_looks_along_it(plan):
+def test_the_chair_drives_the_path_and_looks_along_it(plan: FloorPlan) -> None:
     line = plan.paths[0].line
     for now in (0.0, 3.0, 7.5):
         tick = tick_at(plan, now)

@@ -9,7 +9,7 @@ import io
 import shutil
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -65,7 +65,8 @@ class Cell:
 def cell(text: str) -> Cell:
     """Return the cell of a text such as 1280x800/dark or 1280x800/light/200 (a zoom in percent)."""
     parts = text.split("/")
-    known = zip(parts, (SIZES, THEMES, ZOOMS), strict=False)
+    names_of: tuple[Container[str], ...] = (SIZES, THEMES, ZOOMS)
+    known = zip(parts, names_of, strict=False)
     if len(parts) not in (2, 3) or not all(part in names for part, names in known):
         raise argparse.ArgumentTypeError(
             f"{text!r} is no cell: write SIZE/THEME or SIZE/THEME/ZOOM, with a size of {', '.join(SIZES)}, "

@@ -43,6 +43,8 @@ def test_a_disk_died_and_the_clinic_is_there_again(bodydrive: Any, settings: Set
     with database.transaction() as db:
         last = db.query(LogEntry).order_by(LogEntry.id.desc()).first()
         row = db.query(MadeBackup).order_by(MadeBackup.id.desc()).first()
+        assert last is not None
+        assert row is not None
         assert (last.person, last.what, last.details["hash"]) == (
             "command line",
             "backup made",

@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 from api.fake_clinic import profile_for
-from features.prior.test_drive_now import record
+from features.prior.calibrated_others import record
 
 from app.calibration.linear_map import Arrangement
 from app.layout import Channel, ShirtLayout

@@ -44,7 +44,7 @@ def drive_trial(clinic: Clinic) -> int:
 def write_record(clinic: Clinic, session: int) -> dict[str, Any]:
     clinic.good("PUT", f"/sessions/{session}/goal", json={"goal": "To the kitchen."})
     clinic.good("POST", f"/sessions/{session}/notes", json={"text": "Tired."})
-    return clinic.good("POST", f"/sessions/{session}/scales", json=SCALE)  # type: ignore[no-any-return]
+    return clinic.good("POST", f"/sessions/{session}/scales", json=SCALE)
 
 
 def test_what_is_written_is_answered_and_logged_without_its_words(calibrated: Clinic) -> None:

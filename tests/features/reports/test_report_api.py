@@ -9,11 +9,12 @@ from api.fake_clinic import Clinic
 from api.people_of_clinic import as_person
 from features.reports.reported_clinic import CODE, store_reported_course
 from features.reports.words_of import html_page, pdf_pages
+from store.known_people import known_clinic
 
 from app.features.consents.service import give_consent, withdraw_consent
 from app.settings import Settings
 from app.store.log_chain import HeadFile
-from app.store.people import add_person, sign_in, the_clinic
+from app.store.people import add_person, sign_in
 
 
 @pytest.fixture
@@ -21,7 +22,7 @@ def reported(signed_in: Clinic, settings: Settings) -> Any:
     """A clinic with a course of two sessions; its patient's id is the second value."""
     database = signed_in.client.app.state.people.database  # type: ignore[attr-defined]
     with database.transaction() as db:
-        clinic = the_clinic(db)
+        clinic = known_clinic(db)
     patient = store_reported_course(database, settings.runs, 2, clinic.id, recordings=False)
     with database.transaction() as db:
         give_consent(db, patient, "sharing", date(2026, 1, 1), "Ana")
@@ -70,7 +71,7 @@ def test_what_is_not_there_is_said_in_a_sentence(reported: Any) -> None:
 def test_a_reviewer_reads_and_takes_nothing_out(reported: Any) -> None:
     clinic, patient = reported
     with clinic.client.app.state.people.database.transaction() as db:
-        person = add_person(db, the_clinic(db), "Rita", "reviewer", None)
+        person = add_person(db, known_clinic(db), "Rita", "reviewer", None)
         cookies = {"bodydrive_sign_in": sign_in(db, person, "test")}
     with as_person(clinic, cookies):
         answer = clinic("GET", f"/patients/{patient}/report")

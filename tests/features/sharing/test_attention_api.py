@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from api.fake_clinic import Clinic
 from store.course_of_sessions import store_course
+from store.known_people import known_clinic
 
 from app.features.sharing.attention import RECENT
 from app.source import Source
@@ -14,7 +15,6 @@ from app.store.chairs import add_chair
 from app.store.drives import add_drive, finish_drive
 from app.store.parameters import current_parameters
 from app.store.patients import add_patient, sessions_of
-from app.store.people import the_clinic
 from app.store.runs import add_run
 from app.store.tables import Patient
 from app.world.floorplan import FloorPlan
@@ -33,7 +33,7 @@ def course(signed_in: Clinic) -> dict[str, list[int]]:
     assert isinstance(plan, FloorPlan)
     ids = {}
     with signed_in.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
-        clinic = the_clinic(db)
+        clinic = known_clinic(db)
         assert clinic is not None
         for code, levels in LEVELS.items():
             patient = add_patient(db, clinic.id, code, "Heron", "")
@@ -87,7 +87,7 @@ def test_a_drive_that_a_fault_stopped_stands_before_everything_else(signed_in: C
         patient = db.query(Patient).filter_by(code="steady").one()
         session = sessions_of(db, patient.id)[0]
         row, _ = current_parameters(db, patient.id)
-        chair = add_chair(db, the_clinic(db), "Red", "chair.example", 5354, 7, HIGHEST_SPEEDS)
+        chair = add_chair(db, known_clinic(db), "Red", "chair.example", 5354, 7, HIGHEST_SPEEDS)
         for number, end in enumerate(("fault", "by hand", "fault")):
             run = add_run(db, f"drive-{number}", session.id, "drive", f"drive-{number}", REAL)
             given = {"run": run, "clinic_id": patient.clinic_id, "patient_id": patient.id, "chair_id": chair.id}

@@ -9,12 +9,12 @@ from api.fake_clinic import BASE, Clinic
 from api.people_of_clinic import as_person
 from api.test_roles import contexts, requested, table
 from fastapi.routing import APIRoute
+from store.known_people import known_clinic
 
 from app.clock import utc_now
 from app.features.sharing.shared_page import WRONG
 from app.features.sharing.tables import ShareLink
 from app.store.patients import add_patient, start_session
-from app.store.people import the_clinic
 
 SHARED = "/shared"
 
@@ -123,7 +123,7 @@ def test_a_link_that_was_cut_is_refused_as_a_wrong_one(consented: Clinic) -> Non
 def test_a_link_to_a_session_shows_this_session_only(consented: Clinic, trial: int) -> None:
     link = made(consented, session=consented.session)
     with consented.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
-        start_session(db, the_clinic(db).id, consented.patient["id"]).ended = None
+        start_session(db, known_clinic(db).id, consented.patient["id"]).ended = None
     with as_person(consented, {}):
         assert opened(consented, link).status_code == 204
         found = consented.good("GET", SHARED)
@@ -188,7 +188,7 @@ def test_a_link_holds_for_fourteen_days_at_most(consented: Clinic) -> None:
 
 def test_the_cookie_of_a_link_opens_no_other_route(consented: Clinic, trial: int) -> None:
     with consented.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
-        add_patient(db, the_clinic(db).id, "OTHER-7", "Otter", "")
+        add_patient(db, known_clinic(db).id, "OTHER-7", "Otter", "")
     link = made(consented)
     with as_person(consented, {}):
         assert opened(consented, link).status_code == 204

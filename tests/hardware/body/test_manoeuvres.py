@@ -3,8 +3,10 @@
 import dataclasses
 import json
 import math
+from typing import Any
 
 import pytest
+from hardware.body.wishes import wished
 
 from app.geometry import Pose
 from app.hardware.base import LeaderView
@@ -19,9 +21,9 @@ WORTH = {"right_elbow": 0.3, "left_elbow": -0.3, "right_shoulder": 0.45, "left_s
 DT = 0.01  # s
 
 LINE = {"title": "T", "instruction": "Go.", "goal_radius": 0.3}
-TURN = {"points": [[0, 0], [0, 2]], "task": {"kind": "turn", "direction": "left"}}
-BACK = {"points": [[0, 0], [-2, 0]], "task": {"kind": "back"}}
-STAGES = [
+TURN: dict[str, Any] = {"points": [[0, 0], [0, 2]], "task": {"kind": "turn", "direction": "left"}}
+BACK: dict[str, Any] = {"points": [[0, 0], [-2, 0]], "task": {"kind": "back"}}
+STAGES: list[dict[str, Any]] = [
     {**LINE, **TURN},
     {**LINE, "points": [[0, 0], [0, 3]]},
     {**LINE, "points": [[0, 3], [0, 1.5]], "task": BACK["task"]},
@@ -100,6 +102,7 @@ def test_a_leader_is_followed_at_the_asked_distance(seed) -> None:
     gaps = []
     while not floor.progress.reached and floor.t < 60.0:
         floor.live(1.0)
+        assert floor.leader is not None
         leader = floor.leader.at(floor.scene_t).pose
         gaps.append(math.hypot(leader.x - floor.pose.x, leader.y - floor.pose.y))
     assert floor.progress.reached
@@ -148,24 +151,24 @@ def test_who_turns_lets_the_chair_stand_first_and_turns_the_asked_way() -> None:
     _, path = asked(points=[[0, 0], [0, -2]], task={"kind": "turn", "direction": "left"})
     aim = TurnAim(path, path.task)
     here = Pose(0.0, 0.0, path.start.theta)
-    assert aim.want(0.0, here, 0.2).wish == "slower"
-    assert aim.want(0.1, here, -0.2).wish == "faster"
-    assert aim.want(0.2, here, 0.0).wish == "left"
+    assert wished(aim.want(0.0, here, 0.2)) == "slower"
+    assert wished(aim.want(0.1, here, -0.2)) == "faster"
+    assert wished(aim.want(0.2, here, 0.0)) == "left"
     past = Pose(0.0, 0.0, -math.pi / 2 + 0.3)
     for theta in (1.0, 2.0, 3.0, -2.0, past.theta):  # the long way round
         wish = aim.want(0.3, here._replace(theta=theta), 0.0)
-    assert wish.wish == "right"
+    assert wished(wish) == "right"
     assert aim.want(0.4, here._replace(theta=-math.pi / 2 + 0.02), 0.0) is None
 
 
 def test_who_rolls_off_the_spot_goes_back_to_it_when_it_lies_ahead_or_behind() -> None:
     _, path = asked(points=[[0, 0], [0, -2]], task={"kind": "turn", "direction": "left"}, goal_radius=0.4)
     aim = TurnAim(path, path.task)
-    assert aim.want(0.0, Pose(0.5, 0.0, 0.0), 0.0).wish == "slower"
+    assert wished(aim.want(0.0, Pose(0.5, 0.0, 0.0), 0.0)) == "slower"
     assert aim.want(0.1, Pose(0.5, 0.0, 0.0), -0.12) is None
-    assert aim.want(0.2, Pose(-0.5, 0.0, 0.0), 0.0).wish == "faster"
-    assert aim.want(0.3, Pose(0.0, 0.5, 0.0), 0.0).wish in {"left", "right"}, "it lies to the side"
-    assert aim.want(0.4, Pose(0.2, 0.0, 0.0), 0.0).wish in {"left", "right"}, "near enough"
+    assert wished(aim.want(0.2, Pose(-0.5, 0.0, 0.0), 0.0)) == "faster"
+    assert wished(aim.want(0.3, Pose(0.0, 0.5, 0.0), 0.0)) in {"left", "right"}, "it lies to the side"
+    assert wished(aim.want(0.4, Pose(0.2, 0.0, 0.0), 0.0)) in {"left", "right"}, "near enough"
 
 
 def test_who_backs_begins_stands_at_the_end_and_keeps_to_the_line() -> None:
@@ -174,7 +177,7 @@ def test_who_backs_begins_stands_at_the_end_and_keeps_to_the_line() -> None:
     assert aim.want(0.0, path.start, 0.0) == ("slower", pytest.approx(0.2))
     assert aim.want(0.1, Pose(-0.5, 0.0, 0.0), -0.2) is None
     # Driving backwards, a chair that has come off to its left turns left, so that its back points to the line.
-    assert aim.want(0.2, Pose(-0.5, 0.3, 0.0), -0.2).wish == "left"
-    assert aim.want(0.3, Pose(-0.5, -0.3, 0.0), -0.2).wish == "right"
+    assert wished(aim.want(0.2, Pose(-0.5, 0.3, 0.0), -0.2)) == "left"
+    assert wished(aim.want(0.3, Pose(-0.5, -0.3, 0.0), -0.2)) == "right"
     aim.want(0.35, Pose(-1.2, 0.0, 0.0), -0.2)
     assert aim.want(0.4, Pose(-1.95, 0.0, 0.0), -0.2) == ("faster", pytest.approx(0.2))

@@ -8,6 +8,7 @@ import sys
 
 import numpy as np
 import pytest
+from hardware.body.wishes import wished
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -125,13 +126,13 @@ def test_steering_wishes() -> None:
     start = steering.want(0.0, Pose(0.0, 0.0, 0.0), 0.0, False, 0.0)
     assert start is not None
     assert start.wish == "faster"
-    assert steering.want(0.1, Pose(0.5, 0.0, 0.4), 0.6, False, 0.0).wish == "right"
-    assert steering.want(0.2, Pose(0.5, 0.0, -0.4), 0.6, False, 0.0).wish == "left"
+    assert wished(steering.want(0.1, Pose(0.5, 0.0, 0.4), 0.6, False, 0.0)) == "right"
+    assert wished(steering.want(0.2, Pose(0.5, 0.0, -0.4), 0.6, False, 0.0)) == "left"
     assert steering.want(0.3, Pose(1.0, 0.0, 0.0), 0.6, False, 0.0) is None
-    assert steering.want(0.4, Pose(1.0, 0.0, 0.0), -0.2, False, 0.0).wish == "faster"
+    assert wished(steering.want(0.4, Pose(1.0, 0.0, 0.0), -0.2, False, 0.0)) == "faster"
     for x in (2.0, 3.0, 4.0, 5.0):
         steering.want(1.0, Pose(x, 0.0, 0.0), 0.6, False, 0.0)
-    assert steering.want(9.0, Pose(5.5, 0.0, 0.0), 0.7, False, 0.0).wish == "slower"
+    assert wished(steering.want(9.0, Pose(5.5, 0.0, 0.0), 0.7, False, 0.0)) == "slower"
 
 
 def test_who_is_stuck_backs_away_and_then_drives_on() -> None:
@@ -141,7 +142,7 @@ def test_who_is_stuck_backs_away_and_then_drives_on() -> None:
     assert wishes[-1] is not None
     assert wishes[-1].wish == "slower"
     assert steering.want(3.5, Pose(0.5, 0.0, 0.0), -0.15, False, 0.0) is None
-    assert steering.want(4.5, Pose(0.25, 0.0, 0.0), -0.15, False, 0.0).wish == "faster"
+    assert wished(steering.want(4.5, Pose(0.25, 0.0, 0.0), -0.15, False, 0.0)) == "faster"
 
 
 def drive(driver: Driver, seconds: float, t: float = 0.0) -> list[dict[str, float]]:
@@ -222,6 +223,7 @@ def test_practice_moves_beliefs_towards_the_truth_and_the_driver_along_the_path(
         before += error(driver)
         x, y = practise(driver, 300.0)
         after += error(driver)
+        assert isinstance(driver.steering, Steering)
         assert driver.steering.course.s > 60.0
         assert abs(driver.steering.course.cross_track) < 1.5
         assert math.hypot(x, y) > 20.0

@@ -14,6 +14,7 @@ from processes.host.served_lan import HOSTS, NAME, OWNER, ServedLan, served_lan
 from processes.served_demo import bodydrive
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
+from websockets.typing import Origin
 
 from folders import ROOT
 
@@ -54,10 +55,12 @@ def test_a_person_signs_in_over_https_and_gets_the_live_socket(lan: ServedLan) -
         cookie = f"__Host-bodydrive_sign_in={client.cookies['__Host-bodydrive_sign_in']}"
     base = f"https://{HOSTS[1]}:{lan.port}"
     address = f"{base.replace('https', 'wss')}/api/v1/live"
-    with connect(address, ssl=lan.trust, origin=base, additional_headers={"Cookie": cookie}) as live:
+    with connect(address, ssl=lan.trust, origin=Origin(base), additional_headers={"Cookie": cookie}) as live:
         assert live.recv(timeout=60)
     with pytest.raises(InvalidStatus):
-        connect(address, ssl=lan.trust, origin=base.replace("https", "http"), additional_headers={"Cookie": cookie})
+        connect(
+            address, ssl=lan.trust, origin=Origin(base.replace("https", "http")), additional_headers={"Cookie": cookie}
+        )
 
 
 def test_over_http_there_is_the_page_that_explains_and_nothing_else(lan: ServedLan) -> None:

@@ -190,8 +190,9 @@ def test_a_value_comes_back_from_its_scale(name: str, value: float) -> None:
 )
 def test_any_numbers_have_a_finite_verdict(name: str, sessions: list[list[float]]) -> None:
     rows = rows_of(*sessions, measure=name)
-    for found in (*task_verdicts(rows, CLINIC).sessions, trial_verdicts(rows, CLINIC, rows[-1]["id"], None)):
-        for verdict in found.verdicts.values():
+    of_sessions = [found.verdicts for found in task_verdicts(rows, CLINIC).sessions]
+    for verdicts in (*of_sessions, trial_verdicts(rows, CLINIC, rows[-1]["id"], None).verdicts):
+        for verdict in verdicts.values():
             given_numbers = [verdict.earlier, verdict.later, verdict.low, verdict.high]
             assert all(math.isfinite(one) for one in given_numbers if one is not None)
             if verdict.low is not None and verdict.high is not None:

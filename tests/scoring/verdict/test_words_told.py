@@ -4,15 +4,16 @@ A person whose goals are missed, who drives three trials in a session, who does 
 """
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 import pytest
 from scipy.stats import binom
 
+from app.scoring.measures import REACHED
 from app.scoring.verdict.change_over_sessions import LEVEL, course_change, course_differences
 from app.scoring.verdict.measure_verdict import holm_levels, series_of
 from app.scoring.verdict.reaching import (
-    REACHED,
     Counts,
     counts_of,
     fewer_than_foretold,
@@ -111,7 +112,7 @@ def test_a_new_change_and_one_that_goes_on_are_found_by_different_comparisons() 
         assert course_change("time", rows, LEADING, {"time": CLINIC[0]}).word == "better"
 
 
-def rows_of(*sessions: list[float | None], **more: float) -> list[Row]:
+def rows_of(*sessions: Sequence[float | None], **more: float) -> list[Row]:
     """Return trials with this time; None: the goal was missed after 100 s."""
     rows: list[Row] = []
     for session, values in enumerate(sessions, start=1):

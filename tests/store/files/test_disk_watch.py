@@ -1,6 +1,7 @@
 """How long a disk may be full until people are told, counted in the time that the watch waits, not in real time."""
 
 import asyncio
+import shutil
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -42,7 +43,7 @@ def test_open_pages_are_told_within_two_seconds_of_a_full_disk(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, full: float
 ) -> None:
     disk = FullAt(full)
-    monkeypatch.setattr(disk_watch.shutil, "disk_usage", disk.usage)
+    monkeypatch.setattr(shutil, "disk_usage", disk.usage)
     monkeypatch.setattr(disk_watch, "asyncio", SimpleNamespace(sleep=disk.sleep, to_thread=asyncio.to_thread))
     watch = DiskWatch(tmp_path, Ballast(tmp_path), disk.tell)
     with pytest.raises(asyncio.CancelledError):

@@ -6,7 +6,7 @@ from contextlib import closing
 from datetime import timedelta
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import sqlalchemy as sa
 from sqlalchemy.orm import Session
@@ -41,7 +41,7 @@ def fill(db: Session, patient: Patient, word: str) -> None:
                 continue
             text = word if table.name in owned else "Anybody"
             values = {column.name: _value(column, made, text) for column in table.columns if _is_needed(column)}
-            key = db.execute(sa.insert(table).values(values)).inserted_primary_key
+            key = cast(sa.CursorResult[Any], db.execute(sa.insert(table).values(values))).inserted_primary_key
             assert key is not None
             made[table.name] = values | dict(zip(table.primary_key.columns.keys(), key, strict=True))
 

@@ -93,6 +93,7 @@ def test_an_erased_patient_leaves_no_row_and_no_file_and_the_log_says_so(filled:
         ]
     with filled.database.transaction() as db:
         last = db.query(LogEntry).order_by(LogEntry.id.desc()).first()
+    assert last is not None
     assert (last.person, last.what, last.details["patient"]) == ("Ada", "patient erased", filled.goes)
     assert last.details["rows"]["trial"] == 1
     assert verify_log(settings.database).whole

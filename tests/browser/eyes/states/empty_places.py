@@ -6,7 +6,7 @@ from browser.eyes.eyes_clinic import EyesClinic
 from browser.eyes.opening import Open, answered, go, opened
 from playwright.sync_api import expect
 
-NO_SHIRT = {"shirt": None, "body": None, "layout": None, "unused": []}
+NO_SHIRT: dict[str, Any] = {"shirt": None, "body": None, "layout": None, "unused": []}
 OTHER_SHIRT = {
     "words": "The patient was calibrated in another shirt: calibrate in this one first.",
     "page": "calibrate",

@@ -125,7 +125,7 @@ def revised_note(page: Any, clinic: EyesClinic) -> None:
 
 def without_sharing(page: Any, clinic: EyesClinic) -> None:
     def withdrawn(found: Any) -> Any:
-        none = {"given": None, "history": []}
+        none: dict[str, Any] = {"given": None, "history": []}
         return {**found, "consents": [{**one, **none} for one in found["consents"]]}
 
     answered("/patients/1/consents", "session/patient/1", withdrawn)(page, clinic)
@@ -143,7 +143,7 @@ def archive_to_make(page: Any, clinic: EyesClinic) -> None:
 
 def choose_archive(page: Any) -> None:
     file = {"name": "letter.zip", "mimeType": "application/zip", "buffer": b"Dear colleague"}
-    page.locator("input[type=file][accept^='.zip']").set_input_files(file)  # type: ignore[arg-type]
+    page.locator("input[type=file][accept^='.zip']").set_input_files(file)
 
 
 def refused_archive(page: Any, clinic: EyesClinic) -> None:
