@@ -17,6 +17,7 @@ OPEN = {
     ("POST", "/api/v1/auth/sign-out"),
     ("GET", "/api/v1/auth/me"),
     ("GET", "/api/v1/start"),
+    ("GET", "/api/v1/reference"),  # names, units and limits, the same for everybody
     ("POST", "/api/v1/control/stop"),
     ("POST", "/api/v1/patient-screen/pair"),
     ("GET", "/api/v1/patient-screen/me"),

@@ -5,8 +5,6 @@ from typing import Any
 import pytest
 from api.fake_clinic import WORD
 
-from app.store.tables import Trial
-
 QUALITY = {
     "map_angle_deg": 12.0,
     "evr": 0.9,
@@ -85,14 +83,6 @@ def test_the_quality_of_an_older_trial_is_made_up_for(ready: Any) -> None:
     assert ready.good("GET", f"/trials/{second['id']}")["quality"]["evr"] == 0.9
     del ready.readings["quality"]
     assert [row["id"] for row in ready.good("GET", ready.page)["trials"]] == [second["id"]]
-
-
-def test_what_an_older_program_kept_is_reckoned_anew(ready: Any) -> None:
-    trial = drive(ready)
-    with ready.client.app.state.people.database.transaction() as db:
-        db.get_one(Trial, trial["id"]).quality = {"evr": 0.5}
-    ready.readings["quality"] = QUALITY
-    assert ready.good("GET", f"/trials/{trial['id']}")["quality"]["evr"] == 0.9
 
 
 def test_a_discarded_trial_warns_of_nothing(ready: Any) -> None:

@@ -78,7 +78,7 @@ def test_the_curve_of_one_measure_is_that_of_all_of_them(course: Any) -> None:
         "GET", f"/patients/{course.heron}/learning", params={"floorplan": PLAN, "path": "x", "measure": "E_diff"}
     )
     assert refused.status_code == 422
-    assert "is no measure: choose one of dist, " in refused.json()["detail"]
+    assert "is no measure: choose one of stages_done, " in refused.json()["detail"]
 
 
 def test_a_trial_has_its_verdict_against_the_one_before_and_against_a_chosen_one(course: Any) -> None:
