@@ -12,7 +12,7 @@ OWN := $(INSTALL) --no-index --no-deps --no-build-isolation
 # A module is compiled once, and not by each of the many processes that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test test-calculations test-programs browser check lint python-types javascript-types api-types demo-profile simulated-prior icons fonts safety compiled drills soak long-recording people-soak pins vendor large-clinic pictures photographs promises worlds bench verdicts priors bench-compare clean
+.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile simulated-prior icons fonts safety compiled drills soak long-recording people-soak pins vendor large-clinic pictures photographs promises worlds bench verdicts priors bench-compare clean
 
 $(VENV)/.installed: pyproject.toml hatch_build.py requirements/run.txt requirements/build.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -33,9 +33,9 @@ node_modules/.installed: package.json package-lock.json $(VENV)/.installed-test
 demo: $(VENV)/.installed
 	@exec $(BIN)/bodydrive demo --port $(PORT)
 
-# Two runs side by side: at low priority what computes; before it in line for a processor, first what waits for real
-# processes and judges them by the clock, then what waits for browsers. A file is run by one process, except where each
-# test starts processes of its own.
+# First what computes, then what waits for real processes and judges them by the clock, then what waits for browsers:
+# side by side, these would wait for each other, and a machine that is too busy fails them. A file is run by one process,
+# except where each test starts processes of its own.
 SIDE_BY_SIDE := -n 3 --dist loadfile --no-loadscope-reorder
 ONE_BY_ONE := --dist load --maxschedchunk 1
 # Whole programs work by the clock: on a slow processor fewer of them run side by side.
@@ -44,18 +44,9 @@ PROCESSES := tests/processes tests/bench
 BROWSERS := tests/browser
 # Browser tests of the pages that differ from the branch main, and always a few; BROWSER_TESTS=tests/browser: all.
 BROWSER_TESTS = $$($(BIN)/python tests/browser/touched.py)
-OF_CALCULATIONS := build/tests-of-calculations.txt
 
 test: $(VENV)/.installed-test check
-	@mkdir -p $(dir $(OF_CALCULATIONS))
-	@nice -n 15 $(MAKE) --no-print-directory test-calculations > $(OF_CALCULATIONS) 2>&1 & \
-	$(MAKE) --no-print-directory test-programs; programs=$$?; \
-	wait $$!; calculations=$$?; cat $(OF_CALCULATIONS); exit $$((programs + calculations))
-
-test-calculations: $(VENV)/.installed-test
 	$(BIN)/python -m pytest $(SIDE_BY_SIDE) $(addprefix --ignore=,$(PROCESSES) $(BROWSERS))
-
-test-programs: $(VENV)/.installed-test
 	$(BIN)/python -m pytest $(ONE_BY_ONE) $(call AT_MOST,4) $(PROCESSES)
 	$(BIN)/python -m pytest $(SIDE_BY_SIDE) $(call AT_MOST,2) $(BROWSER_TESTS)
 
