@@ -27,7 +27,7 @@ from folders import ROOT
 NAME = "clinic.example.org"
 PLACE = "/etc/ssl/clinic"  # of the certificate, in the configurations
 LARGE = 72_000_000  # bytes of an archive: more than what other requests may send
-OPENED_WITHIN = 60.0  # s for the 3D view of a session, beside other tests
+OPENED_WITHIN = 60.0  # s for a socket or the 3D view of a session, beside other tests
 
 NGINX_MAIN = """daemon off; {user}
 pid {folder}/nginx.pid;
@@ -110,6 +110,7 @@ class Browser(SessionClient):
             ssl=self._trust,
             additional_headers={"Cookie": cookie},
             origin=f"https://{address}",  # type: ignore[arg-type]
+            open_timeout=OPENED_WITHIN,
             **more,  # type: ignore[arg-type]
         )
 
