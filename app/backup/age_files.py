@@ -18,6 +18,12 @@ from app.backup.manifest import DAMAGED
 from app.backup.quiet_files import PART, Reader, Writer
 from app.refusals import Refusal
 
+TOO_MUCH_WORK: Final = "Excessive work"  # pyrage measures this computer's speed at each call
+ATTEMPTS: Final = 5  # of a computer that is busy for a moment
+SLOW: Final = (
+    "This computer is too slow or too busy for the passphrase: close other programs and try again, or follow "
+    "HOW-TO-OPEN.txt in the backup."
+)
 WRONG: Final = "The passphrase is wrong, or the file was changed: give the passphrase with which it was made."
 
 Result = TypeVar("Result")
@@ -41,15 +47,25 @@ def new_secret(passphrase: str) -> Secret:
 
 
 def opened_secret(sealed: str, passphrase: str) -> Secret:
-    """Return the key that was encrypted with a passphrase, in about a second; Refusal when the passphrase is wrong."""
+    """Return the key that was encrypted with a passphrase, in about a second.
+
+    Raises
+    ------
+    Refusal
+        When the passphrase is wrong, or this computer would need much longer for it than the one that made the backup.
+    """
     from pyrage import DecryptError, x25519
     from pyrage import passphrase as by_passphrase
 
-    try:
-        identity = by_passphrase.decrypt(sealed.encode(), passphrase).decode().strip()
-        return Secret(str(x25519.Identity.from_str(identity)), sealed)
-    except (DecryptError, ValueError) as error:
-        raise Refusal(WRONG) from error
+    for attempt in range(ATTEMPTS):
+        try:
+            identity = by_passphrase.decrypt(sealed.encode(), passphrase).decode().strip()
+            return Secret(str(x25519.Identity.from_str(identity)), sealed)
+        except (DecryptError, ValueError) as error:
+            is_slow = TOO_MUCH_WORK in str(error)
+            if not is_slow or attempt == ATTEMPTS - 1:
+                raise Refusal(SLOW if is_slow else WRONG) from error
+    raise Refusal(SLOW)
 
 
 @contextmanager
