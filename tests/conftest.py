@@ -1,9 +1,11 @@
-"""What every test has: generated cases without a deadline, a umask of its own; on request a database and a profile."""
+"""What every test has: generated cases without a deadline, a umask of its own; on request a database and more."""
 
 import os
 import shutil
-from collections.abc import Iterator
+import sys
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import settings
@@ -66,3 +68,25 @@ def db(database: Database) -> Iterator[Session]:
 @pytest.fixture
 def profile() -> CalibrationProfile:
     return small_profile()
+
+
+@pytest.fixture
+def bodydrive(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> Callable[..., tuple[Any, str, str]]:
+    """Return a function that runs a command line in `tmp_path` and returns exit code, stdout and stderr."""
+    monkeypatch.chdir(tmp_path)
+
+    from app.cli.main import main
+
+    def run(*words: object) -> tuple[Any, str, str]:
+        monkeypatch.setattr(sys, "argv", ["bodydrive", *map(str, words)])
+        code: Any = 0
+        try:
+            main()
+        except SystemExit as ended:
+            code = ended.code
+        said = capsys.readouterr()
+        return code, said.out, said.err
+
+    return run

@@ -57,14 +57,13 @@ def opened_secret(sealed: str, passphrase: str) -> Secret:
     from pyrage import DecryptError, x25519
     from pyrage import passphrase as by_passphrase
 
-    for attempt in range(ATTEMPTS):
+    for _ in range(ATTEMPTS):
         try:
             identity = by_passphrase.decrypt(sealed.encode(), passphrase).decode().strip()
             return Secret(str(x25519.Identity.from_str(identity)), sealed)
         except (DecryptError, ValueError) as error:
-            is_slow = TOO_MUCH_WORK in str(error)
-            if not is_slow or attempt == ATTEMPTS - 1:
-                raise Refusal(SLOW if is_slow else WRONG) from error
+            if TOO_MUCH_WORK not in str(error):
+                raise Refusal(WRONG) from error
     raise Refusal(SLOW)
 
 

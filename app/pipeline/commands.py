@@ -203,7 +203,7 @@ class Commands:
     def _arm(self, fields: command_fields.Arm, _id: int) -> Answer:
         if self._runs.ending:
             raise CommandRefused("The run is being ended: begin a new one first.")
-        _refuse(refusal(self._loop, fields.hash))
+        _refuse(arming_refusal(self._loop, fields.hash))
         self._begin_neutral_check()
         return {}
 
@@ -283,7 +283,7 @@ def _refuse(sentence: str) -> None:
         raise CommandRefused(sentence)
 
 
-def refusal(loop: ControlLoop, digest: str) -> str:
+def arming_refusal(loop: ControlLoop, digest: str) -> str:
     """Return in a sentence why the chair cannot be armed with the parameters of this hash; empty when it can."""
     setup, gate = loop.setup, loop.setup.chain.gate
     if loop.run is not None and loop.run.task is not None:

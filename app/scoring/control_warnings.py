@@ -25,19 +25,12 @@ from app.scoring.trial_assessment import (
 
 # Share of the dead-zone: noise of a third of the dead-zone activates a gesture by chance about once a minute.
 NOISE_SHARE = 1.0 / 3.0
-
 NOISE_GROWTH = 1.5  # ratio to the first trials' noise; between sessions, constant noise differs by a factor of 1.2
-
 SPAN_FALL = 0.08  # share of the first session's span: a loss of 2 % a session over five sessions
-
 SPAN_FALL_WITHIN = 0.15  # share of the session's first trials' span; smaller strokes on purpose make a smaller fall
-
 LEAST_TRIALS = 8  # of one session, for a trend within it, as for a learning curve
-
 LEAST_SESSIONS = 5  # for a trend over sessions; four values rise or fall throughout by chance once in twelve times
-
 SIGNIFICANCE = 0.05
-
 
 # Share of the time for which a failed channel was bad. Smaller shares occur when a channel rests at the edge of its
 # calibrated range or the fabric is pulled; the simulated fabric drifts out of its range for up to 4 % of a trial in one
@@ -47,9 +40,7 @@ FAILED_SHARE = 0.05
 # Degrees by which a joint's main direction may differ from that of its first trials with the same map. In simulated
 # people it varies by 2 degrees; putting a real knit on again turned it by 8 to 17.
 LARGEST_TURN = 6.0
-
 EVR_FALL = 0.1  # least fall of the EVR for a warning: some joints have a low EVR from the first trial on
-
 
 ORDER: tuple[Kind, ...] = ("sensor", "map", "noise", "span")
 

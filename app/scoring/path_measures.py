@@ -14,6 +14,7 @@ from app.world.path import Path
 from app.world.progress import LineProgress
 
 Numbers = NDArray[np.float64]
+Measures = dict[str, float | int | bool | None]
 
 SPACING = 0.25  # m; progress along the path is updated in steps no longer than this
 
@@ -26,8 +27,6 @@ class Cut(NamedTuple):
     last: int
     reached: bool
 
-
-Measures = dict[str, float | int | bool | None]
 
 HIGHEST_RATE = 100.0  # Hz, at which the speed is sampled at most
 LOWEST_RATE = 20.0  # Hz, twice the highest frequency of SPARC

@@ -20,17 +20,12 @@ from app.world.scenery import Gap
 from app.world.tasks import Course, FollowLeader, FollowPath
 
 Numbers = NDArray[np.float64]
-
-GAP_DEPTH = 0.6  # m before and behind a gap's middle over which the clearance is measured
-
-CONTACT_RADIUS = 0.9  # m around a gap's middle within which contacts are with the gap; includes a 0.5 m crate's front
-
-NEAR = 0.5  # m; a smaller error of the distance to the leader counts as near
-
-
 Columns = Mapping[str, NDArray[Any]]
 Measures = dict[str, Any]
 
+GAP_DEPTH = 0.6  # m before and behind a gap's middle over which the clearance is measured
+CONTACT_RADIUS = 0.9  # m around a gap's middle within which contacts are with the gap; includes a 0.5 m crate's front
+LEADER_NEAR = 0.5  # m; a smaller error of the distance to the leader counts as near
 NEEDED = ("t", "x", "y", "theta", "v", "scene_t", "in_contact", "contacts", "u1", "u2")
 
 
@@ -220,7 +215,7 @@ def following_errors(leader: Track, asked: float, rows: Mapping[str, NDArray[Any
     return {
         "follow_error_rms": float(np.sqrt(np.average(error**2, weights=weight))),
         "follow_error_max": float(np.abs(error).max()),
-        "follow_near": float(np.average(np.abs(error) <= NEAR, weights=weight)),
+        "follow_near": float(np.average(np.abs(error) <= LEADER_NEAR, weights=weight)),
     }
 
 

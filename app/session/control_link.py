@@ -18,7 +18,7 @@ Answer = TypeVar("Answer")
 
 
 class LoopThread:
-    """Runs coroutines in the event loop of a thread of its own."""
+    """Runs coroutines in the event loop of a thread of its own, so that no request delays them."""
 
     def __init__(self, name: str) -> None:
         self._loop = asyncio.new_event_loop()

@@ -1,33 +1,12 @@
-"""Runs the command line in this process; the files of a small shirt."""
-
-import sys
+"""The files of a small shirt."""
 
 import numpy as np
 import pytest
 
-from app.cli.main import main
 from app.layout import Channel, Joint, ShirtLayout
 
 STROKES = {"right_elbow": (3, 7), "left_elbow": (5, 9)}  # s: where a movement begins
 GAINS = (-1.0, 0.5, 0.2)
-
-
-@pytest.fixture
-def bodydrive(monkeypatch, capsys, tmp_path):
-    """Return a function that runs a command line in `tmp_path` and returns exit code, stdout and stderr."""
-    monkeypatch.chdir(tmp_path)
-
-    def run(*words):
-        monkeypatch.setattr(sys, "argv", ["bodydrive", *map(str, words)])
-        code = 0
-        try:
-            main()
-        except SystemExit as ended:
-            code = ended.code
-        said = capsys.readouterr()
-        return code, said.out, said.err
-
-    return run
 
 
 @pytest.fixture

@@ -16,13 +16,12 @@ from app.api.live.message import (
     Quality,
     RunMoment,
     ShirtMoment,
-    StateName,
     TestMoment,
     TrialMoment,
 )
 from app.calibration.channel_quality import channel_quality
 from app.clock import monotonic
-from app.faults import EXPLANATIONS, Fault, State, is_pause
+from app.faults import EXPLANATIONS, Fault, is_pause
 from app.layout import ShirtLayout
 from app.messages import ALIVE, NO_CUE
 from app.session.control_link import ControlLink
@@ -34,18 +33,11 @@ from app.session.real_drive import RealDriveFlow
 from app.session.run_watch import Halt
 from app.session.runs import SessionRuns
 from app.session.trial import TrialFlow
-from app.session.words.chair_words import ChairMoment, chair_report
+from app.session.words.chair_words import STATE_NAMES, ChairMoment, chair_report
 
 STALE = 1.0  # s without a tick, after which the control process counts as lost
 LOOK_BACK = 1.0  # s of frames for the condition of the channels
 NOISY = 3.0  # times the median noise of the channels, above which a channel may be called noisy
-
-STATE_NAMES: dict[State, StateName] = {
-    State.DISARMED: "disarmed",
-    State.CHECKING: "checking",
-    State.ARMED: "armed",
-    State.FAULT: "fault",
-}
 
 
 class LivePicture:
@@ -88,7 +80,7 @@ class LivePicture:
         return LiveMessage(
             tick=int(tick["number"]),
             t=_number(tick["t"], 4),
-            state=STATE_NAMES[State(int(tick["state"]))],
+            state=STATE_NAMES[int(tick["state"])],
             fault=None if is_pause(tick["state"], tick["fault"]) else fault_words(fault),
             control="alive",
             u1=_number(tick["u1"], 4),

@@ -7,10 +7,9 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from app.session.words.chair_words import ChairMoment
+from app.session.words.chair_words import ChairMoment, StateName
 
 Number = float | None
-StateName = Literal["disarmed", "checking", "armed", "fault"]
 TestPhase = Literal["ready", "running", "over"]
 
 

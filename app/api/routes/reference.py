@@ -22,7 +22,7 @@ from app.scoring.measures import (
     Measure,
     Word,
 )
-from app.scoring.task_measures import NEAR as LEADER_NEAR
+from app.scoring.task_measures import LEADER_NEAR
 from app.scoring.verdict.measure_verdict import FEWEST
 from app.store.files.replacements import KEPT_FOR
 from app.store.keeping.record_time import UNDO_FOR

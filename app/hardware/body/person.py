@@ -1,4 +1,4 @@
-"""A simulated person, who follows cues and drives along a path by himself."""
+"""A simulated person, who follows cues, drives along a path, and moves a cursor into targets."""
 
 # Compiled in a wheel (hatch_build.py).
 
@@ -27,23 +27,14 @@ LIMB_TOWARDS = {
     ("left", True): "right_shoulder",
     ("left", False): "left_shoulder",
 }
-
 AXIS_OF = {limb: axis for (axis, _), limb in LIMB_TOWARDS.items()}
-
 SIGN_OF = {limb: 1.0 if towards else -1.0 for (_, towards), limb in LIMB_TOWARDS.items()}
-
 USUAL_EFFECT = 0.375  # arms of the cross, of a full stroke under the standard parameters
-
 USUAL_LOSS = 0.08  # of the range, lost in the dead-zone
-
 LARGEST_FIRST_ERROR = 1.5  # of a first estimate, in standard deviations
-
 LOOK_PERIOD = 0.05  # s between two decisions
-
 SETTLING = 0.12  # s until the effect of a finished stroke has passed the low-pass filter
-
 AIM = 0.6  # of the target's radius: nearer to the middle nothing is corrected
-
 SEED_APART = 7_919  # the strokes of driving do not depend on whether the test was done
 
 

@@ -1,7 +1,7 @@
 """The reports of a real chair, in words for the pages."""
 
 import math
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict
@@ -9,9 +9,9 @@ from pydantic import BaseModel, ConfigDict
 from app.hardware.chair.reasons import WORDS, Reason
 from app.pipeline.safety_gate import CHAIR_SILENT
 
-ChairState = Literal["disarmed", "checking", "armed", "fault"]
-STATES: tuple[ChairState, ...] = ("disarmed", "checking", "armed", "fault")
-CHAIR_FAULT = 3  # index of "fault" in STATES
+StateName = Literal["disarmed", "checking", "armed", "fault"]
+STATE_NAMES: tuple[StateName, ...] = get_args(StateName)  # by their number: of `app.faults.State`, and of a chair
+CHAIR_FAULT = 3  # index of "fault" in STATE_NAMES
 
 
 def fault_sentence(fault: int) -> str:
@@ -32,7 +32,7 @@ class ChairMoment(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
 
     kind: str = "udp"
-    state: ChairState = "disarmed"
+    state: StateName = "disarmed"
     age: float | None = None  # s, of the report
     battery: float | None = None  # share
     stop_input: bool = False
@@ -51,7 +51,7 @@ def chair_report(tick: np.void) -> ChairMoment:
     else:
         words = "" if fault == Reason.NONE else fault_sentence(fault)
     return ChairMoment(
-        state=STATES[min(state, CHAIR_FAULT)],
+        state=STATE_NAMES[min(state, CHAIR_FAULT)],
         age=_number(tick["chair_age"]),
         battery=_number(tick["battery"]),
         stop_input=bool(tick["stop_input"]),

@@ -20,9 +20,7 @@ from app.world.imports.wall_pieces import DECIMALS as MILLIMETRES
 from app.world.imports.wall_pieces import Point, chain_pieces, join_pieces
 from app.world.path import Path as Line
 
-STEP = 0.4  # cells between two points along a wall whose cells are marked
-
-
+MARK_STEP: Final = 0.4  # cells between two points along a wall whose cells are marked
 PATH_LAYER: Final = "path"
 WORDS_ON: Final = re.compile(
     r"(te?xte?s?|beschriftung(en)?|label(s|ling)?|dim(s|ensions?)?|anno(tations?)?|(be|ver)?ma(ß|ss)(e|ung|ungen|ketten?)?"
@@ -228,7 +226,7 @@ def free_cells(
     for wall in walls:
         points = np.array(wall)
         for a, b in pairwise(points):
-            count = int(np.hypot(*(b - a)) / (resolution * STEP)) + 2
+            count = int(np.hypot(*(b - a)) / (resolution * MARK_STEP)) + 2
             places = (a + np.linspace(0.0, 1.0, count)[:, np.newaxis] * (b - a)) / resolution
             at = places.astype(int).clip(0, (columns - 1, rows - 1))
             marked[at[:, 1], at[:, 0]] = True

@@ -1,37 +1,17 @@
 """`bodydrive export` writes one zip file, or nothing at all."""
 
-import sys
 import zipfile
 from contextlib import closing
 
 import pytest
 from exports.exported_clinic import CODE, make_clinic
 
-from app.cli.main import main
 from app.clock import utc_now
 from app.settings import Settings
 from app.store.database import Database
 from app.store.files import room_to_make
 from app.store.files.disk_watch import DiskRoom
 from app.store.tables import Clinic
-
-
-@pytest.fixture
-def bodydrive(monkeypatch, capsys, tmp_path):
-    """Return a function that runs a command line and returns exit code, stdout and stderr."""
-    monkeypatch.chdir(tmp_path)
-
-    def run(*words):
-        monkeypatch.setattr(sys, "argv", ["bodydrive", *map(str, words)])
-        code = 0
-        try:
-            main()
-        except SystemExit as ended:
-            code = ended.code
-        said = capsys.readouterr()
-        return code, said.out, said.err
-
-    return run
 
 
 def test_a_patient_is_exported_and_progress_is_said(bodydrive, tmp_path):
