@@ -5,7 +5,6 @@ reads the screen's reports, and its memory stays. `ComputingProcess` starts `pyt
 DESCRIPTOR`, which calls one function after the other, at low priority, and ends with the web process.
 """
 
-import signal
 import sys
 import threading
 import traceback
@@ -13,12 +12,11 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from functools import partial
 from importlib import import_module
-from multiprocessing.connection import Connection, Pipe
-from subprocess import DEVNULL, Popen
+from multiprocessing.connection import Connection
 from typing import Any, Final, ParamSpec, TypeVar
 
+from app.child_process import prepare_child, start_connected
 from app.clock import monotonic
-from app.realtime import lower_priority
 from app.refusals import Conflict, DiskFull, Unavailable
 
 IDLE_LIMIT: Final = 300.0  # s without a question, after which the process ends and gives its memory back
@@ -175,11 +173,7 @@ class _Running:
     """A running computing process and the connection to it."""
 
     def __init__(self) -> None:
-        self._connection, its_end = Pipe()
-        with its_end:
-            descriptor = its_end.fileno()
-            command = [sys.executable, "-m", __name__, str(descriptor)]
-            self.process = Popen(command, stdin=DEVNULL, stdout=DEVNULL, pass_fds=[descriptor])
+        self.process, self._connection = start_connected(__name__)
 
     def answer(
         self, question: Callable[[], Any], leave_off: Callable[[], bool], progress: Callable[[], object]
@@ -209,8 +203,7 @@ class _Running:
 
 def main(descriptor: int) -> None:
     """Answer questions until the web process ends."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the web process, which then ends this one
-    lower_priority()
+    prepare_child()
     with Connection(descriptor) as web, suppress(EOFError, ConnectionError):
         libraries = iter(SLOW_LIBRARIES)
         while True:

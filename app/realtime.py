@@ -6,6 +6,7 @@ It also keeps a process of many threads small, and frees memory at moments when 
 import ctypes
 import gc
 import os
+import platform
 import resource
 import sys
 from collections.abc import Callable
@@ -13,6 +14,9 @@ from collections.abc import Callable
 LOOP_PRIORITY = 10  # of SCHED_FIFO: above every ordinary program, below the kernel's own threads
 RECORDER_PRIORITY = 5  # below the loop, above programs that could preempt the recorder while it holds the interpreter
 NICENESS = 10  # a tenth of the processor time of an ordinary process on the same core
+LOWEST_NICENESS = 19
+IDLE_DISK_CLASS = 3 << 13  # of ioprio_set: served when nobody else wants the disk
+IOPRIO_SET = {"x86_64": 251, "aarch64": 30, "armv7l": 314}  # numbers of the system call
 SWITCH_INTERVAL = 1e-4  # s for which the recorder may hold the interpreter when the loop needs it
 M_ARENA_MAX = -8  # mallopt(3)
 AREAS = 2  # of memory, for all threads
@@ -92,6 +96,16 @@ def take_priority(priority: int) -> bool:
 def lower_priority() -> None:
     """Lower the priority of this process below that of ordinary processes."""
     os.nice(NICENESS)
+
+
+def take_lowest_priority() -> None:
+    """Let this process run, and use the disk, only when no other process wants to."""
+    os.nice(LOWEST_NICENESS)
+    if hasattr(os, "SCHED_IDLE"):
+        os.sched_setscheduler(0, os.SCHED_IDLE, os.sched_param(0))
+    number = IOPRIO_SET.get(platform.machine())
+    if sys.platform == "linux" and number is not None:
+        ctypes.CDLL(None, use_errno=True).syscall(number, 1, 0, IDLE_DISK_CLASS)  # 1: a process, 0: this one
 
 
 def _take_loop_priority() -> str:

@@ -1,12 +1,9 @@
-"""Read and write files so that a chair that drives meanwhile does not notice: low priority, little of the page cache.
+"""Read and write files so that a chair that drives meanwhile does not notice: with rests, and little page cache.
 
 Written bytes go to the disk in small parts: a large part would delay the recorder, which waits for its own bytes.
 """
 
-import ctypes
 import os
-import platform
-import sys
 from collections.abc import Iterator
 from contextlib import suppress
 from hashlib import sha256
@@ -21,9 +18,6 @@ PART: Final = 1 << 16  # bytes read or written at once: the system call is short
 SYNC_EVERY: Final = 8 << 20  # bytes
 WORKING: Final = 0.3  # share of the time
 SPELL: Final = 0.002  # s of work between two rests, at least
-LOWEST_NICENESS: Final = 19
-IDLE_DISK_CLASS: Final = 3 << 13  # of ioprio_set: served when nobody else wants the disk
-IOPRIO_SET: Final = {"x86_64": 251, "aarch64": 30, "armv7l": 314}  # numbers of the system call
 
 
 class Writer(Protocol):
@@ -40,16 +34,6 @@ class Reader(Protocol):
     def read(self, size: int, /) -> bytes:
         """Return the next bytes, `size` at most, none at the end."""
         ...
-
-
-def take_lowest_priority() -> None:
-    """Let this process run, and use the disk, only when no other process wants to."""
-    os.nice(LOWEST_NICENESS)
-    if hasattr(os, "SCHED_IDLE"):
-        os.sched_setscheduler(0, os.SCHED_IDLE, os.sched_param(0))
-    number = IOPRIO_SET.get(platform.machine())
-    if sys.platform == "linux" and number is not None:
-        ctypes.CDLL(None, use_errno=True).syscall(number, 1, 0, IDLE_DISK_CLASS)  # 1: a process, 0: this one
 
 
 class QuietReader:

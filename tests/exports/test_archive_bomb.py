@@ -14,9 +14,9 @@ from app.store.database import Database
 IMPORT = """
 import sys
 from pathlib import Path
-from app import isolated_reader
+from app import child_process
 from app.exports.archive.imported_archive import import_apart
-isolated_reader.MOST_MEMORY = 1_000_000_000
+child_process.MOST_MEMORY = 1_000_000_000
 state, package = map(Path, sys.argv[1:])
 import_apart(state / "bodydrive.sqlite", 1, package, "Ben", state / "runs", state / "unpacked", None)
 """

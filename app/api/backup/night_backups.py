@@ -4,18 +4,16 @@ The process has the lowest priority (`app/backup/backup_process.py`), so that a 
 """
 
 import asyncio
-import json
 import logging
-import sys
-from asyncio.subprocess import PIPE
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any, Final, NamedTuple
+from typing import Any, Final, NamedTuple, cast
 
 from app.api.backup.schedule import is_due
+from app.backup.backup_process import BackupJob, BackupMessage
 from app.backup.night_secret import read_secret
+from app.child_process import JsonChild
 from app.clock import utc_now
 from app.refusals import Conflict, Refusal
 from app.settings import Settings
@@ -80,7 +78,7 @@ class NightBackups:
             raise
         self._making = asyncio.create_task(self._make(job, person))
 
-    def _job(self) -> dict[str, Any]:
+    def _job(self) -> BackupJob:
         kept = self._kept()
         if kept is None or kept.folder is None:
             raise Conflict(NO_FOLDER)
@@ -92,7 +90,7 @@ class NightBackups:
             "secret": None if secret is None else asdict(secret),
         }
 
-    async def _make(self, job: dict[str, Any], person: str | None) -> None:
+    async def _make(self, job: BackupJob, person: str | None) -> None:
         try:
             answer = await self._answer(job)
             await asyncio.to_thread(self._store, job, answer, person)
@@ -102,37 +100,27 @@ class NightBackups:
             self.course = None
             self._tell("backups")
 
-    async def _answer(self, job: dict[str, Any]) -> dict[str, Any]:
-        """Return the last line that the process prints."""
-        answer: dict[str, Any] = {"refused": ENDED}
+    async def _answer(self, job: BackupJob) -> BackupMessage:
+        """Return the last message of the process that makes the backup."""
         try:
             if not await asyncio.to_thread(Path(job["target"]).is_dir):  # otherwise it would be taken for a file
                 return {"refused": f"The folder {job['target']} is not there: connect the disk it lies on."}
-            process = await asyncio.create_subprocess_exec(
-                *(sys.executable, "-m", "app.backup.backup_process"), stdin=PIPE, stdout=PIPE
-            )
+            child = await JsonChild.start("app.backup.backup_process")
         except OSError:
-            return answer
+            return {"refused": ENDED}
         try:
-            assert process.stdin is not None
-            assert process.stdout is not None
-            process.stdin.write(json.dumps(job).encode() + b"\n")
-            process.stdin.close()
-            async for line in process.stdout:
-                said = json.loads(line)
-                if "step" in said:
-                    self.course = BackupProgress(**said)
-                else:
-                    answer = said
-            await process.wait()
-        except (ConnectionError, ValueError):
-            logger.exception("The process that makes a backup said something else")
+            await child.send(job)
+            while "step" in (message := cast(BackupMessage, await child.receive())):
+                self.course = BackupProgress(message["step"], message["done"], message["total"])
+        except OSError:
+            logger.exception("The process that makes a backup has ended early")
+            return {"refused": ENDED}
+        else:
+            return message
         finally:
-            with suppress(ProcessLookupError):
-                process.kill()
-        return answer
+            await child.end()
 
-    def _store(self, job: dict[str, Any], answer: dict[str, Any], person: str | None) -> None:
+    def _store(self, job: BackupJob, answer: BackupMessage, person: str | None) -> None:
         made = answer.get("made")
         facts: dict[str, Any] = {"name": "", "good": False, "words": answer.get("refused", ENDED)}
         if made is not None:

@@ -1,20 +1,18 @@
 """Measures what this computer grants, by `bodydrive check` in a process of its own: page and command say the same."""
 
 import asyncio
-import sys
-from asyncio.subprocess import DEVNULL, PIPE, Process
 from collections.abc import Callable, Sequence
-from contextlib import suppress
 from pathlib import Path
 from typing import Final
 
 from pydantic import ValidationError
 
 from app.api.answers import Answer
+from app.child_process import ChildEndedError, JsonChild
 from app.host.machine_check import Verdict
 from app.refusals import Conflict, Unavailable
 
-LOOK_EVERY: Final = 0.05  # s between two looks whether a chair is armed
+CHECK_EVERY: Final = 0.05  # s between two checks whether a chair is armed
 START_LIMIT: Final = 30.0  # s for the process to start, beside the time that it measures
 
 BUSY = (
@@ -70,29 +68,25 @@ class Measurement:
         self.refuse_while_busy()
         async with self._alone:
             ports = [word for port in own_ports for word in ("--own-port", str(port))]
-            words = ["check", "--json", "--seconds", str(seconds), "--state", str(self._folder), *ports]
+            arguments = ["check", "--json", "--seconds", str(seconds), "--state", str(self._folder), *ports]
             try:
-                process = await asyncio.create_subprocess_exec(
-                    *(sys.executable, "-m", "app.cli.main", *words), stdin=DEVNULL, stdout=PIPE
-                )
+                child = await JsonChild.start("app.cli.main", *arguments)
             except OSError as error:
                 raise Unavailable(FAILED) from error
-            return await self._answer(process, seconds + START_LIMIT)
+            return await self._answer(child, seconds + START_LIMIT)
 
-    async def _answer(self, process: Process, limit: float) -> MachineView:
-        """Return what the process found; end it when a chair is armed meanwhile, or when nobody waits any more."""
-        reading = asyncio.create_task(process.communicate())
+    async def _answer(self, child: JsonChild, limit: float) -> MachineView:
+        """Return the child's findings; end it when a chair is armed meanwhile, or when nobody waits any more."""
+        reading = asyncio.create_task(child.receive())
         try:
             async with asyncio.timeout(limit):
                 while not reading.done():
                     if self._is_busy():
                         raise Conflict(INTERRUPTED)
-                    await asyncio.wait([reading], timeout=LOOK_EVERY)
-            printed, _ = await reading
-            return MachineView.model_validate_json(printed)
-        except (TimeoutError, ValidationError) as error:
+                    await asyncio.wait([reading], timeout=CHECK_EVERY)
+            return MachineView.model_validate(await reading)
+        except (TimeoutError, ChildEndedError, ValidationError) as error:
             raise Unavailable(FAILED) from error
         finally:
-            with suppress(ProcessLookupError):
-                process.kill()
+            await child.end()
             await asyncio.gather(reading, return_exceptions=True)

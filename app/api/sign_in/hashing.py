@@ -5,12 +5,12 @@ Stop; a process of its own with low priority does not.
 """
 
 import asyncio
-import json
-import sys
-from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager, suppress
-from typing import Any, NamedTuple
+from collections.abc import AsyncIterator, Mapping
+from contextlib import asynccontextmanager
+from typing import NamedTuple
 
+from app.child_process import JsonChild
+from app.json_values import JsonObject
 from app.refusals import Unavailable
 
 MOST_AT_ONCE = 8  # sign-ins under way, including the one that is being hashed: about 1 s of waiting
@@ -40,7 +40,7 @@ class Hashing:
     def __init__(self) -> None:
         self._free_slots = MOST_AT_ONCE
         self._one_at_a_time = asyncio.Lock()
-        self._process: asyncio.subprocess.Process | None = None
+        self._child: JsonChild | None = None
 
     @asynccontextmanager
     async def slot(self) -> AsyncIterator[None]:
@@ -69,18 +69,19 @@ class Hashing:
 
     async def close(self) -> None:
         """End the process."""
-        process, self._process = self._process, None
-        if process is not None:
-            await _end(process)
+        child, self._child = self._child, None
+        if child is not None:
+            await child.end(END_LIMIT)
 
-    async def _ask(self, message: dict[str, Any]) -> dict[str, Any]:
+    async def _ask(self, question: Mapping[str, object]) -> JsonObject:
         async with self._one_at_a_time:
             try:
-                if self._process is None:
-                    self._process = await _start()
+                if self._child is None:
+                    self._child = await _start()
                 async with asyncio.timeout(ANSWER_LIMIT):
-                    return await _answer(self._process, message)
-            except (OSError, ValueError, TimeoutError) as error:
+                    await self._child.send(question)
+                    return await self._child.receive()
+            except OSError as error:  # TimeoutError too
                 await self.close()
                 raise Unavailable(ENDED) from error
             except asyncio.CancelledError:
@@ -88,32 +89,6 @@ class Hashing:
                 raise
 
 
-async def _start() -> asyncio.subprocess.Process:
+async def _start() -> JsonChild:
     cost = [f"--{name}={value}" for name, value in COST._asdict().items()]
-    return await asyncio.create_subprocess_exec(
-        *(sys.executable, "-m", "app.api.sign_in.hashing_process", *cost),
-        stdin=asyncio.subprocess.PIPE,
-        stdout=asyncio.subprocess.PIPE,
-    )
-
-
-async def _answer(process: asyncio.subprocess.Process, message: dict[str, Any]) -> dict[str, Any]:
-    if process.stdin is None or process.stdout is None:
-        raise OSError("the hashing process was started without pipes")
-    process.stdin.write(json.dumps(message).encode() + b"\n")
-    await process.stdin.drain()
-    line = await process.stdout.readline()
-    found: dict[str, Any] = json.loads(line)  # ValueError for the empty line of an ended process
-    return found
-
-
-async def _end(process: asyncio.subprocess.Process) -> None:
-    if process.stdin is not None:
-        process.stdin.close()
-    try:
-        async with asyncio.timeout(END_LIMIT):
-            await process.wait()
-    except TimeoutError:
-        with suppress(ProcessLookupError):
-            process.kill()
-        await process.wait()
+    return await JsonChild.start("app.api.sign_in.hashing_process", *cost)

@@ -6,42 +6,33 @@ false. The process ends with stdin.
 """
 
 import argparse
-import json
-import os
-import signal
-import sys
-from typing import Any
+from collections.abc import Mapping
 
 from argon2 import PasswordHasher
 from argon2.exceptions import InvalidHashError, VerificationError
 
-from app.realtime import lower_priority
+from app.child_process import prepare_child, questions, respond
 
 
 def main() -> None:
     """Answer until stdin ends."""
-    given = _parser().parse_args()
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the web process, which then ends this one
-    lower_priority()
-    hasher = PasswordHasher(time_cost=given.time, memory_cost=given.memory, parallelism=given.lanes)
-    try:
-        for line in sys.stdin:
-            sys.stdout.write(f"{json.dumps(answer(hasher, json.loads(line)))}\n")
-            sys.stdout.flush()
-    except BrokenPipeError:  # the web process has ended
-        os._exit(0)  # an ordinary end would try to write the answer once more
+    cost = _parser().parse_args()
+    prepare_child()
+    hasher = PasswordHasher(time_cost=cost.time, memory_cost=cost.memory, parallelism=cost.lanes)
+    for question in questions():
+        respond(answer(hasher, question))
 
 
-def answer(hasher: PasswordHasher, request: dict[str, Any]) -> dict[str, Any]:
+def answer(hasher: PasswordHasher, question: Mapping[str, object]) -> dict[str, str | bool]:
     """Return the answer to one line."""
-    stored, password = request.get("stored"), request["password"]
-    if request["do"] == "hash":
+    stored, password = question.get("stored"), str(question["password"])
+    if question["do"] == "hash":
         return {"hash": hasher.hash(password)}
     if stored is None:
         hasher.hash(password)  # takes as long as for a known person
         return {"matches": False}
     try:
-        return {"matches": hasher.verify(stored, password)}
+        return {"matches": hasher.verify(str(stored), password)}
     except (VerificationError, InvalidHashError):
         return {"matches": False}
 

@@ -43,7 +43,7 @@ def backup(
 ) -> None:
     """Back up a clinic, also while it is open, and read the backup back; into a folder, only what is new is written."""
     from app.backup.making import make_backup
-    from app.backup.quiet_files import take_lowest_priority
+    from app.realtime import take_lowest_priority
 
     if check:
         _check(target, as_json)

@@ -28,7 +28,7 @@ def incident(
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
 ) -> None:
     """Archive log, recordings, parameters and versions of the last 24 hours, signed, and mark them as to be kept."""
-    from app.backup import quiet_files
+    from app import realtime
     from app.backup.incident_archive import archive_incident, check_incident
 
     if public is not None and not check:
@@ -41,7 +41,7 @@ def incident(
             if not file.absolute().parent.is_dir():
                 raise InputError(f"There is no folder {file.absolute().parent}: make it, or choose another place.")
             with open_clinic(settings) as (database, _):
-                found = archive_incident(settings, database, file.absolute(), COMMAND, quiet_files.take_lowest_priority)
+                found = archive_incident(settings, database, file.absolute(), COMMAND, realtime.take_lowest_priority)
     except Refusal as refusal:
         raise InputError(str(refusal)) from refusal
     if as_json:

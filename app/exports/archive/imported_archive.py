@@ -6,6 +6,7 @@ from contextlib import closing, nullcontext
 from pathlib import Path
 from typing import NamedTuple
 
+from app.child_process import limit_memory
 from app.clock import utc_now
 from app.disk_room import ROOM_TO_RECORD
 from app.exports.archive.archive_contents import WRONG, checked_rows
@@ -15,7 +16,6 @@ from app.exports.archive.archived_recordings import wrong_recording
 from app.exports.archive.open_archive import OpenArchive, open_archive
 from app.file_modes import OWNER_FOLDER
 from app.files import sync_folder
-from app.isolated_reader import limit_memory
 from app.refusals import NO_ROOM, DiskFull
 from app.store.database import Database, Transaction
 from app.store.files.disk_watch import disk_room

@@ -10,6 +10,7 @@ from argon2 import PasswordHasher, extract_parameters
 from app.api.sign_in import hashing
 from app.api.sign_in.hashing import Busy, Hashing
 from app.api.sign_in.hashing_process import answer
+from app.child_process import JsonChild
 from app.refusals import Unavailable
 
 
@@ -122,10 +123,9 @@ def test_one_that_does_not_answer_is_ended(monkeypatch):
     monkeypatch.setattr(hashing, "END_LIMIT", 0.1)
 
     async def story(made):
-        made._process = await asyncio.create_subprocess_exec(
-            "sleep", "60", stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE
-        )
-        process = made._process
+        pipe = asyncio.subprocess.PIPE
+        process = await asyncio.create_subprocess_exec("sleep", "60", stdin=pipe, stdout=pipe)
+        made._child = JsonChild(process)
         with pytest.raises(Unavailable):
             await made.hash("a password")
         return process.returncode
@@ -162,10 +162,11 @@ def test_there_are_only_so_many_slots(monkeypatch):
 def test_it_ends_without_a_word_when_the_web_process_is_gone(capfd):
     async def story(made):
         await made.hash("a password")
-        made._process.stdin.write(b'{"do": "hash", "password": "another"}\n')
-        made._process._transport.get_pipe_transport(1).close()  # as when the one that reads is killed
-        made._process.stdin.close()
-        return await made._process.wait()
+        process = made._child._process
+        process.stdin.write(b'{"do": "hash", "password": "another"}\n')
+        process._transport.get_pipe_transport(1).close()  # as when the one that reads is killed
+        process.stdin.close()
+        return await process.wait()
 
     assert with_hashing(story) == 0
     assert capfd.readouterr().err == ""

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 from store.keeping.filled_clinic import two_patients
 
+from app import realtime
 from app.backup import quiet_files
 from app.cli.clinic_folder import held
 from app.settings import Settings
@@ -17,7 +18,7 @@ from app.store.tables import LogEntry
 
 @pytest.fixture(autouse=True)
 def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(quiet_files, "take_lowest_priority", lambda: None)  # this process goes on with other tests
+    monkeypatch.setattr(realtime, "take_lowest_priority", lambda: None)  # this process goes on with other tests
     monkeypatch.setattr(quiet_files, "WORKING", 1.0)
 
 

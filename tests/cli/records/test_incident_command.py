@@ -13,6 +13,7 @@ import pytest
 from sqlalchemy import text
 from store.keeping.filled_clinic import two_patients
 
+from app import realtime
 from app.backup import incident_archive, quiet_files
 from app.backup.hashed_tar import hashed_tar
 from app.cli.clinic_folder import held
@@ -56,7 +57,7 @@ def settings(tmp_path: Path) -> Settings:
 def lowered(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
     """Return whether the lowest priority was taken, which this process would keep for other tests."""
     taken: list[bool] = []
-    monkeypatch.setattr(quiet_files, "take_lowest_priority", lambda: taken.append(True))
+    monkeypatch.setattr(realtime, "take_lowest_priority", lambda: taken.append(True))
     return taken
 
 
