@@ -24,6 +24,10 @@ class Conflict(Refusal):
     """The request contradicts the present state."""
 
 
+class PatientHere(Conflict):
+    """The patient of an archive is in the clinic already: a person chooses whether it is replaced."""
+
+
 class Unavailable(Refusal):
     """A part of the program that the request needs is not available at the moment: try again."""
 

@@ -9,20 +9,18 @@ from fastapi import APIRouter, FastAPI
 from starlette.routing import BaseRoute
 
 from app import __version__
-from app.api import openapi_document
+from app.api import openapi_document, package_download
 from app.api.assembly import StartProcess, end_parts, make_parts, start_parts
 from app.api.backup import backups
 from app.api.computer import this_computer
 from app.api.deps import People, clinician, viewer
 from app.api.docs_pages import docs_pages
 from app.api.driving import places
-from app.api.exports import archive_file, archive_import, sent_packages
-from app.api.exports.export_courses import ExportCourses
-from app.api.exports.import_courses import ImportCourses
 from app.api.foreign_files import OneAtATime
 from app.api.guard import Guard
 from app.api.interface_tests import interface_tests
 from app.api.live import live_socket, screen_socket
+from app.api.package_download import ExportCourses
 from app.api.page_session import SessionRequired
 from app.api.pages import Pages, PagesFirst
 from app.api.parts import web_parts_of
@@ -104,9 +102,7 @@ ROUTES = (
     drives,
     review,
     control_quality,
-    sent_packages,
-    archive_file,
-    archive_import,
+    package_download,
     live_socket,
     screen_socket,
     patient_screen,
@@ -141,7 +137,6 @@ def create_app(
             own_plans=OwnPlans(settings.floorplans),
             readings=OneAtATime(),
             uploads=OneAtATime(),
-            imports=ImportCourses(),
             exports=ExportCourses(),
         )
         web = make_parts(settings, database, start_process, computing, open_scene)

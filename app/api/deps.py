@@ -1,13 +1,11 @@
 """Dependencies of the routes: settings and database, and the person who is signed in with the needed right."""
 
 from dataclasses import dataclass
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from fastapi import Depends, HTTPException, Path
 from starlette.requests import HTTPConnection
 
-from app.api.exports.export_courses import ExportCourses
-from app.api.exports.import_courses import ImportCourses
 from app.api.foreign_files import OneAtATime
 from app.api.sign_in.hashing import Hashing
 from app.api.sign_in.identity import PairedScreen, SignedInPerson, find_viewer
@@ -20,6 +18,9 @@ from app.settings import Settings
 from app.store.database import Database
 from app.store.files.plans import OwnPlans
 from app.store.files.replacements import ReplacedFiles
+
+if TYPE_CHECKING:
+    from app.api.package_download import ExportCourses
 
 RowId = Annotated[int, Path(ge=1, le=2**31)]
 
@@ -42,8 +43,7 @@ class People:
     own_plans: OwnPlans
     readings: OneAtATime  # of drawings, pictures and 3D objects
     uploads: OneAtATime  # of recordings, each in memory as a whole
-    imports: ImportCourses  # of archives
-    exports: ExportCourses
+    exports: "ExportCourses"
 
 
 async def people(connection: HTTPConnection) -> People:

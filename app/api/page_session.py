@@ -69,7 +69,6 @@ WITHOUT_SESSION = {
     "PUT /backups/settings": _CLINIC,
     "PUT /record-keeping": _CLINIC,
     "POST /incidents/{incident_id}/lifting": _CLINIC,
-    "POST /archives": _CLINIC,
     "POST /people": _CLINIC,
     "PUT /people/{person_id}": _CLINIC,
     "POST /people/{person_id}/link": _CLINIC,

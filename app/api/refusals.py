@@ -13,12 +13,11 @@ from starlette.exceptions import HTTPException
 from app.api.deps import People
 from app.api.sign_in.identity import find_sign_in
 from app.quantities import Document
-from app.refusals import NO_ROOM, Conflict, DiskFull, NotFound, OtherClinicRow, Refusal, Unavailable
+from app.refusals import NO_ROOM, Conflict, DiskFull, NotFound, OtherClinicRow, PatientHere, Refusal, Unavailable
 from app.scene.models.object_scale import ScaleAsked
 from app.sentences import sentence_of
 from app.store.files.taken_names import NameTaken
 from app.store.log import write_log
-from app.store.records.patient_replacement import PatientHere
 
 STATUS: dict[type[Exception], int] = {
     NotFound: 404,

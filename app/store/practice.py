@@ -10,8 +10,8 @@ from sqlalchemy.orm import Session
 from app.calibration.vocabulary import DriveParameters
 from app.derived_results import DerivedResults
 from app.refusals import Conflict
+from app.store.origins import ImportedSession
 from app.store.parameters import as_document
-from app.store.records.import_tables import ImportedSession
 from app.store.tables import ParameterSet, Profile, Run, Trial
 
 PRACTICE_ENDS = ("goal", "time-out", "by hand")  # a trial that a fault ended is no practice

@@ -11,10 +11,10 @@ from sqlalchemy import Engine, MetaData
 from app import __version__
 from app.features.registration import features
 from app.refusals import Refusal
+from app.store import origins  # noqa: F401
 from app.store.access import person_tables  # noqa: F401  (tables belong to the metadata once they are imported)
 from app.store.backup import back_up
 from app.store.keeping import keeping_tables  # noqa: F401
-from app.store.records import import_tables  # noqa: F401
 from app.store.tables import Table
 
 if TYPE_CHECKING:

@@ -14,10 +14,9 @@ from session.same_process import SameProcess
 from session.same_reader import read_in_this_process
 from store.known_people import known_clinic, known_person
 
-from app.api.exports import archive_import, sent_packages
+from app.api import package_download
 from app.api.sign_in import hashing
 from app.clock import utc_now
-from app.exports.archive import imported_archive
 from app.session import run_watch
 from app.session.calibration import calibration_flow
 from app.settings import Settings
@@ -44,9 +43,7 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(calibration_flow, "LOOK_EVERY", 0.002)
     monkeypatch.setattr(run_watch, "LOOK_EVERY", 0.002)
     read_in_this_process(monkeypatch)
-    monkeypatch.setattr(sent_packages, "ComputingProcess", SameProcess)
-    monkeypatch.setattr(archive_import, "ComputingProcess", SameProcess)
-    monkeypatch.setattr(imported_archive, "limit_memory", lambda: None)
+    monkeypatch.setattr(package_download, "ComputingProcess", SameProcess)
 
 
 @pytest.fixture

@@ -35,7 +35,7 @@ WEB_KERNEL = tuple(
         "sign_in",
         "replay.trajectories",
         "routes.origin_view",
-        *("exports.sent_packages", "interface_tests.interface_test_view", "routes.source_view"),
+        *("package_download", "foreign_files", "interface_tests.interface_test_view", "routes.source_view"),
     )
 )
 REGISTRATION = "features.registration"
@@ -52,7 +52,6 @@ MAY_IMPORT = {
     "pipeline": (LEAVES, "process", "recording", "signals", "hardware", "world", "calibration"),
     "scoring": (LEAVES, "recording", "signals", "world", "calibration", *PURE_CHAIN),
     "store": (LEAVES, "world", "calibration", "scoring", REGISTRATION),
-    "exports": (LEAVES, "recording", "calibration", "scoring", "store"),
     "session": (
         *(LEAVES, "process", "recording", "signals", "world", "calibration", *PURE_CHAIN, "scoring", "store"),
         *("hardware.chair.key", "hardware.chair.reasons", "hardware.shirt.newest_frame", "hardware.registry"),
@@ -71,12 +70,12 @@ MAY_IMPORT = {
     "scene": (LEAVES, "world"),
     "api": (
         *(LEAVES, "process", "signals.csv_dialect", "signals.parquet_names", "world", "calibration", "scoring"),
-        *("recording.recorded_trajectory", "store", "exports", "session", "host", "backup", "scene"),
+        *("recording.recorded_trajectory", "store", "session", "host", "backup", "scene"),
         *("hardware.configs", "hardware.addresses", "hardware.chair.key", REGISTRATION),
     ),
     "cli": (
         *(LEAVES, "process", "recording", "signals", "world", "hardware", "calibration", "pipeline", "scoring"),
-        *("store", "exports", "session", "study", "figures", "host", "backup", "scene", "api", "features"),
+        *("store", "session", "study", "figures", "host", "backup", "scene", "api", "features"),
     ),
 }
 FITTING = (

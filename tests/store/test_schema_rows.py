@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 import sqlalchemy as sa
-from exports.exported_clinic import make_clinic
+from exported_clinic import make_clinic
 from store.keeping.filled_clinic import fill
 from store.known_people import known_clinic
 from store.later_schema import LATER, use_later_schema

@@ -25,9 +25,8 @@ from app.session.run_watch import Starter
 from app.store.database import Transaction
 from app.store.learning_trials import compared_trials
 from app.store.log import log_viewing, write_log
+from app.store.origins import Origin, PatientImport, origin_of, origins_of
 from app.store.patients import find_patient
-from app.store.records.import_tables import PatientImport
-from app.store.records.imports import Origin, origin_of, origins_of
 from app.store.runs import find_trial, keep_trial, trials_of
 from app.store.tables import PatientSession, Trial
 

@@ -29,7 +29,7 @@ def make(
 ) -> None:
     """Write the archive of a patient, who must have consented; the clinic may be open meanwhile."""
     from app.computing_process import ComputingProcess
-    from app.exports.archive.archive_making import make_archive
+    from app.features.archive.service import make_archive
     from app.features.registration import report_for_archive
     from app.session.clinic_spread import ClinicSpread
 
@@ -54,7 +54,7 @@ def import_file(
     state: State = None,
 ) -> None:
     """Import an archive; the same one once more changes nothing."""
-    from app.exports.archive.imported_archive import import_archive
+    from app.features.archive.archive_import import import_archive
     from app.store.people import the_clinic
 
     settings = Settings(state=(state or state_folder()).expanduser().resolve())

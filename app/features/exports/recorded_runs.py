@@ -11,7 +11,7 @@ from sqlalchemy.orm import Session
 
 from app.refusals import NotFound
 from app.source import Source
-from app.store.records.imports import Origin, origins_of
+from app.store.origins import Origin, origins_of
 from app.store.tables import InterfaceTest, ParameterSet, PatientSession, Profile, Run, Trial
 
 NO_SESSION = "This patient has no session {number}: choose one that was opened."

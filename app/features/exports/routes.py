@@ -6,7 +6,7 @@ from fastapi import APIRouter, Query
 from fastapi.responses import StreamingResponse
 
 from app.api.deps import Exporter, PeopleParts, RowId
-from app.api.exports.sent_packages import CourseWord, sent
+from app.api.package_download import CourseWord, sent
 from app.api.parts import Web
 from app.features.exports.export_material import exported_material
 from app.features.exports.forms import Form

@@ -17,8 +17,8 @@ from app.features.records.sign_off import require_unsigned, sign_offs_of
 from app.quantities import Document, Finite, Note, Title
 from app.store.database import Transaction
 from app.store.log import log_viewing, write_log
+from app.store.origins import origins_of
 from app.store.patients import find_patient, find_session, sessions_of
-from app.store.records.imports import origins_of
 from app.store.session_contents import counted_by_session
 
 router = APIRouter(tags=["records"])

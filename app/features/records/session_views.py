@@ -12,7 +12,7 @@ from app.features.records.sign_off import SignOff, sign_off_history
 from app.quantities import Document
 from app.store.database import Transaction
 from app.store.interface_tests import interface_tests_of_session
-from app.store.records.imports import origin_of
+from app.store.origins import origin_of
 from app.store.session_contents import drives_of_session, sets_of_session, trials_of_session
 from app.store.tables import Patient, PatientSession
 

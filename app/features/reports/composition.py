@@ -21,7 +21,7 @@ from app.features.reports.material import (
 from app.features.reports.task_report import task_report
 from app.number_words import amount
 from app.store.log_chain import ChainHead
-from app.store.records.imports import Origin
+from app.store.origins import Origin
 
 EXPLANATION: Final = (
     "Noise is how much this person’s own trials of the task differ without a change; where nothing changed, about one "

@@ -19,8 +19,8 @@ from app.store.database import Database, Transaction
 from app.store.interface_tests import interface_tests_of
 from app.store.learning_trials import CountedTrial, counted_trials
 from app.store.log_chain import ChainHead
+from app.store.origins import Origin, origins_of
 from app.store.patients import find_patient, sessions_of
-from app.store.records.imports import Origin, origins_of
 from app.store.session_contents import trials_of_session
 from app.store.tables import Clinic, InterfaceTest, ParameterSet, Patient, PatientSession, Profile, Trial
 from app.world.path_titles import path_title

@@ -17,8 +17,8 @@ from app.scoring.interruptions import interruptions_of
 from app.store.database import Transaction
 from app.store.interface_tests import interface_tests_of_session
 from app.store.log import write_log
+from app.store.origins import origin_of
 from app.store.patients import find_session
-from app.store.records.imports import origin_of
 from app.store.session_contents import drives_of_session, trials_of_session
 from app.store.tables import LogEntry, ParameterSet, Patient, PatientSession, Profile, Run
 

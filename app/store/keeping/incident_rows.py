@@ -16,7 +16,7 @@ from app.features.registration import features
 from app.store.access.visible_patients import WITH_DELETED
 from app.store.database import Database
 from app.store.log_chain import FIRST
-from app.store.records.import_tables import ImportedSession, PatientImport
+from app.store.origins import ImportedSession, PatientImport
 from app.store.tables import (
     CalibrationStep,
     Clinic,

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 import pyxdf
-from exports.exported_clinic import RUN, make_clinic
+from exported_clinic import RUN, make_clinic
 
 from app.features.exports.xdf_form import SAMPLES, STREAM_HEADER, write_xdf
 from app.recording.groups import read_in_groups

@@ -15,7 +15,7 @@ from api.fake_clinic import WORD
 from recorded_trial import record_trial
 
 from app import computing_process
-from app.api.exports import sent_packages
+from app.api import package_download
 from app.features.consents.service import give_consent
 from app.recording.reader import read_run
 from app.store.files.passing_folder import bytes_in
@@ -70,9 +70,9 @@ def test_an_export_takes_as_long_as_it_writes(driven: Any, monkeypatch: pytest.M
     looks = itertools.count()
     with driven.client.app.state.people.database.transaction() as db:
         give_consent(db, driven.patient, "sharing", date(2025, 1, 1), "Ana")
-    monkeypatch.setattr(sent_packages, "ComputingProcess", computing_process.ComputingProcess)
+    monkeypatch.setattr(package_download, "ComputingProcess", computing_process.ComputingProcess)
     monkeypatch.setattr(computing_process, "ANSWER_LIMIT", 0.0)
-    monkeypatch.setattr(sent_packages, "bytes_in", lambda _: next(looks))
+    monkeypatch.setattr(package_download, "bytes_in", lambda _: next(looks))
     answer = driven("GET", f"/patients/{driven.patient}/export?form=csv")
     with zipfile.ZipFile(io.BytesIO(answer.content)) as opened:
         assert opened.testzip() is None
@@ -92,7 +92,7 @@ def test_a_patient_or_session_that_is_not_there_is_not_exported(driven: Any) -> 
 
 def test_the_web_process_loads_no_library_of_an_export() -> None:
     script = (
-        "import sys, app.api.exports.sent_packages, app.exports.archive.archive_making;"
+        "import sys, app.api.package_download, app.features.archive.service;"
         "sys.exit(any(name in sys.modules for name in ('pyarrow', 'scipy', 'sklearn')))"
     )
     assert subprocess.run([sys.executable, "-c", script], check=False).returncode == 0

@@ -4,7 +4,7 @@ import zipfile
 from contextlib import closing
 
 import pytest
-from exports.exported_clinic import CODE, make_clinic
+from exported_clinic import CODE, make_clinic
 
 from app.clock import utc_now
 from app.settings import Settings

@@ -13,7 +13,7 @@ import numpy as np
 import pyarrow.parquet as pa_parquet
 import pytest
 import pyxdf
-from exports.exported_clinic import CODE, MEASURES, RUN, make_clinic
+from exported_clinic import CODE, MEASURES, RUN, make_clinic
 from stored_interface_test import MEASURES as TEST_MEASURES
 from stored_interface_test import store_interface_test
 

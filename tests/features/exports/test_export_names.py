@@ -7,7 +7,7 @@ from typing import get_args
 
 import pyarrow.parquet as pa_parquet
 import pytest
-from exports.exported_clinic import CODE, make_clinic
+from exported_clinic import CODE, make_clinic
 
 from app.features.exports.bids_form import label
 from app.features.exports.export_material import exported_material

@@ -3,7 +3,7 @@
 from contextlib import closing
 
 import pytest
-from exports.exported_clinic import make_clinic
+from exported_clinic import make_clinic
 from fhir.resources.R4B.bundle import Bundle
 from stored_interface_test import MEASURES as TEST_MEASURES
 from stored_interface_test import store_interface_test

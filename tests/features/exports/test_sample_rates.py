@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 import pyxdf
-from exports.exported_clinic import RUN, make_clinic
+from exported_clinic import RUN, make_clinic
 
 from app.features.exports.bids_form import write_bids
 from app.features.exports.xdf_form import write_xdf

@@ -11,7 +11,7 @@ from codecs import BOM_UTF8
 from contextlib import closing
 
 import pytest
-from exports.exported_clinic import RUN, make_clinic
+from exported_clinic import RUN, make_clinic
 
 from app.csv_cells import SPREADSHEET_BEGIN, csv_line
 from app.features.exports.csv_form import write_csv

@@ -24,9 +24,9 @@ from app.features.sharing.tables import ShareLink
 from app.refusals import Conflict, NotFound
 from app.store.database import Database
 from app.store.interface_tests import add_interface_test
+from app.store.origins import ImportedSession
 from app.store.patients import add_patient, start_session
 from app.store.people import add_clinic
-from app.store.records.import_tables import ImportedSession
 from app.store.runs import add_run, add_trial
 from app.store.tables import (
     CalibrationStep,

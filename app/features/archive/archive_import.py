@@ -1,0 +1,277 @@
+"""Import the archive of a patient that another clinic has made, or this one: nothing is added before all is checked."""
+
+import json
+import os
+import shutil
+from contextlib import closing, nullcontext
+from pathlib import Path
+from typing import Annotated, Any, NamedTuple
+
+from pydantic import ConfigDict, Field, ValidationError
+
+from app.child_process import limit_memory
+from app.clock import utc_now
+from app.cues import Cue
+from app.disk_room import ROOM_TO_RECORD
+from app.features.archive.archive_file import RUN_ID, OpenArchive, open_archive
+from app.features.archive.imported_patient import (
+    HERE,
+    earlier_import,
+    note_import,
+    patient_of_rows,
+    remove_replaced_rows,
+    require_new,
+    require_replaceable,
+    runs_here,
+)
+from app.features.archive.patient_rows import Rows, WrongRows, add_patient_rows, check_rows, patient_rows
+from app.features.archive.row_forms import first_words
+from app.features.archive.service import archive_steps, clinic_name, require_room_for
+from app.file_modes import OWNER_FOLDER
+from app.files import sync_folder
+from app.layout import ShirtLayout
+from app.messages import MAX_GESTURES
+from app.quantities import Document, Hertz, Name
+from app.recording.format import PER_CHANNEL
+from app.recording.groups import read_in_groups
+from app.refusals import NO_ROOM, DiskFull, PatientHere
+from app.store.database import Database, Transaction
+from app.store.files.disk_watch import disk_room
+from app.store.files.passing_folder import passing_folder
+from app.store.files.replacements import archive_on_shelf
+from app.store.keeping.keeping_tables import PatientFile
+from app.store.log import write_log
+from app.visible_text import visible_line
+
+
+class RecordingHeader(Document):
+    """What every export and review reads of `run.json`; its other fields are read with care where they are used."""
+
+    model_config = ConfigDict(extra="allow", frozen=True, allow_inf_nan=False)
+
+    layout: ShirtLayout
+    sample_rate: Hertz
+    gestures: Annotated[tuple[Name, ...], Field(max_length=MAX_GESTURES)] = ()
+    cues: tuple[Cue, ...] = ()
+    software: str = ""
+    kind: Name | None = None
+    path: Name | None = None
+    parameters: dict[str, Any] | None = None
+    floorplan: dict[str, Any] | None = None
+
+
+def wrong_recording(folder: Path) -> str:
+    """Say in half a sentence what is wrong with a recording, empty when nothing is; damage that is known is not wrong.
+
+    A recording of which nothing is known but its numbers, because `run.json` was lost, is exported by nobody.
+    """
+    import pyarrow as pa
+
+    where = f"the recording '{folder.name}'"
+    try:
+        run = read_in_groups(folder)
+        header = RecordingHeader.model_validate_json(json.dumps(run.meta), strict=True) if run.meta else None
+        for rows in run.groups:
+            many = len(rows["t"])
+            if header is not None and many and rows[PER_CHANNEL].shape[1] != len(header.layout.channels):
+                return f"{where} has other channels than its layout"
+            if header is not None and many and rows["score"].shape[1] != len(header.gestures):
+                return f"{where} has other gestures than it names"
+    except ValidationError as error:
+        return f"{where}, {first_words(error)}"
+    except (pa.ArrowException, OSError, ValueError, TypeError, KeyError, AttributeError, NotImplementedError):
+        return f"{where} cannot be read"
+    return ""
+
+
+WRONG = "{file}: this archive cannot be read, because {why}; nothing was imported."
+
+
+def checked_rows(archive: OpenArchive) -> Rows:
+    """Return the rows of an archive; ValueError with one sentence when one of them is wrong."""
+    document = archive.patient()
+    try:
+        rows = check_rows(document.get("tables") if isinstance(document, dict) else None)
+        _check_contents(rows, archive)
+    except WrongRows as error:
+        raise ValueError(WRONG.format(file=archive.file, why=error)) from error
+    except ValueError as error:
+        raise ValueError(WRONG.format(file=archive.file, why=f"a text in it is refused: {error}")) from error
+    return rows
+
+
+def _check_contents(rows: Rows, archive: OpenArchive) -> None:
+    """Raise WrongRows or ValueError for documents and texts that this program would not have stored."""
+    visible_line(archive.listed.clinic)
+    runs = [row["id"] for row in rows["run"]]
+    if len(runs) != len(set(runs)) or not all(RUN_ID.fullmatch(run) for run in runs):
+        raise WrongRows("its recordings have wrong names")
+    if not {name.split("/")[1] for name in archive.listed.files if "/" in name} <= set(runs):
+        raise WrongRows("it has a recording that no row names")
+    if not all(row["author"] for row in rows.get("moment_comment", ())):
+        raise WrongRows("a comment in it has no author")
+
+
+class Imported(NamedTuple):
+    """The patient of an archive: new, imported before by the same archive, or replaced; and what came in with it."""
+
+    patient_id: int
+    code: str
+    is_new: bool
+    sessions: int = 0
+    trials: int = 0  # finished and kept
+    kept: str = ""  # the archive of the patient as it was before it was replaced, within the shelf
+
+
+def import_archive(
+    database: Database,
+    clinic_id: int,
+    file: Path,
+    person: str,
+    runs: Path,
+    unpacked: Path | None = None,
+    shelf: Path | None = None,
+) -> Imported:
+    """Import the archive in `file`; one that was imported before changes nothing.
+
+    Its recordings are unpacked in `unpacked`, a folder on the disk of `runs` that is made; without one, in a folder
+    that is removed. A patient who is in the clinic already is replaced when a `shelf` is given, the folder of replaced
+    files: first an archive of the patient as it is here is put there. A recording that is here stays.
+
+    Raises
+    ------
+    ValueError
+        One sentence, when the file is no archive, damaged, hostile, or of a newer program.
+    PatientHere
+        When the patient is in the clinic already, and no shelf is given.
+    Conflict, DiskFull
+        When the code or a recording is another patient's, when the patient cannot be replaced, or there is no room.
+    """
+    with open_archive(file) as archive:
+        with database.transaction() as db:
+            known = earlier_import(db, clinic_id, archive.listed.hash)
+            if known is not None:
+                return Imported(known.id, known.code, is_new=False)
+        rows = checked_rows(archive)
+        with database.transaction() as db:
+            patient = patient_of_rows(db, clinic_id, rows)
+            if patient is not None and shelf is None:
+                raise PatientHere(HERE.format(code=patient.code))
+            here: frozenset[str] = frozenset()
+            if patient is not None:
+                require_replaceable(db, patient, rows)
+                here = runs_here(db, patient.id)
+        if disk_room(runs.parent).free < archive.recording_bytes(here) + ROOM_TO_RECORD:
+            raise DiskFull(NO_ROOM)
+        runs.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
+        with passing_folder(runs.parent, "import") if unpacked is None else nullcontext(unpacked) as folder:
+            folder.mkdir(mode=OWNER_FOLDER, exist_ok=True)
+            archive.unpack_recordings(folder, here)
+            wrong = next(filter(None, map(wrong_recording, sorted(folder.iterdir()))), "")
+            if wrong:
+                raise ValueError(WRONG.format(file=archive.file, why=wrong))
+            kept = "" if shelf is None or patient is None else _put_on_shelf(database, clinic_id, rows, runs, shelf)
+            return _add(database, clinic_id, archive, rows, person, folder, runs, kept)
+
+
+def _put_on_shelf(database: Database, clinic_id: int, rows: Rows, runs: Path, shelf: Path) -> str:
+    """Write an archive of the patient as it is here, and return its place on the shelf."""
+    with database.transaction() as db:
+        patient = patient_of_rows(db, clinic_id, rows)
+        if patient is None:
+            return ""
+        name = archive_on_shelf(utc_now(), patient.created)
+        folders = [runs / run for run in runs_here(db, patient.id)]
+        own, clinic = patient_rows(db, patient.id), clinic_name(db, clinic_id)
+    require_room_for(folders, runs)
+    target = shelf / name
+    part = target.with_name(f".{target.name}.part")
+    target.parent.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
+    try:
+        for step in archive_steps(clinic, own, folders, None):
+            step(part)
+        with open_archive(part), part.open("rb") as written:
+            os.fsync(written.fileno())
+        part.replace(target)
+        sync_folder(target.parent)
+    finally:
+        part.unlink(missing_ok=True)
+    return name
+
+
+def import_apart(
+    clinic: Path, clinic_id: int, file: Path, person: str, runs: Path, unpacked: Path, shelf: Path | None
+) -> Imported:
+    """Import an archive in a process of its own, which then has little memory; `clinic` is the file of the database.
+
+    Raises what `import_archive` raises.
+    """
+    limit_memory()
+    try:
+        with closing(Database(clinic)) as database:
+            return import_archive(database, clinic_id, file, person, runs, unpacked, shelf)
+    except MemoryError as error:
+        raise ValueError(WRONG.format(file=file, why="it needs too much memory")) from error
+
+
+def _add(
+    database: Database,
+    clinic_id: int,
+    archive: OpenArchive,
+    rows: Rows,
+    person: str,
+    unpacked: Path,
+    runs: Path,
+    kept: str,
+) -> Imported:
+    """Add rows and recordings, in place of the patient of whom an archive was kept; all, or nothing is changed."""
+    moved: list[Path] = []
+    gone: frozenset[str] = frozenset()
+    try:
+        with database.transaction(closing=True) as db:
+            try:
+                imported, gone = _add_rows(db, clinic_id, archive, rows, person, kept)
+            except WrongRows as error:
+                raise ValueError(WRONG.format(file=archive.file, why=error)) from error
+            for folder in sorted(unpacked.iterdir()):
+                target = runs / folder.name
+                if target.exists():  # no row names it: an import was killed before its rows were stored
+                    shutil.rmtree(target)
+                folder.rename(target)
+                moved.append(target)
+            sync_folder(runs)
+    except BaseException:
+        for target in moved:
+            shutil.rmtree(target, ignore_errors=True)
+        raise
+    for run in gone:
+        shutil.rmtree(runs / run, ignore_errors=True)
+    return imported
+
+
+def _add_rows(
+    db: Transaction, clinic_id: int, archive: OpenArchive, rows: Rows, person: str, kept: str
+) -> tuple[Imported, frozenset[str]]:
+    """Add an archive's rows; return what came in, and the recordings that are no longer needed."""
+    patient, listed = patient_of_rows(db, clinic_id, rows), archive.listed
+    before: frozenset[str] = frozenset()
+    uploads: list[PatientFile] = []
+    if patient is not None:
+        if not kept:  # somebody else imported the patient meanwhile
+            raise PatientHere(HERE.format(code=patient.code))
+        require_replaceable(db, patient, rows)
+        before = runs_here(db, patient.id)
+        rows["patient"][0] |= {"code": patient.code, "pseudonym": patient.pseudonym}  # each clinic gives its own
+        uploads = remove_replaced_rows(db, patient.id)
+    require_new(db, clinic_id, rows)
+    patient_id = add_patient_rows(db, clinic_id, rows)
+    for upload in uploads:
+        upload.patient_id = patient_id
+        db.add(upload)
+    note_import(db, patient_id, listed.hash, listed.clinic, person)
+    trials = sum(row["status"] == "done" and row["kept"] is True for row in rows["trial"])
+    code = rows["patient"][0]["code"]
+    details = {"archive": listed.hash, "sessions": len(rows["session"])} | ({"replaced": kept} if kept else {})
+    write_log(db, person, "archive imported", patient=patient_id, **details)
+    imported = Imported(patient_id, code, not kept, len(rows["session"]), trials, kept)
+    return imported, before - {row["id"] for row in rows["run"]}

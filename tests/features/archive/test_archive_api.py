@@ -1,0 +1,278 @@
+"""The archive of a patient over the API: streamed to whoever may export, imported by an owner, whole or not at all."""
+
+import io
+import shutil
+import zipfile
+from contextlib import closing
+from datetime import date, datetime, timedelta
+from pathlib import Path
+from typing import Any
+
+import pytest
+from api.people_of_clinic import accepted, as_person, invited
+from exported_clinic import CODE, RUN, make_clinic
+from features.archive.archive_clinics import rewrite
+
+from app.disk_room import ROOM_TO_RECORD
+from app.features.archive import routes
+from app.features.archive.archive_file import PATIENT, REPORT, open_archive
+from app.features.archive.service import make_archive
+from app.features.consents.service import give_consent
+from app.recording.reader import read_run
+from app.store.database import Database
+from app.store.files import room_to_make
+from app.store.files.disk_watch import DiskRoom
+from app.store.tables import Patient
+
+
+@pytest.fixture(scope="module")
+def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the archive of a patient of another clinic."""
+    first = make_clinic(tmp_path_factory.mktemp("from"))
+    with closing(Database(first.database)) as database:
+        make_archive(database, 1, 1, "Ana", first.runs, first.state / "heron.zip")
+    return first.state / "heron.zip"
+
+
+def brought(clinic: Any, content: bytes | Path) -> Any:
+    sent = content if isinstance(content, bytes) else content.read_bytes()
+    return clinic("POST", "/archives", content=sent, headers={"Content-Type": "application/zip"})
+
+
+def state_of(clinic: Any) -> tuple[list[str], list[str]]:
+    """Return the patients, and the files of recordings, also of half imports."""
+    settings = clinic.client.app.state.people.settings
+    with clinic.client.app.state.people.database.transaction() as db:
+        codes = [patient.code for patient in db.query(Patient)]
+    kept = [*settings.runs.glob("*"), *settings.state.glob(".import-*")]
+    return codes, sorted(str(file) for file in kept)
+
+
+def test_an_archive_goes_to_another_clinic_and_leaves_it_with_the_same_hash(
+    signed_in: Any, package: Path, tmp_path: Path
+) -> None:
+    answer = brought(signed_in, package)
+    assert answer.status_code == 200, answer.text
+    patient = answer.json()["patient_id"]
+    assert answer.json() == {
+        "patient_id": patient,
+        "code": CODE,
+        "is_new": True,
+        "sessions": 1,
+        "trials": 1,
+        "kept": "",
+    }
+    (row,) = [row for row in signed_in.log() if row.what == "archive imported"]
+    assert (row.person, row.details["patient"]) == ("Demo clinician", patient)
+    runs = signed_in.client.app.state.people.settings.runs
+    assert read_run(runs / RUN).damage == ""
+    before = state_of(signed_in)
+    answer = {"patient_id": patient, "code": CODE, "is_new": False, "sessions": 0, "trials": 0, "kept": ""}
+    assert brought(signed_in, package).json() == answer
+    assert state_of(signed_in) == before
+    (tmp_path / "again.zip").write_bytes(signed_in("GET", f"/patients/{patient}/archive").content)
+    with open_archive(tmp_path / "again.zip") as again, open_archive(package) as first:
+        assert again.listed.hash == first.listed.hash
+
+
+def test_each_answer_on_an_imported_session_or_trial_says_where_it_came_from(signed_in: Any, package: Path) -> None:
+    patient = brought(signed_in, package).json()["patient_id"]
+    (session,) = signed_in.good("GET", f"/patients/{patient}/sessions")
+    (trial,) = signed_in.good("GET", f"/trials?patient={patient}")
+    origin = session["origin"]
+    assert (origin["clinic"], origin["person"]) == ("Riverside", "Demo clinician")
+    (imported,) = [row for row in signed_in.log() if row.what == "archive imported"]
+    assert abs(datetime.fromisoformat(origin["at"]) - imported.at) < timedelta(seconds=5)
+    assert signed_in.good("GET", f"/sessions/{session['id']}")["origin"] == origin
+    assert signed_in.good("GET", f"/sessions/{session['id']}/story")["origin"] == origin
+    assert trial["origin"] == origin
+    assert signed_in.good("GET", f"/trials/{trial['id']}")["origin"] == origin
+    own = signed_in.good("POST", "/patients", json={"code": "P-77", "pseudonym": "Wren", "note": ""})["id"]
+    signed_in.open_session(own)
+    assert signed_in.good("GET", f"/patients/{own}/sessions")[0]["origin"] is None
+
+
+def test_an_archive_is_made_with_consent_and_without_an_open_session_only(calibrated: Any) -> None:
+    patient = calibrated.patient["id"]
+    address = f"/patients/{patient}/archive"
+    refused = calibrated("GET", address)
+    assert (refused.status_code, "has not consented" in refused.json()["detail"]) == (409, True)
+    with calibrated.client.app.state.people.database.transaction() as db:
+        give_consent(db, patient, "sharing", date(2025, 1, 1), "Ana")
+    refused = calibrated("GET", address)
+    assert (refused.status_code, "end it first" in refused.json()["detail"]) == (409, True)
+    assert [row for row in calibrated.log() if row.what == "export"] == []
+    calibrated.good("DELETE", "/session")
+    answer = calibrated("GET", address)
+    assert (answer.status_code, answer.headers["content-type"]) == (200, "application/zip")
+    assert calibrated.patient["code"] not in answer.headers["content-disposition"]
+    with zipfile.ZipFile(io.BytesIO(answer.content)) as opened:
+        assert opened.testzip() is None
+        assert opened.namelist()[1:3] == [PATIENT, REPORT]
+        assert b"Course of 1 session" in opened.read(REPORT)
+    (row,) = [row for row in calibrated.log() if row.what == "export"]
+    assert (row.details["patient"], row.details["form"]) == (patient, "archive")
+    assert list(calibrated.client.app.state.people.settings.state.glob(".export-*")) == []
+
+
+def test_an_archive_without_room_on_the_disk_is_refused_before_anything_is_made(
+    signed_in: Any, package: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    patient = brought(signed_in, package).json()["patient_id"]
+    room = signed_in.good("GET", f"/patients/{patient}/archive/room")
+    settings = signed_in.client.app.state.people.settings
+    assert room == {"bytes": sum(file.stat().st_size for file in (settings.runs / RUN).iterdir()), "words": ""}
+    needed = room["bytes"] + ROOM_TO_RECORD
+    monkeypatch.setattr(room_to_make, "disk_room", lambda _: DiskRoom(needed - 1, ""))
+    refused = signed_in("GET", f"/patients/{patient}/archive")
+    words = refused.json()["detail"]
+    assert (refused.status_code, words.startswith("There is no room for this archive: 501 MB must")) == (507, True)
+    assert signed_in.good("GET", f"/patients/{patient}/archive/room") == {**room, "words": words}
+    assert [row for row in signed_in.log() if row.what == "export"] == []
+    assert list(settings.state.glob(".export-*")) == []
+    monkeypatch.setattr(room_to_make, "disk_room", lambda _: DiskRoom(needed, ""))
+    assert signed_in("GET", f"/patients/{patient}/archive").status_code == 200
+
+
+def test_an_export_without_room_on_the_disk_is_refused_before_anything_is_made(
+    signed_in: Any, package: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    patient = brought(signed_in, package).json()["patient_id"]
+    monkeypatch.setattr(room_to_make, "disk_room", lambda _: DiskRoom(ROOM_TO_RECORD, ""))
+    refused = signed_in("GET", f"/patients/{patient}/export?form=csv")
+    words = refused.json()["detail"]
+    assert (refused.status_code, words.startswith("There is no room for this export: 501 MB must")) == (507, True)
+    assert [row for row in signed_in.log() if row.what == "export"] == []
+    assert signed_in("GET", f"/patients/{patient}/export?form=fhir").status_code == 200
+
+
+def twice(tables: Any) -> None:
+    tables["session"].append({**tables["session"][0], "id": 2})
+
+
+def half_a_sign(tables: Any) -> None:
+    tables["session"][0]["goal"] = "\ud800"
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (None, "This is no archive of bodydrive"),
+        (b"", "This is no archive of bodydrive"),
+        (twice, "row 2 of its table 'session' contradicts another one"),
+        (half_a_sign, "This is no archive of bodydrive"),
+    ],
+)
+def test_a_wrong_archive_is_one_sentence_and_changes_nothing(
+    signed_in: Any, package: Path, tmp_path: Path, change: Any, words: str
+) -> None:
+    before = state_of(signed_in)
+    if callable(change):
+        rewrite(package, tmp_path / "wrong.zip", patient=change)
+        answer = brought(signed_in, tmp_path / "wrong.zip")
+    else:
+        answer = brought(signed_in, package.read_bytes()[:-200] if change is None else change)
+    assert answer.status_code == 422, answer.text
+    sentence = answer.json()["detail"]
+    assert words in sentence
+    assert "/" not in sentence  # no folder of this machine
+    assert sentence.endswith(".")
+    assert state_of(signed_in) == before
+
+
+@pytest.mark.parametrize("number", ["1e999", "9" * 19, "9" * 5000])
+def test_a_number_that_no_database_holds_is_refused(signed_in: Any, package: Path, tmp_path: Path, number: str) -> None:
+    before = state_of(signed_in)
+    rewrite(package, tmp_path / "wrong.zip", text=("12.5", number))  # a measure
+    answer = brought(signed_in, tmp_path / "wrong.zip")
+    assert (answer.status_code, "This is no archive of bodydrive" in answer.json()["detail"]) == (422, True)
+    assert state_of(signed_in) == before
+
+
+def test_what_is_in_the_clinic_already_is_refused(signed_in: Any, package: Path) -> None:
+    signed_in.good("POST", "/patients", json={"code": "P-1", "pseudonym": "Heron"})
+    with signed_in.client.app.state.people.database.transaction() as db:
+        db.query(Patient).one().code = CODE
+    before = state_of(signed_in)
+    answer = brought(signed_in, package)
+    assert (answer.status_code, "belongs to another patient" in answer.json()["detail"]) == (409, True)
+    assert state_of(signed_in) == before
+
+
+def test_a_patient_who_is_here_is_replaced_when_the_person_asks_for_that(
+    signed_in: Any, package: Path, tmp_path: Path
+) -> None:
+    patient = brought(signed_in, package).json()["patient_id"]
+
+    def other_note(tables: Any) -> None:
+        tables["patient"][0]["note"] = "Another note"
+
+    rewrite(package, tmp_path / "newer.zip", patient=other_note)
+    before = state_of(signed_in)
+    refused = brought(signed_in, tmp_path / "newer.zip")
+    assert (refused.status_code, refused.json()["choice"]) == (409, {"may_replace_patient": True})
+    assert f"{CODE} is in this clinic already" in refused.json()["detail"]
+    assert state_of(signed_in) == before
+    replaced = signed_in.good("POST", "/archives?replace=true", content=(tmp_path / "newer.zip").read_bytes())
+    assert (replaced["code"], replaced["is_new"], replaced["sessions"]) == (CODE, False, 1)
+    assert replaced["patient_id"] != patient
+    assert [one["note"] for one in signed_in.good("GET", "/patients") if one["code"] == CODE] == ["Another note"]
+    settings = signed_in.client.app.state.people.settings
+    with open_archive(settings.replaced / replaced["kept"]) as kept, open_archive(package) as first:
+        assert kept.listed.hash == first.listed.hash
+
+
+def test_a_full_disk_or_a_file_without_end_is_refused(
+    signed_in: Any, package: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = state_of(signed_in)
+    given = {"Content-Type": "application/zip", "Content-Length": "9000000000"}
+    assert signed_in("POST", "/archives", content=b"PK", headers=given).status_code == 413
+    monkeypatch.setattr(routes, "disk_room", lambda _: DiskRoom(1000, ""))
+    answer = brought(signed_in, package)
+    assert (answer.status_code, "make room" in answer.json()["detail"]) == (507, True)
+    assert state_of(signed_in) == before
+
+
+def test_whoever_imports_can_ask_how_far_it_is(signed_in: Any, package: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    size = package.stat().st_size
+    seen: list[Any] = []
+
+    def written(opened: Any, content: bytearray, folder: Path) -> None:
+        write(opened, content, folder)
+        opened.flush()
+        seen.append(signed_in.good("GET", "/archives"))
+
+    def imported(course: Any, who: Any, parts: Any, replace: bool) -> Any:
+        seen.append(signed_in.good("GET", "/archives"))
+        (course.recordings / "run").mkdir(parents=True)
+        (course.recordings / "run" / "part").write_bytes(bytes(10))
+        seen.append(signed_in.good("GET", "/archives"))
+        shutil.rmtree(course.recordings)  # as at the end, when the recordings are moved to their place
+        seen.append(signed_in.good("GET", "/archives"))
+        return bring(course, who, parts, replace)
+
+    write, bring = routes._write, routes._import
+    monkeypatch.setattr(routes, "_write", written)
+    monkeypatch.setattr(routes, "_import", imported)
+    assert signed_in.good("GET", "/archives") is None
+    assert brought(signed_in, package).status_code == 200
+    assert seen == [
+        {"step": "send", "done": size, "total": size},
+        {"step": "unpack", "done": 0, "total": size},
+        {"step": "unpack", "done": 10, "total": size},
+        {"step": "unpack", "done": 10, "total": size},
+    ]
+    assert signed_in.good("GET", "/archives") is None
+    clinician = accepted(signed_in, invited(signed_in, "Ben", "clinician"))
+    with as_person(signed_in, clinician):
+        assert signed_in("GET", "/archives").status_code == 403
+
+
+def test_only_an_owner_imports(signed_in: Any, package: Path) -> None:
+    """A clinician is refused before anything is received."""
+    clinician = accepted(signed_in, invited(signed_in, "Ben", "clinician"))
+    before = state_of(signed_in)
+    with as_person(signed_in, clinician):
+        assert brought(signed_in, package).status_code == 403
+    assert state_of(signed_in) == before

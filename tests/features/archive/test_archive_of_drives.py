@@ -1,0 +1,108 @@
+"""Drives of a real chair go with their patient; the chair itself, with its address and key, stays where it is."""
+
+import json
+import zipfile
+from contextlib import closing
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+import pytest
+from exported_clinic import make_clinic
+from features.archive.archive_clinics import bring, empty_clinic
+from recorded_trial import record_trial
+
+from app.features.archive.archive_file import PATIENT
+from app.features.archive.patient_rows import add_patient_rows, check_rows
+from app.features.archive.service import make_archive
+from app.recording.reader import read_run
+from app.settings import Settings
+from app.source import Source
+from app.speeds import HIGHEST_SPEEDS
+from app.store.chairs import add_chair, chairs_of, free_key_ids
+from app.store.database import Database
+from app.store.drives import add_drive, drives_of, finish_drive
+from app.store.parameters import current_parameters
+from app.store.runs import add_run, close_run
+from app.store.tables import Clinic, PairedChair
+from building import make_parameters
+
+DRIVE = "fedcba9876543210fedcba9876543210"
+REAL = Source(shirt="udp", body=None, chair="udp", simulated=False)
+ADDRESS = "chair.riverside.example"
+
+
+@pytest.fixture(scope="module")
+def driven(tmp_path_factory: pytest.TempPathFactory) -> Any:
+    """Return the archive of a patient who drove a real chair twice, its hash, and the clinic."""
+    settings = make_clinic(tmp_path_factory.mktemp("from"))
+    package = settings.state / "heron.zip"
+    with closing(Database(settings.database)) as database:
+        with database.transaction() as db:
+            chair = add_chair(db, db.get_one(Clinic, 1), "Red", ADDRESS, 5354, 7, HIGHEST_SPEEDS)
+            parameters, _ = current_parameters(db, 1)
+            for run_id, distance in ((DRIVE, 12.5), ("0" * 32, None)):
+                run = add_run(db, run_id, 1, "drive", run_id, REAL)
+                given: dict[str, Any] = {"run": run, "clinic_id": 1, "patient_id": 1, "chair_id": chair.id}
+                drive = add_drive(db, parameters_id=parameters.id, digest=parameters.hash, **given)
+                close_run(db, run_id, 100, 0)
+                finish_drive(db, drive.id, "by hand", distance)
+        record_trial(settings.runs / DRIVE, make_parameters(), seconds=1.0)
+        digest = make_archive(database, 1, 1, "Ana", settings.runs, package)
+    return package, digest, settings
+
+
+def rows_of(package: Path) -> Any:
+    with zipfile.ZipFile(package) as opened:
+        return json.loads(opened.read(PATIENT))["tables"]
+
+
+def figures(settings: Settings, patient: int) -> list[Any]:
+    with closing(Database(settings.database)) as database, database.transaction() as db:
+        return [
+            (one.run_id, one.source, one.hash, one.started, one.ended, one.end, one.distance)
+            for one in drives_of(db, 1, patient)
+        ]
+
+
+def test_drives_and_their_recordings_come_along_and_go_on_with_the_same_hash(driven: Any, tmp_path: Path) -> None:
+    package, digest, first = driven
+    other = empty_clinic(tmp_path / "other")
+    patient = bring(other, package).patient_id
+    assert figures(other, patient) == figures(first, 1)
+    assert [one[-1] for one in figures(other, patient)] == [12.5, None]
+    assert read_run(other.runs / DRIVE).damage == ""
+    with closing(Database(other.database)) as database:
+        assert make_archive(database, 1, patient, "Ben", other.runs, tmp_path / "again.zip") == digest
+    third = empty_clinic(tmp_path / "third")
+    again = bring(third, tmp_path / "again.zip").patient_id
+    assert figures(third, again) == figures(first, 1)
+
+
+def test_no_chair_comes_along(driven: Any, tmp_path: Path) -> None:
+    document = rows_of(driven[0])
+    assert "chair_id" not in document["drive"][0]
+    assert ADDRESS not in json.dumps(document)
+    other = empty_clinic(tmp_path / "other")
+    bring(other, driven[0])
+    with closing(Database(other.database)) as database, database.transaction() as db:
+        clinic = db.get_one(Clinic, 1)
+        (chair,) = db.query(PairedChair).all()  # one for both drives
+        assert (chair.host, chair.port, chair.removed is None) == ("", 0, False)
+        assert chairs_of(db, clinic) == []
+        assert next(free_key_ids(db, clinic)) == 1
+        assert chair.key_id not in set(islice(free_key_ids(db, clinic), 20))
+
+
+def test_a_second_patient_with_drives_refers_to_the_same_chair(driven: Any, tmp_path: Path) -> None:
+    rows = rows_of(driven[0])
+    rows["patient"][0]["code"] = "P-2"
+    for table, column in (("run", "id"), ("trial", "run_id"), ("drive", "run_id")):
+        for row in rows[table]:
+            row[column] += "-2"
+    other = empty_clinic(tmp_path / "other")
+    bring(other, driven[0])
+    with closing(Database(other.database)) as database, database.transaction() as db:
+        second = add_patient_rows(db, 1, check_rows(rows))
+        assert len(drives_of(db, 1, second)) == 2
+        assert db.query(PairedChair).count() == 1
