@@ -92,7 +92,7 @@ class _Backups:
             target.mkdir()
             job = {"state": str(self._settings.state), "target": str(target), "with_keys": False}
             job |= {"secret": None}
-            command = module("app.backup.backup_process")
+            command = module("app.features.backup.backup_process")
             pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.DEVNULL}
             self._process = subprocess.Popen(command, text=True, cwd=ROOT, **pipes)  # type: ignore[call-overload]
             assert self._process is not None

@@ -11,7 +11,6 @@ from starlette.routing import BaseRoute
 from app import __version__
 from app.api import openapi_document, package_download
 from app.api.assembly import StartProcess, end_parts, make_parts, start_parts
-from app.api.backup import backups
 from app.api.computer import this_computer
 from app.api.deps import People, clinician, viewer
 from app.api.docs_pages import docs_pages
@@ -98,7 +97,6 @@ ROUTES = (
     replacements,
     tablets,
     this_computer,
-    backups,
     drives,
     review,
     control_quality,

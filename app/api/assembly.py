@@ -3,7 +3,6 @@
 import asyncio
 from collections.abc import Awaitable, Callable
 
-from app.api.backup.night_backups import NightBackups
 from app.api.computer.graphics import Graphics
 from app.api.computer.measurement import Measurement
 from app.api.live.hub import LiveHub
@@ -46,6 +45,7 @@ from app.store.database import Database
 from app.store.drives import close_interrupted_drives
 from app.store.files.disk_watch import DiskWatch
 from app.store.interface_tests import close_interrupted_tests
+from app.store.keeping.erasure_watch import ErasureWatch
 from app.store.patients import open_session
 from app.store.people import the_clinic
 from app.store.runs import close_interrupted_trials
@@ -94,6 +94,8 @@ def make_parts(
 
     control.on_change.append(control_changed)
     spread = ClinicSpread(database, computing)
+    made = (one.background for one in features().values() if one.background is not None)
+    background = [make(database, settings, tell) for make in made]
     web = WebParts(
         computing=computing,
         control=control,
@@ -121,7 +123,7 @@ def make_parts(
         patient_live=patient_hub,
         graphics=Graphics(hub, patient_hub),
         measurement=Measurement(settings.state, lambda: session.recording),
-        backups=NightBackups(database, settings, tell),
+        erasures=ErasureWatch(database, settings),
         trajectories=Trajectories(computing),
         timelines=Timelines(computing),
         qualities=TrialQualities(database, runs.folder_of, computing),
@@ -130,6 +132,8 @@ def make_parts(
         replays=Replays(),
         view=ViewKeeper(open_scene, control.newest),
         own_floorplans=settings.floorplans,
+        background=background,
+        of_features={type(part): part for part in background},
     )
 
     control.follow_screen(web.driving_sign)
@@ -150,7 +154,9 @@ async def start_parts(database: Database, web: WebParts) -> None:
     web.patient_live.start()
     web.faults.start()
     web.disk.start()
-    web.backups.start()
+    web.erasures.start()
+    for part in web.background:
+        part.start()
     web.renewal.start()
     if await asyncio.to_thread(_is_session_open, database):
         await open_view(web)
@@ -184,7 +190,8 @@ async def end_parts(web: WebParts) -> None:
         web.patient_live.close(),
         web.faults.close(),
         web.disk.close(),
-        web.backups.close(),
+        web.erasures.close(),
+        *(part.close() for part in web.background),
     )
     await asyncio.gather(web.view.close(), web.control.close(), asyncio.to_thread(web.replays.close_all))
     await asyncio.to_thread(web.computing.close)

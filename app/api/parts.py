@@ -10,7 +10,6 @@ from typing import Annotated, Any, TypeVar
 from fastapi import Depends, FastAPI
 from starlette.requests import HTTPConnection
 
-from app.api.backup.night_backups import NightBackups
 from app.api.computer.graphics import Graphics
 from app.api.computer.measurement import Measurement
 from app.api.live.hub import LiveHub
@@ -24,6 +23,7 @@ from app.api.replay.trajectories import Trajectories
 from app.api.view.view_keeper import ViewKeeper
 from app.clock import monotonic
 from app.computing_process import ComputingProcess
+from app.features.registration import Background
 from app.session.adaptation import AdaptationFlow
 from app.session.calibration.calibration_flow import CalibrationFlow
 from app.session.calibration.gesture_discovery import GestureDiscoveries
@@ -45,6 +45,7 @@ from app.session.screen_codes import PairingCodes
 from app.session.trial import TrialFlow
 from app.session.trial_qualities import TrialQualities
 from app.store.files.disk_watch import DiskWatch
+from app.store.keeping.erasure_watch import ErasureWatch
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
 from app.world.path_titles import find_floorplan
 from app.world.scene import DrivingPlace, bundled_places
@@ -76,13 +77,13 @@ class WebParts:
     pictures: ScreenPictures
     faults: FaultLog
     disk: DiskWatch
+    erasures: ErasureWatch
     live: LiveHub[LiveMessage]
     pairing: PairingCodes
     patient: PatientPicture
     patient_live: LiveHub[PatientMessage]
     graphics: Graphics
     measurement: Measurement
-    backups: NightBackups
     trajectories: Trajectories
     timelines: Timelines
     qualities: TrialQualities
@@ -91,6 +92,7 @@ class WebParts:
     replays: Replays
     view: ViewKeeper
     own_floorplans: Path
+    background: list[Background]  # of features
     of_features: dict[type, Any] = field(default_factory=dict)
 
     def of_feature(self, kind: type[Part], make: Callable[[], Part]) -> Part:

@@ -14,6 +14,7 @@ NEEDS: Final[Mapping[str, tuple[str, ...]]] = {
     "reports": ("records",),
     "exports": (),
     "archive": (),
+    "backup": (),
     "log": (),
     "prior": (),
 }

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from app.settings import Settings
     from app.store.database import Database
 
+    MakeBackground = Callable[[Database, Settings, Callable[[str], None]], "Background"]
+
     MakeReport = Callable[[], bytes]
     ReportOf = Callable[[Database, Settings, int, int, SpreadsOf], MakeReport | None]
 
@@ -103,6 +105,16 @@ class TrialRemark(Protocol):
         """Return when its text was changed last, None when it never was."""
 
 
+class Background(Protocol):
+    """A part that runs from the start of the web process to its end."""
+
+    def start(self) -> None:
+        """Begin."""
+
+    async def close(self) -> None:
+        """End what runs."""
+
+
 def _complete(_db: Session, _rows: list[dict[str, Any]]) -> None:
     """Add nothing to the rows of a table."""
 
@@ -152,6 +164,9 @@ class Feature:
     tables: tuple[type[Table], ...] = ()
     routes: tuple[str, ...] = ()  # modules in its folder, each with a `router`; only the web application imports them
     without_session: Mapping[str, str] = field(default_factory=dict)  # as `WITHOUT_SESSION` in app/api/page_session.py
+
+    background: "MakeBackground | None" = None
+    """Returns what runs as long as the web process, which gives it what tells the pages that something changed."""
 
     archived: tuple[ArchivedTable, ...] = ()
     not_archived: Mapping[str, str] = field(default_factory=dict)  # its other tables, with the reason

@@ -42,6 +42,8 @@ def test_the_program_answers_while_all_features_are_there(with_all: dict[str, in
 @pytest.mark.parametrize("name", NEEDS)
 def test_the_program_runs_without_a_feature(name: str, with_all: dict[str, int], tmp_path: Path) -> None:
     without = answers(tmp_path, name)
+    if name == "backup":  # the page of backups is where an owner erases now; who is due is erased without it, too
+        del without[ENDS[2]]
     refused = {409} if name == "consents" else set()  # nobody has consented to anything
     assert {
         request: (status, with_all[request])

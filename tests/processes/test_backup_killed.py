@@ -9,8 +9,8 @@ from pathlib import Path
 
 from store.keeping.filled_clinic import two_patients
 
-from app.backup.backup_file import read_backup
-from app.backup.backup_folder import BackupFolder
+from app.features.backup.backup_file import read_backup
+from app.features.backup.backup_folder import BackupFolder
 from app.settings import Settings
 
 KILLS = 4
@@ -19,7 +19,10 @@ KILLS = 4
 def begin(settings: Settings, stick: Path) -> subprocess.Popen[str]:
     job = {"state": str(settings.state), "target": str(stick), "with_keys": False, "secret": None}
     process = subprocess.Popen(
-        [sys.executable, "-m", "app.backup.backup_process"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        [sys.executable, "-m", "app.features.backup.backup_process"],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
     )
     assert process.stdin is not None
     process.stdin.write(json.dumps(job) + "\n")

@@ -66,16 +66,15 @@ MAY_IMPORT = {
     ),
     "figures": (LEAVES, "world", "scoring", "study"),
     "host": (LEAVES,),
-    "backup": (LEAVES, "recording", "store"),
     "scene": (LEAVES, "world"),
     "api": (
         *(LEAVES, "process", "signals.csv_dialect", "signals.parquet_names", "world", "calibration", "scoring"),
-        *("recording.recorded_trajectory", "store", "session", "host", "backup", "scene"),
+        *("recording.recorded_trajectory", "store", "session", "host", "scene"),
         *("hardware.configs", "hardware.addresses", "hardware.chair.key", REGISTRATION),
     ),
     "cli": (
         *(LEAVES, "process", "recording", "signals", "world", "hardware", "calibration", "pipeline", "scoring"),
-        *("store", "session", "study", "figures", "host", "backup", "scene", "api", "features"),
+        *("store", "session", "study", "figures", "host", "scene", "api", "features"),
     ),
 }
 FITTING = (
@@ -104,8 +103,8 @@ HOME = {
     "serial": {"hardware"},
     "ezdxf": {"world"},
     "msgspec": {"scene"},
-    "cryptography": {"host", "backup"},
-    "pyrage": {"backup"},
+    "cryptography": {"host", "features"},
+    "pyrage": {"features"},
     "psutil": {"host"},
     "typst": {"features"},
 }

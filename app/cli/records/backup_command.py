@@ -16,8 +16,8 @@ from app.refusals import Refusal
 from app.settings import Settings, state_folder
 
 if TYPE_CHECKING:
-    from app.backup.age_files import Secret
-    from app.backup.making import MadeReport
+    from app.features.backup.age_files import Secret
+    from app.features.backup.service import MadeReport
 
 COMMAND = "command line"  # who did it, in the log
 PASSPHRASE = "BODYDRIVE_PASSPHRASE"  # noqa: S105  (the name of a variable)
@@ -42,7 +42,7 @@ def backup(
     as_json: Json = False,
 ) -> None:
     """Back up a clinic, also while it is open, and read the backup back; into a folder, only what is new is written."""
-    from app.backup.making import make_backup
+    from app.features.backup.service import make_backup
     from app.realtime import take_lowest_priority
 
     if check:
@@ -84,7 +84,7 @@ def restore(
     as_json: Json = False,
 ) -> None:
     """Restore a clinic into an empty folder: every file equal by hash, patients who were erased since left out."""
-    from app.backup.restoring import restore as restored_from
+    from app.features.backup.restoration import restore as restored_from
     from app.store.keeping.tombstones import read_tombstones
 
     settings = _settings(state)
@@ -125,7 +125,7 @@ def restore(
 
 
 def _check(target: Path, as_json: bool) -> None:
-    from app.backup.backup_file import read_backup
+    from app.features.backup.backup_file import read_backup
 
     try:
         manifest = read_backup(target.absolute(), _secret_to_read(target))
@@ -142,9 +142,9 @@ def _settings(state: Path | None) -> Settings:
 
 def _secret_to_make(target: Path, encrypt: bool) -> "Secret | None":
     """Return the secret of a new backup; a folder that is encrypted already asks for its passphrase by itself."""
-    from app.backup.age_files import new_secret
-    from app.backup.backup_folder import HEADER, sealed_key_of_folder
-    from app.backup.night_secret import secret_of_folder
+    from app.features.backup.age_files import new_secret
+    from app.features.backup.backup_folder import HEADER, sealed_key_of_folder
+    from app.features.backup.night_secret import secret_of_folder
 
     if (target / HEADER).is_file() and sealed_key_of_folder(target) is not None:
         return secret_of_folder(target, _passphrase(is_new=False))
@@ -152,8 +152,8 @@ def _secret_to_make(target: Path, encrypt: bool) -> "Secret | None":
 
 
 def _secret_to_read(source: Path) -> "Secret | None":
-    from app.backup.age_files import opened_secret
-    from app.backup.backup_file import sealed_key_of
+    from app.features.backup.age_files import opened_secret
+    from app.features.backup.backup_file import sealed_key_of
 
     newest = max(source.glob("*.backup"), default=None)  # the names of a folder begin with the time
     if newest is not None:
@@ -186,7 +186,7 @@ def _show_progress(step: str, done: int, total: int) -> None:
 
 def _log_made(settings: Settings, target: Path, report: "MadeReport") -> str:
     """Log the backup; return a sentence when the clinic is of another version and so cannot be opened."""
-    from app.store.keeping.made_backups import add_backup
+    from app.features.backup.made_backups import add_backup
     from app.store.schema import NEWEST, revision_of
 
     if revision_of(settings.database) != NEWEST:

@@ -29,7 +29,7 @@ def incident(
 ) -> None:
     """Archive log, recordings, parameters and versions of the last 24 hours, signed, and mark them as to be kept."""
     from app import realtime
-    from app.backup.incident_archive import archive_incident, check_incident
+    from app.features.backup.incident_archive import archive_incident, check_incident
 
     if public is not None and not check:
         raise InputError("--public-key belongs to --check: leave it out, or check an archive.")

@@ -66,7 +66,6 @@ NOT_IN_ARCHIVE: Final = {
     "invitation": "invitations of people of this clinic",
     "chair": "real chairs of this clinic",
     "record_keeping": "settings of this clinic's owner",
-    "made_backup": "backups of this clinic",
     "passed_time": "what the clocks of this clinic's machine said",
 }
 """The other tables of the kernel, with the reason why the archive of a patient does not have them."""

@@ -1,4 +1,4 @@
-"""The tables of keeping records: the owner's settings, erased patients, uploads, incidents, backups, clocks."""
+"""The tables of keeping records: the owner's settings, erased patients, uploads, incidents, clocks."""
 
 from datetime import datetime
 from typing import Any
@@ -67,23 +67,6 @@ class IncidentPatient(Table):
     __tablename__ = "incident_patient"
     incident_id: Mapped[int] = mapped_column(ForeignKey("incident.id"), primary_key=True)
     patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"), primary_key=True, index=True)
-
-
-class MadeBackup(Table):
-    """A backup that was made, or that failed."""
-
-    __tablename__ = "made_backup"
-    id: Mapped[int] = mapped_column(primary_key=True)
-    at: Mapped[datetime] = mapped_column(index=True)
-    place: Mapped[str]  # the file, or the folder
-    name: Mapped[str] = mapped_column(String(80))  # of the file
-    in_folder: Mapped[bool]  # one of a folder, which keeps 7 daily, 4 weekly and 6 monthly ones
-    good: Mapped[bool]  # it was read back, and every hash is right
-    words: Mapped[str] = mapped_column(String(400))  # why it is not good, or what was left out
-    files: Mapped[int]
-    bytes: Mapped[int]
-    encrypted: Mapped[bool]
-    with_keys: Mapped[bool]
 
 
 class PassedTime(Table):

@@ -8,11 +8,11 @@ import pytest
 from store.keeping.filled_clinic import two_patients
 
 from app import realtime
-from app.backup import quiet_files
 from app.cli.clinic_folder import held
+from app.features.backup import quiet_files
+from app.features.backup.tables import MadeBackup
 from app.settings import Settings
 from app.store.database import Database
-from app.store.keeping.keeping_tables import MadeBackup
 from app.store.tables import LogEntry
 
 

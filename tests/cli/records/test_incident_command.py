@@ -14,10 +14,10 @@ from sqlalchemy import text
 from store.keeping.filled_clinic import two_patients
 
 from app import realtime
-from app.backup import incident_archive, quiet_files
-from app.backup.hashed_tar import hashed_tar
 from app.cli.clinic_folder import held
 from app.clock import utc_now
+from app.features.backup import incident_archive, quiet_files
+from app.features.backup.hashed_tar import hashed_tar
 from app.refusals import Conflict
 from app.settings import Settings
 from app.store.database import Database

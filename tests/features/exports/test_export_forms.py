@@ -18,8 +18,8 @@ from stored_interface_test import MEASURES as TEST_MEASURES
 from stored_interface_test import store_interface_test
 
 from app import __version__
-from app.backup.contents import clinic_mark
 from app.clock import utc_now
+from app.features.backup.contents import clinic_mark
 from app.features.exports.export_material import exported_material
 from app.features.exports.forms import Form
 from app.features.exports.service import export_steps

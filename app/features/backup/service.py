@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app import __version__
-from app.backup.age_files import Secret
-from app.backup.backup_file import add_sources, read_backup, write_backup
-from app.backup.backup_folder import BackupFolder
-from app.backup.contents import clinic_mark, contents_of
-from app.backup.hashed_tar import HashedTar
-from app.backup.manifest import Manifest, left_out_words
 from app.clock import utc_now
+from app.features.backup.age_files import Secret
+from app.features.backup.backup_file import add_sources, read_backup, write_backup
+from app.features.backup.backup_folder import BackupFolder
+from app.features.backup.contents import clinic_mark, contents_of
+from app.features.backup.hashed_tar import HashedTar
+from app.features.backup.manifest import Manifest, left_out_words
 from app.file_modes import OWNER_FOLDER
 from app.refusals import Conflict, Refusal
 from app.settings import Settings

@@ -7,7 +7,7 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
-from app.store.keeping.keeping_tables import MadeBackup
+from app.features.backup.tables import MadeBackup
 from app.store.log import write_log
 
 WARN_AFTER: Final = timedelta(days=3)

@@ -7,8 +7,8 @@ from contextlib import contextmanager
 from hashlib import sha256
 from typing import Any, Final
 
-from app.backup.manifest import DAMAGED, StoredFile, is_safe
-from app.backup.quiet_files import PART, Reader, Writer
+from app.features.backup.manifest import DAMAGED, StoredFile, is_safe
+from app.features.backup.quiet_files import PART, Reader, Writer
 from app.refusals import Refusal
 
 NANOSECONDS: Final = 1_000_000_000

@@ -1,33 +1,28 @@
-"""What the running program does by itself: it makes the backup of the night, and erases patients deleted long ago."""
+"""What the running program does by itself: it erases the patients who were deleted 30 days ago."""
 
 import time
 from collections.abc import Callable
 from dataclasses import replace
 from datetime import timedelta
-from pathlib import Path
 from typing import Any
 
 import pytest
 from api.fake_clinic import Clinic
 from api.running_app import running
 
-from app.api.backup import night_backups
-from app.backup.backup_file import read_backup
 from app.clock import utc_now
 from app.settings import Settings
 from app.store import log
 from app.store.access.visible_patients import WITH_DELETED
 from app.store.database import Database
-from app.store.keeping import erasure, passed_time
+from app.store.keeping import erasure, erasure_watch, passed_time
 from app.store.keeping.erasure import erase_due
-from app.store.keeping.made_backups import last_in_folder
 from app.store.keeping.passed_time import clock_warning
-from app.store.keeping.record_time import record_keeping
 from app.store.patients import add_patient, delete_patient, restore_patient
 from app.store.people import add_clinic, the_clinic
 from app.store.tables import Patient
 
-PATIENCE = 60.0  # s: another process makes the backup
+PATIENCE = 60.0  # s
 
 
 def until(true: Callable[[], Any]) -> Any:
@@ -43,38 +38,24 @@ def database_of(clinic: Clinic) -> Database:
     return clinic.client.app.state.people.database  # type: ignore[attr-defined]
 
 
-@pytest.fixture
-def night(settings: Settings, tmp_path: Path) -> Path:
-    """A clinic that has ended: a folder is chosen, the hour is now, patients were deleted 31 and 29 days ago."""
-    stick = tmp_path / "stick"
-    stick.mkdir()
+def test_a_program_that_runs_erases_who_was_deleted_31_days_ago(settings: Settings) -> None:
     for clinic in running(settings):
         with database_of(clinic).transaction() as db:
             known = the_clinic(db) or add_clinic(db, "Clinic")
             for days in (31, 29):
                 patient = add_patient(db, known.id, f"P-{days}", "Heron", "")
                 patient.deleted = utc_now() - timedelta(days=days)
-            kept = record_keeping(db, known.id)
-            kept.folder, kept.hour = str(stick), utc_now().astimezone().hour
-    return stick
-
-
-def test_a_program_that_runs_makes_the_backup_and_erases(settings: Settings, night: Path) -> None:
     for clinic in running(settings):
-        database = database_of(clinic)
 
-        def made(database: Database = database) -> Any:
-            with database.transaction() as db:
-                return last_in_folder(db, good=True)
+        def is_erased(clinic: Clinic = clinic) -> bool:
+            return "patient erased" in [row.what for row in clinic.log()]
 
-        until(made)
-        with database.transaction() as db:
+        until(is_erased)
+        with database_of(clinic).transaction() as db:
             codes = {patient.code for patient in db.query(Patient).execution_options(**WITH_DELETED)}
         assert "P-29" in codes
         assert "P-31" not in codes
         assert [row.what for row in clinic.log()].count("patient erased") == 1
-    (backup,) = night.glob("*.backup")
-    read_backup(backup, None)
 
 
 def test_a_start_with_a_clock_31_days_ahead_erases_nobody_and_says_so(
@@ -96,7 +77,7 @@ def test_a_start_with_a_clock_31_days_ahead_erases_nobody_and_says_so(
         erase_due(*given)
         looked_after.append("erased")
 
-    monkeypatch.setattr(night_backups, "erase_due", erase_and_note)
+    monkeypatch.setattr(erasure_watch, "erase_due", erase_and_note)
     for clinic in running(settings):
         until(lambda: looked_after)
         assert [row.what for row in clinic.log()].count("clock jumped") == 1

@@ -9,14 +9,15 @@ the folder belongs to, and with which key it is encrypted; `erased-patients.json
 import json
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 from functools import partial
 from hashlib import sha256
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
-from app.backup.age_files import Secret
-from app.backup.backup_file import (
+from app.clock import utc_now
+from app.features.backup.age_files import Secret
+from app.features.backup.backup_file import (
     PARTS,
     add_sources,
     manifest_of,
@@ -26,10 +27,8 @@ from app.backup.backup_file import (
     write_backup,
     write_part,
 )
-from app.backup.contents import BackupFile, Contents
-from app.backup.kept_backups import kept_backups
-from app.backup.manifest import Manifest, StoredFile
-from app.clock import utc_now
+from app.features.backup.contents import BackupFile, Contents
+from app.features.backup.manifest import Manifest, StoredFile
 from app.file_modes import OWNER_FILE
 from app.files import write_atomically
 from app.refusals import Refusal
@@ -203,3 +202,28 @@ def _header(folder: Path) -> dict[str, str | None]:
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise Refusal(f"{folder} is no folder of backups: its file {HEADER} cannot be read.") from error
     return {"clinic": clinic, "identity": identity}
+
+
+KEPT: Final[tuple[tuple[int, Callable[[datetime], Any]], ...]] = (
+    (7, lambda moment: moment.date()),
+    (4, lambda moment: moment.isocalendar()[:2]),
+    (6, lambda moment: (moment.year, moment.month)),
+)  # how many, and to which day, week or month a backup belongs
+ALL_DAYS_FOR: Final = timedelta(days=7)
+
+
+def kept_backups(moments: Iterable[datetime], passed: datetime) -> set[datetime]:
+    """Return the newest backup of each of the last 7 days, 4 weeks and 6 months that have one.
+
+    `passed` is up to when time has really passed. Where the clock was set forward, days that have not passed push none
+    out: the newest backup of each day is kept until 7 days have.
+    """
+    newest_first = sorted(moments, reverse=True)
+    kept: set[datetime] = set()
+    for many, period_of in KEPT:
+        newest: dict[Any, datetime] = {}
+        for moment in newest_first:
+            newest.setdefault(period_of(moment), moment)
+        each = list(newest.values())
+        kept |= {*each[:many], *(moment for moment in each if moment + ALL_DAYS_FOR > passed)}
+    return kept

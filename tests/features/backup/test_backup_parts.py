@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.backup.kept_backups import kept_backups
-from app.backup.manifest import is_safe
-from app.backup.quiet_files import QuietReader
+from app.features.backup.backup_folder import kept_backups
+from app.features.backup.manifest import is_safe
+from app.features.backup.quiet_files import QuietReader
 
 FIRST, LAST = datetime(2020, 1, 1), datetime(2027, 1, 1)  # noqa: DTZ001  (hypothesis takes no other bounds)
 LONG_AFTER = LAST + timedelta(days=365)

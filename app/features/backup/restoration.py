@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from app.backup.age_files import Secret
-from app.backup.backup_file import read_backup
-from app.backup.manifest import Manifest, StoredFile
-from app.backup.quiet_files import QuietReader, QuietWriter, Reader, copy_hashed, hash_of
+from app.features.backup.age_files import Secret
+from app.features.backup.backup_file import read_backup
+from app.features.backup.manifest import Manifest, StoredFile
+from app.features.backup.quiet_files import QuietReader, QuietWriter, Reader, copy_hashed, hash_of
 from app.file_modes import OWNER_FOLDER
 from app.refusals import Refusal
 from app.settings import IN_USE, Settings

@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.backup import quiet_files
+from app.features.backup import quiet_files
 
 
 @pytest.fixture(autouse=True)

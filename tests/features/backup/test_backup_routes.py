@@ -8,15 +8,15 @@ from typing import Any
 import pytest
 from api.fake_clinic import Clinic
 
-from app.api.backup.schedule import is_due
-from app.backup.age_files import opened_secret
-from app.backup.backup_file import read_backup, sealed_key_of
-from app.backup.contents import clinic_mark
 from app.clock import utc_now
+from app.features.backup import made_backups
+from app.features.backup.age_files import opened_secret
+from app.features.backup.backup_file import read_backup, sealed_key_of
+from app.features.backup.contents import clinic_mark
+from app.features.backup.made_backups import backup_warning
+from app.features.backup.night_backups import is_due
 from app.settings import Settings
-from app.store.keeping import made_backups
 from app.store.keeping.incidents import mark_incident
-from app.store.keeping.made_backups import backup_warning
 
 
 @pytest.fixture(autouse=True)

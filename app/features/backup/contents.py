@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
-from app.backup.manifest import DATABASE
 from app.clock import utc_now
+from app.features.backup.manifest import DATABASE
 from app.file_modes import OWNER_FOLDER
 from app.recording.format import END_FILE
 from app.refusals import Refusal

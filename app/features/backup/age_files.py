@@ -14,8 +14,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import BinaryIO, Final, TypeVar
 
-from app.backup.manifest import DAMAGED
-from app.backup.quiet_files import PART, Reader, Writer
+from app.features.backup.manifest import DAMAGED
+from app.features.backup.quiet_files import PART, Reader, Writer
 from app.refusals import Refusal
 
 TOO_MUCH_WORK: Final = "Excessive work"  # pyrage measures this computer's speed at each call

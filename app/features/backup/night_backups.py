@@ -1,38 +1,48 @@
-"""Makes the backups of a running clinic, one at a time, each in a process of its own; erases who is due.
+"""Make the backups of a running clinic, one at a time, each in a process of its own: at night, and when asked for.
 
-The process has the lowest priority (`app/backup/backup_process.py`), so that a chair that drives does not notice.
+The process has the lowest priority (`app/features/backup/backup_process.py`), so that a chair that drives does not
+notice.
 """
 
 import asyncio
 import logging
 from collections.abc import Callable
 from dataclasses import asdict
+from datetime import datetime, timedelta
 from pathlib import Path
 from typing import Any, Final, NamedTuple, cast
 
-from app.api.backup.schedule import is_due
-from app.backup.backup_process import BackupJob, BackupMessage
-from app.backup.night_secret import read_secret
 from app.child_process import JsonChild
 from app.clock import utc_now
+from app.features.backup.backup_process import BackupJob, BackupMessage
+from app.features.backup.made_backups import add_backup, last_in_folder
+from app.features.backup.night_secret import read_secret
 from app.refusals import Conflict, Refusal
 from app.settings import Settings
 from app.store.database import Database
-from app.store.files.replacements import replaced_files
-from app.store.keeping.erasure import erase_due
 from app.store.keeping.keeping_tables import RecordKeeping
-from app.store.keeping.made_backups import add_backup, last_in_folder
-from app.store.keeping.passed_time import look_at_clocks, passed_now
 from app.store.keeping.record_time import record_keeping
 from app.store.people import the_clinic
 
+AGAIN_AFTER: Final = timedelta(hours=1)  # a backup that failed is tried again
 LOOK_EVERY: Final = 60.0  # s
-ERASE_EVERY: Final = 60  # looks: once in an hour
 ENDED: Final = "The process that makes the backup has ended: look at the disks, then try again."
 NO_FOLDER: Final = "No folder is chosen: choose one first."
 UNDER_WAY: Final = "A backup is being made already: wait until it is done."
 
 logger = logging.getLogger("bodydrive")
+
+
+def is_due(now: datetime, hour: int, last_good: datetime | None, last_try: datetime | None) -> bool:
+    """Return whether there was no good backup since the last time that the clock showed `hour`.
+
+    Of a machine that was off in the night, it is due when the machine is on again. All moments are in the local zone.
+    """
+    at_hour = now.replace(hour=hour, minute=0, second=0, microsecond=0)
+    scheduled = at_hour if at_hour <= now else at_hour - timedelta(days=1)
+    if last_good is not None and last_good >= scheduled:
+        return False
+    return last_try is None or now - last_try >= AGAIN_AFTER
 
 
 class BackupProgress(NamedTuple):
@@ -49,7 +59,6 @@ class NightBackups:
     def __init__(self, database: Database, settings: Settings, tell: Callable[[str], None]) -> None:
         self._database = database
         self._settings = settings
-        self._replaced = replaced_files(settings)
         self._tell = tell
         self._looking: asyncio.Task[None] | None = None
         self._making: asyncio.Task[None] | None = None
@@ -105,7 +114,7 @@ class NightBackups:
         try:
             if not await asyncio.to_thread(Path(job["target"]).is_dir):  # otherwise it would be taken for a file
                 return {"refused": f"The folder {job['target']} is not there: connect the disk it lies on."}
-            child = await JsonChild.start("app.backup.backup_process")
+            child = await JsonChild.start("app.features.backup.backup_process")
         except OSError:
             return {"refused": ENDED}
         try:
@@ -130,25 +139,13 @@ class NightBackups:
             add_backup(db, person, place=job["target"], in_folder=True, **facts)
 
     async def _look(self) -> None:
-        looks = 0
         while True:
             try:
-                if looks % ERASE_EVERY == 0:
-                    await asyncio.to_thread(self._erase)
                 if self.course is None and await asyncio.to_thread(self._is_due):
                     await self.begin(None)
             except Exception:  # keep looking: a disk that is gone may come back
-                logger.exception("Backups and erasures could not be looked at")
-            looks += 1
+                logger.exception("It could not be seen whether a backup is due")
             await asyncio.sleep(LOOK_EVERY)
-
-    def _erase(self) -> None:
-        """Erase what has waited for 30 days: deleted patients and replaced files."""
-        with self._database.transaction(closing=True) as db:
-            look_at_clocks(db)
-            passed = passed_now(db)
-        self._replaced.purge(passed)
-        erase_due(self._database, self._settings)
 
     def _kept(self) -> RecordKeeping | None:
         with self._database.transaction() as db:

@@ -15,12 +15,12 @@ import pytest
 from pyrage import x25519
 from store.keeping.filled_clinic import mentions, two_patients
 
-from app.backup import backup_folder, contents, making
-from app.backup.age_files import Secret
-from app.backup.backup_file import read_backup, sealed_key_of
-from app.backup.backup_folder import BackupFolder
-from app.backup.making import make_backup
-from app.backup.restoring import restore
+from app.features.backup import backup_folder, contents, service
+from app.features.backup.age_files import Secret
+from app.features.backup.backup_file import read_backup, sealed_key_of
+from app.features.backup.backup_folder import BackupFolder
+from app.features.backup.restoration import restore
+from app.features.backup.service import make_backup
 from app.refusals import Conflict, Refusal
 from app.settings import Settings
 from app.store.database import Database
@@ -297,7 +297,7 @@ def test_no_room_or_no_folder_is_a_sentence_and_leaves_nothing(settings: Setting
         made(settings, file)
     with pytest.raises(Refusal, match="There is no clinic in"):
         made(Settings(state=tmp_path / "nothing"), tmp_path / "b.backup")
-    with making._one_at_a_time(settings), pytest.raises(Conflict, match="Another backup"):
+    with service._one_at_a_time(settings), pytest.raises(Conflict, match="Another backup"):
         made(settings, tmp_path / "c.backup")
     assert sorted(each.name for each in tmp_path.iterdir()) == ["a.backup", "clinic", "nothing"]
 

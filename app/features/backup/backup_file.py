@@ -12,11 +12,11 @@ from io import BytesIO
 from pathlib import Path
 from typing import Any, Final
 
-from app.backup.age_files import Secret, decrypted, encrypted
-from app.backup.contents import BackupFile
-from app.backup.hashed_tar import HashedTar, hashed_tar, members_of
-from app.backup.manifest import DAMAGED, MOST_BYTES, NAME, Manifest, StoredFile, read_manifest
-from app.backup.quiet_files import PART, QuietReader, QuietWriter, Reader, hash_of
+from app.features.backup.age_files import Secret, decrypted, encrypted
+from app.features.backup.contents import BackupFile
+from app.features.backup.hashed_tar import HashedTar, hashed_tar, members_of
+from app.features.backup.manifest import DAMAGED, MOST_BYTES, NAME, Manifest, StoredFile, read_manifest
+from app.features.backup.quiet_files import PART, QuietReader, QuietWriter, Reader, hash_of
 from app.refusals import Refusal
 
 Progress = Callable[[int], None]

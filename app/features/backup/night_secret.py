@@ -4,8 +4,8 @@ import json
 from pathlib import Path
 from typing import Final
 
-from app.backup.age_files import Secret, new_secret, opened_secret
-from app.backup.backup_folder import HEADER, BackupFolder, sealed_key_of_folder
+from app.features.backup.age_files import Secret, new_secret, opened_secret
+from app.features.backup.backup_folder import HEADER, BackupFolder, sealed_key_of_folder
 from app.file_modes import OWNER_FILE
 from app.files import write_atomically
 from app.refusals import Refusal

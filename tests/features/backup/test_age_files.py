@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 from pyrage import DecryptError, decrypt, passphrase, x25519
 from store.keeping.filled_clinic import two_patients
 
-from app.backup.age_files import TOO_MUCH_WORK, Secret, decrypted, encrypted, new_secret, opened_secret
-from app.backup.backup_file import HOW_TO_WORDS
-from app.backup.making import make_backup
+from app.features.backup.age_files import TOO_MUCH_WORK, Secret, decrypted, encrypted, new_secret, opened_secret
+from app.features.backup.backup_file import HOW_TO_WORDS
+from app.features.backup.service import make_backup
 from app.refusals import Refusal
 from app.settings import Settings
 from folders import ROOT

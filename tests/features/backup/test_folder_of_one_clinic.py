@@ -5,12 +5,12 @@ from pathlib import Path
 import pytest
 from store.keeping.filled_clinic import two_patients
 
-from app.backup.backup_file import read_backup
-from app.backup.backup_folder import BackupFolder
-from app.backup.contents import clinic_mark
-from app.backup.making import make_backup
-from app.backup.night_secret import opened_folder
-from app.backup.restoring import restore
+from app.features.backup.backup_file import read_backup
+from app.features.backup.backup_folder import BackupFolder
+from app.features.backup.contents import clinic_mark
+from app.features.backup.night_secret import opened_folder
+from app.features.backup.restoration import restore
+from app.features.backup.service import make_backup
 from app.refusals import Refusal
 from app.settings import Settings
 

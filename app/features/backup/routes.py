@@ -4,21 +4,22 @@ import asyncio
 from pathlib import Path
 from typing import Annotated, Literal
 
-from fastapi import APIRouter
+from fastapi import APIRouter, Depends
 from pydantic import Field, SecretStr
 
 from app.api.answers import Answer, MomentText
 from app.api.deps import Owner, People, PeopleParts, RowId
-from app.api.parts import Web
-from app.backup.contents import clinic_mark
-from app.backup.night_secret import keep_secret, opened_folder, read_secret
-from app.backup.signing import clinic_fingerprint
+from app.api.parts import Web, WebParts
+from app.features.backup.contents import clinic_mark
+from app.features.backup.made_backups import backup_warning, last_good_backup, newest_backups
+from app.features.backup.night_backups import NightBackups
+from app.features.backup.night_secret import keep_secret, opened_folder, read_secret
+from app.features.backup.signature import clinic_fingerprint
 from app.file_modes import OWNER_FOLDER
 from app.quantities import Document, Line
 from app.refusals import Conflict
 from app.store.keeping.erasure import deleted_patients, erase_patient
 from app.store.keeping.incidents import all_incidents, lift_incident
-from app.store.keeping.made_backups import backup_warning, last_good_backup, newest_backups
 from app.store.keeping.passed_time import clock_warning
 from app.store.keeping.record_time import MOST_YEARS, record_keeping
 from app.store.log import write_log
@@ -28,6 +29,15 @@ router = APIRouter(tags=["backup"])
 Reason = Annotated[Line, Field(min_length=3, max_length=400)]
 NOT_ABSOLUTE = "Give the whole path of the folder, beginning with /."
 INSIDE = "This folder lies in the clinic's own folder, or holds it: choose one on another disk."
+
+
+async def night_backups(web: Web) -> NightBackups:
+    """Return what makes the backups."""
+    found: NightBackups = web.of_features[NightBackups]
+    return found
+
+
+Backups = Annotated[NightBackups, Depends(night_backups)]
 
 
 class BackupSettings(Document):
@@ -117,11 +127,11 @@ class BackupsView(Document):
     fingerprint: str  # of the public key that signs archives; empty before the first one
 
 
-def _view(parts: People, web: Web, clinic_id: int) -> BackupsView:
+def _view(parts: People, backups: NightBackups, clinic_id: int) -> BackupsView:
     with parts.database.transaction() as db:
         kept, good = record_keeping(db, clinic_id), last_good_backup(db)
         folder_is_there = kept.folder is not None and Path(kept.folder).is_dir()
-        course = web.backups.course
+        course = backups.course
         return BackupsView(
             folder=kept.folder,
             hour=kept.hour,
@@ -153,28 +163,30 @@ def _view(parts: People, web: Web, clinic_id: int) -> BackupsView:
 
 
 @router.get("/backups")
-def look(who: Owner, parts: PeopleParts, web: Web) -> BackupsView:
+def look(who: Owner, parts: PeopleParts, backups: Backups) -> BackupsView:
     """Return the settings, the newest backups, how far one is that is being made, deleted patients, incidents."""
-    return _view(parts, web, who.clinic_id)
+    return _view(parts, backups, who.clinic_id)
 
 
 @router.post("/backups", status_code=202)
-async def begin(who: Owner, parts: PeopleParts, web: Web) -> BackupsView:
+async def begin(who: Owner, parts: PeopleParts, backups: Backups) -> BackupsView:
     """Begin a backup now; it goes on by itself. 409 without a folder, and while one is being made."""
-    await web.backups.begin(who.name)
-    return await asyncio.to_thread(_view, parts, web, who.clinic_id)
+    await backups.begin(who.name)
+    return await asyncio.to_thread(_view, parts, backups, who.clinic_id)
 
 
 @router.put("/backups/settings")
-async def choose(body: BackupSettings, who: Owner, parts: PeopleParts, web: Web) -> BackupsView:
+async def choose(body: BackupSettings, who: Owner, parts: PeopleParts, web: Web, backups: Backups) -> BackupsView:
     """Choose the folder, the hour and the passphrase; 409 in one sentence when the folder cannot be used."""
-    await asyncio.to_thread(_choose, body, who.name, who.clinic_id, parts, web)
-    return await asyncio.to_thread(_view, parts, web, who.clinic_id)
+    await asyncio.to_thread(_choose, body, who.name, who.clinic_id, parts, web, backups)
+    return await asyncio.to_thread(_view, parts, backups, who.clinic_id)
 
 
-def _choose(body: BackupSettings, person: str, clinic_id: int, parts: People, web: Web) -> None:
+def _choose(
+    body: BackupSettings, person: str, clinic_id: int, parts: People, web: WebParts, backups: NightBackups
+) -> None:
     own = parts.settings
-    if web.backups.course is not None:
+    if backups.course is not None:
         raise Conflict("A backup is being made: wait until it is done.")
     passphrase = "" if body.passphrase is None else body.passphrase.get_secret_value()
     kept = read_secret(own.backup) if body.encrypted else None
@@ -201,24 +213,24 @@ def _choose(body: BackupSettings, person: str, clinic_id: int, parts: People, we
 
 
 @router.put("/record-keeping")
-def keep_records(body: RecordTime, who: Owner, parts: PeopleParts, web: Web) -> BackupsView:
+def keep_records(body: RecordTime, who: Owner, parts: PeopleParts, backups: Backups) -> BackupsView:
     """Set for how many years after the last session records must be kept."""
     with parts.database.transaction() as db:
         record_keeping(db, who.clinic_id).years = body.years
         write_log(db, who.name, "record time changed", years=body.years)
-    return _view(parts, web, who.clinic_id)
+    return _view(parts, backups, who.clinic_id)
 
 
 @router.post("/deleted-patients/{patient_id}/erasure")
-def erase(patient_id: RowId, who: Owner, parts: PeopleParts, web: Web) -> BackupsView:
+def erase(patient_id: RowId, who: Owner, parts: PeopleParts, backups: Backups) -> BackupsView:
     """Erase a deleted patient for good, now; 409 with the reason when something stands against it."""
     erase_patient(parts.database, parts.settings, who.clinic_id, patient_id, who.name)
-    return _view(parts, web, who.clinic_id)
+    return _view(parts, backups, who.clinic_id)
 
 
 @router.post("/incidents/{incident_id}/lifting")
-def lift(incident_id: RowId, body: Lifting, who: Owner, parts: PeopleParts, web: Web) -> BackupsView:
+def lift(incident_id: RowId, body: Lifting, who: Owner, parts: PeopleParts, backups: Backups) -> BackupsView:
     """Lift the mark of an incident, so that its patients can be erased."""
     with parts.database.transaction() as db:
         lift_incident(db, who.clinic_id, incident_id, body.reason, who.name)
-    return _view(parts, web, who.clinic_id)
+    return _view(parts, backups, who.clinic_id)

@@ -1,4 +1,4 @@
-"""The process that makes a backup for the web process: `python -m app.backup.backup_process`, at the lowest priority.
+"""The process that makes a backup for the web process, at the lowest priority.
 
 It is asked for one `BackupJob`, and answers with a `BackupMessage` as it goes on and at the end.
 """
@@ -7,10 +7,10 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Final, TypedDict, cast
 
-from app.backup.age_files import Secret
-from app.backup.making import make_backup
 from app.child_process import prepare_child, questions, respond
 from app.clock import monotonic
+from app.features.backup.age_files import Secret
+from app.features.backup.service import make_backup
 from app.file_modes import keep_new_files_private
 from app.refusals import Refusal
 from app.settings import Settings

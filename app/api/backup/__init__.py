@@ -1,1 +1,0 @@
-"""The owner's page "Backup", and the backup of every night."""

@@ -1,1 +1,0 @@
-"""Back a clinic up and restore it; archive what an incident left behind."""

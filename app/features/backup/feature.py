@@ -1,0 +1,37 @@
+"""Backups of the clinic and the archive of an incident: what the feature gives to the rest of the program."""
+
+from typing import TYPE_CHECKING, Final
+
+from app.features.backup.tables import MadeBackup
+from app.features.registration import OWN_NAME, Feature
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from app.features.registration import Background
+    from app.settings import Settings
+    from app.store.database import Database
+
+_CLINIC: Final = "It belongs to the clinic and to no patient."
+
+
+def night_backups(database: "Database", settings: "Settings", tell: "Callable[[str], None]") -> "Background":
+    """Return what makes the backup of every night."""
+    from app.features.backup.night_backups import NightBackups
+
+    return NightBackups(database, settings, tell)
+
+
+FEATURE: Final = Feature(
+    tables=(MadeBackup,),
+    routes=("routes",),
+    background=night_backups,
+    without_session={
+        "POST /backups": _CLINIC,
+        "PUT /backups/settings": _CLINIC,
+        "PUT /record-keeping": _CLINIC,
+        "POST /deleted-patients/{patient_id}/erasure": OWN_NAME,
+        "POST /incidents/{incident_id}/lifting": _CLINIC,
+    },
+    not_archived={"made_backup": "backups of this clinic"},
+)
