@@ -7,8 +7,8 @@ from pathlib import Path
 
 from app.clock import MonotonicClock
 from app.computing_process import ComputingProcess
+from app.features.reports.composition import report_file
 from app.features.reports.document import Form
-from app.features.reports.rendering import report_file
 from app.features.reports.service import Subject, exported_material
 from app.scoring.verdict.spread import Spread
 from app.session.clinic_spread import ClinicSpread, Task

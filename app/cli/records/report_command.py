@@ -31,7 +31,7 @@ def report(
 ) -> None:
     """Write the report of a patient's session, or of all sessions; the clinic may be open meanwhile."""
     from app.computing_process import ComputingProcess
-    from app.features.reports.rendering import report_file
+    from app.features.reports.composition import report_file
     from app.features.reports.service import Subject, exported_material
     from app.session.clinic_spread import ClinicSpread
 

@@ -12,14 +12,12 @@ from typing import Any
 
 from app import __version__
 from app.features.exports import bids_form
-from app.features.exports.csv_form import write_csv
 from app.features.exports.export_material import ExportMaterial, run_facts
 from app.features.exports.fhir_form import fhir_bundle
+from app.features.exports.flat_table import write_csv, write_parquet
 from app.features.exports.forms import Form
-from app.features.exports.interface_test_table import interface_test_csv
-from app.features.exports.parquet_form import write_parquet
+from app.features.exports.measure_tables import interface_test_csv, trial_csv, verdict_words
 from app.features.exports.recorded_runs import RecordedRun
-from app.features.exports.trial_table import trial_csv, verdict_words
 from app.features.exports.xdf_form import write_xdf
 from app.package import FAST, Step, add_file, entry
 from app.recording.groups import RunGroups, read_in_groups

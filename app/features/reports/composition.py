@@ -1,14 +1,15 @@
-"""Composes the document of a report from what the store has; reads the recordings of its trajectories."""
+"""Compose the document of a report from what the store has, and make its file; reads the recordings of trajectories."""
 
+from collections.abc import Iterable
 from datetime import datetime
 from typing import Final
 
 from app import __version__
 from app.features.records.service import Scale
+from app.features.registration import TrialRemark
 from app.features.reports.characters import without_invisible
-from app.features.reports.comment_remarks import comment_remarks
 from app.features.reports.condition import condition_facts, controls_table
-from app.features.reports.document import NO_TABLE, Fact, Remark, Report, ReportTable
+from app.features.reports.document import NO_TABLE, Fact, Form, Paper, Remark, Report, ReportTable
 from app.features.reports.drive_report import ReportedDrive, drives_table
 from app.features.reports.interface_test_report import interface_test_report
 from app.features.reports.material import (
@@ -18,8 +19,9 @@ from app.features.reports.material import (
     SessionMaterial,
     TaskMaterial,
 )
+from app.features.reports.rendering import render_html, render_pdf
 from app.features.reports.task_report import task_report
-from app.number_words import amount
+from app.number_words import amount, with_minus
 from app.store.log_chain import ChainHead
 from app.store.origins import Origin
 
@@ -33,6 +35,18 @@ NO_GOAL: Final = "No goal was written down."
 NO_NOTE: Final = "No notes."
 NO_CONDITION: Final = "Nothing was driven, so there is no condition to report."
 SESSIONS_HEAD: Final = ("Session", "Date", "Opened by", "Trials", "Discarded", "Signed off by")
+
+
+def report_file(material: ReportMaterial, form: Form, paper: Paper) -> bytes:
+    """Return the content of the file of a report: called in the computing process, or by the command."""
+    report = compose(material)
+    return render_pdf(report, paper) if form == "pdf" else render_html(report, paper)
+
+
+def file_name(material: ReportMaterial, form: Form) -> str:
+    """Return a name for the file, without any name of the patient."""
+    what = "course" if material.session is None else f"session-{material.session}"
+    return f"bodydrive-report-{material.patient_id}-{what}-{material.made:%Y%m%dT%H%M%SZ}.{form}"
 
 
 def compose(material: ReportMaterial) -> Report:
@@ -217,3 +231,29 @@ def _day(moment: datetime) -> str:
 
 def _moment(moment: datetime) -> str:
     return f"{moment.astimezone():%Y-%m-%d %H:%M}"
+
+
+MOST_COMMENTS: Final = 100  # in one report: those of the newest trials
+
+
+def comment_remarks(comments: Iterable[TrialRemark], sessions: dict[int, int], *, course: bool) -> tuple[Remark, ...]:
+    """Return the comments on trials of the reported sessions, by their trials and moments.
+
+    `sessions` are the numbers of the reported sessions by their ids. Each remark names who said it and when, the
+    trial, and the moment on the trial's time line.
+    """
+    own = [one for one in comments if one.session_id in sessions]
+    shown = own[-MOST_COMMENTS:]
+    left_out = len(own) - len(shown)
+    are_not = amount(left_out, "comment on earlier trials is", "comments on earlier trials are")
+    first = (Remark("", f"{are_not} not shown."),) if left_out else ()
+    return (*first, *(_remark(one, sessions[one.session_id] if course else None) for one in shown))
+
+
+def _remark(comment: TrialRemark, session: int | None) -> Remark:
+    where = "" if session is None else f"Session {session}, "
+    revised = "" if comment.revised is None else f", revised {comment.revised.astimezone():%Y-%m-%d %H:%M}"
+    said = f"{comment.person}, {comment.written.astimezone():%Y-%m-%d %H:%M}{revised}"
+    moment = with_minus(f"{comment.t:.1f} s")
+    head = f"{where}{comment.floorplan_title}, trial {comment.number}, at {moment}: {said}"
+    return Remark(without_invisible(head), without_invisible(comment.text))

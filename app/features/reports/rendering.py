@@ -1,23 +1,211 @@
-"""Makes the file of a report: called in the computing process, or by the command."""
+"""Render the document of a report as the bytes of a file: a PDF with typst, or one HTML file.
 
-from typing import Final
+For the PDF the words travel as JSON, so that typst never reads them as markup. Only the fonts in `data/fonts/` are
+used: a report looks alike on every machine. Characters that they do not have are written as their number and named at
+the end. The HTML file needs nothing else: no request, no script. All words are escaped. The drawings are SVG in the
+page, whose colours the style sheet changes in a dark room.
+"""
 
-from app.features.reports.composition import compose
-from app.features.reports.document import Form, Paper
-from app.features.reports.html import render_html
-from app.features.reports.material import ReportMaterial
-from app.features.reports.pdf import render_pdf
+import json
+from collections.abc import Iterable, Iterator
+from dataclasses import asdict, replace
+from html import escape
+from typing import Any, Final
+
+from app.features.reports.characters import Coverage, missing_words, printable
+from app.features.reports.document import (
+    Drawing,
+    Fact,
+    Form,
+    InterfaceTestReport,
+    MeasureRow,
+    Paper,
+    Remark,
+    Report,
+    ReportTable,
+    TaskReport,
+)
+from app.settings import data_folder
 
 MEDIA_TYPES: Final[dict[Form, str]] = {"pdf": "application/pdf", "html": "text/html; charset=utf-8"}
+MARKUP = frozenset({"svg"})  # names of fields that are no words
 
 
-def report_file(material: ReportMaterial, form: Form, paper: Paper) -> bytes:
-    """Return the content of the file."""
-    report = compose(material)
-    return render_pdf(report, paper) if form == "pdf" else render_html(report, paper)
+def render_pdf(report: Report, paper: Paper) -> bytes:
+    """Return the report as a PDF, tagged for screen readers."""
+    import typst
+
+    coverage = Coverage()
+    complete = replace(report, missing=missing_words(_texts(asdict(report)), coverage))
+    document = json.dumps(_printable(asdict(complete), coverage))
+    fonts = typst.Fonts(include_system_fonts=False, include_embedded_fonts=False, font_paths=[data_folder() / "fonts"])
+    made: bytes = typst.compile(
+        data_folder() / "reports" / "report.typ",
+        font_paths=fonts,
+        sys_inputs={"report": document, "paper": paper},
+        format="pdf",
+    )
+    return made
 
 
-def file_name(material: ReportMaterial, form: Form) -> str:
-    """Return a name for the file, without any name of the patient."""
-    what = "course" if material.session is None else f"session-{material.session}"
-    return f"bodydrive-report-{material.patient_id}-{what}-{material.made:%Y%m%dT%H%M%SZ}.{form}"
+def _texts(value: Any) -> Iterator[str]:
+    """Yield all words of a document, without its drawings."""
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, dict):
+        for name, inner in value.items():
+            if name not in MARKUP:
+                yield from _texts(inner)
+    elif isinstance(value, list | tuple):
+        for inner in value:
+            yield from _texts(inner)
+
+
+def _printable(value: Any, coverage: Coverage) -> Any:
+    """Return a document in which the fonts have every character."""
+    if isinstance(value, str):
+        return printable(value, coverage)
+    if isinstance(value, dict):
+        return {name: inner if name in MARKUP else _printable(inner, coverage) for name, inner in value.items()}
+    return [_printable(inner, coverage) for inner in value] if isinstance(value, list | tuple) else value
+
+
+POLICY = "default-src 'none'; style-src 'unsafe-inline'"  # the file loads nothing, whatever stands in it
+PAGES: dict[Paper, str] = {"a4": "A4", "us-letter": "letter"}
+
+
+def render_html(report: Report, paper: Paper) -> bytes:
+    """Return the report as an HTML file in UTF-8; `paper` is for printing it."""
+    style = (data_folder() / "reports" / "report.css").read_text()
+    title = f"{report.title}, {report.code}"
+    return "\n".join(
+        [
+            '<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">',
+            f'<meta http-equiv="Content-Security-Policy" content="{escape(POLICY)}">',
+            '<meta name="viewport" content="width=device-width, initial-scale=1">',
+            f"<title>{escape(title)}</title>",
+            f"<style>\n{style}\n@page {{ size: {PAGES[paper]}; }}\n</style>\n</head>\n<body>\n<main>",
+            *_head(report),
+            *_section("Goal", map(_remark, report.goals)),
+            *(part for task in report.tasks for part in _task(task)),
+            *([] if report.tasks else _section("Trials", ["<p>No trial counted.</p>"])),
+            *(_section("Two-minute tests", map(_tests, report.tests)) if report.tests else ()),
+            *(_section("Drives of real chairs", [_table(report.drives)]) if report.drives.rows else ()),
+            *_section("Condition", _condition(report)),
+            *_section("Scales", [_table(report.scales) or "<p>No scale was entered.</p>"]),
+            *(() if report.sessions.rows else _words(report)),
+            *_foot(report),
+            *((*_section("Sessions", [_table(report.sessions)]), *_words(report)) if report.sessions.rows else ()),
+            "</main>\n</body>\n</html>\n",
+        ]
+    ).encode()
+
+
+def _head(report: Report) -> list[str]:
+    return [
+        '<header><div class="mark">bodydrive</div>',
+        f'<h1>{escape(report.title)} <bdi class="code">{escape(report.code)}</bdi></h1>',
+        f'<p class="made"><bdi>{escape(report.clinic)}</bdi>, report of {escape(report.made)}</p></header>',
+        f'<p class="{"source practice" if report.practice else "source"}"><b>Source:</b> {escape(report.source)}</p>',
+        _facts(report.facts),
+    ]
+
+
+def _words(report: Report) -> list[str]:
+    """Return what people wrote; of a course it comes last, because it may be long."""
+    return [
+        *(_section("Goals of the sessions between", map(_remark, report.other_goals)) if report.other_goals else ()),
+        *_section("Notes", map(_remark, report.notes)),
+        *(_section("Comments on trials", map(_remark, report.comments)) if report.comments else ()),
+    ]
+
+
+def _condition(report: Report) -> list[str]:
+    return [_facts(report.condition), _paragraph(report.condition_note), _table(report.controls)]
+
+
+def _task(task: TaskReport) -> list[str]:
+    rows = "".join(_measure(row) for row in task.measures)
+    columns = ("Measure", "Now", task.before, "Band", "Verdict")
+    head = "".join(f'<th scope="col">{escape(words)}</th>' for words in columns)
+    return _section(
+        f"<bdi>{escape(task.title)}</bdi>",
+        [
+            f'<p class="quiet">{escape(task.lead)}</p>',
+            f'<div class="scroll"><table class="measures"><thead><tr>{head}</tr></thead>',
+            f"<tbody>{rows}</tbody></table></div>",
+            '<div class="drawings">',
+            _figure("Trajectories over the path", task.trajectories, task.trajectories_words),
+            _figure(task.curve_title, task.curve, task.curve_words),
+            "</div>",
+            *(_paragraph(sentence) for sentence in task.sentences),
+            *(f'<p class="quiet">{escape(sentence)}</p>' for sentence in task.statistics),
+        ],
+        title_is_markup=True,
+    )
+
+
+def _tests(tests: InterfaceTestReport) -> str:
+    return f'<p class="quiet">{escape(tests.lead)}</p>{_table(tests.table)}'
+
+
+def _measure(row: MeasureRow) -> str:
+    noise = f'<span class="quiet">{escape(row.noise)}</span>' if row.noise else ""
+    cells = [
+        f'<th scope="row">{escape(row.name)}</th>',
+        f'<td class="now">{escape(row.now)}</td>',
+        f"<td>{escape(row.before)}</td>",
+        f"<td>{_drawing(row.drawing)}{noise}</td>",
+        f'<td class="{row.tone or "plain"}">{escape(row.verdict)}</td>',
+    ]
+    return f"<tr>{''.join(cells)}</tr>"
+
+
+def _figure(title: str, drawing: Drawing | None, words: str) -> str:
+    if drawing is None:
+        return ""
+    caption = f"<b>{escape(title)}.</b> {escape(words)}"
+    return f"<figure>{_drawing(drawing)}<figcaption>{caption}</figcaption></figure>"
+
+
+def _drawing(drawing: Drawing | None) -> str:
+    if drawing is None:
+        return ""
+    return drawing.svg.replace("<svg ", f'<svg role="img" aria-label="{escape(drawing.words)}" ', 1)
+
+
+def _foot(report: Report) -> list[str]:
+    signed = f"<p>{escape(report.signed)}.</p>" if report.signed else _LINE
+    return [
+        f'<section class="signature"><h2>Signature</h2>{signed}</section>',
+        f"<footer><p>{escape(report.explanation)}</p>{_facts(report.identity)}</footer>",
+    ]
+
+
+_LINE = '<div class="line"><span>Name, date, signature</span></div>'
+
+
+def _section(title: str, parts: Iterable[str], *, title_is_markup: bool = False) -> list[str]:
+    return [f"<section><h2>{title if title_is_markup else escape(title)}</h2>", *parts, "</section>"]
+
+
+def _paragraph(words: str) -> str:
+    return f"<p>{escape(words)}</p>" if words else ""
+
+
+def _facts(facts: Iterable[Fact]) -> str:
+    rows = "".join(f"<div><dt>{escape(fact.name)}</dt><dd dir=auto>{escape(fact.value)}</dd></div>" for fact in facts)
+    return f"<dl>{rows}</dl>" if rows else ""
+
+
+def _remark(remark: Remark) -> str:
+    head = f'<p class="quiet">{escape(remark.head)}</p>' if remark.head else ""
+    return f'<div class="remark">{head}<p class="text" dir="auto">{escape(remark.text)}</p></div>'
+
+
+def _table(table: ReportTable) -> str:
+    if not table.rows:
+        return ""
+    head = "".join(f'<th scope="col">{escape(words)}</th>' for words in table.head)
+    rows = "".join(f"<tr>{''.join(f'<td dir=auto>{escape(cell)}</td>' for cell in row)}</tr>" for row in table.rows)
+    return f'<div class="scroll"><table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table></div>'

@@ -6,8 +6,9 @@ from fastapi import APIRouter, Query, Response
 
 from app.api.deps import Exporter, PeopleParts, RowId
 from app.api.parts import Web
+from app.features.reports.composition import file_name, report_file
 from app.features.reports.document import Form
-from app.features.reports.rendering import MEDIA_TYPES, file_name, report_file
+from app.features.reports.rendering import MEDIA_TYPES
 from app.features.reports.service import Subject, exported_material
 
 router = APIRouter(tags=["reports"])

@@ -5,9 +5,9 @@ from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
 
+from app.features.reports.composition import report_file
 from app.features.reports.document import Form
 from app.features.reports.material import ReportMaterial, report_material
-from app.features.reports.rendering import report_file
 from app.refusals import Conflict
 from app.scoring.verdict.spread import SpreadsOf
 from app.settings import Settings

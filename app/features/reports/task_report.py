@@ -1,15 +1,13 @@
 """The report of one task: its measures with their verdicts, its trajectories, its learning curve."""
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Final
 
-from app.features.reports.band_drawing import band_drawing
-from app.features.reports.curve_drawing import CurvePoint, curve_drawing
 from app.features.reports.document import Drawing, MeasureRow, TaskReport, Tone
+from app.features.reports.drawings import CurvePoint, Trajectory, band_drawing, curve_drawing, trajectory_drawing
 from app.features.reports.material import Rows, TaskMaterial
-from app.features.reports.measure_words import noise_words, share_words, with_unit
-from app.features.reports.trajectory_drawing import Points, trajectory_drawing
 from app.number_words import amount
 from app.recording.recorded_trajectory import read_trajectory, thinned
 from app.scoring.interruptions import interruption_words
@@ -152,7 +150,7 @@ def _spread(places: Sequence[int]) -> list[int]:
     return [places[round(step * (len(places) - 1) / (MOST_PAST - 1))] for step in range(MOST_PAST)]
 
 
-def _trajectory(folder: Path) -> Points:
+def _trajectory(folder: Path) -> Trajectory:
     try:
         rows = read_trajectory(folder)
     except (ValueError, OSError):
@@ -169,3 +167,21 @@ def _curve(name: str, rows: Rows, newest: int, fit: dict[str, Any] | None) -> Dr
     ]
     words = f"{TRIAL_MEASURES[name].as_subject} over {amount(len(points), 'trial')}."
     return curve_drawing(points, fit, TRIAL_MEASURES[name], words)
+
+
+def with_unit(name: str, value: float | None) -> str:
+    """Return a level of a measure in words; "" for None."""
+    return "" if value is None or not math.isfinite(value) else TRIAL_MEASURES[name].level(value)
+
+
+def share_words(share: float | None) -> str:
+    """Return a share in percent, in words; "" for None."""
+    return "" if share is None else f"{100 * share:.0f} %"
+
+
+def noise_words(name: str, verdict: Verdict) -> str:
+    """Return from where to where a level is within noise; "" for too few trials, or no word."""
+    if verdict.low is None or verdict.high is None:
+        return ""
+    measure = TRIAL_MEASURES[name]
+    return measure.with_unit(f"{measure.figure(verdict.low)} to {measure.figure(verdict.high)}")

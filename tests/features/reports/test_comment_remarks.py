@@ -11,10 +11,9 @@ from features.reports.words_of import letters, pdf_pages
 
 from app.clock import utc_now
 from app.features.comments.service import add_comment, comment_history, revise_comment, withdraw_comment
-from app.features.reports import comment_remarks
+from app.features.reports import composition
 from app.features.reports.composition import compose
-from app.features.reports.html import render_html
-from app.features.reports.pdf import render_pdf
+from app.features.reports.rendering import render_html, render_pdf
 from app.store.access.person_tables import Person
 from app.store.database import Database
 from app.store.tables import PatientSession, Trial
@@ -62,7 +61,7 @@ def test_a_course_has_all_of_them_with_their_sessions(
 ) -> None:
     found = compose(material_of(*commented, None)).comments
     assert [one.head.partition(",")[0] for one in found] == ["Session 1", "Session 2", "Session 2"]
-    monkeypatch.setattr(comment_remarks, "MOST_COMMENTS", 2)
+    monkeypatch.setattr(composition, "MOST_COMMENTS", 2)
     shorter = compose(material_of(*commented, None)).comments
     assert [one.text for one in shorter[:1]] == ["1 comment on earlier trials is not shown."]
     assert shorter[1:] == found[1:]

@@ -12,8 +12,7 @@ from features.reports.words_of import pdf_pages
 from app.clock import utc_now
 from app.features.reports.composition import compose
 from app.features.reports.document import Report
-from app.features.reports.html import render_html
-from app.features.reports.pdf import render_pdf
+from app.features.reports.rendering import render_html, render_pdf
 from app.source import Source
 from app.speeds import HIGHEST_SPEEDS
 from app.store.chairs import add_chair

@@ -6,8 +6,7 @@ from features.reports.reported_clinic import CODE, GOAL, HEAD, NOTE, PLAN, TRIAL
 
 from app import __version__
 from app.clock import utc_now
-from app.features.reports.composition import NO_CONDITION, NO_GOAL, NO_NOTE
-from app.features.reports.rendering import file_name
+from app.features.reports.composition import NO_CONDITION, NO_GOAL, NO_NOTE, file_name
 from app.refusals import NotFound
 from app.store.patients import add_patient
 from app.store.tables import PatientSession, Trial

@@ -11,8 +11,7 @@ from hypothesis import strategies as st
 
 from app.features.reports.characters import without_invisible
 from app.features.reports.document import Remark
-from app.features.reports.html import render_html
-from app.features.reports.pdf import render_pdf
+from app.features.reports.rendering import render_html, render_pdf
 from app.store.tables import PatientSession
 
 SCRIPTS = {

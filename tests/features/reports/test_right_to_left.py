@@ -13,7 +13,7 @@ from features.reports.words_of import letters
 from pypdfium2 import raw
 
 from app.features.reports.document import Remark
-from app.features.reports.pdf import render_pdf
+from app.features.reports.rendering import render_pdf
 
 NAMES = {"Hebrew": "גל כהן שמעבד", "Arabic": "محمد بن سعيد"}  # no lam before alef, which are drawn as one glyph
 LINES = ("{}", "Seen with {} at 10:30", "{} 12")  # alone, within another script, before a number
