@@ -2,8 +2,8 @@
 
 import uuid
 
+from app.features.interface_tests.service import add_interface_test, finish_interface_test
 from app.source import Source
-from app.store.interface_tests import add_interface_test, finish_interface_test
 from app.store.parameters import current_parameters
 from app.store.runs import add_run
 from app.store.tables import PatientSession

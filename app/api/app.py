@@ -17,7 +17,6 @@ from app.api.docs_pages import docs_pages
 from app.api.driving import places
 from app.api.foreign_files import OneAtATime
 from app.api.guard import Guard
-from app.api.interface_tests import interface_tests
 from app.api.live import live_socket, screen_socket
 from app.api.package_download import ExportCourses
 from app.api.page_session import SessionRequired
@@ -82,7 +81,6 @@ ROUTES = (
     people,
     patients,
     equipment,
-    interface_tests,
     chairs,
     limits,
     calibration,

@@ -30,7 +30,6 @@ from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
 from app.session.equipment.shirt_watch import ShirtWatch
 from app.session.fault_log import FaultLog
-from app.session.interface_test.interface_test_flow import InterfaceTestFlow
 from app.session.measures_renewal import MeasuresRenewal
 from app.session.open_session import SessionFlow
 from app.session.real_arming import RealArming
@@ -76,9 +75,10 @@ def make_parts(
     calibration = CalibrationFlow(database, control, equipment, runs, tell, computing, prior)
     trials = TrialFlow(database, control, runs, tell, computing)
     drives = RealDriveFlow(database, control, runs, tell, computing)
-    tests = InterfaceTestFlow(database, control, runs, tell, computing)
-    session = SessionFlow(database, control, equipment, calibration, trials, drives, tests, tell)
-    live_picture = LivePicture(control, equipment, chairs, runs, trials, drives, tests, session)
+    flows = (one.flow for one in features().values() if one.flow is not None)
+    others = [make(database, control, runs, tell, computing) for make in flows]
+    session = SessionFlow(database, control, equipment, calibration, trials, drives, others, tell)
+    live_picture = LivePicture(control, equipment, chairs, runs, trials, drives, others, session)
     hub = LiveHub(live_picture.picture, live_picture.quality, LiveMessage.without_patient)
     patient = PatientPicture(live_picture, equipment, runs, trials)
     patient_hub = LiveHub(patient.picture)
@@ -106,7 +106,7 @@ def make_parts(
         discoveries=GestureDiscoveries(database, runs.folder_of, computing),
         trials=trials,
         drives=drives,
-        tests=tests,
+        others=others,
         chairs=chairs,
         head=HeadChoice(database, control, equipment.with_paths, tell),
         limits=limits,
@@ -133,7 +133,7 @@ def make_parts(
         view=ViewKeeper(open_scene, control.newest),
         own_floorplans=settings.floorplans,
         background=background,
-        of_features={type(part): part for part in background},
+        of_features={type(part): part for part in (*others, *background)},
     )
 
     control.follow_screen(web.driving_sign)
@@ -181,7 +181,7 @@ def _close_interrupted(database: Database, runs: SessionRuns) -> None:
 async def end_parts(web: WebParts) -> None:
     """End what runs, the control process last."""
     await web.calibration.stop()
-    await asyncio.gather(web.trials.stop(), web.drives.stop(), web.tests.stop())
+    await asyncio.gather(web.trials.stop(), web.drives.stop(), *(flow.stop() for flow in web.others))
     await web.adaptation.stop()
     await asyncio.gather(
         web.shirt_watch.close(),

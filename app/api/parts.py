@@ -35,11 +35,11 @@ from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
 from app.session.equipment.shirt_watch import ShirtWatch
 from app.session.fault_log import FaultLog
-from app.session.interface_test.interface_test_flow import InterfaceTestFlow
 from app.session.measures_renewal import MeasuresRenewal
 from app.session.open_session import SessionFlow
 from app.session.real_arming import RealArming
 from app.session.real_drive import RealDriveFlow
+from app.session.run_flow import RunFlow
 from app.session.runs import SessionRuns
 from app.session.screen_codes import PairingCodes
 from app.session.trial import TrialFlow
@@ -66,7 +66,7 @@ class WebParts:
     discoveries: GestureDiscoveries
     trials: TrialFlow
     drives: RealDriveFlow
-    tests: InterfaceTestFlow
+    others: list[RunFlow[Any]]  # of features: what else is recorded in a session
     chairs: Chairs
     head: HeadChoice
     limits: ClinicLimits

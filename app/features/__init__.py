@@ -13,6 +13,7 @@ NEEDS: Final[Mapping[str, tuple[str, ...]]] = {
     "sharing": ("records",),
     "reports": ("records",),
     "exports": (),
+    "interface_tests": (),
     "archive": (),
     "backup": (),
     "log": (),

@@ -20,11 +20,16 @@ from app.store.tables import PatientSession, Table
 if TYPE_CHECKING:
     from fastapi import APIRouter
 
+    from app.computing_process import ComputingProcess
     from app.scoring.verdict.spread import SpreadsOf
     from app.session.calibration.garment import OthersPrior
+    from app.session.control_link import ControlLink
+    from app.session.run_flow import RunFlow
+    from app.session.runs import SessionRuns
     from app.settings import Settings
     from app.store.database import Database
 
+    MakeFlow = Callable[[Database, ControlLink, SessionRuns, Callable[[str], None], ComputingProcess], RunFlow[Any]]
     MakeBackground = Callable[[Database, Settings, Callable[[str], None]], "Background"]
 
     MakeReport = Callable[[], bytes]
@@ -165,6 +170,8 @@ class Feature:
     routes: tuple[str, ...] = ()  # modules in its folder, each with a `router`; only the web application imports them
     without_session: Mapping[str, str] = field(default_factory=dict)  # as `WITHOUT_SESSION` in app/api/page_session.py
 
+    flow: "MakeFlow | None" = None
+    """Returns what starts runs of its own in a session and follows them, beside trials and drives."""
     background: "MakeBackground | None" = None
     """Returns what runs as long as the web process, which gives it what tells the pages that something changed."""
 

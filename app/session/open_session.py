@@ -1,9 +1,9 @@
 """The open session: load its patient's parameters, and refuse what must not be done during a step, trial or drive."""
 
 import asyncio
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncIterator, Callable, Sequence
 from contextlib import asynccontextmanager, suppress
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.person_brakes import missing_brake
@@ -11,9 +11,9 @@ from app.refusals import Conflict, Refusal
 from app.session.calibration.calibration_flow import CalibrationFlow
 from app.session.control_link import ControlLink
 from app.session.equipment.shirt import NO_SHIRT, Equipment
-from app.session.interface_test.interface_test_flow import InterfaceTestFlow
 from app.session.page_session import require_page_session
 from app.session.real_drive import RealDriveFlow
+from app.session.run_flow import RunFlow
 from app.session.trial import TrialFlow
 from app.store.database import Database
 from app.store.parameters import as_document, current_parameters, newest_profile
@@ -42,7 +42,7 @@ class SessionFlow:
         calibration: CalibrationFlow,
         trials: TrialFlow,
         drives: RealDriveFlow,
-        tests: InterfaceTestFlow,
+        others: Sequence[RunFlow[Any]],
         tell: Callable[[str], None],
     ) -> None:
         self._database = database
@@ -51,7 +51,7 @@ class SessionFlow:
         self._calibration = calibration
         self._trials = trials
         self._drives = drives
-        self._tests = tests
+        self._others = others  # what else is recorded in a session
         self._tell = tell
         self._one_at_a_time = asyncio.Lock()
         self.loaded: DriveParameters | None = None  # what the control process drives with
@@ -82,8 +82,8 @@ class SessionFlow:
 
     @property
     def recording(self) -> bool:
-        """Whether a step, a trial, a drive or an interface test is going on; may be read from any thread."""
-        return self.driving or self._calibration.running or self._tests.running
+        """Whether a step, a trial, a drive or another run is going on; may be read from any thread."""
+        return self.driving or self._calibration.running or any(one.running for one in self._others)
 
     @property
     def simulated(self) -> bool | None:
@@ -92,12 +92,10 @@ class SessionFlow:
 
     def refuse_while_busy(self, what: str) -> None:
         """Raise Conflict during a step, a trial or a drive; `what` completes the sentence: "..., then WHAT."."""
-        if self._trials.running:
-            raise Conflict(f"A trial is running: end it first, then {what}.")
-        if self._drives.running:
-            raise Conflict(f"The real chair is armed: end the drive first, then {what}.")
-        if self._tests.running:
-            raise Conflict(f"The two-minute test is running: end it first, then {what}.")
+        flows: tuple[RunFlow[Any], ...] = (self._trials, self._drives, *self._others)
+        for flow in flows:
+            if flow.running:
+                raise Conflict(f"{flow.words.running}, then {what}.")
         if self._calibration.running:
             raise Conflict(f"A calibration step is running: wait for its end, or cancel it, then {what}.")
 

@@ -51,6 +51,7 @@ class RealDriveFlow(RunFlow[RunningDrive]):
 
     words = FlowWords(
         event="drive",
+        running="The real chair is armed: end the drive first",
         to_start="arm the chair",
         not_running="The chair is not being driven: arm it first.",
         still_closing="The recording is still being closed: look at the drive again in a moment.",

@@ -24,10 +24,8 @@ from app.layout import ShirtLayout
 from app.recording.reader import Columns, read_run
 from app.recording.recorded_trajectory import since_armed
 from app.scoring.control_quality import ControlQuality, control_quality
-from app.scoring.interface_test.interface_measures import interface_measures, replay_task
 from app.scoring.task_measures import task_measures
 from app.session.calibration.step_check import advice_of, check_frames
-from app.world.cursor_task import CursorPlan
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 MEASURES_VERSION = 1  # measures of an older version are computed again
@@ -159,13 +157,6 @@ def measure_again(folder: Path) -> dict[str, Any]:
         raise ValueError("The recording does not hold the floor plan of its trial: it cannot be measured again.")
     plan = FloorPlan.model_validate(meta["floorplan"])
     return measure_recording(folder, plan, plan.path_named(meta["path"]))
-
-
-def measure_interface_test(folder: Path, plan: CursorPlan) -> dict[str, Any]:
-    """Return the measures of an interface test, as a document; ValueError when there is no recording."""
-    columns = read_run(folder, scalars_only=True).columns
-    task = replay_task(plan, columns["run_t"], columns["u1"], columns["u2"])
-    return interface_measures(task).model_dump(mode="json")
 
 
 def quality_of_recording(folder: Path) -> ControlQuality:

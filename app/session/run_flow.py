@@ -16,6 +16,7 @@ from app.session.control_link import ControlLink
 from app.session.run_watch import RunLost, follow_run
 from app.session.runs import SessionRun, SessionRuns
 from app.store.database import Database
+from app.world.cursor_task import CursorTask
 
 STOP_LIMIT = 1.5  # s for closing a run when the application ends; then it stays without figures
 END_LIMIT = 30.0  # s for closing and measuring a run, before a caller is told to look later
@@ -54,13 +55,14 @@ class FlowWords(NamedTuple):
     """The words of a flow."""
 
     event: str  # told to the pages when something changed
+    running: str  # "RUNNING, then start a trial."
     to_start: str  # "..., then start a trial."
     not_running: str
     still_closing: str
 
 
 class RunFlow(ABC, Generic[Current]):
-    """Starts one trial, drive or interface test at a time and follows it to its end."""
+    """Starts one trial, drive or other run at a time and follows it to its end."""
 
     words: ClassVar[FlowWords]
 
@@ -93,6 +95,11 @@ class RunFlow(ABC, Generic[Current]):
     def measuring(self) -> bool:
         """Whether what ran is over, by itself or because its end was asked for, and is being closed and measured."""
         return self.current is not None and (self._finishing or self._end_asked.is_set())
+
+    @property
+    def cursor_task(self) -> CursorTask | None:
+        """What the screens show of a run in which a cursor is moved and not the chair, None otherwise."""
+        return None
 
     def when_finished(self, notify: Callable[[int], None]) -> None:
         """Call `notify` with the id of each that has ended, after it is closed and measured."""

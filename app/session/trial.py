@@ -37,6 +37,7 @@ class TrialFlow(RunFlow[RunningTrial]):
 
     words = FlowWords(
         event="trial",
+        running="A trial is running: end it first",
         to_start="start a trial",
         not_running="No trial is running: start one first.",
         still_closing="The trial is still being measured: look at it again in a moment.",

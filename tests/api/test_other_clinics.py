@@ -11,12 +11,12 @@ from app.api import refusals
 from app.clock import utc_now
 from app.features.comments.service import add_comment
 from app.features.consents.service import give_consent
+from app.features.interface_tests.service import add_interface_test
 from app.features.sharing.service import add_share
 from app.refusals import DiskFull
 from app.speeds import HIGHEST_SPEEDS
 from app.store import tables
 from app.store.chairs import add_chair
-from app.store.interface_tests import add_interface_test
 from app.store.keeping.incidents import mark_incident
 from app.store.patient_screens import add_screen
 from app.store.patients import add_patient, start_session

@@ -16,7 +16,6 @@ SAME_SUBJECT = {
     "controls": "from gestures to commands: the step of the chain, the routes",
     "drives": "of a real chair: kept, the routes",
     "floorplan": "the document, the command",
-    "interface_tests": "before driving: kept, the routes",
     "limits": "of the clinic's owner: stored and loaded, the routes",
     "log": "who did what: kept, the routes, the command",
     "machine_check": "what this machine grants: measured, the command",

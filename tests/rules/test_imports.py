@@ -35,7 +35,7 @@ WEB_KERNEL = tuple(
         "sign_in",
         "replay.trajectories",
         "routes.origin_view",
-        *("package_download", "foreign_files", "interface_tests.interface_test_view", "routes.source_view"),
+        *("package_download", "foreign_files", "interface_test_view", "routes.source_view", "live.screen_socket"),
     )
 )
 REGISTRATION = "features.registration"

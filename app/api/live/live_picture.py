@@ -1,7 +1,7 @@
 """Makes the live picture: the newest tick in numbers and words, and the condition of the channels."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -27,9 +27,9 @@ from app.messages import ALIVE, NO_CUE
 from app.session.control_link import ControlLink
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.shirt import Equipment
-from app.session.interface_test.interface_test_flow import InterfaceTestFlow
 from app.session.open_session import SessionFlow
 from app.session.real_drive import RealDriveFlow
+from app.session.run_flow import RunFlow
 from app.session.run_watch import Halt
 from app.session.runs import SessionRuns
 from app.session.trial import TrialFlow
@@ -51,7 +51,7 @@ class LivePicture:
         runs: SessionRuns,
         trials: TrialFlow,
         drives: RealDriveFlow,
-        tests: InterfaceTestFlow,
+        others: Sequence[RunFlow[Any]],
         session: SessionFlow,
     ) -> None:
         self._control = control
@@ -60,7 +60,7 @@ class LivePicture:
         self._runs = runs
         self._trials = trials
         self._drives = drives
-        self._tests = tests
+        self._others = others
         self._session = session
         self._number = 0
         self._pose: list[float | None] = [0.0, 0.0, 0.0]
@@ -230,13 +230,13 @@ class LivePicture:
         return DriveMoment(id=drive.id, t=_number(drive.watch.t, 3), waits=_waits(drive.watch.halt))
 
     def _test(self) -> TestMoment | None:
-        test = self._tests.current
-        if test is None:
+        shown = ((flow.current, flow.cursor_task) for flow in self._others)
+        current, task = next((one for one in shown if None not in one), (None, None))
+        if current is None or task is None:
             return None
-        task = test.watch.task
         target = task.target
         return TestMoment(
-            id=test.id,
+            id=current.id,
             phase=task.phase,
             remaining=_number(task.remaining, 2),
             cursor=_numbers((task.ahead, task.left), 4),

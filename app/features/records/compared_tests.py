@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from app.api.interface_tests.interface_test_view import InterfaceTestView
+from app.api.interface_test_view import InterfaceTestView
 from app.computing_process import ComputingProcess
 from app.quantities import Document
 from app.scoring.interface_test.interface_course import COMPLETE, StoredTest, counted_tests

@@ -4,7 +4,7 @@ from datetime import date
 from typing import Any
 
 from app.api.answers import Answer, MomentText
-from app.api.interface_tests.interface_test_view import InterfaceTestView
+from app.api.interface_test_view import InterfaceTestView
 from app.api.routes.origin_view import OriginView
 from app.api.routes.source_view import SourceView
 from app.features.records.service import note_history, session_record

@@ -17,6 +17,7 @@ from app.clock import utc_now
 from app.features.archive.patient_rows import Rows, patient_rows
 from app.features.archive.service import make_archive
 from app.features.comments.service import add_comment
+from app.features.interface_tests.service import add_interface_test, finish_interface_test, save_workload
 from app.features.records.service import add_note, add_scale
 from app.scoring.control_quality import ControlQuality
 from app.store.calibrations import begin_calibration
@@ -24,7 +25,6 @@ from app.store.chairs import chair_elsewhere
 from app.store.control_quality import save_quality
 from app.store.database import Database
 from app.store.drives import add_drive, finish_drive
-from app.store.interface_tests import add_interface_test, finish_interface_test, save_workload
 from app.store.map_versions import go_back, save_adapted
 from app.store.parameters import as_document, current_parameters
 from app.store.people import add_person

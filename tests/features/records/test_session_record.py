@@ -8,6 +8,7 @@ from sqlalchemy.orm import Session
 
 from app import __version__
 from app.clock import utc_now
+from app.features.interface_tests.service import add_interface_test
 from app.features.records.service import (
     Scale,
     add_note,
@@ -23,7 +24,6 @@ from app.features.records.tables import NoteRevision, OutcomeScale, SessionNote,
 from app.features.sharing.tables import ShareLink
 from app.refusals import Conflict, NotFound
 from app.store.database import Database
-from app.store.interface_tests import add_interface_test
 from app.store.origins import ImportedSession
 from app.store.patients import add_patient, start_session
 from app.store.people import add_clinic

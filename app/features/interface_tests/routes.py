@@ -3,12 +3,14 @@
 import asyncio
 from typing import Annotated
 
-from fastapi import APIRouter, Query
+from fastapi import APIRouter, Depends, Query
 
 from app.api.deps import Anyone, Clinician, PeopleParts, RowId
-from app.api.interface_tests.interface_test_view import InterfaceTestView
+from app.api.interface_test_view import InterfaceTestView
 from app.api.live.screen_socket import ScreenWord
 from app.api.parts import Web
+from app.features.interface_tests.flow import InterfaceTestFlow
+from app.features.interface_tests.service import find_interface_test, save_workload
 from app.quantities import Document
 from app.refusals import Conflict
 from app.scoring.interface_test.interface_course import InterfaceCourse, StoredTest, counted_tests, interface_course
@@ -17,12 +19,21 @@ from app.scoring.verdict.measure_verdict import FEWEST
 from app.session.run_watch import Starter
 from app.source import SourceGroup
 from app.store.database import Transaction
-from app.store.interface_tests import find_interface_test, interface_tests_of, save_workload
+from app.store.interface_tests import interface_tests_of
 from app.store.log import log_viewing, write_log
 from app.store.patients import find_patient
 from app.store.tables import InterfaceTest, PatientSession
 
 router = APIRouter(prefix="/interface-tests", tags=["interface tests"])
+
+
+async def test_flow(web: Web) -> InterfaceTestFlow:
+    """Return what starts the tests."""
+    found: InterfaceTestFlow = web.of_features[InterfaceTestFlow]
+    return found
+
+
+Tests = Annotated[InterfaceTestFlow, Depends(test_flow)]
 
 
 class NewTest(Document):
@@ -40,21 +51,23 @@ class InterfaceTestsView(Document):
 
 
 @router.post("", status_code=201)
-async def start_interface_test(body: NewTest, who: Clinician, parts: PeopleParts, web: Web) -> InterfaceTestView:
+async def start_interface_test(
+    body: NewTest, who: Clinician, parts: PeopleParts, web: Web, tests: Tests
+) -> InterfaceTestView:
     """Start the two-minute test; the chair is disarmed and stays where it is."""
     async with web.session.undisturbed("start the two-minute test"):
         session = await web.session.needed_session(who.clinic_id)
         obstacle = await web.session.load_parameters()
         if obstacle is not None:
             raise Conflict(obstacle)
-        test_id = await web.tests.start(session, Starter(who.person_id, who.name, body.screen))
+        test_id = await tests.start(session, Starter(who.person_id, who.name, body.screen))
     return await asyncio.to_thread(_one, parts, who.clinic_id, test_id)
 
 
 @router.post("/current/end")
-async def end_interface_test(who: Clinician, parts: PeopleParts, web: Web) -> InterfaceTestView:
+async def end_interface_test(who: Clinician, parts: PeopleParts, tests: Tests) -> InterfaceTestView:
     """End the test by hand, so that it does not count; for every clinician, because nothing moves."""
-    return await asyncio.to_thread(_one, parts, who.clinic_id, await web.tests.end())
+    return await asyncio.to_thread(_one, parts, who.clinic_id, await tests.end())
 
 
 @router.get("")

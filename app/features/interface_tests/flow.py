@@ -6,18 +6,49 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from app.faults import State
+from app.features.interface_tests.service import (
+    add_interface_test,
+    finish_interface_test,
+    measure_interface_test,
+    next_number,
+)
 from app.refusals import Conflict
-from app.session.interface_test.interface_test_watch import InterfaceTestWatch
-from app.session.recordings import measure_interface_test
 from app.session.run_flow import CurrentRun, FlowWords, RunFlow
 from app.session.run_watch import Starter
 from app.session.runs import SessionRun
-from app.store.interface_tests import add_interface_test, finish_interface_test, next_number
 from app.store.log import write_log
 from app.store.parameters import current_parameters
-from app.store.tables import InterfaceTest, PatientSession, Run
-from app.world.cursor_task import CursorPlan
+from app.store.tables import InterfaceTest, InterfaceTestEnding, PatientSession, Run
+from app.world.cursor_task import CursorPlan, CursorTask
+
+SILENT = 2.0  # s without a frame of the shirt, after which a test ends: the cursor stands, and nobody made it stand
+
+
+class InterfaceTestWatch:
+    """Takes the ticks of one interface test, in order, and moves the cursor that the screens show."""
+
+    def __init__(self, plan: CursorPlan) -> None:
+        self.task = CursorTask(plan)
+        self._frame_t: float | None = None
+
+    def take(self, ticks: NDArray[np.void]) -> InterfaceTestEnding | None:
+        """Take the newest ticks (`app.messages.TICK`) of the run; return how the test ended, None while it goes on."""
+        for tick in ticks:
+            t = float(tick["t"])
+            if tick["has_frame"] or self._frame_t is None:
+                self._frame_t = t
+            self.task.step(float(tick["run_t"]), float(tick["u1"]), float(tick["u2"]))
+            if self.task.phase == "over":
+                return "complete"
+            if int(tick["state"]) == State.FAULT:
+                return "stopped"
+            if t - self._frame_t > SILENT:
+                return "fault"
+        return None
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,6 +63,7 @@ class InterfaceTestFlow(RunFlow[RunningInterfaceTest]):
 
     words = FlowWords(
         event="test",
+        running="The two-minute test is running: end it first",
         to_start="start the two-minute test",
         not_running="No two-minute test is running: start one first.",
         still_closing="The two-minute test is still being measured: look at it again in a moment.",
@@ -79,3 +111,8 @@ class InterfaceTestFlow(RunFlow[RunningInterfaceTest]):
         with self._database.transaction(closing=True) as db:
             finish_interface_test(db, current_id, end, figures.get("measures"))
             write_log(db, None, "test ended", test=current_id, end=end)
+
+    @property
+    def cursor_task(self) -> CursorTask | None:
+        """What the screens show of the test that is going on, None when none is."""
+        return None if (current := self.current) is None else current.watch.task

@@ -6,10 +6,10 @@ import pytest
 from pipeline.commanded_loop import CommandedLoop
 
 from app.faults import State
+from app.features.interface_tests.service import measure_interface_test
 from app.hardware.base import BodyView
 from app.recording.reader import read_run
 from app.scoring.interface_test.interface_measures import replay_task
-from app.session.recordings import measure_interface_test
 from app.world.cursor_task import CursorPlan
 from building import make_signals
 

@@ -5,8 +5,8 @@ import time
 import pytest
 from processes.served_demo import SessionClient, running_demo
 
+from app.features.interface_tests.service import measure_interface_test
 from app.recording.reader import read_run
-from app.session.recordings import measure_interface_test
 from app.world.cursor_task import CursorPlan
 
 pytestmark = [pytest.mark.long]
