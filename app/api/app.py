@@ -4,15 +4,16 @@ import asyncio
 from collections.abc import AsyncIterator, Iterable
 from contextlib import asynccontextmanager
 from functools import cache
+from typing import Any
 
-from fastapi import APIRouter, FastAPI
+from fastapi import APIRouter, FastAPI, Request
 from starlette.routing import BaseRoute
 
 from app import __version__
-from app.api import openapi_document, package_download
+from app.api import package_download
 from app.api.assembly import StartProcess, end_parts, make_parts, start_parts
 from app.api.computer import this_computer
-from app.api.deps import People, clinician, viewer
+from app.api.deps import Owner, People, clinician, viewer
 from app.api.docs_pages import docs_pages
 from app.api.driving import places
 from app.api.foreign_files import OneAtATime
@@ -103,7 +104,6 @@ ROUTES = (
     screen_socket,
     patient_screen,
     patient_socket,
-    openapi_document,
     trial_plan,
 )
 
@@ -156,7 +156,7 @@ def create_app(
         title="bodydrive",
         version=__version__,
         lifespan=lifespan,
-        openapi_url=None,  # document.py serves it, to owners; FastAPI's pages for it load foreign scripts
+        openapi_url=None,  # _described() serves it, to owners; FastAPI's pages for it load foreign scripts
     )
 
     def scene_now() -> LiveScene | None:
@@ -204,9 +204,22 @@ def _pages() -> Pages:
 def _routes_of_all_clinics() -> list[BaseRoute]:
     """Return the routes that ask the request for their application; to make them takes longer than all else here."""
     served = APIRouter()
-    served.include_router(_api((*(module.router for module in ROUTES), *feature_routers())))
+    served.include_router(_api((*(module.router for module in ROUTES), _described(), *feature_routers())))
     served.include_router(replay_view.page_router)
     return served.routes
+
+
+def _described() -> APIRouter:
+    """Return the route of the OpenAPI document; for owners only, because it would help an attacker."""
+    router = APIRouter()
+
+    @router.get("/openapi.json", include_in_schema=False)
+    def describe(_who: Owner, request: Request) -> dict[str, Any]:
+        """Return the OpenAPI document."""
+        document: dict[str, Any] = request.app.openapi()
+        return document
+
+    return router
 
 
 def prepare_routes(app: WebApp) -> None:

@@ -5,8 +5,8 @@ from threading import Barrier
 
 import pytest
 
-from app.api.sign_in import try_counter
-from app.api.sign_in.try_counter import WITHIN, Tries, seconds_in_words
+from app.api.sign_in import sign_in_limits
+from app.api.sign_in.sign_in_limits import WITHIN, Tries, seconds_in_words
 
 
 def test_of_sixty_tries_side_by_side_five_are_let_through():
@@ -24,7 +24,7 @@ def test_of_sixty_tries_side_by_side_five_are_let_through():
 
 def test_each_try_is_forgotten_after_a_minute_and_the_wait_says_when(monkeypatch):
     now = 1000.0
-    monkeypatch.setattr(try_counter, "monotonic", lambda: now)
+    monkeypatch.setattr(sign_in_limits, "monotonic", lambda: now)
     counted = Tries(2)
     assert counted.count("Ada") == 0
     now += 20
@@ -46,7 +46,7 @@ def test_a_try_that_succeeded_does_not_count(monkeypatch):
 
 
 def test_what_is_remembered_is_bounded(monkeypatch):
-    monkeypatch.setattr(try_counter, "MOST_KEYS", 10)
+    monkeypatch.setattr(sign_in_limits, "MOST_KEYS", 10)
     counted = Tries(1)
     for i in range(100):
         counted.count(f"name {i}")
