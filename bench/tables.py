@@ -70,16 +70,22 @@ def table(title: str, rows: Sequence[Row]) -> str:
     if not rows:
         return ""
     head = "| what | measured (of each run) | to be reached | details |\n|---|---|---|---|\n"
-    return f"{title}\n\n{head}{''.join(map(line, rows))}\n"
+    before = ["", *(row.what for row in rows)]
+    return f"{title}\n\n{head}{''.join(map(line, rows, before))}\n"
 
 
-def line(row: Row) -> str:
-    """Return the row as a line of a Markdown table."""
+def line(row: Row, before: str = "") -> str:
+    """Return the row as a line of a Markdown table; `before`: the name of the row before.
+
+    What both names have in common before ": " is left out.
+    """
+    about, _, what = row.what.rpartition(": ")
+    name = f"… {what}" if about and about == before.rpartition(": ")[0] else row.what
     sign = "<=" if row.better == "lower" else ">="
     reached = "" if row.is_reached else " **not reached**"
     asked = "" if row.reach is None else f"{sign} {row.reach:g}"
     spread = f" ({number(min(row.runs))} to {number(max(row.runs))})" if len(row.runs) > 1 else ""
-    return f"| {row.what} | {number(row.figure)} {row.unit}{spread} | {asked} | {row.details}{reached} |\n"
+    return f"| {name} | {number(row.figure)} {row.unit}{spread} | {asked} | {row.details}{reached} |\n"
 
 
 def number(figure: float) -> str:

@@ -1,4 +1,4 @@
-"""From activations to u1, u2 and the stop gesture (signal-chain.md, section 4)."""
+"""From activations to u1, u2 and the stop gesture (docs/signal-chain.md, "Controls and shaping")."""
 
 # Compiled in a wheel (hatch_build.py).
 

@@ -1,4 +1,4 @@
-"""From a frame to gestures: project, differentiate, smooth, dead-zone (signal-chain.md, section 3)."""
+"""From a frame to gestures: project, differentiate, smooth, dead-zone (docs/signal-chain.md, "Decoding one frame")."""
 
 # Compiled in a wheel (hatch_build.py).
 

@@ -18,6 +18,12 @@ def test_a_run_says_when_where_and_of_what_it_was_made() -> None:
     assert "| a page | 900 ms | <= 800 | one run **not reached** |" in text
 
 
+def test_what_two_rows_have_in_common_is_named_once() -> None:
+    rows = [Row(f"an echo: {what}", [1.0], "x", None, "lower", "") for what in ("median", "p99")]
+    text = page("", rows, OLDER, [], compiled=False)
+    assert "| an echo: median | 1 x |  |  |\n| … p99 | 1 x |  |  |\n" in text
+
+
 def test_a_newer_run_takes_the_place_of_that_of_its_own_build() -> None:
     both = page(page("", [RATIO], OLDER, [], compiled=True), [RATIO], OLDER, [], compiled=False)
     assert both.index("## Plain Python") < both.index("## Compiled")

@@ -1,8 +1,6 @@
-"""The page docs/architecture.md: the files that it names exist, each folder has its paragraph, its table is tested."""
+"""The page docs/architecture.md: the files that it names exist, and each folder has its paragraph."""
 
 import re
-
-from rules.test_imports import LEAVES, MAY_IMPORT, PURE_CHAIN, WEB_KERNEL
 
 from folders import ROOT
 
@@ -55,17 +53,3 @@ def test_the_questions_name_one_file_each_over_all_areas():
     assert len(QUESTIONS) >= LEAST_QUESTIONS
     assert [answer for _, answer in QUESTIONS if not (ROOT / answer).is_file()] == []
     assert [area for area in AREAS if not any(answer.startswith(area) for _, answer in QUESTIONS)] == []
-
-
-def test_the_import_table_is_the_tested_one():
-    section = PAGE.partition("## Who may import whom")[2].partition("##")[0]
-    rows = dict(re.findall(r"^\| `(\w+)` \| (.+) \|$", section, flags=re.MULTILINE))
-    assert rows.keys() == MAY_IMPORT.keys() - {LEAVES}
-    for package, allowed in MAY_IMPORT.items():
-        if package != LEAVES:
-            entries = rows[package].split(", ")
-            assert ("leaves" in entries) == (LEAVES in allowed), package
-            assert ("the pure chain" in entries) == (set(PURE_CHAIN) <= set(allowed)), package
-            assert ("the web kernel" in entries) == (set(WEB_KERNEL) <= set(allowed)), package
-            named = {entry.strip("`") for entry in entries} - {"leaves", "the pure chain", "the web kernel"}
-            assert named == set(allowed) - {LEAVES, *PURE_CHAIN, *WEB_KERNEL}, package

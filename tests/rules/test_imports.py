@@ -1,4 +1,4 @@
-"""The import table of docs/architecture.md, held against the code."""
+"""Who may import whom: the table, held against the code; docs/architecture.md says why it has exceptions."""
 
 import ast
 import subprocess

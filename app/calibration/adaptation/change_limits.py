@@ -1,4 +1,4 @@
-"""How far an adaptation may change a map (signal-chain.md, section 6)."""
+"""How far an adaptation may change a map (docs/learning/adapting.md, "The rule")."""
 
 from dataclasses import dataclass
 

@@ -1,6 +1,6 @@
 """Directions of a joint in the space of its channels: covariance, principal direction, limited turn, felt change.
 
-See signal-chain.md, section 6.
+See docs/learning/adapting.md, "The rule".
 """
 
 import math

@@ -1,4 +1,4 @@
-"""Proposes an adapted parameter set after the last trials, beside the one that drives (signal-chain.md, section 6)."""
+"""Proposes an adapted parameter set after the last trials, beside the one that drives (docs/learning/adapting.md)."""
 
 from collections.abc import Mapping, Sequence
 

@@ -1,4 +1,4 @@
-"""Adapts dead-zone and full of a gesture in limited steps (signal-chain.md, section 6).
+"""Adapts dead-zone and full of a gesture in limited steps (docs/learning/adapting.md, "The rule").
 
 Both are rates of the joint's map, of whatever kind. To make the span of a PCA map smaller by a factor is the same as to
 multiply both by it, and other maps have no span: therefore the thresholds follow the person, and the span stays.

@@ -1,4 +1,4 @@
-"""Fits a calibration profile from rest, free movement and prompted repetitions (signal-chain.md, section 2)."""
+"""Fits a calibration profile from rest, free movement and prompted repetitions (docs/signal-chain.md)."""
 
 from collections.abc import Mapping, Sequence
 

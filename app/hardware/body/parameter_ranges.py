@@ -1,13 +1,16 @@
-"""The plausible range of each parameter of the simulated person, with its source."""
+"""The plausible range of each parameter of the simulated person, with its source.
+
+docs/learning/simulated-person.md has the titles of the publications, and the 480 reaches.
+"""
 
 from dataclasses import fields
 from typing import NamedTuple
 
 from app.hardware.body.person_parameters import PersonParameters, PracticeEffect
 
-SECTION_7 = "signal-chain.md, section 7"
+SKETCH = "the design's sketch of a novice"
 CHOSEN = "chosen"
-REACHES = f"one person's 480 reaches ({SECTION_7}), a third to three times"
+REACHES = "one person's 480 reaches, a third to three times"
 VAN_BEERS = "Harris and Wolpert 1998; van Beers, Haggard and Wolpert 2004"
 HICK = "Hick 1952; Fitts and Posner 1967"
 STATE_SPACE = "Cheng and Sabes 2006; Smith et al. 2006"
@@ -36,7 +39,7 @@ RANGES: dict[str, Range] = {
     "stroke_noise.strokes": Range(120.0, 1050.0, "strokes", REACHES),
     "constant_noise": Range(0.0, 0.04, "of the range", VAN_BEERS),
     "timing_noise": Range(0.03, 0.15, "of the duration", VAN_BEERS),
-    "wrong_limb.first": Range(0.05, 0.3, "of the strokes", SECTION_7 + ": a quarter"),
+    "wrong_limb.first": Range(0.05, 0.3, "of the strokes", SKETCH + ": a quarter"),
     "wrong_limb.last": Range(0.0, 0.05, "of the strokes", "Rabbitt 1966: a few in a hundred choices"),
     "wrong_limb.strokes": Range(80.0, 700.0, "strokes", REACHES),
     "estimate_error.first": Range(0.3, 1.0, "of the logarithm", CHOSEN + ": a new map is strange to everybody"),
@@ -45,7 +48,7 @@ RANGES: dict[str, Range] = {
     "correction": Range(0.05, 0.2, "of the error", STATE_SPACE),
     "rise_base": Range(0.2, 0.6, "s", ISOCHRONY),
     "rise_slope": Range(0.1, 0.5, "s", ISOCHRONY),
-    "return_factor": Range(1.0, 2.0, "of the way there", SECTION_7 + ": more slowly"),
+    "return_factor": Range(1.0, 2.0, "of the way there", SKETCH + ": more slowly"),
     "shrug": Range(0.0, 0.3, "of the stroke", CHOSEN + ": EVR comes out at 0.80 to 0.90, as in the paper"),
     "smallest": Range(0.1, 0.3, "of the range", CHOSEN + ": above the dead-zone"),
     "largest": Range(0.8, 1.0, "of the range", CHOSEN),

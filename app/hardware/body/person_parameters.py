@@ -39,7 +39,7 @@ class PersonParameters:
         Beers et al.).
     timing_noise : standard deviation of a stroke's duration over its duration (van Beers et al.).
     wrong_limb : chance that another limb moves than was meant; a quarter at first, hardly ever with practice
-        (signal-chain.md, section 7).
+        (docs/learning/simulated-person.md).
     estimate_error : standard deviation of the logarithm of (believed / true effect) of a stroke, drawn for each limb
         at the start: 0.8 is a factor of 2.2 either way.
     correction : share of the error in a stroke's effect that is corrected at the next one. State-space fits of
@@ -64,7 +64,7 @@ class PersonParameters:
     practice : strokes practised before the first one here.
 
     The constants of learning, 350 and 230 strokes, come from one person's 480 reaches with a body-machine interface:
-    error fell with a constant of 119 reaches, time with one of 78 (signal-chain.md, section 7), and a reach of about
+    error fell with a constant of 119 reaches, time with one of 78 (docs/learning/simulated-person.md). A reach of about
     6 s has room for three strokes of 2 s. A trial of 28 m takes 50 strokes of a practised person, 100 of a novice.
     """
 

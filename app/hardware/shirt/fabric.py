@@ -1,8 +1,8 @@
 """A model of piezoresistive fabric, from postures to channel voltages; without a clock, for the loop and the study.
 
-The shapes and sizes were measured on a real piezoresistive knit (signal-chain, simulated shirt): a slightly curved
-response, creep with two time constants, a hysteresis loop, drift, noise, steps of the converter, and other gains and
-offsets each time the shirt is put on.
+The shapes and sizes were measured on a real piezoresistive knit of 20 wearers: a slightly curved response,
+creep with two time constants, a hysteresis loop, drift, noise, steps of the converter, and other gains and offsets each
+time the shirt is put on.
 """
 
 # Compiled in a wheel (hatch_build.py).

@@ -7,7 +7,6 @@ import pytest
 
 from app.hardware.body.parameter_ranges import RANGES, numbers_of, out_of_range
 from app.hardware.body.person_parameters import NOVICE, PARAMETERS, PersonParameters, PracticeEffect
-from folders import ROOT
 
 NOT_MEASURED = {"learns", "practice"}  # a switch, and where the person stands in his learning
 
@@ -37,11 +36,3 @@ def test_a_number_outside_is_named_with_its_range() -> None:
     said = out_of_range(odd)
     assert said[0] == "reaction_time is 0.05 s: choose 0.18 to 0.5"
     assert [sentence.split(" is ")[0] for sentence in said[1:]] == ["wrong_limb.first", "wrong_limb.strokes"]
-
-
-def test_the_table_of_the_documentation_is_this_one() -> None:
-    text = (ROOT / "docs" / "learning" / "simulated-person.md").read_text(encoding="utf-8")
-    novice = numbers_of(NOVICE)
-    for name, known in RANGES.items():
-        row = f"| `{name}` | {novice[name]:g} | {known.low:g} to {known.high:g} | {known.unit} | {known.source} |"
-        assert row in text
