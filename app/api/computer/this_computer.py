@@ -31,7 +31,11 @@ class ComputerView(Document):
 
 @router.post("/measurement")
 async def measure(body: MeasurementRequest, _who: Owner, parts: PeopleParts, web: Web) -> ComputerView:
-    """Measure this computer; answered afterwards. Refused while a chair is armed or something is recorded."""
+    """Measure this computer; answered afterwards. Refused while a chair is armed or something is recorded.
+
+    For owners: measures for `seconds`, and asks open pages for their pictures a second. 409 also when a chair is armed
+    or a recording begins meanwhile, and beside another measurement; 503 when it could not measure.
+    """
     web.measurement.refuse_while_busy()
     asking = asyncio.create_task(web.graphics.ask())
     try:

@@ -69,7 +69,10 @@ class NextTaskView(Answer):
 
 @router.get("/floorplans")
 def list_floorplans(_who: Anyone, web: Web) -> list[FloorPlanView]:
-    """List the floor plans to drive in: scenes by level, then buildings; unreadable ones are left out."""
+    """List the floor plans to drive in: scenes by level, then buildings; unreadable ones are left out.
+
+    With the `task` of each path: `path`, `follow`, `turn`, `back` or `course`.
+    """
     return [_floorplan_view(offer) for offer in web.places().values()]
 
 
@@ -113,7 +116,11 @@ def one_floorplan(name: Name, _who: Anyone, web: Web) -> FloorPlan:
 
 @router.get("/patients/{patient_id}/next-task")
 def propose_task(patient_id: RowId, who: Anyone, parts: PeopleParts, web: Web, source: RequestedGroup) -> NextTaskView:
-    """Return the task that is proposed to a patient; only trials of one source lead to the next level."""
+    """Return the task that is proposed to a patient; only trials of one source lead to the next level.
+
+    The study's corridors for a new patient; else the last task, or the next level of its scene when the last three
+    counting trials reached the goal without contact and none is worse than noise.
+    """
     with parts.database.transaction() as db:
         find_patient(db, who.clinic_id, patient_id)
         log_viewing(db, who.name, patient_id)

@@ -109,7 +109,10 @@ async def look(who: Clinician, parts: PeopleParts, web: Web) -> ScreensView:
 
 @router.post("/pairing", status_code=201)
 async def offer(request: Request, who: Clinician, parts: PeopleParts, web: Web) -> OfferView:
-    """Make a link that pairs one screen within ten minutes; the link before becomes invalid."""
+    """Make a link that pairs one screen within ten minutes; the link before becomes invalid.
+
+    `words`: when only this machine can open the link.
+    """
     session: PatientSession = await web.session.needed_session(who.clinic_id)
     made = web.pairing.offer(session.id, who.name)
     address = await asyncio.to_thread(own_address, parts.settings, request)
@@ -133,7 +136,10 @@ def _words(parts: People, *, only_here: bool) -> str:
 
 @router.post("/pair", dependencies=[ForEveryone])
 async def pair(body: Code, request: Request, response: Response, parts: PeopleParts, web: Web) -> ScreenStateView:
-    """Pair the browser that asks with the session for which the code was made."""
+    """Pair the browser that asks with the session for which the code was made.
+
+    Without sign-in: the cookie `bodydrive_screen` while the session lasts, at most 12 h.
+    """
     attempt = await parts.limits.code(address_of(request))
     offered = web.pairing.redeem(body.code)
     attempt.take_back()
@@ -151,7 +157,10 @@ async def pair(body: Code, request: Request, response: Response, parts: PeoplePa
 
 @router.get("/me", dependencies=[ForEveryone])
 def who_am_i(request: Request, parts: PeopleParts) -> ScreenStateView:
-    """Tell a page how its pairing stands."""
+    """Tell a page how its pairing stands.
+
+    Without sign-in.
+    """
     with parts.database.transaction() as db:
         return ScreenStateView(state=find_screen(db, read_cookie(request, SCREEN_COOKIE) or "")[1])
 

@@ -56,7 +56,11 @@ class ReplayMoment(Document):
 
 @router.post("/replays", status_code=201)
 def open_replay(body: NewReplay, who: Anyone, parts: PeopleParts, web: Web) -> ReplayView:
-    """Open a trial in 3D, on a server of its own that shows nothing live."""
+    """Open a trial in 3D, on a server of its own that shows nothing live.
+
+    For this person; there are two on the machine, and the one not looked at for longest gives way. 409 while anybody
+    drives.
+    """
     refuse_while_driving(web)
     with parts.database.transaction() as db:
         trial = find_trial(db, who.clinic_id, body.trial)
@@ -69,7 +73,10 @@ def open_replay(body: NewReplay, who: Anyone, parts: PeopleParts, web: Web) -> R
 
 @router.post("/replays/{word}/at", status_code=204)
 def show_moment(word: Word, body: ReplayMoment, who: Anyone, web: Web) -> None:
-    """Show another moment, or look from somewhere else."""
+    """Show another moment, or look from somewhere else.
+
+    404 when it is closed, 409 while anybody drives.
+    """
     refuse_while_driving(web)
     web.replays.find(word, who.person_id).show(body.t, body.view)
 

@@ -23,7 +23,13 @@ def require_ended(trial: Trial) -> None:
 
 @router.get("/trials/{trial_id}/timeline", response_model=Timeline)
 def trial_timeline(trial_id: RowId, who: Anyone, parts: PeopleParts, web: Web, request: Request) -> Response:
-    """Return a trial on one time line: pose, commands, gestures, signals and events."""
+    """Return a trial on one time line: pose, commands, gestures, signals and events.
+
+    At most 2000 points. `u1`, `u2`, gestures and signals keep every peak: two neighbouring points hold the smallest and
+    largest value around them in their order. Of a joint the four channels with the largest weights, out of `of`.
+    `state`: 0 disarmed, 1 checking, 2 armed, 3 fault. null: not known then; `along`, `across` empty: the path has no
+    length. 404 for an unreadable recording, 409 while the trial runs.
+    """
     with parts.database.transaction() as db:
         trial = find_trial(db, who.clinic_id, trial_id)
     require_ended(trial)

@@ -152,7 +152,12 @@ async def _look(database: Database, web: WebParts, clinic_id: int) -> Adaptation
 
 @router.get("/adaptation")
 async def look(who: Anyone, parts: PeopleParts, web: Web) -> AdaptationView:
-    """Return the proposal to adapt the map, or why there is none."""
+    """Return the proposal to adapt the map, or why there is none.
+
+    `why`: there is no proposal or nothing to apply; `refusal`: nothing may be applied now; `practised`: kept trials
+    with exactly this set. In a proposal, null where the movements said nothing; `applied` of a joint means: in what
+    would be armed; `words`: why it was not applied by itself.
+    """
     return await _look(parts.database, web, who.clinic_id)
 
 
@@ -173,21 +178,27 @@ async def propose(who: Clinician, parts: PeopleParts, web: Web) -> AdaptationVie
 
 @router.post("/adaptation/apply")
 async def apply(body: ProposalChoice, who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
-    """Make a proposal the next version of the map; only between trials, and never with a real chair."""
+    """Make a proposal the next version of the map; only between trials, and never with a real chair.
+
+    409 while anything is driven, armed or moves, with a real chair chosen, or when controls or trials changed since.
+    """
     await web.adaptation.apply(who.clinic_id, body.proposal, who.name)
     return await _look(parts.database, web, who.clinic_id)
 
 
 @router.post("/adaptation/dismiss")
 async def dismiss(body: ProposalChoice, who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
-    """Dismiss a proposal."""
+    """Dismiss a proposal; 409 as for `apply`."""
     await web.adaptation.dismiss(await web.session.needed_session(who.clinic_id), body.proposal)
     return await _look(parts.database, web, who.clinic_id)
 
 
 @router.post("/adaptation/back")
 async def back(who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
-    """Restore the map before, as a new version."""
+    """Restore the map before, as a new version.
+
+    409 as for `apply`. The mode `auto` becomes `suggest`.
+    """
     await web.adaptation.back(who.clinic_id, who.name)
     return await _look(parts.database, web, who.clinic_id)
 

@@ -54,13 +54,21 @@ async def _view(web: WebParts, session: PatientSession) -> CalibrationView:
 
 @router.get("")
 async def look(who: Clinician, web: Web) -> CalibrationView:
-    """Return the state of the calibration."""
+    """Return the state of the calibration.
+
+    All routes of the calibration give this answer. `others`: people known in this shirt, 0 when too few; `earlier`: the
+    patient's calibration in this kind of shirt, null once this session's has a result.
+    """
     return await _view(web, await web.session.needed_session(who.clinic_id))
 
 
 @router.get("/gestures")
 async def gestures(who: Clinician, web: Web) -> Discovery:
-    """Return all gestures of the calibration under way, or else of the newest accepted one."""
+    """Return all gestures of the calibration under way, or else of the newest accepted one.
+
+    The best first (docs/learning/gestures.md). `weakest`: the number furthest beyond its limit; `effort` in FS; null:
+    not measured. `source` `profile`: the recordings are gone. 409 when nothing is calibrated.
+    """
     session = await web.session.needed_session(who.clinic_id)
     return await asyncio.to_thread(web.discoveries.of_session, session.id)
 
@@ -110,7 +118,10 @@ async def begin_anew(who: Clinician, web: Web) -> CalibrationView:
 
 @router.post("/map")
 async def choose(body: MapChoice, who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
-    """Choose the study's map or the guided map of a joint; the result must then be accepted again."""
+    """Choose the study's map or the guided map of a joint; the result must then be accepted again.
+
+    409 where the map is not offered.
+    """
     async with web.session.undisturbed("choose a calibration"):
         session = await web.session.needed_session(who.clinic_id)
         if web.calibration.running:
@@ -122,7 +133,11 @@ async def choose(body: MapChoice, who: Clinician, parts: PeopleParts, web: Web) 
 
 @router.post("/sitting")
 async def say_how_it_sits(body: SittingChoice, who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
-    """Leave a ring of sensors as worn, or take it as it looks; the result must then be accepted again."""
+    """Leave a ring of sensors as worn, or take it as it looks; the result must then be accepted again.
+
+    `is_right` true: the shirt sits right although a ring looks turned or mirrored; the map is fitted anew. 409 where it
+    sits as on other people. A new free movement forgets it.
+    """
     async with web.session.undisturbed("say how the shirt sits"):
         session = await web.session.needed_session(who.clinic_id)
         if web.calibration.running:
@@ -135,7 +150,10 @@ async def say_how_it_sits(body: SittingChoice, who: Clinician, parts: PeoplePart
 
 @router.post("/drive-now")
 async def drive_now(who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
-    """Fit the map from other people where nothing was prompted yet, and use it at once; what was prompted is learnt."""
+    """Fit the map from other people where nothing was prompted yet, and use it at once; what was prompted is learnt.
+
+    409 before rest and free movement, or with fewer than four other people.
+    """
     async with web.session.undisturbed("drive now"):
         session = await web.session.needed_session(who.clinic_id)
         await web.calibration.fit_from_others(session.id)
@@ -148,7 +166,10 @@ async def drive_now(who: Clinician, parts: PeopleParts, web: Web) -> Calibration
 
 @router.post("/fit-earlier")
 async def fit_earlier(who: Clinician, web: Web) -> CalibrationView:
-    """Fit the patient's earlier calibration to the shirt as it sits today, and use it at once."""
+    """Fit the patient's earlier calibration to the shirt as it sits today, and use it at once.
+
+    409 before rest and free movement, without an earlier calibration in this shirt, or with a ring turned since.
+    """
     async with web.session.undisturbed("fit the calibration"):
         session = await web.session.needed_session(who.clinic_id)
         await web.calibration.fit_earlier(session.id, who.name)

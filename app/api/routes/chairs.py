@@ -95,7 +95,10 @@ async def look(who: Anyone, parts: PeopleParts, web: Web) -> ChairsView:
 
 @router.post("", status_code=201)
 async def pair(body: NewChair, who: Owner, parts: PeopleParts, web: Web) -> PairedView:
-    """Pair a chair: make its key, store it in a file on this machine, and show it this once."""
+    """Pair a chair: make its key, store it in a file on this machine, and show it this once.
+
+    For owners. `key_line` and `qr` (SVG) are answered this once.
+    """
 
     def _pair() -> Key:
         with parts.database.transaction() as db:
@@ -113,7 +116,10 @@ async def pair(body: NewChair, who: Owner, parts: PeopleParts, web: Web) -> Pair
 
 @router.delete("/{chair_id}")
 async def unpair(chair_id: RowId, who: Owner, parts: PeopleParts, web: Web) -> ChairsView:
-    """Unpair a chair and delete its key; if it is in use, the virtual chair is used instead."""
+    """Unpair a chair and delete its key; if it is in use, the virtual chair is used instead.
+
+    For owners.
+    """
 
     def _unpair() -> None:
         with parts.database.transaction(closing=True) as db:

@@ -53,7 +53,10 @@ def quality(
     floorplan: Annotated[str | None, Query(max_length=64)] = None,
     path: Annotated[str | None, Query(max_length=64)] = None,
 ) -> QualityView:
-    """Return the quality of control over trials: of one path, or of all when none is named."""
+    """Return the quality of control over trials: of one path, or of all when none is named.
+
+    `note`: which trends cannot be told yet (docs/learning/quality.md).
+    """
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
         trials = trials_of(db, who.clinic_id, patient_id, floorplan, path)

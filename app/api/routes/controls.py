@@ -115,7 +115,11 @@ def _suggestion(web: WebParts, patient_id: int) -> SuggestedVocabulary:
 
 @router.get("")
 async def look(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
-    """Return the current parameter set."""
+    """Return the current parameter set.
+
+    `held`: speeds that clinic or chair do not allow, with what holds instead. `obstacle`: why the set cannot drive, and
+    the page that mends it (`shirt`, `calibrate`, `controls`). 409 when nothing is calibrated.
+    """
     session = await web.session.needed_session(who.clinic_id)
 
     def _read() -> ControlsView:

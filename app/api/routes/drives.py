@@ -99,7 +99,10 @@ class DriveView(Answer):
 
 @router.get("/summary")
 async def summary(who: Anyone, web: Web) -> Summary:
-    """Return what arming the chosen chair would apply, and the reasons against it."""
+    """Return what arming the chosen chair would apply, and the reasons against it.
+
+    Differences to the last practised set by `kind`: `field`, `binding` or `gesture`; null: there is none yet.
+    """
     now = await web.arming.summary(who.clinic_id)
     chair, parameters, last = web.chairs.chosen, now.parameters, now.last_practised
     return Summary(
@@ -115,7 +118,11 @@ async def summary(who: Anyone, web: Web) -> Summary:
 
 @router.post("", status_code=201)
 async def arm(body: NewDrive, request: Request, who: Clinician, parts: PeopleParts, web: Web) -> DriveView:
-    """Arm the real chair with the set of the summary; the drive is recorded, and this screen must stay in view."""
+    """Arm the real chair with the set of the summary; the drive is recorded, and this screen must stay in view.
+
+    409 with the first of `refusals`, for a silent screen, or another `hash` than the summary's; 403 from outside the
+    building's network.
+    """
     require_nearby(request)
     async with web.session.undisturbed("arm the chair"):
         now = await web.arming.summary(who.clinic_id)
@@ -147,7 +154,10 @@ async def end_drive(who: Clinician, parts: PeopleParts, web: Web) -> DriveView:
 
 @router.get("")
 def list_drives(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, parts: PeopleParts) -> list[DriveView]:
-    """List a patient's drives, the newest last."""
+    """List a patient's drives, the newest last.
+
+    `end`: `by hand` or `fault`; `distance` null: it never moved.
+    """
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient)
         log_viewing(db, who.name, patient)

@@ -157,7 +157,10 @@ async def _view(parts: PeopleParts, web: WebParts) -> EquipmentView:
 
 @router.get("")
 async def look(_who: Anyone, parts: PeopleParts, web: Web) -> EquipmentView:
-    """Return the equipment in use, and what can be chosen."""
+    """Return the equipment in use, and what can be chosen.
+
+    `shirt` null: none chosen yet. `disk.words` is empty above 2 GB and changes within a second (event `disk`).
+    """
     return await _view(parts, web)
 
 
@@ -178,7 +181,10 @@ async def _logged_view(parts: PeopleParts, web: WebParts, person: str, what: str
 
 @router.put("/shirt")
 async def choose_shirt(body: ShirtConfig, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
-    """Open another shirt; when it does not open, the one before stays."""
+    """Open another shirt; when it does not open, the one before stays.
+
+    `file` is a name from `files` of `GET /equipment`, `key_file` one from `shirt_keys`.
+    """
     config = body.model_dump(mode="json")
     async with web.session.undisturbed("change the shirt"):
         try:
@@ -197,7 +203,10 @@ async def look_at_senders(_who: Anyone, web: Web) -> SendersView:
 
 @router.put("/sender")
 async def choose_sender(body: ChosenSender, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
-    """Take another sender as the shirt; refused while anything is armed, driven or recorded."""
+    """Take another sender as the shirt; refused while anything is armed, driven or recorded.
+
+    It is logged.
+    """
     async with web.session.undisturbed("change the shirt's sender"):
         await web.equipment.use_sender(body.sender)
     return await _logged_view(parts, web, who.name, "shirt's sender chosen", sender=body.sender)
@@ -205,7 +214,10 @@ async def choose_sender(body: ChosenSender, who: Clinician, parts: PeopleParts, 
 
 @router.put("/body")
 async def choose_body(body: BodyConfig, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
-    """Choose another simulated body for the simulated shirt."""
+    """Choose another simulated body for the simulated shirt.
+
+    `file` is a name from `files` of `GET /equipment`.
+    """
     config = body.model_dump(mode="json")
     async with web.session.undisturbed("change the body"):
         await web.equipment.use_body(config)
@@ -214,7 +226,10 @@ async def choose_body(body: BodyConfig, who: Clinician, parts: PeopleParts, web:
 
 @router.put("/head")
 async def choose_head(body: HeadTrackerChoice, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
-    """Use another head tracker, or none."""
+    """Use another head tracker, or none.
+
+    `file` is a name from `files` of `GET /equipment`.
+    """
     config = None if body.config is None else body.config.model_dump(mode="json")
     async with web.session.undisturbed("change the head tracker"):
         await web.head.use(config)
@@ -240,7 +255,10 @@ async def mark_unused(body: UnusedChannels, who: Clinician, parts: PeopleParts, 
 async def bring_file(
     file: UploadFile, who: Clinician, parts: PeopleParts, web: Web, same_name: SameName = "ask"
 ) -> EquipmentView:
-    """Store a file of recorded signals or of a recorded body; `same_name`: what to do when its name is taken."""
+    """Store a file of recorded signals or of a recorded body; `same_name`: what to do when its name is taken.
+
+    The multipart field `file`: CSV or Parquet, at most 64 MB and 40 million numbers.
+    """
     kept = await parts.uploads.run(
         keep_upload, parts.replaced, web.computing, file.filename or "", file.file, same_name
     )

@@ -17,6 +17,9 @@ async def look(_who: Anyone, web: Web) -> Speeds:
 
 @router.put("")
 async def set_limits(body: Speeds, who: Owner, web: Web) -> Speeds:
-    """Set the clinic's limits: lower ones hold at once, higher ones only while the chair stands."""
+    """Set the clinic's limits: lower ones hold at once, higher ones only while the chair stands.
+
+    For owners. A set above the limits keeps its numbers and drives at the smaller ones.
+    """
     await web.limits.set(body, who.name)
     return web.limits.speeds

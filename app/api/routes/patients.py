@@ -135,6 +135,8 @@ def remove_patient(
     """Delete a patient: everything of the patient is hidden at once, and erased after 30 days; it can be undone.
 
     409 without a reason while the owner's setting says that the records must be kept.
+
+    Afterwards the patient is answered like one who does not exist.
     """
     reason = "" if body is None else body.reason.strip()
     with parts.database.transaction() as db:
@@ -188,7 +190,10 @@ def current_session(parts: PeopleParts, web: WebParts, who: SignedInPerson) -> C
 
 @router.get("/session")
 def who_is_here(who: Anyone, parts: PeopleParts, web: Web) -> CurrentSession:
-    """Return the patient who is here now, and the open session."""
+    """Return the patient who is here now, and the open session.
+
+    `obstacle`: why no trial would start now, as of `GET /controls`; null when nothing is calibrated.
+    """
     return current_session(parts, web, who)
 
 

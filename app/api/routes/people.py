@@ -100,14 +100,20 @@ async def _link(parts: People, request: Request, person: PersonView, made: MadeI
 
 @router.get("")
 def list_people(who: Owner, parts: PeopleParts) -> list[PersonView]:
-    """List the people of the clinic."""
+    """List the people of the clinic.
+
+    For owners. `patients` null: the person sees all.
+    """
     with parts.database.transaction() as db:
         return [_view(db, person, who.person_id) for person in people_of(db, who.clinic_id)]
 
 
 @router.post("", status_code=201)
 async def invite_person(body: NewPerson, request: Request, who: Owner, parts: PeopleParts) -> LinkView:
-    """Add a person, and make the link by which this person chooses a password within 24 hours."""
+    """Add a person, and make the link by which this person chooses a password within 24 hours.
+
+    For owners. The person has no password yet; `qr` of the link is SVG.
+    """
 
     def _add() -> tuple[PersonView, MadeInvitation]:
         with parts.database.transaction() as db:
@@ -122,7 +128,10 @@ async def invite_person(body: NewPerson, request: Request, who: Owner, parts: Pe
 
 @router.post("/{person_id}/link", status_code=201)
 async def make_link(person_id: RowId, request: Request, who: Owner, parts: PeopleParts) -> LinkView:
-    """Make a link by which a person chooses a new password; the old one holds until the link is used."""
+    """Make a link by which a person chooses a new password; the old one holds until the link is used.
+
+    For owners. The earlier link becomes invalid.
+    """
 
     def _make() -> tuple[PersonView, MadeInvitation]:
         with parts.database.transaction() as db:
@@ -135,7 +144,10 @@ async def make_link(person_id: RowId, request: Request, who: Owner, parts: Peopl
 
 @router.put("/{person_id}")
 async def choose_rights(person_id: RowId, body: Rights, who: Owner, parts: PeopleParts, web: Web) -> PersonView:
-    """Give a person another role or other patients; when they change, the person has to sign in again."""
+    """Give a person another role or other patients; when they change, the person has to sign in again.
+
+    For owners. 409 for the last owner who can sign in.
+    """
 
     def _choose() -> tuple[PersonView, bool]:
         with parts.database.transaction() as db:
@@ -154,7 +166,10 @@ async def choose_rights(person_id: RowId, body: Rights, who: Owner, parts: Peopl
 
 @router.post("/{person_id}/disable")
 async def disable_person(person_id: RowId, who: Owner, parts: PeopleParts, web: Web) -> PersonView:
-    """Let a person sign in no longer; every sign-in and socket of this person ends at once."""
+    """Let a person sign in no longer; every sign-in and socket of this person ends at once.
+
+    For owners. No known browser and no link is left. 409 for the last owner who can sign in.
+    """
 
     def _disable() -> PersonView:
         with parts.database.transaction(closing=True) as db:

@@ -94,7 +94,10 @@ def list_own(_who: Clinician, parts: PeopleParts) -> list[OwnPlanView]:
 
 @router.post("/floorplans/check")
 async def check(request: Request, _who: Clinician) -> CheckView:
-    """Check whether a document is a valid floor plan; save nothing."""
+    """Check whether a document is a valid floor plan; save nothing.
+
+    `place`: keys and indices of what is wrong.
+    """
     # In a thread: a large plan takes long to check, and the event loop must stay free for other requests.
     return await asyncio.to_thread(_checked, await request.body())
 
@@ -109,6 +112,9 @@ async def import_files(
     """Propose a floor plan made of a DXF drawing, a picture, or a ROS map (its YAML file and its picture).
 
     `options` is a JSON object: unit, layers, metres_per_pixel, width, threshold, outside, title, name.
+
+    The multipart field `files`: one .dxf, .png or .jpg, or a map's .yaml with its picture; 20 MB each. Nothing is
+    saved, and the document may have no path yet.
     """
     return DraftView(**await draft_of_uploads(files, options, parts.readings))
 
@@ -134,7 +140,10 @@ async def save_version(
     who: Clinician,
     parts: PeopleParts,
 ) -> OwnPlanView:
-    """Save the next version of a floor plan; refused when somebody saved it after `version` was read."""
+    """Save the next version of a floor plan; refused when somebody saved it after `version` was read.
+
+    409 for the name of a bundled plan. All versions stay in `floorplans/versions/NAME/`.
+    """
     content = await request.body()
 
     def save() -> OwnPlanView:

@@ -80,7 +80,12 @@ class Reference(Document):
 
 @router.get("/reference", dependencies=[ForEveryone])
 def reference(request: Request) -> Reference:
-    """Return the facts that pages need beside data: they have no tables of their own."""
+    """Return the facts that pages need beside data: they have no tables of their own.
+
+    Without sign-in. `needs_goal`: a trial that missed the goal does not count in this measure; `of`: the measure that
+    says out of how many. The measures that lead in a task are those of the first row of `leading` whose `has` its
+    trials have.
+    """
     state = request.app.state
     if not hasattr(state, "reference"):
         state.reference = reference_of(request.app)

@@ -89,7 +89,10 @@ def trajectories(
     parts: PeopleParts,
     web: Web,
 ) -> TrajectoriesView:
-    """Return the newest trajectories of a patient on one path; recordings that were not read before take a moment."""
+    """Return the newest trajectories of a patient on one path; recordings that were not read before take a moment.
+
+    Of the newest 30 kept trials.
+    """
     every = _counted(parts.database, who, patient_id, floorplan, path)
     newest = [one.trial for one in every if one.group == source][-MOST_TRAJECTORIES:]
     return TrajectoriesView(
@@ -118,6 +121,9 @@ def verdicts_of_trial(
     """Tell in which measures a trial is better than noise against another one; by default the one before that counts.
 
     409 when the two are not of one patient, task and source.
+
+    `best`: of the compared trials before it; `familiarisation`: those of the two that are among the first three. The
+    word `number`: a measure that does not lead in the task, without word and band.
     """
     with parts.database.transaction() as db:
         trial = find_trial(db, who.clinic_id, trial_id)

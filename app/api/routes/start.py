@@ -25,7 +25,11 @@ class StartView(Document):
 
 @router.get("/start", dependencies=[ForEveryone])
 def start(request: Request, who: WhoAsks, parts: PeopleParts, web: Web) -> StartView:
-    """Return what a page needs before it can show anything."""
+    """Return what a page needs before it can show anything.
+
+    Without sign-in: `me` as of `GET /auth/me`, `practice` as of `GET /equipment/practice`, `session` as of `GET
+    /session` (null unless signed in).
+    """
     return StartView(
         me=me_view(parts, who),
         is_nearby=is_nearby(request),

@@ -74,7 +74,10 @@ async def _note_who(request: Request, parts: People, web: WebParts) -> None:
 
 @router.post("/clear")
 async def clear(body: StopCount, request: Request, who: Clinician, web: Web) -> ControlView:
-    """Clear the latched stop or fault that the person has seen; in a trial or drive a new neutral check follows."""
+    """Clear the latched stop or fault that the person has seen; in a trial or drive a new neutral check follows.
+
+    Without the control process `fault` is `control_lost`, and that process is replaced.
+    """
     require_hand_on_chair(web, who, request)
     require_picture(web)
     before = web.control.newest()

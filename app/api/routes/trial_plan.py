@@ -23,7 +23,10 @@ class TrialPlan(Document):
 
 @router.get("/view/{role}/plan")
 def shown_plan(who: Annotated[SignedInPerson | PairedScreen, Depends(viewer)], web: Web) -> TrialPlan | None:
-    """Return the floor plan and the path of the running trial; null while there is none."""
+    """Return the floor plan and the path of the running trial; null while there is none.
+
+    The patient's is for the patient's screens, too.
+    """
     trial = web.trials.current
     if trial is None or not who.sees(web.session.patient_id):
         return None

@@ -117,7 +117,12 @@ class TrialDetail(Document):
 
 @router.post("/trials", status_code=201)
 async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, web: Web) -> TrialView:
-    """Start a trial: the chair is put on the start, the recording begins, and the chair is armed."""
+    """Start a trial: the chair is put on the start, the recording begins, and the chair is armed.
+
+    `screen`: the random word of the page on the screen socket; `picture`: what it shows to drive by (null: not said),
+    kept in `meta`. 409 with a real chair chosen, for `none`, and while this screen or one of the patient's has no
+    picture.
+    """
     async with web.session.undisturbed("start a trial"):
         session = await web.session.needed_session(who.clinic_id)
         if web.chairs.chosen is not None:
@@ -167,7 +172,12 @@ async def end_trial(body: EndTrial, who: Clinician, parts: PeopleParts, web: Web
 
 @router.get("/trials")
 def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, parts: PeopleParts) -> list[ListedTrial]:
-    """List a patient's trials, the newest last."""
+    """List a patient's trials, the newest last.
+
+    `status` is `running` or `done`, `end` is `goal`, `time-out`, `by hand` or `fault`. `compared_in`: id of the trial's
+    session, null where no verdict compares it (discarded, not measured, one of the first three of its task and kind of
+    source).
+    """
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient)
         log_viewing(db, who.name, patient)

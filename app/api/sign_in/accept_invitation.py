@@ -62,7 +62,11 @@ def _look_up(parts: People, code: str) -> _Invited | None:
 
 @router.post("")
 async def look(body: InvitationCode, request: Request, parts: PeopleParts) -> InvitedView:
-    """Tell for whom an invitation is; it stays valid."""
+    """Tell for whom an invitation is; it stays valid.
+
+    Without sign-in. The code stands behind `#invite=` of the link, is valid once and for 24 hours, and is stored as
+    SHA-256; 401 for any other.
+    """
     return (await _require_invited(parts, request, body.code)).view
 
 

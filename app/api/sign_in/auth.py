@@ -129,7 +129,10 @@ def let_in(parts: People, request: Request, response: Response, name: str, how: 
 
 @router.post("/demo")
 async def enter_demonstration(body: DemoCode, request: Request, response: Response, parts: PeopleParts) -> Me:
-    """Sign in to the demonstration with the code of its link."""
+    """Sign in to the demonstration with the code of its link.
+
+    The code stands behind `#demo=` of the printed link.
+    """
     code = parts.settings.demo_code
     if code is None:
         raise HTTPException(404, "This is not a demonstration: sign in with your name and password.")
@@ -182,7 +185,11 @@ async def make_first_owner(body: FirstOwner, request: Request, response: Respons
 
 @router.post("/sign-in")
 async def sign_in_by_password(body: Credentials, request: Request, response: Response, parts: PeopleParts) -> Me:
-    """Sign in with name and password."""
+    """Sign in with name and password.
+
+    429 after too many wrong passwords, 503 while eight sign-ins are under way. Wrong codes of a demonstration, of the
+    set-up, of an invitation and of a patient's screen count together: 429 after 10 a minute from one address.
+    """
     await require_password(parts, request, body.name, body.password)
     return await run_in_threadpool(let_in, parts, request, response, body.name, "password")
 
@@ -222,5 +229,8 @@ def _unlock(parts: People, sign_in_id: int) -> None:
 
 @router.get("/me")
 def who_am_i(who: WhoAsks, parts: PeopleParts) -> Me:
-    """Tell who is signed in on this screen."""
+    """Tell who is signed in on this screen.
+
+    `introduced`: the person has put the sentences for a first time away.
+    """
     return me_view(parts, who)

@@ -80,7 +80,10 @@ def view_controls(scene_now: SceneNow, clinician: Callable[..., Any]) -> APIRout
 
     @router.post("/{role}/camera")
     def look(role: Role, choice: CameraChoice, drawn: SceneOfSession) -> ViewState:
-        """Look from the patient's eye, from behind the chair, from above, or from anywhere."""
+        """Look from the patient's eye, from behind the chair, from above, or from anywhere.
+
+        `fov_deg`, `eye_height`, `roll_share` and `head` are the patient's eye's.
+        """
         changes = choice.model_dump(exclude={"view"}, exclude_none=True)
         drawn.set_view(role, choice.view or drawn.view(role), drawn.settings(role)._replace(**changes))
         return _state(drawn, role)

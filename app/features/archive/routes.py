@@ -97,6 +97,8 @@ def archive(
 
     409 without the patient's consent to sharing outside, or while a session of the patient is open; 507 without room
     on the clinic's disk, where it is made.
+
+    For owners and clinicians.
     """
     settings = parts.settings
     material = archive_material(parts.database, who.clinic_id, patient_id, who.name, settings.runs, settings.state)
@@ -156,6 +158,8 @@ async def bring_archive(
     whom first an archive is kept for 30 days. 409, too, when the code or the recordings are those of another patient,
     and when the patient cannot be replaced: while a session is open, as part of an incident, or when sessions that were
     held here must be kept. 507 when there is no room.
+
+    For owners: a file of at most 8 GB. 422: no archive, damaged, or other rows.
     """
     async with contextmanager_in_threadpool(passing_folder(parts.settings.state, "import")) as folder:
         announced = request.headers.get("content-length", "")

@@ -164,7 +164,10 @@ def _view(parts: People, backups: NightBackups, clinic_id: int) -> BackupsView:
 
 @router.get("/backups")
 def look(who: Owner, parts: PeopleParts, backups: Backups) -> BackupsView:
-    """Return the settings, the newest backups, how far one is that is being made, deleted patients, incidents."""
+    """Return the settings, the newest backups, how far one is that is being made, deleted patients, incidents.
+
+    For owners. The other routes of the page give this answer, too.
+    """
     return _view(parts, backups, who.clinic_id)
 
 
@@ -177,7 +180,10 @@ async def begin(who: Owner, parts: PeopleParts, backups: Backups) -> BackupsView
 
 @router.put("/backups/settings")
 async def choose(body: BackupSettings, who: Owner, parts: PeopleParts, web: Web, backups: Backups) -> BackupsView:
-    """Choose the folder, the hour and the passphrase; 409 in one sentence when the folder cannot be used."""
+    """Choose the folder, the hour and the passphrase; 409 in one sentence when the folder cannot be used.
+
+    For owners. `passphrase` null keeps the one that is set.
+    """
     await asyncio.to_thread(_choose, body, who.name, who.clinic_id, parts, web, backups)
     return await asyncio.to_thread(_view, parts, backups, who.clinic_id)
 
@@ -214,7 +220,10 @@ def _choose(
 
 @router.put("/record-keeping")
 def keep_records(body: RecordTime, who: Owner, parts: PeopleParts, backups: Backups) -> BackupsView:
-    """Set for how many years after the last session records must be kept."""
+    """Set for how many years after the last session records must be kept.
+
+    For owners.
+    """
     with parts.database.transaction() as db:
         record_keeping(db, who.clinic_id).years = body.years
         write_log(db, who.name, "record time changed", years=body.years)
@@ -223,14 +232,20 @@ def keep_records(body: RecordTime, who: Owner, parts: PeopleParts, backups: Back
 
 @router.post("/deleted-patients/{patient_id}/erasure")
 def erase(patient_id: RowId, who: Owner, parts: PeopleParts, backups: Backups) -> BackupsView:
-    """Erase a deleted patient for good, now; 409 with the reason when something stands against it."""
+    """Erase a deleted patient for good, now; 409 with the reason when something stands against it.
+
+    For owners. An incident, or the time for which records must be kept, can stand against it.
+    """
     erase_patient(parts.database, parts.settings, who.clinic_id, patient_id, who.name)
     return _view(parts, backups, who.clinic_id)
 
 
 @router.post("/incidents/{incident_id}/lifting")
 def lift(incident_id: RowId, body: Lifting, who: Owner, parts: PeopleParts, backups: Backups) -> BackupsView:
-    """Lift the mark of an incident, so that its patients can be erased."""
+    """Lift the mark of an incident, so that its patients can be erased.
+
+    For owners.
+    """
     with parts.database.transaction() as db:
         lift_incident(db, who.clinic_id, incident_id, body.reason, who.name)
     return _view(parts, backups, who.clinic_id)

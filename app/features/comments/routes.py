@@ -92,7 +92,10 @@ def list_comments(trial_id: RowId, who: Anyone, parts: PeopleParts) -> list[Comm
 
 @router.post("/trials/{trial_id}/comments", status_code=201)
 def new_comment(trial_id: RowId, body: NewComment, who: Anyone, parts: PeopleParts, web: Web) -> list[CommentView]:
-    """Write a comment on a moment of a trial."""
+    """Write a comment on a moment of a trial.
+
+    `t` is negative before motion was permitted.
+    """
     with parts.database.transaction() as db:
         trial = _trial(db, who, trial_id)
         comment = add_comment(db, trial, who.person_id, body.t, body.text)

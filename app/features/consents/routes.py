@@ -63,7 +63,10 @@ def consents(patient_id: RowId, who: Anyone, parts: PeopleParts) -> ConsentsView
 def give(
     patient_id: RowId, consent: Consent, body: GivenConsent, who: Clinician, parts: PeopleParts, web: Web
 ) -> ConsentsView:
-    """Enter the day on which a patient consented; another day replaces the one before."""
+    """Enter the day on which a patient consented; another day replaces the one before.
+
+    Without consent to `recording`, each run in a worn shirt is refused with 409.
+    """
     with parts.database.transaction() as db:
         find_patient(db, who.clinic_id, patient_id)
         if give_consent(db, patient_id, consent, body.given, who.name):

@@ -31,6 +31,9 @@ def export(
 
     A process of its own writes it, recording by recording; 409 without the patient's consent to sharing outside;
     507 without room on the clinic's disk, where its parts are made.
+
+    For owners and clinicians. Each export is a row of the log: patient, session, form, number of runs. Without a new
+    byte for 120 s it fails; a download that ends early has no zip directory and cannot be opened.
     """
     settings, spreads_of = parts.settings, web.spread.for_patient(who.clinic_id, patient_id)
     material = exported_material(

@@ -54,7 +54,10 @@ class InterfaceTestsView(Document):
 async def start_interface_test(
     body: NewTest, who: Clinician, parts: PeopleParts, web: Web, tests: Tests
 ) -> InterfaceTestView:
-    """Start the two-minute test; the chair is disarmed and stays where it is."""
+    """Start the two-minute test; the chair is disarmed and stays where it is.
+
+    409 with a stop in force, while anything is recorded, or without controls that fit the shirt.
+    """
     async with web.session.undisturbed("start the two-minute test"):
         session = await web.session.needed_session(who.clinic_id)
         obstacle = await web.session.load_parameters()
@@ -78,7 +81,10 @@ def list_interface_tests(
     web: Web,
     source: SourceGroup | None = None,
 ) -> InterfaceTestsView:
-    """List a patient's interface tests; the course is of one kind of source, that of the newest when none is named."""
+    """List a patient's interface tests; the course is of one kind of source, that of the newest when none is named.
+
+    The course is of the complete ones with the plan of the newest.
+    """
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient)
         log_viewing(db, who.name, patient)
@@ -97,7 +103,10 @@ def list_interface_tests(
 async def put_workload(
     test_id: RowId, body: Workload, who: Clinician, parts: PeopleParts, web: Web
 ) -> InterfaceTestView:
-    """Store how demanding the test felt; without any answer, what was stored is removed."""
+    """Store how demanding the test felt; without any answer, what was stored is removed.
+
+    `raw_tlx` is the mean of six answers, null when one is missing.
+    """
 
     def _write() -> InterfaceTestView:
         with parts.database.transaction() as db:

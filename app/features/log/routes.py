@@ -57,7 +57,11 @@ def look(
     patient: Annotated[int | None, Query(ge=1, le=2**31)] = None,
     before: Annotated[RowNumber | None, Query()] = None,
 ) -> LogView:
-    """Return rows of the log: of a person, of a patient, older than the row `before`."""
+    """Return rows of the log: of a person, of a patient, older than the row `before`.
+
+    For owners: the newest 100 first. A row belongs to a patient when it names the patient, or a session, trial, drive
+    or screen of the patient.
+    """
     with parts.database.transaction() as db:
         if patient is not None:
             find_patient(db, who.clinic_id, patient, deleted=True)
@@ -71,7 +75,10 @@ def look(
 
 @router.get("/export", response_class=StreamingResponse)
 def export(form: Literal["csv", "jsonl"], who: Owner, parts: PeopleParts) -> StreamingResponse:
-    """Return the whole log as a file: CSV for a spreadsheet, or JSON lines, from which the chain can be computed."""
+    """Return the whole log as a file: CSV for a spreadsheet, or JSON lines, from which the chain can be computed.
+
+    For owners: all rows with their hashes, oldest first.
+    """
     with parts.database.transaction(closing=True) as db:
         write_log(db, who.name, "log exported", form=form)
     name = f"bodydrive-log-{utc_now():%Y%m%dT%H%M%SZ}.{form}"

@@ -46,7 +46,10 @@ class NewScale(Document):
 
 @router.get("/patients/{patient_id}/sessions")
 def list_sessions(patient_id: RowId, who: Anyone, parts: PeopleParts) -> list[SessionRow]:
-    """List a patient's sessions, the newest first."""
+    """List a patient's sessions, the newest first.
+
+    `trials` is their count; `origin`: from which archive a session came, null: held here.
+    """
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
         log_viewing(db, who.name, patient_id)
@@ -68,7 +71,11 @@ def list_sessions(patient_id: RowId, who: Anyone, parts: PeopleParts) -> list[Se
 
 @router.get("/sessions/{session_id}")
 def one_session(session_id: RowId, who: Anyone, parts: PeopleParts) -> SessionRecordView:
-    """Return the record of a session, and what was done in it."""
+    """Return the record of a session, and what was done in it.
+
+    Reading is logged. The newest revision of a note comes first. Each change of the record gives this answer; after the
+    sign-off it is refused with 409, as is keeping or discarding the session's trials.
+    """
     with parts.database.transaction(closing=True) as db:
         session = find_session(db, who.clinic_id, session_id)
         write_log(db, who.name, "session viewed", patient=session.patient_id, session=session_id)

@@ -58,7 +58,10 @@ class SessionComparison(Document):
 def compare_two(
     session_id: RowId, other: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, parts: PeopleParts, web: Web
 ) -> SessionComparison:
-    """Compare two sessions of one patient; 409 for sessions of two patients, or one session twice."""
+    """Compare two sessions of one patient; 409 for sessions of two patients, or one session twice.
+
+    Differences of the last parameter sets are null when one session has none.
+    """
     with parts.database.transaction(closing=True) as db:
         pair = [find_session(db, who.clinic_id, one) for one in (session_id, other)]
         if pair[0].id == pair[1].id:

@@ -25,7 +25,10 @@ class Unlock(Document):
 
 @router.post("/sessions/{session_id}/sign-off", status_code=201)
 async def sign_session_off(session_id: RowId, who: Clinician, parts: PeopleParts, web: Web) -> SessionRecordView:
-    """Sign a session off: nothing of it can be changed any more. The open session ends with it."""
+    """Sign a session off: nothing of it can be changed any more. The open session ends with it.
+
+    409 during a step, trial or drive.
+    """
 
     def _sign() -> tuple[SessionRecordView, bool]:
         with parts.database.transaction() as db:
@@ -47,7 +50,10 @@ async def sign_session_off(session_id: RowId, who: Clinician, parts: PeopleParts
 
 @router.post("/sessions/{session_id}/unlock")
 def unlock_session(session_id: RowId, body: Unlock, who: Owner, parts: PeopleParts, web: Web) -> SessionRecordView:
-    """Unlock a signed session, for a reason, which stays with its sign-off in the history of the session."""
+    """Unlock a signed session, for a reason, which stays with its sign-off in the history of the session.
+
+    For owners.
+    """
     with parts.database.transaction() as db:
         session = find_session(db, who.clinic_id, session_id)
         row = unlock(db, session, who.name, body.reason)

@@ -28,6 +28,9 @@ def report(
     """Return the report of the session with this number, without one of all sessions, on A4 or Letter paper.
 
     409 without the patient's consent to sharing outside, unless it is a copy for the patient.
+
+    For owners and clinicians. The file's name holds the patient's id only. The report prints the head of the log with
+    its own row, `report exported`.
     """
     spreads_of = web.spread.for_patient(who.clinic_id, patient_id)
     subject = Subject(who.clinic_id, patient_id, session)

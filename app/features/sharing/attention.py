@@ -116,7 +116,12 @@ class PatientAttention(Document):
 
 @router.get("/attention")
 def attention(who: Anyone, parts: PeopleParts, web: Web) -> list[PatientAttention]:
-    """List the patients that the person who asks may see, those who need attention first."""
+    """List the patients that the person who asks may see, those who need attention first.
+
+    Reasons: drives of a real chair that a fault stopped, deterioration, halted trials, unread comments, unsigned
+    sessions, no session for 28 days. Deteriorations are computed in the background; until then `pending` is true, and a
+    page asks again after some seconds.
+    """
     with parts.database.transaction(closing=True) as db:
         found = patients_and_reasons(db, who.clinic_id, who.person_id)
         tasks = counted_tasks(db, who.clinic_id)

@@ -73,7 +73,10 @@ class MadeShare(SharesView):
 
 @router.get("/patients/{patient_id}/shares")
 def list_shares(patient_id: RowId, who: Clinician, parts: PeopleParts) -> SharesView:
-    """List the share links of a patient."""
+    """List the share links of a patient.
+
+    For owners and clinicians: with the count and last time of openings (event `shares`; visitors have no names).
+    """
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
         log_viewing(db, who.name, patient_id)
@@ -84,7 +87,11 @@ def list_shares(patient_id: RowId, who: Clinician, parts: PeopleParts) -> Shares
 async def share_course(
     patient_id: RowId, body: NewShare, request: Request, who: Clinician, parts: PeopleParts, web: Web
 ) -> MadeShare:
-    """Make a link to all sessions of a patient, who consents to sharing."""
+    """Make a link to all sessions of a patient, who consents to sharing.
+
+    For owners and clinicians. `days` 1 to 14; link and PIN are answered once, with `words` where the link does not
+    work.
+    """
     made = await _make(parts, request, who, body.days, patient_id=patient_id)
     web.live.tell(CHANGED)
     return made
@@ -94,7 +101,10 @@ async def share_course(
 async def share_session(
     session_id: RowId, body: NewShare, request: Request, who: Clinician, parts: PeopleParts, web: Web
 ) -> MadeShare:
-    """Make a link to one session of a patient, who consents to sharing."""
+    """Make a link to one session of a patient, who consents to sharing.
+
+    As for all sessions of a patient.
+    """
     made = await _make(parts, request, who, body.days, session_id=session_id)
     web.live.tell(CHANGED)
     return made

@@ -58,7 +58,10 @@ class SharedView(Document):
 
 @router.post("/open", status_code=204)
 async def open_share(body: OpenShare, request: Request, response: Response, parts: PeopleParts, web: Web) -> None:
-    """Let a browser read what a link shares, when the PIN is right; each try is counted before it is checked."""
+    """Let a browser read what a link shares, when the PIN is right; each try is counted before it is checked.
+
+    For everybody: a cookie for one hour, for `/api/v1/shared` only, which names the patient by the code.
+    """
     attempt = await parts.limits.code(address_of(request))
     found = await run_in_threadpool(_count, parts, body.token)
     if found is None:
