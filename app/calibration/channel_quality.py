@@ -98,15 +98,17 @@ def _find_clipped(values: NDArray[np.float64], channels: list[int], quality: lis
     """Mark channels that stay at their extreme value while other channels of the joint move."""
     if len(channels) < 2:
         return
-    signals = values[:, channels]
-    changed = np.diff(signals, axis=0) != 0
-    some_moved = changed.sum(axis=1)
-    for column, i in enumerate(channels):
-        signal = signals[:, column]
-        others_moved = some_moved - changed[:, column] > 0
-        stuck = ~changed[:, column] & others_moved
+    signals = values[:, channels].T.copy()
+    changed = np.diff(signals, axis=1) != 0
+    some_moved = changed.sum(axis=0)
+    for row, i in enumerate(channels):
+        signal = signals[row]
         for end, extreme in (("upper", signal.max()), ("lower", signal.min())):
-            share = float((stuck & (signal[1:] == extreme)).mean())
+            at_end = signal[1:] == extreme
+            if at_end.mean() <= CLIPPED_SHARE:  # the usual case
+                continue
+            others_moved = some_moved - changed[row] > 0
+            share = float((at_end & ~changed[row] & others_moved).mean())
             if CLIPPED_SHARE < share < STILL_SHARE and len(np.unique(signal)) > COARSE:
                 quality[i] = ChannelQuality(
                     "railed", f"sits at the {end} end of its range for {percent(share)} of the time"

@@ -133,8 +133,9 @@ def _check(
 
 def _value_range(pieces: Sequence[Frames]) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Return the smallest and the largest value of each channel over all pieces; 0 for a channel without values."""
-    lows = np.min([np.where(np.isnan(piece), np.inf, piece).min(axis=0) for piece in pieces], axis=0)
-    highs = np.max([np.where(np.isnan(piece), -np.inf, piece).max(axis=0) for piece in pieces], axis=0)
+    # fmin and fmax pass over NaN, and give it only for a channel that has nothing else.
+    lows = np.fmin.reduce([np.fmin.reduce(piece, axis=0) for piece in pieces])
+    highs = np.fmax.reduce([np.fmax.reduce(piece, axis=0) for piece in pieces])
     silent = ~np.isfinite(lows)
     lows[silent] = highs[silent] = 0.0
     return tuple(map(float, lows)), tuple(map(float, highs))

@@ -73,6 +73,8 @@ class MapReadings:
         self._rows = list(self._ring)
         self._heads = [row[: self._head] for row in self._rows]
         self._places = list(self._memory_places())
+        # The memory where no map reads earlier projections: faster to copy than to gather.
+        self._only_state = self._rows[0][self._state] if self._size == 1 else None
         self.reset()
 
     def __deepcopy__(self, _memo: dict[int, object]) -> "MapReadings":
@@ -108,7 +110,10 @@ class MapReadings:
             self._frame[:] = np.nan_to_num(frame, posinf=0.0, neginf=0.0)
             self._usual.dot(self._input, row)
             values = self._heads[newest].tolist()
-        self._flat.take(self._places[newest], None, self._memory, "clip")
+        if self._only_state is not None:
+            self._memory[:] = self._only_state
+        else:
+            self._flat.take(self._places[newest], None, self._memory, "clip")
         self._newest = newest
         self._steps[newest] = 1.0
         return values

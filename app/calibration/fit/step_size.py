@@ -39,7 +39,7 @@ def least_steps(
     for piece in (free, rest, *(one.values for one in own)):
         if piece is None:
             continue
-        changes = list(steps_of(piece[:, list(channels)] / span, sample_rate))
+        changes = [step / span for step in steps_of(piece[:, list(channels)], sample_rate)]
         for kind, (after, at, before) in enumerate(changes):
             steep = at[at > STEEPNESS * np.maximum(after, before)]
             least[kind] = max(least[kind], MARGIN * float(steep.max(initial=0.0)))
