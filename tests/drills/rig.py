@@ -18,7 +18,7 @@ from processes.running_control import clear, tick_with
 from processes.udp_shirt import RATE, UdpShirtSender, free_port, paired_key_file, shirt_config
 
 from app.clock import MonotonicClock
-from app.faults import State
+from app.faults import Fault, State
 from app.process.command_channel import LinkLost, LinkRefused
 from app.process.supervisor import ControlProcess
 from building import make_parameters
@@ -138,15 +138,16 @@ class Rig:
 
     async def cruise(self):
         """Arm, make one stroke, and return when the chair drives by itself."""
+        reasons = []
         for _ in range(TRIES):
-            if not await self.arm():
-                continue
-            self.shirt.stroke()
-            await tick_with(self.control, lambda tick: tick["state"] != State.ARMED or tick["driven_v"] > CRUISE)
-            await asyncio.sleep(0.45)  # the stroke ends, and the arm returns
-            if self.control.newest()["state"] == State.ARMED and self.receiver.newest["v"] > CRUISE:
-                return
-        raise AssertionError("the chair could not be brought to cruise")
+            if await self.arm():
+                self.shirt.stroke()
+                await tick_with(self.control, lambda tick: tick["state"] != State.ARMED or tick["driven_v"] > CRUISE)
+                await asyncio.sleep(0.45)  # the stroke ends, and the arm returns
+                if self.control.newest()["state"] == State.ARMED and self.receiver.newest["v"] > CRUISE:
+                    return
+            reasons.append(Fault(int(self.control.newest()["fault"])).name)
+        raise AssertionError(f"the chair could not be brought to cruise: {', '.join(reasons)}")
 
     async def _beat(self, control):
         with suppress(LinkLost):
