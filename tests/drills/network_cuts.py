@@ -6,7 +6,7 @@ import tempfile
 from itertools import pairwise
 from pathlib import Path
 
-from drills.results import Result, Watcher, waited
+from drills.results import SIDE_BY_SIDE, Result, Watcher, shares, waited
 from processes.chair_process import ReceiverProcess
 
 from app.clock import monotonic
@@ -14,7 +14,6 @@ from app.hardware.chair.key import read_key
 from app.hardware.chair.packet import DRIVE, ChairCommand, decode_telemetry, encode_command, encode_hello
 
 PERIOD = 0.02  # s between two commands
-SIDE_BY_SIDE = 4
 LOOK_ON = 0.62  # s of observation after a cut
 PATIENCE = 2.0  # s for an arming, and for a speed to be reached
 LINE_EVERY = 0.15  # s: longest time between two lines of the receiver
@@ -70,9 +69,8 @@ async def cuts(runs, dice):
     """Cut, in all `runs` times."""
     result = Result("network cut at a random moment", 0.11, 0.31)
     watcher = Watcher()
-    shares = [runs // SIDE_BY_SIDE + (i < runs % SIDE_BY_SIDE) for i in range(SIDE_BY_SIDE)]
     try:
-        await asyncio.gather(*(_cut(result, watcher, share, dice.random()) for share in shares if share))
+        await asyncio.gather(*(_cut(result, watcher, share, dice.random()) for share in shares(runs)))
     finally:
         watcher.close()
     result.remark = f"{SIDE_BY_SIDE} chairs side by side; from the last command that was sent"

@@ -50,6 +50,14 @@ class Result:
         return f"| {' | '.join(cells)} |"
 
 
+SIDE_BY_SIDE = 4  # chairs of a drill with many runs
+
+
+def shares(runs):
+    """Return how many of the runs each chair side by side makes, without chairs that would make none."""
+    return [runs // SIDE_BY_SIDE + (i < runs % SIDE_BY_SIDE) for i in range(min(runs, SIDE_BY_SIDE))]
+
+
 HEAD = """| drill | runs | worst: stop begun, ms | limit | worst: disarmed, ms | limit | machine late, ms | | remark |
 |---|---|---|---|---|---|---|---|---|"""
 

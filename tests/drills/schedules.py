@@ -4,10 +4,11 @@ import asyncio
 import os
 import signal
 from itertools import pairwise
+from random import Random
 from typing import NamedTuple
 
 from drills.injury import A_TICK, COMMAND, look_for_jerks
-from drills.results import Result
+from drills.results import SIDE_BY_SIDE, Result, shares
 from drills.rig import rig
 
 from app.clock import monotonic
@@ -31,6 +32,13 @@ async def schedules(runs, dice):
     """S3, S4, S6, S15: a random schedule for each cruising chair; the chair never becomes faster where it must slow."""
     result = Result("random schedules of holds, stalls, cuts, strokes and stops", None)
     counts = dict.fromkeys(ACTS, 0)
+    await asyncio.gather(*(_schedules(share, Random(dice.random()), result, counts) for share in shares(runs)))
+    did = ", ".join(f"{count} x {name}" for name, count in counts.items())
+    result.remark = f"{SIDE_BY_SIDE} chairs side by side; {did}"
+    return result
+
+
+async def _schedules(runs, dice, result, counts):
     async with rig(seed=dice.randrange(1000)) as made:
         for _ in range(runs):
             await made.cruise()
@@ -44,8 +52,6 @@ async def schedules(runs, dice):
             result.violations += [f"run {result.runs + 1}: {words}" for words in faster(lines, forbidden, late)]
             look_for_jerks(made, began, result)
             result.add(None, late=late)
-    result.remark = ", ".join(f"{count} x {name}" for name, count in counts.items())
-    return result
 
 
 def faster(lines, forbidden, late):
