@@ -11,9 +11,8 @@ from app.clock import MonotonicClock, stopwatch
 from app.geometry import Pose
 from app.hardware.chair.report import ChairReport
 from app.hardware.chair.simulator import VirtualChair
-from app.hardware.configs import UdpConfig
 from app.hardware.shirt.packet import encode
-from app.hardware.shirt.udp import UdpShirt
+from app.hardware.shirt.udp import UdpConfig, UdpShirt
 from app.messages import NO_CUE
 from app.pipeline.chain import Chain
 from app.pipeline.safety_gate import Conditions

@@ -10,9 +10,8 @@ from processes.udp_shirt import free_port
 from app.clock import MonotonicClock
 from app.hardware.body.visitor import Visitor
 from app.hardware.chair.key import read_key
-from app.hardware.configs import SimulatorConfig
 from app.hardware.shirt.sender import signed_frame
-from app.hardware.shirt.simulator import SimulatedShirt
+from app.hardware.shirt.simulator import SimulatedShirt, SimulatorConfig
 from app.session.equipment.pairing import pair_shirt, shirt_key_file
 
 

@@ -974,6 +974,40 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/equipment/shirts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["ShirtKindView"][];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/equipment/practice": {
         parameters: {
             query?: never;
@@ -6012,7 +6046,6 @@ export interface components {
                 [key: string]: unknown;
             } | null;
             simulated: boolean | null;
-            shirts: components["schemas"]["ShirtKind"][];
             body: {
                 [key: string]: unknown;
             } | null;
@@ -7257,6 +7290,7 @@ export interface components {
              * @enum {string}
              */
             kind: "replay";
+            /** Format: signal-file */
             file: string;
             /** @default true */
             loop?: boolean;
@@ -7455,9 +7489,13 @@ export interface components {
             patient_id: number;
             shares: components["schemas"]["ShareRow"][];
         };
-        ShirtKind: {
+        ShirtKindView: {
             kind: string;
             simulated: boolean;
+            network: boolean;
+            form: {
+                [key: string]: unknown;
+            };
         };
         ShirtLayout: {
             name: string;
@@ -7495,12 +7533,26 @@ export interface components {
              * @enum {string}
              */
             kind: "simulator";
-            /** @default 100 */
+            /**
+             * @default 100
+             * @example 50
+             * @example 100
+             * @example 200
+             * @example 500
+             * @example 1000
+             */
             sample_rate?: number;
-            /** @default 1 */
+            /**
+             * Format: stepper
+             * @default 1
+             */
             seed?: number;
+            /** Format: hidden */
             layout?: components["schemas"]["ShirtLayout"] | null;
-            /** @default [] */
+            /**
+             * Format: channels
+             * @default []
+             */
             dead_channels?: string[];
         };
         SittingChoice: {
@@ -7821,9 +7873,11 @@ export interface components {
             host?: string;
             /** @default 5252 */
             port?: number;
-            layout?: components["schemas"]["ShirtLayout"];
             /** @default 100 */
             sample_rate?: number;
+            /** Format: layout */
+            layout?: components["schemas"]["ShirtLayout"];
+            /** Format: shirt-key */
             key_file?: string | null;
         };
         Unlock: {
@@ -8112,7 +8166,7 @@ export type SessionView = components['schemas']['SessionView'];
 export type ShareRow = components['schemas']['ShareRow'];
 export type SharedView = components['schemas']['SharedView'];
 export type SharesView = components['schemas']['SharesView'];
-export type ShirtKind = components['schemas']['ShirtKind'];
+export type ShirtKindView = components['schemas']['ShirtKindView'];
 export type ShirtLayout = components['schemas']['ShirtLayout'];
 export type ShirtMoment = components['schemas']['ShirtMoment'];
 export type SignOffView = components['schemas']['SignOffView'];

@@ -1,5 +1,5 @@
 /** Parts of answers that the OpenAPI document leaves open: what the routes fill in (docs/protocols.md, section 4). */
-import type { CalibrationView, components, EquipmentView, LearningView, MapCheck, MapView } from "./api";
+import type { CalibrationView, components, EquipmentView, LearningView, MapCheck, MapView, ShirtKindView } from "./api";
 
 type Schemas = components["schemas"];
 
@@ -76,10 +76,7 @@ export type Calibration = Omit<CalibrationView, "steps" | "result"> & {
 };
 
 /** Configurations (docs/protocols.md, section 2) as they are answered: with every field. */
-export type ShirtConfig =
-  | Required<Schemas["SimulatorConfig"]>
-  | Required<Schemas["ReplayConfig"]>
-  | Required<Schemas["UdpConfig"]>;
+export type ShirtConfig = { kind: string; sample_rate?: number; [field: string]: unknown };
 export type BodyConfig =
   | Required<Schemas["PersonConfig"]>
   | Required<Schemas["VisitorConfig"]>
@@ -91,6 +88,32 @@ export type HeadConfig =
   | Required<Schemas["SimulatedHeadConfig"]>
   | Required<Schemas["RecordedHeadConfig"]>
   | Required<Schemas["TabletHeadConfig"]>;
+
+/** The schema of a field of a shirt's configuration, with the words and marks of docs/drivers.md. */
+export type FieldSchema = {
+  title?: string;
+  description?: string;
+  type?: string;
+  format?: string;
+  unit?: string;
+  const?: string;
+  default?: unknown;
+  minimum?: number;
+  maximum?: number;
+  minLength?: number;
+  maxLength?: number;
+  examples?: (string | number)[];
+  enum?: (string | number)[];
+  choices?: { title: string; at: number[] }[];
+  anyOf?: FieldSchema[];
+};
+export type ConfigSchema = {
+  title: string;
+  description: string;
+  in_use: string;
+  properties: Record<string, FieldSchema>;
+};
+export type ShirtKind = Omit<ShirtKindView, "form"> & { form: ConfigSchema };
 
 export type Equipment = Omit<EquipmentView, "shirt" | "body" | "head"> & {
   shirt: ShirtConfig | null;

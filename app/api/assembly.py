@@ -108,7 +108,7 @@ def make_parts(
         drives=drives,
         others=others,
         chairs=chairs,
-        head=HeadChoice(database, control, equipment.with_paths, tell),
+        head=HeadChoice(database, control, equipment.with_path, tell),
         limits=limits,
         arming=RealArming(database, control, equipment, session, chairs, limits),
         session=session,

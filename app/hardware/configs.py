@@ -1,48 +1,29 @@
-"""The configurations of shirts, simulated bodies, chairs and head trackers (docs/protocols.md, section 2)."""
+"""The kinds of shirts; configurations of simulated bodies, chairs and head trackers (docs/protocols.md, section 2)."""
 
-from typing import Annotated, Literal
+from collections.abc import Mapping
+from functools import reduce
+from operator import or_
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import Field
 
 from app.hardware.addresses import FilePlace, Host, SerialLine
 from app.hardware.chair.packet import PORT
-from app.hardware.shirt.standard import standard_layout
-from app.layout import ShirtLayout
-from app.quantities import Count, Document, Hertz, Name, Port, Title
+from app.hardware.shirt import replay, simulator, udp
+from app.hardware.shirt.kind import ShirtConfig, ShirtKind
+from app.quantities import Count, Document, Port, Title
 from app.speeds import Speeds
 
-ShirtRate = Annotated[Hertz, Field(ge=10, le=2000)]
+KINDS: tuple[ShirtKind[Any], ...] = (
+    simulator.KIND,
+    replay.KIND,
+    udp.KIND,
+)
+SHIRTS: Mapping[str, ShirtKind[Any]] = {kind.name: kind for kind in KINDS}
+"""Every kind of shirt by its name."""
+
 ReceiverPort = Annotated[Port, Field(gt=0)]
 RECEIVER_PORT = PORT
-
-
-class SimulatorConfig(Document):
-    """The simulated shirt."""
-
-    kind: Literal["simulator"]
-    sample_rate: ShirtRate = 100.0
-    seed: Count = 1  # of the fabric: each seed is a different shirt
-    layout: ShirtLayout | None = None  # None: the paper's 52 channels
-    dead_channels: tuple[Name, ...] = ()  # names of channels with a broken line
-
-
-class ReplayConfig(Document):
-    """A shirt that replays a file."""
-
-    kind: Literal["replay"]
-    file: FilePlace
-    loop: bool = True
-
-
-class UdpConfig(Document):
-    """A shirt that sends datagrams (docs/protocols.md, section 6)."""
-
-    kind: Literal["udp"]
-    host: Host = "127.0.0.1"  # the address of this machine that the shirt sends to
-    port: Port = 5252  # 0: any free port
-    layout: ShirtLayout = Field(default_factory=standard_layout)
-    sample_rate: ShirtRate = 100.0
-    key_file: FilePlace | None = None  # None: unsigned frames are accepted, and no real chair is armed
 
 
 class PersonConfig(Document):
@@ -130,7 +111,10 @@ class TabletHeadConfig(Document):
     kind: Literal["tablet"]
 
 
-ShirtConfig = Annotated[SimulatorConfig | ReplayConfig | UdpConfig, Field(discriminator="kind")]
+if TYPE_CHECKING:
+    AnyShirtConfig = ShirtConfig
+else:
+    AnyShirtConfig = Annotated[reduce(or_, (kind.config for kind in KINDS)), Field(discriminator="kind")]
 BodyConfig = Annotated[PersonConfig | VisitorConfig | RecordedConfig, Field(discriminator="kind")]
 ChairConfig = Annotated[VirtualChairConfig | RealChairConfig, Field(discriminator="kind")]
 HeadConfig = Annotated[

@@ -1,60 +1,26 @@
-"""The drivers of all devices in tables, from kind to (module, class); a driver is imported when it is used."""
+"""Makes devices of their configurations, and configurations of documents.
+
+A shirt's driver stands with its configuration (`app.hardware.configs.SHIRTS`). Those of other devices stand in tables
+here, from kind to (module, class), and are imported when they are used.
+"""
 
 from collections.abc import Mapping
-from enum import Enum
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, NamedTuple, cast
+from typing import TYPE_CHECKING, Any, cast
 
 from pydantic import TypeAdapter, ValidationError
 
 from app.clock import Clock
 from app.hardware.base import Body, HardwareError, HeadTracker, Shirt
-from app.hardware.configs import BodyConfig, ChairConfig, HeadConfig, RealChairConfig, ShirtConfig
+from app.hardware.configs import SHIRTS, BodyConfig, ChairConfig, HeadConfig, RealChairConfig
+from app.hardware.shirt.kind import ShirtConfig
 from app.sentences import one_sentence
 
 if TYPE_CHECKING:
     from app.hardware.chair.link import ChairLink
 
 
-class ShirtDriver(NamedTuple):
-    """The class of a kind of shirt, and whether the shirt is simulated."""
-
-    module: str
-    name: str
-    simulated: bool  # nobody wears it: its drives are practice, and every record says so
-
-
-Table = Mapping[str, tuple[str, str] | ShirtDriver]
-
-SHIRTS: Mapping[str, ShirtDriver] = {
-    "simulator": ShirtDriver("app.hardware.shirt.simulator", "SimulatedShirt", simulated=True),
-    "replay": ShirtDriver("app.hardware.shirt.replay", "ReplayedShirt", simulated=True),
-    "udp": ShirtDriver("app.hardware.shirt.udp", "UdpShirt", simulated=False),
-}
-
-
-class Trust(Enum):
-    """Whether a source of frames may arm a real chair (safety S29)."""
-
-    WIRED = "nobody but the shirt is on the line"
-    WITH_KEY = "only where a key is paired"
-    NEVER = "nobody wears it"
-
-
-TRUST: Mapping[str, Trust] = {
-    "simulator": Trust.NEVER,
-    "replay": Trust.NEVER,
-    "udp": Trust.WITH_KEY,
-}
-"""The trust in each kind of `SHIRTS`; a kind that is missing here arms no real chair."""
-
-NOBODY_WEARS_IT = (
-    "A simulated or played shirt arms no real chair, for nobody wears it: choose the shirt on the Shirt page."
-)
-NO_KEY = (
-    "A shirt without a key arms no real chair, for anybody on the network could send its frames: pair it "
-    "(bodydrive shirt pair), then choose its key on the Shirt page."
-)
+Table = Mapping[str, tuple[str, str]]
 
 BODIES: Table = {
     "person": ("app.hardware.body.person", "SimulatedPerson"),
@@ -85,7 +51,7 @@ def driver_class(what: str, word: str, table: Table) -> Any:
     """
     if word not in table:
         raise HardwareError(f"there is no {what} of the kind '{word}': use one of {', '.join(table)}")
-    module, name = table[word][:2]
+    module, name = table[word]
     try:
         found = import_module(module)
     except ModuleNotFoundError as error:
@@ -104,34 +70,28 @@ def driver_class(what: str, word: str, table: Table) -> Any:
         ) from error
 
 
-def mistrust(config: ShirtConfig) -> str:
-    """Return in a sentence why this shirt arms no real chair; empty when it may."""
-    trust = TRUST.get(config.kind, Trust.NEVER)
-    if trust is Trust.WIRED:
-        return ""
-    if trust is Trust.WITH_KEY:
-        return "" if getattr(config, "key_file", None) else NO_KEY
-    return NOBODY_WEARS_IT
-
-
 def parse_shirt(document: object) -> ShirtConfig:
     """Return the shirt configuration in `document` (JSON values), or raise HardwareError with one sentence."""
-    return cast(ShirtConfig, _parse("shirt", document, SHIRTS, TypeAdapter(ShirtConfig)))
+    kind = SHIRTS[_kind_of("shirt", document, SHIRTS)]
+    return cast(ShirtConfig, _parse("shirt", document, TypeAdapter(kind.config)))
 
 
 def parse_body(document: object) -> BodyConfig:
     """Return the body configuration in `document` (JSON values), or raise HardwareError with one sentence."""
-    return cast(BodyConfig, _parse("body", document, BODIES, TypeAdapter(BodyConfig)))
+    _kind_of("body", document, BODIES)
+    return cast(BodyConfig, _parse("body", document, TypeAdapter(BodyConfig)))
 
 
 def parse_chair(document: object) -> ChairConfig:
     """Return the chair configuration in `document` (JSON values), or raise HardwareError with one sentence."""
-    return cast(ChairConfig, _parse("chair", document, CHAIRS, TypeAdapter(ChairConfig)))
+    _kind_of("chair", document, CHAIRS)
+    return cast(ChairConfig, _parse("chair", document, TypeAdapter(ChairConfig)))
 
 
 def parse_head(document: object) -> HeadConfig:
     """Return the head tracker's configuration in `document` (JSON values), or raise HardwareError with one sentence."""
-    return cast(HeadConfig, _parse("head tracker", document, HEADS, TypeAdapter(HeadConfig)))
+    _kind_of("head tracker", document, HEADS)
+    return cast(HeadConfig, _parse("head tracker", document, TypeAdapter(HeadConfig)))
 
 
 def make_head(config: HeadConfig, clock: Clock) -> HeadTracker:
@@ -140,8 +100,8 @@ def make_head(config: HeadConfig, clock: Clock) -> HeadTracker:
 
 
 def make_shirt(config: ShirtConfig, clock: Clock) -> Shirt:
-    """Return the shirt that `config` describes, not yet open; raise HardwareError without its driver."""
-    return cast(Shirt, driver_class("shirt", config.kind, SHIRTS)(config, clock))
+    """Return the shirt that `config` describes, not yet open."""
+    return SHIRTS[config.kind].driver(config, clock)
 
 
 def make_body(config: BodyConfig) -> Body:
@@ -161,12 +121,17 @@ def make_real_chair(config: RealChairConfig) -> "ChairLink":
     return cast("ChairLink", driver_class("chair", config.kind, CHAIRS)(config))
 
 
-def _parse(what: str, document: object, table: Table, adapter: TypeAdapter[Any]) -> object:
+def _kind_of(what: str, document: object, table: Mapping[str, object]) -> str:
+    """Return the kind that `document` names, or raise HardwareError when `table` has no such kind."""
     kind = document.get("kind") if isinstance(document, Mapping) else None
     if not isinstance(kind, str):
         raise HardwareError(f'a {what} configuration needs a "kind": give one of {", ".join(table)}')
     if kind not in table:
         raise HardwareError(f"there is no {what} of the kind '{kind}': use one of {', '.join(table)}")
+    return kind
+
+
+def _parse(what: str, document: object, adapter: TypeAdapter[Any]) -> object:
     try:
         return adapter.validate_python(document)
     except ValidationError as error:

@@ -136,6 +136,8 @@ def reason(error: Exception, what: str) -> str:
     """Return in one sentence why a device cannot be opened, whatever its driver raised."""
     if isinstance(error, HardwareError):
         return one_line(str(error))
+    if isinstance(error, ModuleNotFoundError) and error.name:
+        return f"The {what} needs the library '{error.name}', which is not installed: install it, then choose it again."
     words = one_line(str(error))[:LONGEST_REASON]
     why = f"{type(error).__name__}: {words}" if words else type(error).__name__
     return f"The {what} cannot be opened ({why}): check its settings."

@@ -9,8 +9,9 @@ from app.geometry import STANDSTILL
 from app.hardware.base import ORIGIN, Body, BodyView, Chair, DrivingBody, NetworkShirt, Shirt
 from app.hardware.chair.packet import DIGEST_BYTES
 from app.hardware.chair.simulator import Dynamics, VirtualChair
-from app.hardware.configs import BodyConfig, ChairConfig, RealChairConfig, ShirtConfig
-from app.hardware.registry import SHIRTS, make_body, make_real_chair, make_shirt, mistrust
+from app.hardware.configs import SHIRTS, BodyConfig, ChairConfig, RealChairConfig
+from app.hardware.registry import make_body, make_real_chair, make_shirt
+from app.hardware.shirt.kind import ShirtConfig
 from app.pipeline.chain import Chain
 from app.pipeline.head_tracking import HeadTracking
 from app.pipeline.opening import DeviceChange, close_quietly, one_line, open_device
@@ -81,12 +82,12 @@ class Setup:
     @property
     def source(self) -> Source:
         """What is connected, as every run records it; "unknown" without a shirt."""
-        driver = SHIRTS.get(self.shirt_kind)
+        kind = SHIRTS.get(self.shirt_kind)
         return Source(
             shirt=self.shirt_kind or UNKNOWN,
             body=self.body_kind,
             chair=self.chair.kind,
-            simulated=None if driver is None else driver.simulated,
+            simulated=None if kind is None else kind.simulated,
         )
 
     @property
@@ -109,7 +110,8 @@ class Setup:
             return open_device(make_shirt(config, self._clock))
 
         def take(shirt: Shirt) -> None:
-            self.shirt, self.shirt_kind, self.mistrust = shirt, config.kind, mistrust(config)
+            self.shirt, self.shirt_kind = shirt, config.kind
+            self.mistrust = SHIRTS[config.kind].mistrust(config)
             self.simulated_shirt = cast(ShirtWithBody, shirt) if config.kind == "simulator" else None
             if self.parameters is not None and self._misfit(self.parameters):
                 self.parameters = self.hash = None

@@ -15,7 +15,7 @@ from app.calibration.linear_map import LinearMap
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.clock import monotonic
 from app.faults import Fault, State
-from app.hardware.registry import SHIRTS
+from app.hardware.configs import SHIRTS
 from app.layout import Channel, Joint, ShirtLayout
 from app.messages import NO_CUE, TICK
 from app.pipeline.commands import STOPPED_BY

@@ -68,7 +68,8 @@ def test_no_shirt_is_chosen_at_first_and_the_lamps_are_grey(page, served):
     expect(page.locator(".practice")).to_be_hidden()
     expect(page.locator(".bodies .sensor")).to_have_count(0)
     practice = page.get_by_role("group", name="Practice only (simulated)")
-    offered = {one["kind"] for one in equipment["shirts"] if one["simulated"]}
+    shirts = served.good("GET", "/equipment/shirts")
+    offered = {one["kind"] for one in shirts if one["simulated"]}
     assert {radio.get_attribute("value") for radio in practice.get_by_role("radio").all()} == offered
     for name, (width, height) in SIZES.items():
         page.set_viewport_size({"width": width, "height": height})

@@ -1,5 +1,4 @@
 import re
-from typing import get_args
 
 import pytest
 from fake_clock import FakeClock
@@ -9,32 +8,26 @@ from pydantic import ValidationError
 from app.hardware.base import HardwareError
 from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.visitor import Visitor
-from app.hardware.configs import (
-    PersonConfig,
-    ReplayConfig,
-    ShirtConfig,
-    SimulatorConfig,
-    VirtualChairConfig,
-    VisitorConfig,
-)
+from app.hardware.configs import SHIRTS, PersonConfig, VirtualChairConfig, VisitorConfig
 from app.hardware.registry import (
     BODIES,
     CHAIRS,
-    SHIRTS,
-    TRUST,
-    Trust,
+    HEADS,
     driver_class,
     make_body,
     make_real_chair,
     make_shirt,
-    mistrust,
     parse_body,
     parse_chair,
     parse_shirt,
 )
+from app.hardware.shirt.kind import NO_KEY, NOBODY_PROVES_IT, NOBODY_WEARS_IT, ShirtKind, Trust
+from app.hardware.shirt.replay import ReplayConfig
+from app.hardware.shirt.simulator import SimulatorConfig
+from app.hardware.shirt.udp import UdpConfig, UdpShirt
 
 
-@pytest.mark.parametrize(("what", "table"), [("shirt", SHIRTS), ("body", BODIES), ("chair", CHAIRS)])
+@pytest.mark.parametrize(("what", "table"), [("body", BODIES), ("chair", CHAIRS), ("head tracker", HEADS)])
 def test_every_word_of_the_tables_has_its_class(what, table):
     for word, driver in table.items():
         assert driver_class(what, word, table).__name__ == driver[1]
@@ -62,27 +55,27 @@ def test_each_reason_for_having_no_driver_has_its_own_sentence(tmp_path, monkeyp
 
 
 def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair():
-    """Safety S29: a new source without a declaration fails here, and arms nothing."""
-    kinds = {
-        kind
-        for config in get_args(get_args(ShirtConfig)[0])
-        for kind in get_args(config.model_fields["kind"].annotation)
+    """Safety S29: whoever adds a kind of shirt, or changes its trust, changes this table."""
+    assert {kind.name: (kind.trust, kind.simulated) for kind in SHIRTS.values()} == {
+        "simulator": (Trust.NEVER, True),
+        "replay": (Trust.NEVER, True),
+        "udp": (Trust.WITH_KEY, False),
     }
-    assert set(TRUST) == set(SHIRTS) == kinds
     udp = {"kind": "udp", "layout": small_layout().model_dump(mode="json")}
-    samples = {"simulator": {"kind": "simulator"}, "replay": {"kind": "replay", "file": "a"}, "udp": udp}
-    for kind, trust in TRUST.items():
-        why = mistrust(parse_shirt(samples[kind]))
-        assert (why == "") is (trust is Trust.WIRED)
-        assert "arms no real chair" in why
-    assert "bodydrive shirt pair" in mistrust(parse_shirt(udp))
-    assert mistrust(parse_shirt({**udp, "key_file": "shirt-1.key"})) == ""
+    for document, why in (
+        ({"kind": "simulator"}, NOBODY_WEARS_IT),
+        ({"kind": "replay", "file": "a"}, NOBODY_WEARS_IT),
+        (udp, NO_KEY),
+        ({**udp, "key_file": "shirt-1.key"}, ""),
+    ):
+        assert SHIRTS[document["kind"]].mistrust(parse_shirt(document)) == why
+    assert "bodydrive shirt pair" in NO_KEY
 
 
-def test_a_source_that_declares_nothing_arms_no_real_chair(monkeypatch):
-    monkeypatch.delitem(TRUST, "udp")
-    udp = {"kind": "udp", "layout": small_layout().model_dump(mode="json"), "key_file": "shirt-1.key"}
-    assert "arms no real chair" in mistrust(parse_shirt(udp))
+def test_a_source_that_declares_nothing_arms_no_real_chair():
+    kind = ShirtKind(UdpConfig, UdpShirt)
+    assert kind.mistrust(UdpConfig(kind="udp", key_file="shirt-1.key")) == NOBODY_PROVES_IT
+    assert ShirtKind(UdpConfig, UdpShirt, Trust.WIRED).mistrust(UdpConfig(kind="udp")) == ""
 
 
 def test_a_missing_file_is_a_sentence_of_its_own(tmp_path):

@@ -54,7 +54,7 @@ MAY_IMPORT = {
     "store": (LEAVES, "world", "calibration", "scoring", REGISTRATION),
     "session": (
         *(LEAVES, "process", "recording", "signals", "world", "calibration", *PURE_CHAIN, "scoring", "store"),
-        *("hardware.chair.key", "hardware.chair.reasons", "hardware.shirt.newest_frame", "hardware.registry"),
+        *("hardware.chair.key", "hardware.chair.reasons", "hardware.shirt.newest_frame", "hardware.configs"),
     ),
     "study": (
         *(LEAVES, "signals", "recording", "world", "calibration", *PURE_CHAIN, "scoring", "hardware.base"),
@@ -70,7 +70,7 @@ MAY_IMPORT = {
     "api": (
         *(LEAVES, "process", "signals.csv_dialect", "signals.parquet_names", "world", "calibration", "scoring"),
         *("recording.recorded_trajectory", "store", "session", "host", "scene"),
-        *("hardware.configs", "hardware.addresses", "hardware.chair.key", REGISTRATION),
+        *("hardware.configs", "hardware.addresses", "hardware.chair.key", "hardware.shirt.kind", REGISTRATION),
     ),
     "cli": (
         *(LEAVES, "process", "recording", "signals", "world", "hardware", "calibration", "pipeline", "scoring"),
@@ -243,6 +243,19 @@ def test_the_control_process_reaches_no_web_database_or_fitting_library():
     code = f"import sys, app.pipeline.process; print([m for m in {forbidden} if m in sys.modules])"
     seen = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert seen.stdout.strip() == "[]"
+
+
+def test_the_kinds_of_shirts_load_no_library_of_a_device():
+    """The web process reads their configurations; a driver imports its device's library when it is opened."""
+    code = (
+        "import sys, sysconfig; import app.hardware.configs\n"
+        "installed = sysconfig.get_path('purelib')\n"
+        "files = {name: getattr(module, '__file__', None) or '' for name, module in sys.modules.items()}\n"
+        "print(*sorted({name.partition('.')[0] for name, file in files.items() if file.startswith(installed)}))"
+    )
+    seen = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    allowed = {"annotated_types", "numpy", "pydantic", "pydantic_core", "typing_extensions", "typing_inspection"}
+    assert set(seen.stdout.split()) - allowed == set()
 
 
 def test_a_start_loads_no_library_that_only_some_functions_use():

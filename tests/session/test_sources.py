@@ -2,7 +2,8 @@
 
 import pytest
 
-from app.hardware.registry import BODIES, CHAIRS, SHIRTS
+from app.hardware.configs import SHIRTS
+from app.hardware.registry import BODIES, CHAIRS
 from app.source import BODY_WORDS, CHAIR_WORDS, SHIRT_WORDS, UNKNOWN_SOURCE, Source, source_of_header, source_words
 
 

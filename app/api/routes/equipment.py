@@ -9,12 +9,12 @@ from pydantic import Field
 from app.api.deps import Anyone, Clinician, ForEveryone, PeopleParts
 from app.api.parts import Web, WebParts
 from app.api.routes.uploads import FileView, keep_upload, list_files
-from app.hardware.configs import BodyConfig, HeadConfig, ShirtConfig
+from app.hardware.configs import KINDS, AnyShirtConfig, BodyConfig, HeadConfig
+from app.hardware.shirt.kind import ShirtKind
 from app.layout import MAX_CHANNELS, ShirtLayout
 from app.quantities import Document, Line, Name
 from app.refusals import Refusal
 from app.session.control_link import ControlLink
-from app.session.equipment.shirt import shirt_kinds
 from app.store.files.disk_watch import disk_room
 from app.store.files.taken_names import SameName, log_details
 from app.store.keeping.patient_files import add_patient_file
@@ -80,11 +80,13 @@ class ChosenSender(Document):
     sender: Annotated[Line, Field(min_length=1, max_length=100)]
 
 
-class ShirtKind(Document):
-    """A kind of shirt to choose, and whether nobody wears it."""
+class ShirtKindView(Document):
+    """A kind of shirt to choose."""
 
     kind: str
-    simulated: bool
+    simulated: bool  # whether nobody wears it
+    network: bool  # whether people choose the sender of its frames
+    form: dict[str, Any]  # the JSON schema of its configuration, of which the page makes the form
 
 
 class PracticeShirt(Document):
@@ -98,7 +100,6 @@ class EquipmentView(Document):
 
     shirt: dict[str, Any] | None  # None: nobody has chosen one yet
     simulated: bool | None  # whether nobody wears the chosen shirt: then it is for practice only
-    shirts: list[ShirtKind]
     body: dict[str, Any] | None
     layout: ShirtLayout | None
     unused: list[str]
@@ -142,7 +143,6 @@ async def _view(parts: PeopleParts, web: WebParts) -> EquipmentView:
     return EquipmentView(
         shirt=equipment.shirt,
         simulated=equipment.simulated,
-        shirts=[ShirtKind(kind=kind, simulated=simulated) for kind, simulated in shirt_kinds().items()],
         body=equipment.body,
         layout=equipment.layout,
         unused=equipment.unused,
@@ -164,6 +164,22 @@ async def look(_who: Anyone, parts: PeopleParts, web: Web) -> EquipmentView:
     return await _view(parts, web)
 
 
+@router.get("/shirts")
+def list_shirts(_who: Anyone) -> list[ShirtKindView]:
+    """Return the kinds of shirts that can be chosen.
+
+    `form` is the JSON schema of a configuration, of which the page makes the form (docs/drivers.md).
+    """
+    return [shirt_kind_view(kind) for kind in KINDS]
+
+
+def shirt_kind_view(kind: ShirtKind[Any]) -> ShirtKindView:
+    """Return what a page needs of a kind of shirt."""
+    return ShirtKindView(
+        kind=kind.name, simulated=kind.simulated, network=kind.is_on_network, form=kind.config.model_json_schema()
+    )
+
+
 @router.get("/practice", dependencies=[ForEveryone])
 def practice(web: Web) -> PracticeShirt:
     """Return whether pages have to show the mark "practice only"; also for pages without a sign-in."""
@@ -180,7 +196,7 @@ async def _logged_view(parts: PeopleParts, web: WebParts, person: str, what: str
 
 
 @router.put("/shirt")
-async def choose_shirt(body: ShirtConfig, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
+async def choose_shirt(body: AnyShirtConfig, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
     """Open another shirt; when it does not open, the one before stays.
 
     `file` is a name from `files` of `GET /equipment`, `key_file` one from `shirt_keys`.

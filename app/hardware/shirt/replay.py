@@ -1,15 +1,28 @@
 """A file as a shirt: its frames come at their recorded times."""
 
 import math
+from typing import Literal
+
+from pydantic import Field
 
 from app.clock import Clock
 from app.hardware.base import HardwareError
-from app.hardware.configs import ReplayConfig
+from app.hardware.shirt.kind import ShirtConfig, ShirtKind, SignalFile, Trust, page_words
 from app.hardware.shirt.playback import FrameFile, FramePlayer, read_frames
 from app.layout import ShirtLayout
 from app.messages import SensorFrame
 
 LONGEST_LAG = 1.0  # s: after a longer hold-up the replay resumes where it stopped; a device would have gone on
+
+
+class ReplayConfig(ShirtConfig):
+    """Signals that were recorded before, played as if they came now."""
+
+    model_config = page_words("Replay of a file", in_use="Replay of {file}")
+
+    kind: Literal["replay"]
+    file: SignalFile
+    loop: bool = Field(default=True, title="Begin again at the end")
 
 
 class ReplayedShirt:
@@ -92,3 +105,6 @@ class ReplayedShirt:
             except OSError as error:
                 raise HardwareError(f"{self._config.file}: this cannot be read ({error.strerror}), check it") from error
         return self._file
+
+
+KIND = ShirtKind(ReplayConfig, ReplayedShirt, Trust.NEVER, simulated=True)

@@ -1,19 +1,48 @@
 """The simulated shirt: the fabric around a simulated body, frame by frame at the pace of a clock."""
 
+from typing import Annotated, Literal
+
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import Field
 
 from app.clock import Clock
 from app.hardware.base import Body, BodyView, HardwareError
 from app.hardware.body.minimum_jerk import minimum_jerk
-from app.hardware.configs import SimulatorConfig
 from app.hardware.shirt.fabric import Fabric
+from app.hardware.shirt.kind import ShirtConfig, ShirtKind, ShirtRate, Trust, page_words
 from app.hardware.shirt.pace import Pace
 from app.hardware.shirt.standard import standard_layout
 from app.layout import ShirtLayout
 from app.messages import SensorFrame
+from app.quantities import Count, Name
 
 TRANSITION_TIME = 1.0  # s for the transition from one body's posture to the next body's
+
+
+class SimulatorConfig(ShirtConfig):
+    """A fabric with 52 sensors, calculated from the body inside it."""
+
+    model_config = page_words("Simulated shirt", in_use="Simulated shirt, {sample_rate} frames a second")
+
+    kind: Literal["simulator"]
+    sample_rate: ShirtRate = Field(
+        default=100.0, json_schema_extra={"unit": "Hz", "examples": [50, 100, 200, 500, 1000]}
+    )
+    seed: Annotated[Count, Field(ge=1, le=999)] = Field(  # of the fabric: each seed is a different shirt
+        default=1, title="Which simulated shirt", json_schema_extra={"format": "stepper"}
+    )
+    layout: ShirtLayout | None = Field(default=None, json_schema_extra={"format": "hidden"})  # None: the standard shirt
+    dead_channels: tuple[Name, ...] = Field(  # names of channels with a broken line
+        default=(),
+        title="Its sensors",
+        json_schema_extra={
+            "format": "channels",
+            # Two sensors of different joints, so that the demonstration shows what left-out sensors do without
+            # spoiling a joint.
+            "choices": [{"title": "All work", "at": []}, {"title": "Two are dead", "at": [1 / 3, 3 / 4]}],
+        },
+    )
 
 
 class SimulatedShirt:
@@ -124,3 +153,6 @@ class SimulatedShirt:
             except ValueError as error:
                 raise HardwareError(str(error)) from error
         return self._fabric
+
+
+KIND = ShirtKind(SimulatorConfig, SimulatedShirt, Trust.NEVER, simulated=True)

@@ -5,23 +5,42 @@ import select
 import socket
 import struct
 from pathlib import Path
+from typing import Literal
+
+from pydantic import Field
 
 from app.clock import Clock
+from app.hardware.addresses import Host
 from app.hardware.base import HardwareError
 from app.hardware.chair.key import Key, KeyRefused, lost_key, read_key
-from app.hardware.configs import UdpConfig
+from app.hardware.shirt.kind import LayoutFile, ShirtConfig, ShirtKey, ShirtKind, ShirtRate, Trust, page_words
 from app.hardware.shirt.lateness import Lateness
 from app.hardware.shirt.newest_frame import NewestFrame, newest_file
 from app.hardware.shirt.packet import LONGEST, Packet, decode, decode_signed, refusal
 from app.hardware.shirt.sender_choice import Address, SenderChoice
 from app.hardware.shirt.sequence import Sequence
+from app.hardware.shirt.standard import standard_layout
 from app.messages import ALIVE, SensorFrame
+from app.quantities import Port
 
 BUFFER = 2 * LONGEST  # bytes: room to notice a datagram that is too long
 KERNEL_BUFFER = 1 << 20  # bytes: one second of frames at 1 kHz, for a hold-up of the loop
 SILENCE = 2.0  # s without a frame: longer than a shirt may be silent while armed (S4)
 WRITE_AHEAD = 10.0  # s of frames that one write of the newest frame's number allows
 _TIME = struct.Struct("@ll")  # struct timeval
+
+
+class UdpConfig(ShirtConfig):
+    """Frames that arrive by UDP on this machine."""
+
+    model_config = page_words("A shirt over the network", in_use="Network shirt on port {port}")
+
+    kind: Literal["udp"]
+    host: Host = Field(default="127.0.0.1", title="Listen on")  # the address of this machine that the shirt sends to
+    port: Port = Field(default=5252, title="Port")  # 0: any free port
+    sample_rate: ShirtRate = 100.0
+    layout: LayoutFile = Field(default_factory=standard_layout)
+    key_file: ShirtKey = None  # None: unsigned frames are accepted, and no real chair is armed
 
 
 class UdpShirt:
@@ -265,3 +284,6 @@ class UdpShirt:
                 f"use an address of this machine and a port that is free"
             ) from error
         return listening
+
+
+KIND = ShirtKind(UdpConfig, UdpShirt, Trust.WITH_KEY)

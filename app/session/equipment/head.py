@@ -9,18 +9,18 @@ from app.session.equipment.choice import ClinicChoice
 from app.store.database import Database, Transaction
 from app.store.tables import Clinic
 
-WithPaths = Callable[[dict[str, Any]], dict[str, Any]]
-"""Return a configuration with the paths of its files in place of their names."""
+WithPath = Callable[[dict[str, Any]], dict[str, Any]]
+"""Return a configuration with the path of its file in place of its name."""
 
 
 class HeadChoice(ClinicChoice):
     """The head tracker in use; None: the head counts as looking straight ahead."""
 
     def __init__(
-        self, database: Database, control: ControlLink, with_paths: WithPaths, tell: Callable[[str], None]
+        self, database: Database, control: ControlLink, with_path: WithPath, tell: Callable[[str], None]
     ) -> None:
         super().__init__(database, control, tell)
-        self._with_paths = with_paths
+        self._with_path = with_path
         self.config: dict[str, Any] | None = None
         self.words = ""  # why the chosen one did not open, empty when it did
 
@@ -29,14 +29,14 @@ class HeadChoice(ClinicChoice):
         await self._in_clinic(self._read)
         if self.config is not None:
             try:
-                await self._control.load("head", config=self._with_paths(self.config))
+                await self._control.load("head", config=self._with_path(self.config))
             except Refusal as refusal:
                 self.words = str(refusal)
 
     async def use(self, config: dict[str, Any] | None) -> None:
         """Use another tracker, or none; when it does not open, none is in use, and the reason is raised."""
         try:
-            await self._control.load("head", config=None if config is None else self._with_paths(config))
+            await self._control.load("head", config=None if config is None else self._with_path(config))
         except Unavailable:
             raise  # the next control process is given what was open before
         except Refusal:

@@ -6,7 +6,7 @@ from typing import Any, Literal
 
 from pydantic import ValidationError
 
-from app.hardware.registry import SHIRTS
+from app.hardware.configs import SHIRTS
 from app.layout import ShirtLayout
 from app.refusals import Conflict, NotFound, Refusal, Unavailable
 from app.session.control_link import ControlLink
@@ -24,11 +24,6 @@ STANDARD_SHIRT: dict[str, Any] = {
 }
 STANDARD_BODY: dict[str, Any] = {"kind": "person", "skill": "practised", "seed": 1}
 NO_SHIRT = "No shirt yet: choose one on the Shirt page."
-
-
-def shirt_kinds() -> dict[str, bool]:
-    """Return the kinds of shirts that can be chosen, each with whether nobody wears it."""
-    return {kind: driver.simulated for kind, driver in SHIRTS.items()}
 
 
 class Equipment(ClinicChoice):
@@ -150,7 +145,7 @@ class Equipment(ClinicChoice):
         return self.layout
 
     async def _open_shirt(self, config: dict[str, Any]) -> None:
-        answer = await self._load("shirt", config)
+        answer = await self._load("shirt", self.with_paths(config))
         try:
             self.layout = ShirtLayout.model_validate(answer["layout"])
         except ValidationError as error:
@@ -161,12 +156,13 @@ class Equipment(ClinicChoice):
         await self.look()
 
     async def _open_body(self, config: dict[str, Any]) -> None:
-        await self._load("body", config)
+        await self._load("body", self.with_path(config))
 
     async def _load(self, do: Literal["shirt", "body"], config: dict[str, Any]) -> dict[str, Any]:
+        """Open a device in the control process; a refusal names its files as pages do, without their folders."""
         try:
-            return await self._control.load(do, config=self.with_paths(config))
-        except Conflict as refusal:  # a page knows files by their names, not by their paths on this machine
+            return await self._control.load(do, config=config)
+        except Conflict as refusal:
             sentence = str(refusal).replace(f"{self._files}/", "").replace(f"{self._keys}/", "")
             raise Conflict(sentence) from refusal
 
@@ -181,16 +177,23 @@ class Equipment(ClinicChoice):
         self._tell("equipment")
 
     def with_paths(self, config: dict[str, Any]) -> dict[str, Any]:
-        """Return the configuration with the paths of its file and its key in place of their names."""
-        complete = dict(config)
-        if "file" in config:
-            complete["file"] = _path_of(str(config["file"]), self._files.glob("*"), "bring it with 'Add a file' first")
-        if config.get("key_file") is not None:
-            keys = shirt_key_files(self._keys)
-            complete["key_file"] = _path_of(
-                str(config["key_file"]), keys, "pair the shirt first (bodydrive shirt pair)"
-            )
+        """Return the configuration of a shirt with the paths of its files and its key in place of their names."""
+        kind, complete = SHIRTS[config["kind"]], dict(config)
+        for field in kind.fields_of("signal-file"):
+            complete[field] = self._path_of_file(str(config[field]))
+        for field in kind.fields_of("shirt-key"):
+            if config.get(field) is not None:
+                keys = shirt_key_files(self._keys)
+                complete[field] = _path_of(str(config[field]), keys, "pair the shirt first (bodydrive shirt pair)")
         return complete
+
+    def with_path(self, config: dict[str, Any]) -> dict[str, Any]:
+        """Return the configuration of a body or a head tracker with the path of its file in place of its name."""
+        return {**config, "file": self._path_of_file(str(config["file"]))} if "file" in config else config
+
+    def _path_of_file(self, name: str) -> str:
+        """Return the path of a file that people brought, by its name."""
+        return _path_of(name, self._files.glob("*"), "bring it with 'Add a file' first")
 
     def _read(self, _db: Transaction, clinic: Clinic) -> None:
         if clinic.shirt is not None:

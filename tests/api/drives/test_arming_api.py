@@ -7,7 +7,7 @@ from api.drives.chair_drives import arm, choose_chair, practise, velocity
 from api.fake_clinic import WORD, Clinic
 
 from app.hardware.chair.reasons import WORDS, Reason
-from app.hardware.registry import NO_KEY
+from app.hardware.shirt.kind import NO_KEY
 from app.speeds import Speeds
 from app.store.tables import ParameterSet
 

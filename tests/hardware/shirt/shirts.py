@@ -6,11 +6,10 @@ import numpy as np
 from fake_clock import FakeClock
 
 from app.clock import MonotonicClock
-from app.hardware.configs import ReplayConfig, SimulatorConfig, UdpConfig
 from app.hardware.shirt.packet import encode
-from app.hardware.shirt.replay import ReplayedShirt
-from app.hardware.shirt.simulator import SimulatedShirt
-from app.hardware.shirt.udp import UdpShirt
+from app.hardware.shirt.replay import ReplayConfig, ReplayedShirt
+from app.hardware.shirt.simulator import SimulatedShirt, SimulatorConfig
+from app.hardware.shirt.udp import UdpConfig, UdpShirt
 from app.layout import Channel, Joint, ShirtLayout
 
 RATE = 100.0

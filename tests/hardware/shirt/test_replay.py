@@ -7,9 +7,8 @@ from fake_clock import FakeClock
 from hardware.shirt.shirts import RATE, small_layout, write_signals
 
 from app.hardware.base import HardwareError
-from app.hardware.configs import ReplayConfig
 from app.hardware.shirt.playback import FramePlayer, read_frames
-from app.hardware.shirt.replay import ReplayedShirt
+from app.hardware.shirt.replay import ReplayConfig, ReplayedShirt
 from app.messages import Tick
 from app.process.ring import TickRing
 from app.recording.writer import RunWriter

@@ -17,11 +17,10 @@ from hypothesis import strategies as st
 from app.clock import MonotonicClock
 from app.hardware.base import HardwareError
 from app.hardware.chair.key import Key, new_key, read_key
-from app.hardware.configs import UdpConfig
 from app.hardware.shirt.newest_frame import newest_file
 from app.hardware.shirt.packet import decode, decode_signed, encode, refusal
 from app.hardware.shirt.sender import signed_frame
-from app.hardware.shirt.udp import SILENCE, UdpShirt
+from app.hardware.shirt.udp import SILENCE, UdpConfig, UdpShirt
 from app.session.equipment.pairing import pair_shirt, shirt_key_file
 
 WAIT = 2.0  # s

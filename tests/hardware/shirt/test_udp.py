@@ -7,9 +7,8 @@ from hardware.shirt.shirts import RATE, UdpCase, small_layout
 
 from app.clock import MonotonicClock
 from app.hardware.base import HardwareError
-from app.hardware.configs import UdpConfig
 from app.hardware.shirt.packet import encode
-from app.hardware.shirt.udp import UdpShirt
+from app.hardware.shirt.udp import UdpConfig, UdpShirt
 
 WAIT = 2.0  # s
 

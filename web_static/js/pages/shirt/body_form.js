@@ -9,7 +9,7 @@ import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { choices } from "../../widgets/fields.js";
-import { addFile, fileField } from "./source_form.js";
+import { addFile, fileField } from "./signal_files.js";
 
 const CHOICES = /** @type {const} */ ({
   practised: { kind: "person", skill: "practised", seed: 1 },

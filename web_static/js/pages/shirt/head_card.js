@@ -14,7 +14,7 @@ import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { choices, field } from "../../widgets/fields.js";
-import { addFile, fileField } from "./source_form.js";
+import { addFile, fileField } from "./signal_files.js";
 import { endTabletHead, tabletHead } from "./tablet_head.js";
 
 const KINDS = ["none", "opentrack", "freepie", "flock_of_birds", "tablet", "recorded", "simulator"];

@@ -1,7 +1,7 @@
 /**
  * The shirt: where its signals come from, who is inside, and how every sensor is.
  * @import { EquipmentView, ShirtLayout } from "types/api"
- * @import { Equipment } from "types/documents"
+ * @import { Equipment, ShirtKind } from "types/documents"
  * @import { Child } from "types/dom"
  * @typedef {{kind: string, onKind: (kind: string) => void}} FormState what a form shows, and what it tells of that
  * @typedef {"source" | "body" | "head"} CardName
@@ -24,7 +24,9 @@ const NO_LAYOUT = { name: "", channels: [], joints: [] }; // before a shirt was 
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
-  let equipment = /** @type {Equipment} */ (await app.api.get("/equipment"));
+  const [view, answer] = await Promise.all([app.api.get("/equipment"), app.api.get("/equipment/shirts")]);
+  let equipment = /** @type {Equipment} */ (view);
+  const shirts = /** @type {ShirtKind[]} */ (answer);
   if (signal.aborted) return;
   const state = h("span", {});
   const counts = h("span", {});
@@ -152,10 +154,10 @@ export async function show(app, root, { signal }) {
     );
   if (!equipment.shirt) open.set("source", ""); // choosing a shirt is the next step
   const sourceCard = () => {
-    const element = card("source", sourceWords(equipment.shirt), equipment.shirt?.kind ?? "", (shown) =>
-      sourceForm(app, equipment, (config) => use(app.api.put("/equipment/shirt", config), "source"), shown),
+    const element = card("source", sourceWords(equipment.shirt, shirts), equipment.shirt?.kind ?? "", (shown) =>
+      sourceForm(app, equipment, shirts, (config) => use(app.api.put("/equipment/shirt", config), "source"), shown),
     );
-    if (equipment.shirt?.kind === "udp") element.append(shirtSender(app, sensorShown.signal));
+    if (shirts.some(({ kind, network }) => network && kind === equipment.shirt?.kind)) element.append(shirtSender(app, sensorShown.signal));
     return element;
   };
   const bodyCard = () =>

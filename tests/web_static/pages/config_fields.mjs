@@ -1,0 +1,79 @@
+// Draws the form of a shirt's configuration with a page that is made of nothing, prints what it shows, fills it in, and
+// prints the configuration. Run by test_config_fields.py with the folder js and a file with the form and what to enter.
+import { readFileSync } from "node:fs";
+import { pathToFileURL } from "node:url";
+
+class Element extends EventTarget {
+  children = [];
+  attributes = {};
+  value = "";
+  checked = false;
+  constructor(tag, text = "") {
+    super();
+    this.tag = tag;
+    this.text = text;
+  }
+  get textContent() {
+    return this.text + this.children.map((child) => child.textContent).join("");
+  }
+  set textContent(text) {
+    this.text = text;
+  }
+  append(...children) {
+    this.children.push(...children);
+  }
+  setAttribute(name, value) {
+    this.attributes[name] = value;
+    if (name === "value") this.value = value;
+    if (name === "checked") this.checked = true;
+  }
+  removeAttribute(name) {
+    delete this.attributes[name];
+  }
+  *all(tag) {
+    if (this.tag === tag) yield this;
+    for (const child of this.children) yield* child.all(tag);
+  }
+}
+const define = (name, value) => Object.defineProperty(globalThis, name, { value, configurable: true });
+define("Node", Element);
+define("document", { createElement: (tag) => new Element(tag), createTextNode: (text) => new Element("", text) });
+
+const { form, around, entries } = JSON.parse(readFileSync(process.argv[3], "utf8"));
+const { configFields } = await import(pathToFileURL(`${process.argv[2]}/pages/shirt/config_fields.js`));
+const { sourceWords } = await import(pathToFileURL(`${process.argv[2]}/pages/shirt/source_form.js`));
+
+const { fields, config } = configFields(form, { app: {}, ...around });
+const page = new Element("form");
+page.append(...fields.filter(Boolean));
+
+const labelled = {};
+for (const field of page.all("div")) {
+  const [label, input, hint] = field.children;
+  if (field.attributes.class === "field") labelled[label.textContent] = { input, hint: hint?.textContent ?? null };
+  if (field.attributes.class === "row") labelled[label.textContent] = { input, hint: null };
+}
+for (const label of page.all("label")) {
+  if (label.attributes.class === "switch") labelled[label.textContent] = { input: label.children[0], hint: null };
+}
+const LIMITS = ["type", "min", "max", "minlength", "maxlength", "required"];
+const shown = Object.entries(labelled).map(([label, { input, hint }]) => ({
+  label,
+  hint,
+  limits: Object.fromEntries(LIMITS.filter((name) => name in input.attributes).map((name) => [name, input.attributes[name]])),
+  options: [...input.all("option")].map((option) => option.textContent),
+  segments: [...input.all("label")].map((segment) => segment.textContent),
+}));
+const before = await config();
+for (const [label, value] of Object.entries(entries)) {
+  const { input } = labelled[label];
+  if (input.attributes.class === "stepper") input.children.at(-1).dispatchEvent(Object.assign(new Event("click"), { detail: 0 })); // the button +
+  else {
+    if (typeof value === "boolean") input.checked = value;
+    else if (typeof value === "object") input.files = [{ name: "layout.json", text: async () => JSON.stringify(value) }];
+    else input.value = value;
+    input.dispatchEvent(new Event("change"));
+  }
+}
+const after = await config();
+console.log(JSON.stringify({ shown, before, after, in_use: sourceWords(after, [{ kind: after.kind, form }]) }));

@@ -1,0 +1,114 @@
+"""The form of a shirt is made of the schema of its configuration: also of a kind that stands in this file only."""
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from hardware.shirt.shirts import small_layout
+from pydantic import Field
+
+from app.api.routes.equipment import shirt_kind_view
+from app.hardware.addresses import SerialLine
+from app.hardware.configs import SHIRTS
+from app.hardware.shirt.kind import LayoutFile, ShirtConfig, ShirtKey, ShirtKind, SignalFile, page_words
+from app.hardware.shirt.standard import standard_layout
+from app.hardware.shirt.udp import UdpShirt
+
+NOTHING: dict[str, Any] = {"now": None, "layout": None, "files": [], "keys": []}
+FILES = [
+    {"name": "knit.csv", "kind": "signals", "size": 2_000},
+    {"name": "body.csv", "kind": "body", "size": 2_000},
+    {"name": "walk.csv", "kind": "signals", "size": 3_000_000},
+]
+
+
+class BandConfig(ShirtConfig):
+    """Two bands of stretch sensors on a serial line."""
+
+    model_config = page_words("Chest bands", in_use="Chest bands on {device}, {baud} baud")
+
+    kind: Literal["band"]
+    device: SerialLine = Field(default="/dev/ttyACM0", title="Serial line", description="As the system names it.")
+    gain: Annotated[float, Field(ge=0.5, le=4)] = Field(default=1.0, title="Gain", json_schema_extra={"unit": "dB"})
+    offset: Annotated[int, Field(ge=-5, le=5)] | None = Field(default=None, title="Offset")
+    baud: Literal[115_200, 1_000_000] = Field(default=115_200, title="Speed", json_schema_extra={"unit": "baud"})
+    mirrored: bool = Field(default=False, title="Worn the other way round")
+    bands: Annotated[int, Field(ge=1, le=4)] = Field(default=2, title="Bands", json_schema_extra={"format": "stepper"})
+    layout: LayoutFile = Field(default_factory=standard_layout)
+    key_file: ShirtKey = None
+    file: SignalFile
+    secret: int = Field(default=7, json_schema_extra={"format": "hidden"})
+
+
+def drawn(
+    run_script: Callable[..., str], folder: Path, kind: ShirtKind[Any], around: dict[str, Any], **entries: Any
+) -> Any:
+    file = folder / "form.json"
+    form = shirt_kind_view(kind).model_dump(mode="json")["form"]
+    file.write_text(json.dumps({"form": form, "around": NOTHING | around, "entries": entries}), encoding="utf-8")
+    return json.loads(run_script("pages/config_fields.mjs", file))
+
+
+def test_a_new_kind_of_shirt_has_a_form_with_its_words_and_bounds(
+    run_script: Callable[..., str], tmp_path: Path
+) -> None:
+    entries = {
+        "Serial line": " /dev/ttyUSB3 ",
+        "Gain (dB)": "2.5",
+        "Offset": "-3",
+        "Speed": "1000000",
+        "Worn the other way round": True,
+        "Bands": "+",
+        "Layout": small_layout().model_dump(mode="json"),
+        "Key": "shirt-2.key",
+        "File": "walk.csv",
+    }
+    around = {"files": FILES, "keys": ["shirt-1.key", "shirt-2.key"]}
+    page = drawn(run_script, tmp_path, ShirtKind(BandConfig, UdpShirt), around, **entries)
+    shown = {field.pop("label"): field for field in page["shown"]}
+    assert set(shown) == set(entries)
+    assert shown["Serial line"]["hint"] == "As the system names it."
+    assert shown["Serial line"]["limits"] == {"type": "text", "minlength": "1", "maxlength": "255", "required": ""}
+    assert shown["Gain (dB)"]["limits"] == {"type": "number", "min": "0.5", "max": "4", "required": ""}
+    assert shown["Offset"]["limits"] == {"type": "number", "min": "-5", "max": "5"}
+    assert shown["Speed"]["options"] == ["115200 baud", "1000000 baud"]
+    assert shown["Layout"]["hint"].startswith("A JSON file that names the sensors.")
+    assert shown["Key"]["options"] == ["None", "shirt-1.key", "shirt-2.key"]
+    assert [option.split(" ")[0] for option in shown["File"]["options"]] == ["knit.csv", "walk.csv"]
+    assert BandConfig.model_validate(page["before"]) == BandConfig(kind="band", file="knit.csv")
+    assert BandConfig.model_validate(page["after"]) == BandConfig(
+        kind="band",
+        device="/dev/ttyUSB3",
+        gain=2.5,
+        offset=-3,
+        baud=1_000_000,
+        mirrored=True,
+        bands=3,
+        layout=small_layout(),
+        key_file="shirt-2.key",
+        file="walk.csv",
+    )
+    assert page["in_use"] == "Chest bands on /dev/ttyUSB3, 1000000 baud"
+
+
+def test_a_form_shows_the_configuration_in_use_and_keeps_what_is_not_shown(
+    run_script: Callable[..., str], tmp_path: Path
+) -> None:
+    now = BandConfig(kind="band", file="walk.csv", gain=3.0, offset=2, secret=9, layout=small_layout())
+    around = {"now": now.model_dump(mode="json"), "files": FILES, "layout": small_layout().model_dump(mode="json")}
+    page = drawn(run_script, tmp_path, ShirtKind(BandConfig, UdpShirt), around, Offset="")
+    assert BandConfig.model_validate(page["before"]) == now
+    assert BandConfig.model_validate(page["after"]) == now.model_copy(update={"offset": None})
+
+
+def test_two_sensors_of_the_simulated_shirt_can_be_dead(run_script: Callable[..., str], tmp_path: Path) -> None:
+    simulator = SHIRTS["simulator"]
+    layout = standard_layout().model_dump(mode="json")
+    others = drawn(run_script, tmp_path, simulator, {"layout": layout})  # another shirt is in use
+    assert [field["label"] for field in others["shown"]] == ["Frames a second", "Which simulated shirt"]
+    now = simulator.config(kind="simulator").model_dump(mode="json")
+    page = drawn(run_script, tmp_path, simulator, {"layout": layout, "now": now})
+    assert page["shown"][-1]["segments"] == ["All work", "Two are dead"]
+    assert page["shown"][0]["options"] == ["50 Hz", "100 Hz", "200 Hz", "500 Hz", "1000 Hz"]
+    assert page["in_use"] == "Simulated shirt, 100 frames a second"
