@@ -248,10 +248,12 @@ def test_the_control_process_reaches_no_web_database_or_fitting_library():
 def test_the_kinds_of_shirts_load_no_library_of_a_device():
     """The web process reads their configurations; a driver imports its device's library when it is opened."""
     code = (
-        "import sys, sysconfig; import app.hardware.configs\n"
+        "import sys, sysconfig\n"
+        "before = set(sys.modules)\n"
+        "import app.hardware.configs\n"
+        "new = {name: getattr(sys.modules[name], '__file__', None) or '' for name in set(sys.modules) - before}\n"
         "installed = sysconfig.get_path('purelib')\n"
-        "files = {name: getattr(module, '__file__', None) or '' for name, module in sys.modules.items()}\n"
-        "print(*sorted({name.partition('.')[0] for name, file in files.items() if file.startswith(installed)}))"
+        "print(*sorted({name.partition('.')[0] for name, file in new.items() if file.startswith(installed)}))"
     )
     seen = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     allowed = {"annotated_types", "numpy", "pydantic", "pydantic_core", "typing_extensions", "typing_inspection"}
