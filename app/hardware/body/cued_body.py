@@ -57,7 +57,7 @@ class CuedBody:
     def follow(self, dt: float, cue: Cue | None) -> NDArray[np.float64]:
         """Advance by `dt` (s) under `cue` (None: rest) and return the posture (n_joints,)."""
         if cue is not self._cue and cue != self._cue:
-            self._take(cue)
+            self._begin_cue(cue)
         self._cue = cue
         self._t += dt
         free = cue is not None and cue.kind == "free"
@@ -79,7 +79,7 @@ class CuedBody:
             self._posture[i] = self._place[i] + self._tremor[i]
         return self._posture
 
-    def _take(self, cue: Cue | None) -> None:
+    def _begin_cue(self, cue: Cue | None) -> None:
         """Plan the movements of a new cue."""
         kind = "rest" if cue is None else cue.kind
         duration = SETTLE if cue is None else cue.end - cue.start

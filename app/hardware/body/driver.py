@@ -145,10 +145,10 @@ class Driver:
             self.steering.begin()
 
     def _begin_stroke(self, t: float, limb: str, size: float, pose: Pose, v: float) -> None:
-        made = self.strokes.make(t, limb, size)
-        before = v if made.limb in OTHER_ELBOW else pose.theta
-        self._open.append(Stroke(made.limb, made.size, t + made.rise, before))
-        self._free_at = made.free_at
+        performed = self.strokes.make(t, limb, size)
+        before = v if performed.limb in OTHER_ELBOW else pose.theta
+        self._open.append(Stroke(performed.limb, performed.size, t + performed.rise, before))
+        self._free_at = performed.free_at
 
     def _awaits_outcome(self, limb: str) -> bool:
         """Return whether the outcome of a stroke for this limb's control is not yet seen."""

@@ -17,8 +17,7 @@ from app.hardware.body.driver import Driver
 from app.hardware.body.joints import ARM_DEGREES_OF_FREEDOM, second_way
 from app.hardware.body.person_parameters import PARAMETERS, PersonParameters, Skill
 from app.hardware.body.stroke_estimate import StrokeEstimate
-from app.hardware.body.stroke_maker import MadeStroke, StrokeMaker
-from app.hardware.body.tremor import Tremor
+from app.hardware.body.stroke_maker import PerformedStroke, StrokeMaker
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 LIMB_TOWARDS = {
@@ -35,13 +34,16 @@ LARGEST_FIRST_ERROR = 1.5  # of a first estimate, in standard deviations
 LOOK_PERIOD = 0.05  # s between two decisions
 SETTLING = 0.12  # s until the effect of a finished stroke has passed the low-pass filter
 AIM = 0.6  # of the target's radius: nearer to the middle nothing is corrected
+# Hz: rest tremor 4 to 6, most action tremor 4 to 8 (Deuschl, Bain and Brin, Mov Disord 13 S3, 1998).
+TREMOR_BAND = (4.0, 8.0)
+TREMOR_SINES = 5  # for each joint; their beats make the tremor grow and fade
 SEED_APART = 7_919  # the strokes of driving do not depend on whether the test was done
 
 
 class PointingStroke(NamedTuple):
     """A stroke whose outcome is not yet seen."""
 
-    made: MadeStroke
+    performed: PerformedStroke
     end: float  # s
     before: float  # place of the cursor along the stroke's axis, arms
     missed: int  # targets missed before it
@@ -99,9 +101,9 @@ class Pointer:
         limb = LIMB_TOWARDS[axis, error[axis] > 0.0]
         if not self._strokes.can_move(limb, t):
             return
-        made = self._strokes.make(t, limb, self.estimates[limb].size_for(abs(error[axis])))
-        self._open = PointingStroke(made, t + made.rise, _along(made.limb, view), view.missed)
-        self._free_at = made.free_at
+        performed = self._strokes.make(t, limb, self.estimates[limb].size_for(abs(error[axis])))
+        self._open = PointingStroke(performed, t + performed.rise, _along(performed.limb, view), view.missed)
+        self._free_at = performed.free_at
 
     def _learn(self, seen_t: float, view: CursorView) -> None:
         """Compare the seen effect of the last stroke with the expected effect, and correct the estimate."""
@@ -109,11 +111,27 @@ class Pointer:
         if stroke is None or (seen_t < stroke.end + SETTLING and view.missed == stroke.missed):
             return
         self._open = None
-        limb, after = stroke.made.limb, _along(stroke.made.limb, view)
+        limb, after = stroke.performed.limb, _along(stroke.performed.limb, view)
         was_moved = view.missed != stroke.missed or abs(after) >= 1.0  # put back, or kept back by the edge
         if self._strokes.parameters.learns and not was_moved:
             effect = SIGN_OF[limb] * (after - stroke.before)
-            self.estimates[limb].learn(stroke.made.size, effect, self._strokes.parameters.correction)
+            self.estimates[limb].learn(stroke.performed.size, effect, self._strokes.parameters.correction)
+
+
+class Tremor:
+    """A sum of sines for each joint, with random frequencies in the band; the seed determines the tremor."""
+
+    def __init__(self, joints: int, seed: int) -> None:
+        """Draw frequencies and phases for `joints` degrees of freedom; no tremor until `size` is set."""
+        random = np.random.default_rng((seed, 48))
+        self.size = 0.0  # standard deviation, of a joint's range
+        self._turn_rate = math.tau * random.uniform(*TREMOR_BAND, (joints, TREMOR_SINES))  # rad/s
+        self._phase = random.uniform(0.0, math.tau, (joints, TREMOR_SINES))
+
+    def at(self, t: float) -> NDArray[np.float64]:
+        """Return the tremor of each joint at `t` (s), (n_joints,), of its range."""
+        shaken: NDArray[np.float64] = np.sin(self._turn_rate * t + self._phase).sum(axis=1)
+        return shaken * (self.size * math.sqrt(2.0 / TREMOR_SINES))  # the sum's variance is TREMOR_SINES / 2
 
 
 class SimulatedPerson:

@@ -15,13 +15,12 @@ from hypothesis import strategies as st
 from app.cues import Cue
 from app.geometry import Pose
 from app.hardware.base import BodyView
-from app.hardware.body.course import DrivingLine
 from app.hardware.body.driver import Driver
-from app.hardware.body.limb import Limb
 from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import NOVICE, PRACTISED, PracticeEffect
-from app.hardware.body.steering import Steering
+from app.hardware.body.steering import DrivingLine, Steering
 from app.hardware.body.stroke_estimate import StrokeEstimate
+from app.hardware.body.stroke_maker import Limb
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 CORNER = ((0.0, 0.0), (6.0, 0.0), (6.0, 6.0))

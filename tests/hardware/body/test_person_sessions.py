@@ -11,7 +11,7 @@ from app.cues import Cue
 from app.geometry import Pose
 from app.hardware.base import BodyView
 from app.hardware.body.driver import Driver
-from app.hardware.body.person import SimulatedPerson
+from app.hardware.body.person import TREMOR_BAND, SimulatedPerson, Tremor
 from app.hardware.body.person_parameters import (
     DETERIORATING,
     IMPROVING,
@@ -22,7 +22,6 @@ from app.hardware.body.person_parameters import (
     SMALLEST_RANGE,
     PersonParameters,
 )
-from app.hardware.body.tremor import BAND, Tremor
 from app.world.floorplan import FloorPlan
 
 PLAN = FloorPlan(
@@ -95,7 +94,7 @@ def test_the_tremor_lies_between_four_and_eight_hertz_and_no_limb_shakes_like_an
     assert np.std(moved) == pytest.approx(0.02, rel=0.1)
     power = np.abs(np.fft.rfft(moved, axis=0)) ** 2
     frequency = np.fft.rfftfreq(len(moved), 0.01)
-    within = (frequency >= BAND[0] - 0.1) & (frequency <= BAND[1] + 0.1)
+    within = (frequency >= TREMOR_BAND[0] - 0.1) & (frequency <= TREMOR_BAND[1] + 0.1)
     assert power[within].sum() > 0.97 * power.sum()
     assert np.max(np.abs(np.corrcoef(moved.T) - np.eye(4))) < 0.3
     other = Tremor(4, 8)
