@@ -85,7 +85,7 @@ def play(
     try:
         while not math.isinf(player.due):
             clock.sleep_until(start + player.due / speed)
-            seq, t, values = player.take()
+            seq, t, values = player.next_frame()
             if trouble := send(encode(seq, t, values)):
                 return sent, False, trouble
             sent += 1

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal, Protocol, runtime_checkable
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -124,7 +124,7 @@ class Shirt(Protocol):
         """Return whether another frame seems to have arrived already."""
         ...
 
-    def words(self) -> str:
+    def description(self) -> str:
         """Return the shirt's state in words."""
         ...
 
@@ -172,7 +172,7 @@ class HeadTracker(Protocol):
         """
         ...
 
-    def words(self) -> str:
+    def description(self) -> str:
         """Return the tracker's state in words."""
         ...
 
@@ -182,20 +182,7 @@ class HeadTracker(Protocol):
 
 
 class Chair(Protocol):
-    """A chair to be driven: the virtual chair, or a real one behind its receiver.
-
-    A tick calls `listen`, `drive` and `send`, in this order. `listen` and `send` are also called between two ticks.
-    """
-
-    @property
-    def kind(self) -> Literal["virtual", "udp"]:
-        """The kind of chair, as its configuration names it."""
-        ...
-
-    @property
-    def is_real(self) -> bool:
-        """Whether a person may sit in the chair."""
-        ...
+    """A chair as it is driven: the virtual chair, or a real one behind its receiver."""
 
     @property
     def speeds(self) -> Speeds:
@@ -203,14 +190,24 @@ class Chair(Protocol):
         ...
 
     @property
-    def dynamics(self) -> str | None:
-        """How the virtual chair moves; None for a real chair."""
-        ...
-
-    @property
     def state(self) -> ChairState:
         """Where the chair is and how it moves, as of the newest `drive`."""
         ...
+
+    def drive(self, twist: Twist, dt: float, permitted: bool = False, /) -> ChairState:
+        """Command `twist` for `dt` (s) and return the new state; what moves by itself goes on while `permitted`."""
+        ...
+
+    def place(self, pose: Pose) -> None:
+        """Take `pose` as the chair's place, at a standstill."""
+        ...
+
+
+class LinkedChair(Chair, Protocol):
+    """A real chair: a person may sit in it, and commands and telemetry pass over a link.
+
+    A tick calls `listen`, `drive` and `send`, in this order. `listen` and `send` are also called between two ticks.
+    """
 
     @property
     def ready(self) -> bool:
@@ -233,11 +230,6 @@ class Chair(Protocol):
         ...
 
     @property
-    def switch_seen(self) -> bool:
-        """Whether the chair has shown its stop switch pressed, so that the switch works."""
-        ...
-
-    @property
     def switch_reported(self) -> bool:
         """Whether the stop switch was seen, or was reported in a way that the next arming has to confirm."""
         ...
@@ -251,16 +243,12 @@ class Chair(Protocol):
         """Release the chair; closing twice does no harm."""
         ...
 
-    def words(self) -> str:
+    def description(self) -> str:
         """Return the chair's state in words."""
         ...
 
     def lost_key(self) -> str:
-        """Return in words why the chair's key counts no longer, empty while it does or there is none."""
-        ...
-
-    def place(self, pose: Pose) -> None:
-        """Take `pose` as the chair's place, at a standstill."""
+        """Return in words why the chair's key counts no longer, empty while it does."""
         ...
 
     def use_parameters(self, digest: bytes) -> None:
@@ -268,18 +256,14 @@ class Chair(Protocol):
         ...
 
     def longest_wait(self, deadline: float, t: float) -> float:
-        """Return how long (s) after `t` the loop may wait before it serves the chair; inf: until its next tick.
+        """Return how long (s) after `t` the loop may wait before it serves the chair.
 
-        `deadline` is when that tick is due (monotonic s).
+        `deadline` is when the loop's next tick is due (monotonic s).
         """
         ...
 
     def listen(self, t: float) -> None:
         """Take in the telemetry that has come up to `t` (monotonic s)."""
-        ...
-
-    def drive(self, twist: Twist, dt: float, permitted: bool = False, /) -> ChairState:
-        """Command `twist` for `dt` (s) and return the new state; what moves by itself goes on while `permitted`."""
         ...
 
     def send(self, state: State, limits: Speeds, t: float) -> None:

@@ -4,7 +4,7 @@ A shirt's driver stands with its configuration (`app.hardware.configs.SHIRTS`). 
 here, from kind to (module, class), and are imported when they are used.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, cast
 
@@ -41,7 +41,7 @@ HEADS: Table = {
 }
 
 
-def driver_class(what: str, word: str, table: Table) -> Any:
+def driver_class(what: str, word: str, table: Table) -> Callable[..., object]:
     """Return the class of the kind `word` in `table`; `what` ("shirt", "chair" ...) names the device in sentences.
 
     Raises
@@ -53,7 +53,7 @@ def driver_class(what: str, word: str, table: Table) -> Any:
         raise HardwareError(f"there is no {what} of the kind '{word}': use one of {', '.join(table)}")
     module, name = table[word]
     try:
-        found = import_module(module)
+        driver = import_module(module)
     except ModuleNotFoundError as error:
         if error.name and error.name.partition(".")[0] != "app":
             raise HardwareError(
@@ -63,7 +63,7 @@ def driver_class(what: str, word: str, table: Table) -> Any:
             f"the driver {module} of the {what} '{word}' is missing from this installation: install bodydrive again"
         ) from error
     try:
-        return getattr(found, name)
+        return cast(Callable[..., object], getattr(driver, name))
     except AttributeError as error:
         raise HardwareError(
             f"the driver {module} of the {what} '{word}' has no class {name}: correct its table in app/hardware"
@@ -112,8 +112,8 @@ def make_body(config: BodyConfig) -> Body:
     HardwareError
         Without its driver, or when its file cannot be read.
     """
-    made = driver_class("body", config.kind, BODIES)
-    return cast(Body, made(**config.model_dump(exclude={"kind"})))
+    body = driver_class("body", config.kind, BODIES)
+    return cast(Body, body(**config.model_dump(exclude={"kind"})))
 
 
 def make_real_chair(config: RealChairConfig) -> "ChairLink":

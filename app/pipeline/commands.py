@@ -183,7 +183,7 @@ class Commands:
     def _chair(self, fields: command_fields.Device, command_id: int) -> None:
         self._require_no_drive()
         change = self._setup.change_chair(parse_chair(fields.config))
-        self._open(change, command_id, lambda: {"kind": self._setup.chair.kind})
+        self._open(change, command_id, lambda: {"kind": self._setup.chair_kind})
 
     def _limits(self, fields: command_fields.Limits, _id: int) -> Answer:
         self._setup.use_clinic(fields.clinic)
@@ -304,14 +304,14 @@ def arming_refusal(loop: ControlLoop, digest: str) -> str:
 def device_refusal(loop: ControlLoop) -> str:
     """Return in a sentence which device is no longer paired, or what a real chair still needs before it is armed."""
     setup = loop.setup
-    chair, parameters = setup.chair, setup.parameters
+    chair, parameters = setup.link, setup.parameters
     lost = setup.network_shirt.lost_key() if setup.network_shirt else ""
     if lost:
         return f"The shirt is no longer paired: {lost}."
-    lost = chair.lost_key()
+    lost = chair.lost_key() if chair else ""
     if lost:
         return f"The chair is no longer paired: {lost}."
-    if not chair.is_real or parameters is None:
+    if chair is None or parameters is None:
         return ""
     if setup.mistrust:
         return setup.mistrust
@@ -321,9 +321,9 @@ def device_refusal(loop: ControlLoop) -> str:
     if loop.run is None:
         return "A real chair drives only while it is recorded: begin a drive first."
     if chair.silent:
-        return chair.words()
+        return chair.description()
     if chair.inhibited:
-        return f"{chair.words()} Look around, release the switch, then arm again."
+        return f"{chair.description()} Look around, release the switch, then arm again."
     if parameters.keeps_speed and not chair.switch_reported:
         return (
             "With “Keeps its speed” or “Keeps turning” a chair goes on by itself, so a real one needs its stop switch: "
@@ -346,9 +346,9 @@ def status(loop: ControlLoop) -> dict[str, Any]:
             "senders": _senders(setup.network_shirt),
         },
         "chair": {
-            "kind": setup.chair.kind,
-            "words": setup.chair.words(),
-            "switch_seen": setup.chair.switch_reported,
+            "kind": setup.chair_kind,
+            "words": setup.chair_words,
+            "switch_seen": setup.link is not None and setup.link.switch_reported,
         },
         "head": {"kind": setup.head.kind, "words": setup.head.words},
         "dial": setup.chain.dial,

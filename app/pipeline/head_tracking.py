@@ -26,7 +26,7 @@ class HeadTracking:
     @property
     def words(self) -> str:
         """The tracker's state in words."""
-        return self._failed or (self._tracker.words() if self._tracker else NO_TRACKER)
+        return self._failed or (self._tracker.description() if self._tracker else NO_TRACKER)
 
     def change(self, config: HeadConfig | None) -> DeviceChange:
         """Release the head tracker in use, and return the change that opens another one."""

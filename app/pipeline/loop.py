@@ -5,7 +5,7 @@ import math
 from app.clock import Clock
 from app.faults import Fault, State
 from app.geometry import Pose
-from app.hardware.base import BodyView, Chair, LeaderView, Shirt
+from app.hardware.base import BodyView, LeaderView, LinkedChair, Shirt
 from app.hardware.body.cursor_view import CursorView
 from app.hardware.chair.report import ChairReport
 from app.messages import ALIVE, NO_CUE, SensorFrame, Tick
@@ -75,28 +75,29 @@ class ControlLoop:
     @property
     def all_commands_sent(self) -> bool:
         """Whether no command is left to be sent to the chair."""
-        return math.isinf(self.setup.chair.due)
+        return self.setup.link is None or math.isinf(self.setup.link.due)
 
     def turn(self) -> None:
         """Wait for a frame until the deadline, and make a tick with the frame or without one.
 
         Every frame gets its own tick, without a wait when several frames are there: each moves the chair by its own
-        time. When the chair wants to be served sooner, `turn` serves it and returns without a tick, so that ticks do
-        not depend on the chair.
+        time. When a real chair wants to be served sooner, `turn` serves it and returns without a tick, so that ticks
+        do not depend on the chair.
         """
-        shirt, chair = self.setup.shirt, self.setup.chair
+        shirt, link = self.setup.shirt, self.setup.link
         now = self._clock.now()
-        chair_wait = chair.longest_wait(self._deadline, now)
+        chair_wait = math.inf if link is None else link.longest_wait(self._deadline, now)
         if shirt is not None:
             frame, lost = self._read(shirt, min(self._wait, chair_wait))
         else:
             self._clock.sleep_until(min(self._deadline, now + chair_wait))
             frame, lost = None, 0
         t = self._clock.now()
-        chair.listen(t)
-        if frame is None and t < self._deadline and chair_wait < math.inf:
-            self.send_to_chair()
-            return
+        if link is not None:
+            link.listen(t)
+            if frame is None and t < self._deadline:
+                self.send_to_chair()
+                return
         self._step(frame, lost)
 
     def _read(self, shirt: Shirt, wait: float) -> tuple[SensorFrame | None, int]:
@@ -108,15 +109,17 @@ class ControlLoop:
             return None, 0
 
     def send_to_chair(self) -> None:
-        """Let the chair send what the gate permits, when a command is due or the gate's state has changed."""
-        chair, shirt, gate = self.setup.chair, self.setup.shirt, self.setup.chain.gate
+        """Send what the gate permits to a real chair, when a command is due or the gate's state has changed."""
+        link, shirt, gate = self.setup.link, self.setup.shirt, self.setup.chain.gate
+        if link is None:
+            return
         t = self._clock.now()
-        if gate.state is State.ARMED and t >= chair.due and shirt is not None and shirt.pending():
+        if gate.state is State.ARMED and t >= link.due and shirt is not None and shirt.pending():
             self._delayed_since = min(self._delayed_since, t)
             if t - self._delayed_since < BURST:
                 return
         self._delayed_since = math.inf
-        chair.send(gate.state, self.setup.chain.limits, t)
+        link.send(gate.state, self.setup.chain.limits, t)
 
     def _step(self, frame: SensorFrame | None, lost: int) -> None:
         t = self._clock.now()
@@ -124,20 +127,22 @@ class ControlLoop:
             self.late += 1
         self._deadline = t + self._wait
         setup, conditions, run = self.setup, self.conditions, self.run
-        chair = setup.chair
+        link = setup.link
         conditions.supervisor_age = t - self.last_heartbeat
         conditions.screen_age, conditions.screen = t - self.last_screen_report, self.screen
-        conditions.recording = not run.writer.damage if run is not None else not chair.is_real
-        conditions.chair, conditions.chair_age = chair_condition(chair), chair.age(t)
+        conditions.recording = not run.writer.damage if run is not None else link is None
+        conditions.chair = chair_condition(link)
+        conditions.chair_age = 0.0 if link is None else link.age(t)
         self._pause_for_screen(t)
         tick = setup.chain.step(frame, t, conditions)
         if tick.fault is Fault.NONE:
             tick.fault = self.pause.reason
-        state = chair.state
+        state = setup.chair.state
         tick.driven_v, tick.driven_omega, tick.dial = state.v, state.omega, setup.chain.dial
         self.send_to_chair()  # first: nothing that is only shown or recorded may delay a stop
-        chair.report(tick, t)
-        if self._report is not None and not chair.is_real:
+        if link is not None:
+            link.report(tick, t)
+        elif self._report is not None:
             self._report.send(tick)
         setup.head.note(tick, t)
         if frame is not None:
@@ -155,7 +160,7 @@ class ControlLoop:
     def _pause_for_screen(self, t: float) -> None:
         """Let a late screen pause an armed trial on the virtual chair; for anything else it stays a fault."""
         run, setup = self.run, self.setup
-        if setup.chair.is_real or run is None or run.kind != "drive" or not run.was_armed:
+        if setup.link is not None or run is None or run.kind != "drive" or not run.was_armed:
             self.pause.end()
         elif self.pause.decide(t, setup.chain.gate, self.conditions):
             setup.chain.arm()
@@ -185,8 +190,10 @@ class ControlLoop:
         return CursorView.of(self.run.task)
 
 
-def chair_condition(chair: Chair) -> ChairCondition:
-    """Return the condition of the chair that the gate takes into account."""
-    if chair.inhibited:
+def chair_condition(link: LinkedChair | None) -> ChairCondition:
+    """Return the condition of the chair that the gate takes into account; None: the virtual chair."""
+    if link is None:
+        return ChairCondition.READY
+    if link.inhibited:
         return ChairCondition.INHIBITED
-    return ChairCondition.READY if chair.ready else ChairCondition.WAITING
+    return ChairCondition.READY if link.ready else ChairCondition.WAITING

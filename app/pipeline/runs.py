@@ -115,7 +115,7 @@ class Runs:
             "parameters": parameters.model_dump(mode="json") if parameters else None,
             "floorplan": floorplan.model_dump(mode="json") if floorplan else None,
             "path": setup.path.name if setup.path else None,
-            "dynamics": setup.chair.dynamics,
+            "dynamics": setup.dynamics,
             "clinic": setup.chain.clinic.model_dump(mode="json"),
             "source": setup.source.model_dump(mode="json"),
             "meta": fields.meta,

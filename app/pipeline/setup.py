@@ -6,7 +6,7 @@ from app.calibration.vocabulary import DriveParameters
 from app.clock import Clock
 from app.faults import State
 from app.geometry import STANDSTILL
-from app.hardware.base import ORIGIN, Body, BodyView, Chair, DrivingBody, NetworkShirt, Shirt
+from app.hardware.base import ORIGIN, Body, BodyView, Chair, DrivingBody, LinkedChair, NetworkShirt, Shirt
 from app.hardware.chair.packet import DIGEST_BYTES
 from app.hardware.chair.simulator import Dynamics, VirtualChair
 from app.hardware.configs import SHIRTS, BodyConfig, ChairConfig, RealChairConfig
@@ -54,6 +54,7 @@ class Setup:
         self.path: PrescribedPath | None = None
         self.leader: Track | None = None  # of a task to follow a leader
         self.chair: Chair = VirtualChair(None, ORIGIN)
+        self.link: LinkedChair | None = None  # the chair in use when it is a real one
         self._dynamics: Dynamics = "unicycle"  # of the newest virtual chair
         self._clinic = HIGHEST_SPEEDS
         self._dial = 1.0
@@ -77,7 +78,7 @@ class Setup:
     @property
     def shirt_words(self) -> str:
         """The shirt's state in words."""
-        return self.shirt.words() if self.shirt else self._shirt_failed or NO_SHIRT
+        return self.shirt.description() if self.shirt else self._shirt_failed or NO_SHIRT
 
     @property
     def source(self) -> Source:
@@ -86,14 +87,29 @@ class Setup:
         return Source(
             shirt=self.shirt_kind or UNKNOWN,
             body=self.body_kind,
-            chair=self.chair.kind,
+            chair=self.chair_kind,
             simulated=None if kind is None else kind.simulated,
         )
 
     @property
+    def chair_kind(self) -> str:
+        """The kind of the chair in use, as its configuration names it."""
+        return "virtual" if self.link is None else "udp"
+
+    @property
+    def chair_words(self) -> str:
+        """The chair's state in words."""
+        return f"The virtual chair, moving as a {self._dynamics}." if self.link is None else self.link.description()
+
+    @property
+    def dynamics(self) -> Dynamics | None:
+        """How the virtual chair moves; None for a real chair."""
+        return self._dynamics if self.link is None else None
+
+    @property
     def stands(self) -> bool:
         """Whether the chair is commanded to stand, and stands."""
-        return self.chain.gate.last == STANDSTILL and self.chair.stands
+        return self.chain.gate.last == STANDSTILL and (self.link is None or self.link.stands)
 
     def require_still(self) -> None:
         """Raise CommandRefused while the chair moves or may move."""
@@ -129,7 +145,7 @@ class Setup:
     def close(self) -> None:
         """Release all devices."""
         self.head.close()
-        self.chair.close()
+        self._close_link()
         close_quietly(self.shirt)
 
     def change_body(self, config: BodyConfig) -> DeviceChange:
@@ -172,7 +188,7 @@ class Setup:
     def use_world(self, floorplan: FloorPlan | None, path: str | None) -> None:
         """Put the virtual chair on the start of a path, or on an endless floor; a real chair knows no other floor."""
         self.require_still()
-        if self.chair.is_real:
+        if self.link is not None:
             if floorplan is not None:
                 raise CommandRefused("A real chair drives in no floor plan: choose the virtual chair first.")
             return
@@ -207,14 +223,20 @@ class Setup:
             self.simulated_shirt.body, self.body_kind = body, kind
             self._show_path()
 
-    def _take_real_chair(self, chair: Chair) -> None:
-        self.chair.close()
-        self.chair = chair
+    def _close_link(self) -> None:
+        """Close the link to the real chair in use, if there is one."""
+        if self.link is not None:
+            self.link.close()
+            self.link = None
+
+    def _take_real_chair(self, chair: LinkedChair) -> None:
+        self._close_link()
+        self.chair = self.link = chair
         self.floorplan = self.path = self.leader = None
         self._make_chain()
 
     def _take_virtual_chair(self, dynamics: Dynamics) -> None:
-        self.chair.close()
+        self._close_link()
         self._dynamics = dynamics
         self.chair = VirtualChair(self.floorplan, self.path.start if self.path else ORIGIN, dynamics)
         self._make_chain()
@@ -242,7 +264,8 @@ class Setup:
         if gate.state is State.FAULT:
             self.chain.gate.stop(gate.fault)
         self.chain.gate.stops = gate.stops  # a new chain is no further stop
-        self.chair.use_parameters(bytes.fromhex(self.hash)[:DIGEST_BYTES] if self.hash else bytes(DIGEST_BYTES))
+        if self.link is not None:
+            self.link.use_parameters(bytes.fromhex(self.hash)[:DIGEST_BYTES] if self.hash else bytes(DIGEST_BYTES))
 
     def _show_path(self) -> None:
         """Show the task to a body that drives by itself."""

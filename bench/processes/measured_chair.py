@@ -36,9 +36,9 @@ def run_chair(key: Key, opened: socket.socket, note: Note, goes_on: Callable[[],
             datagram, address = b"", ("", 0)
         t = monotonic()
         nonce = receiver.nonce  # of this command: a command to stop makes a new one
-        accepted = receiver.take(datagram, t)
+        accepted = receiver.accept(datagram, t)
         if accepted:
-            telemetry.note_driver(address)
+            telemetry.set_driver(address)
             command = decode_command(datagram, key, nonce)
             if command is not None:
                 note(t, command, address)

@@ -73,6 +73,6 @@ class CommandedLoop:
 
     def close(self):
         self.commands.close()
-        self.setup.chair.close()
+        self.setup.close()
         self._ours.close()
         self.ring.close()

@@ -26,5 +26,5 @@ class ScriptedShirt:
     def pending(self):
         return bool(self._times) and self._times[0] <= self._clock.now()
 
-    def words(self):
+    def description(self):
         return "A shirt for tests."

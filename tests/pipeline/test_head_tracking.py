@@ -64,7 +64,7 @@ class Broken:
     def newest(self):
         raise RuntimeError("no more")
 
-    def words(self):
+    def description(self):
         return "It is fine."
 
     def close(self):

@@ -102,7 +102,7 @@ def make_drive():
 
     yield make
     for drive in made:
-        drive.setup.chair.close()
+        drive.setup.close()
         drive.ring.close()
 
 

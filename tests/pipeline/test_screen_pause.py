@@ -112,8 +112,28 @@ def test_a_patient_who_is_not_at_rest_after_a_pause_is_not_driven(armed, monkeyp
     assert state(armed) == (State.FAULT, Fault.NOT_NEUTRAL)
 
 
+class ReadyLink:
+    """The link of a real chair that is always ready."""
+
+    ready = stands = True
+    inhibited = False
+    due = math.inf
+
+    def longest_wait(self, deadline, t):
+        return deadline - t
+
+    def age(self, _t):
+        return 0.0
+
+    def listen(self, t): ...
+
+    def send(self, state, limits, t): ...
+
+    def report(self, tick, t): ...
+
+
 def test_a_real_chair_keeps_its_latched_fault(armed, monkeypatch):
-    monkeypatch.setattr(type(armed.setup.chair), "is_real", True)
+    monkeypatch.setattr(armed.setup, "link", ReadyLink())
     report(armed, 0.2, "slow")
     assert state(armed) == (State.FAULT, Fault.SCREEN_SLOW)
     report(armed, 5.0)

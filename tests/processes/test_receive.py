@@ -15,7 +15,7 @@ from itertools import pairwise
 import pytest
 from processes.strange_sender import PATIENCE, Receiver, StrangeSender
 
-from app.hardware.chair.reasons import WORDS, Reason
+from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from folders import ROOT
 
 CLOCK = getattr(time, "CLOCK_BOOTTIME", time.CLOCK_MONOTONIC)
@@ -74,7 +74,7 @@ def test_silence_slows_after_100_ms_and_disarms_after_300(started):
     assert 0.09 <= slowed["t"] - last <= 0.11 + STEP + late
     assert 0.29 <= disarmed["t"] - last <= 0.31 + late
     assert lines[stood]["t"] - last <= 0.11 + 0.25 + late
-    assert disarmed["reason"] == WORDS[Reason.SILENT]
+    assert disarmed["reason"] == DESCRIPTIONS[Reason.SILENT]
     told = sender.wait_for(lambda told: told[2] == 0)
     assert told[12] == 1
 
@@ -84,7 +84,7 @@ def test_the_stop_flag_stops_at_once_and_a_new_arming_drives_again(started):
     armed_and_driving(receiver, sender)
     sender.v, sender.flags = 0.0, 2
     line = receiver.wait_for(lambda line: line["state"] == "disarmed")
-    assert line["reason"] == WORDS[Reason.TOLD_TO_STOP]
+    assert line["reason"] == DESCRIPTIONS[Reason.TOLD_TO_STOP]
     receiver.wait_for(lambda line: line["state"] == "disarmed" and line["v"] == 0.0)
     falling = [line["v"] for line in [line, *after(receiver.lines, line["t"])]]
     assert falling[0] > 0.4
@@ -126,7 +126,7 @@ def test_a_receiver_that_was_held_up_finds_itself_disarmed(started):
     receiver.process.send_signal(signal.SIGCONT)
     line = receiver.wait_for(lambda line: line["t"] > held)
     assert line["state"] == "disarmed"
-    assert line["reason"] == WORDS[Reason.LATE]
+    assert line["reason"] == DESCRIPTIONS[Reason.LATE]
     receiver.wait_for(lambda line: line["t"] > held and line["v"] == 0.0)
     assert all(line["v"] <= 0.6 for line in after(receiver.lines, held))
 
@@ -137,7 +137,7 @@ def test_ended_while_it_moves_it_ramps_says_so_and_leaves(started, number):
     armed_and_driving(receiver, sender)
     heard = len(sender.telemetry)
     assert receiver.end(number) == 0
-    ending = [line for line in receiver.lines if line["reason"] == WORDS[Reason.ENDING]]
+    ending = [line for line in receiver.lines if line["reason"] == DESCRIPTIONS[Reason.ENDING]]
     assert {line["state"] for line in ending} == {"disarmed"}
     assert ending[0]["v"] > 0.4
     assert ending[-1]["v"] == 0.0
@@ -157,7 +157,7 @@ def test_its_own_switch_stops_it_and_a_missing_file_is_a_pressed_switch(started,
     assert sender.telemetry[-1][10:12] == (0.5, 0)
     switch.write_text("1\n")
     line = receiver.wait_for(lambda line: line["state"] == "fault")
-    assert line["reason"] == WORDS[Reason.STOP_INPUT]
+    assert line["reason"] == DESCRIPTIONS[Reason.STOP_INPUT]
     assert sender.wait_for(lambda told: told[2] == 3)[11:13] == (1, 4)
     receiver.wait_for(lambda line: line["state"] == "fault" and line["v"] == 0.0)
     switch.write_text("0\n")

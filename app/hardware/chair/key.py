@@ -48,13 +48,13 @@ def read_key(file: Path) -> Key:
         raise KeyRefused(f"the key file {file} cannot be read ({why}): give the file that pairing made") from error
     if stat.S_IMODE(mode) & (stat.S_IRWXG | stat.S_IRWXO):
         raise KeyRefused(f"the key file {file} can be read by others: say `chmod 600 {file}`, or pair anew")
-    found = _LINE.fullmatch(text.strip())
-    if found is None or int(found[1]) > LARGEST_ID:
+    match = _LINE.fullmatch(text.strip())
+    if match is None or int(match[1]) > LARGEST_ID:
         raise KeyRefused(
             f"the key file {file} holds no key: it must be one line, a number up to {LARGEST_ID}, a space, "
             f"{2 * SECRET_BYTES} hex digits"
         )
-    return Key(int(found[1]), bytes.fromhex(found[2]))
+    return Key(int(match[1]), bytes.fromhex(match[2]))
 
 
 def lost_key(file: Path, key: Key) -> str:

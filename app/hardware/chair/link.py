@@ -9,7 +9,6 @@ import secrets
 import socket
 from collections import deque
 from pathlib import Path
-from typing import Literal
 
 from app.faults import State
 from app.geometry import STANDSTILL, Pose, Twist
@@ -28,14 +27,14 @@ from app.hardware.chair.packet import (
     encode_hello,
 )
 from app.hardware.chair.simulator import FASTEST
-from app.hardware.chair.telemetry import SILENT, ChairTelemetry, telemetry_words
+from app.hardware.chair.telemetry import SILENT, ChairTelemetry, telemetry_description
 from app.hardware.configs import RealChairConfig
 from app.messages import ChairState, Tick
 from app.speeds import Speeds
 
 PERIOD = 0.02  # s between two commands
 LEAST_GAP = 0.005  # s between two commands: after a hold-up the next deadline may be very near
-LOOK_EVERY = 0.01  # s between two looks at the socket, half of the loop's longest wait for a frame
+POLL_PERIOD = 0.01  # s between two readings of the socket, half of the loop's longest wait for a frame
 STALLED = 0.15  # s without a command: the chair, which waits 0.1 s, has stopped and must not resume by itself (S15)
 LAST_FRAMES = 10  # zero commands sent after disarming or a stop; the chair needs one of them
 HELLO_AFTER = 0.15  # s without telemetry, which a chair sends every 0.1 s to its paired address
@@ -49,10 +48,6 @@ _sequence = itertools.count(1)  # of this process: it continues when a chair is 
 
 class ChairLink:
     """A chair behind a receiver; x, y and heading are integrated from the speeds in its telemetry."""
-
-    kind: Literal["udp"] = "udp"
-    is_real = True
-    dynamics = None
 
     def __init__(self, config: RealChairConfig) -> None:
         self.config = config
@@ -122,7 +117,7 @@ class ChairLink:
     def longest_wait(self, deadline: float, t: float) -> float:
         """Return how long (s) after `t` the loop may wait: at most until its `deadline` or until a command is due."""
         left = max(0.0, min(deadline, self.due) - t)
-        return left if left <= LOOK_EVERY else left / 2
+        return left if left <= POLL_PERIOD else left / 2
 
     def drive(self, twist: Twist, dt: float, _permitted: bool = False) -> ChairState:
         """Take `twist` as the next command, and integrate the reported speeds over `dt` (s) to the new state."""
@@ -141,8 +136,8 @@ class ChairLink:
             if datagram is None:
                 break
             telemetry = decode_telemetry(datagram, self._key)
-            if telemetry is not None and self.telemetry.take(telemetry, t):
-                self._note_echo(telemetry)
+            if telemetry is not None and self.telemetry.accept(telemetry, t):
+                self._update_echo(telemetry)
         if t - self.telemetry.t > HELLO_AFTER and t >= self._hello_due:
             self._hello_due = t + HELLO_EVERY
             self._put(encode_hello(self._key.id))
@@ -205,7 +200,7 @@ class ChairLink:
         """Return in words why the chair's key counts no longer, empty while it does; reads the key file."""
         return lost_key(Path(self.config.key_file), self._key)
 
-    def words(self) -> str:
+    def description(self) -> str:
         """Return the chair's state in words."""
         chair = f"{self.config.name} at {self.config.host}:{self.config.port}"
         newest = self.telemetry.newest
@@ -213,7 +208,7 @@ class ChairLink:
             return f"{chair} does not answer: check its power and the network."
         if self.telemetry.switch_refuted:
             return f"{chair}: what was told of its stop switch was not of now, press and release the switch again."
-        return f"{chair}, {telemetry_words(newest)}"
+        return f"{chair}, {telemetry_description(newest)}"
 
     def report(self, tick: Tick, t: float) -> None:
         """Write into a tick what the chair has reported of itself up to `t` (monotonic s)."""
@@ -283,7 +278,7 @@ class ChairLink:
         self._sent.append((command.sequence, t))
         self._sent_at = t
 
-    def _note_echo(self, telemetry: Telemetry) -> None:
+    def _update_echo(self, telemetry: Telemetry) -> None:
         if self.telemetry.answers:
             while self._sent and self._sent[0][0] <= telemetry.sequence:
                 self._echoed = self._sent.popleft()[1]

@@ -17,7 +17,7 @@ class Reason(IntEnum):
     ENDING = 8  # the receiver was ended
 
 
-WORDS = {
+DESCRIPTIONS = {
     Reason.NONE: "Nothing is wrong.",
     Reason.SILENT: "No new command reached the chair for too long.",
     Reason.TOLD_TO_STOP: "The chair received a stop.",

@@ -121,7 +121,7 @@ class Receiver:
         looks = (self._command_t + limit + ROUNDING for limit in (QUIET, SILENT))
         return next((look for look in looks if look > t), math.inf)
 
-    def take(self, datagram: bytes, t: float) -> bool:
+    def accept(self, datagram: bytes, t: float) -> bool:
         """Act on a command that came at `t` (s); return False, with nothing changed, when it is not accepted."""
         command = decode_command(datagram, self._key, self.nonce)
         if command is None or not _is_drivable(command) or (self._refuses_virtual and command.flags & VIRTUAL):

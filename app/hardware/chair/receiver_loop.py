@@ -8,7 +8,7 @@ from app.clock import Clock
 from app.hardware.chair.inputs import Inputs
 from app.hardware.chair.outputs import Output
 from app.hardware.chair.packet import FRAME_BYTES
-from app.hardware.chair.reasons import WORDS, Reason
+from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.hardware.chair.receiver import Receiver
 from app.hardware.chair.telemetry_sender import TelemetrySender
 
@@ -80,8 +80,8 @@ class ReceiverLoop:
             except OSError:  # no datagram; or an earlier telemetry found no listener, which does not matter
                 select.select([self._socket], [], [], due - t)
                 continue
-            if self._receiver.take(datagram, t):
-                self._telemetry.note_driver(address)
+            if self._receiver.accept(datagram, t):
+                self._telemetry.set_driver(address)
                 self._step()
             else:
                 self._telemetry.answer_hello(datagram, address, t)
@@ -93,7 +93,7 @@ class ReceiverLoop:
         twist = self._receiver.step(t, stop_pressed=pressed, output_broken=self._output_broken)
         state, reason = self._receiver.state, self._receiver.reason
         try:
-            self._output.drive(t, state.name.lower(), twist, "" if reason is Reason.NONE else WORDS[reason])
+            self._output.drive(t, state.name.lower(), twist, "" if reason is Reason.NONE else DESCRIPTIONS[reason])
             self._output_broken = False
         except OSError:
             self._output_broken = True

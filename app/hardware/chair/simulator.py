@@ -5,10 +5,9 @@
 import math
 from typing import Final, Literal, get_args
 
-from app.faults import State
 from app.geometry import STANDSTILL, Pose, Twist
-from app.messages import ChairState, Tick
-from app.speeds import HIGHEST_SPEEDS, Speeds
+from app.messages import ChairState
+from app.speeds import HIGHEST_SPEEDS
 from app.world import dynamics, kinematics
 from app.world.collision import Collision
 from app.world.dynamics import Motion, Wheelchair
@@ -29,19 +28,9 @@ class VirtualChair:
     castors swing in and its wheels slip; its state holds the motion that results.
     """
 
-    kind: Literal["virtual"] = "virtual"
-    is_real = False
-    ready = True
-    stands = True
-    inhibited = False
-    silent = False
-    switch_seen = False
-    switch_reported = False
-    due = math.inf
-
     __slots__ = (
         *("_collision", "_contacts", "_encounters", "_free_for", "_motion", "_wheelchair"),
-        *("dynamics", "speeds", "state"),
+        *("speeds", "state"),
     )
 
     def __init__(self, floorplan: FloorPlan | None, start: Pose, dynamics: Dynamics = "unicycle") -> None:
@@ -51,7 +40,6 @@ class VirtualChair:
         self.speeds = HIGHEST_SPEEDS
         self._collision = Collision(floorplan)
         self._encounters = Encounters(floorplan.movers if floorplan else ())
-        self.dynamics: Dynamics = dynamics
         self._wheelchair = Wheelchair() if dynamics == "wheelchair" else None
         self.place(start)
 
@@ -110,34 +98,3 @@ class VirtualChair:
             self._motion = motion._replace(pose=Pose(x, y, theta), v=v)  # a wall stops the wheels, too
         self.state = ChairState(x, y, theta, v, omega, touching, self._contacts, scene_t)
         return self.state
-
-    def lost_key(self) -> str:
-        """Return an empty string: it has no key."""
-        return ""
-
-    def words(self) -> str:
-        """Return the chair's state in words."""
-        return f"The virtual chair, moving as a {self.dynamics}."
-
-    def close(self) -> None:
-        """Do nothing: the virtual chair holds no device."""
-
-    def use_parameters(self, digest: bytes) -> None:
-        """Do nothing: the virtual chair takes every parameter set."""
-
-    def longest_wait(self, _deadline: float, _t: float) -> float:
-        """Return inf: the virtual chair is served at each tick only."""
-        return math.inf
-
-    def listen(self, t: float) -> None:
-        """Do nothing: the virtual chair sends no telemetry."""
-
-    def send(self, state: State, limits: Speeds, t: float) -> None:
-        """Do nothing: `drive` has moved the virtual chair already."""
-
-    def age(self, _t: float) -> float:
-        """Return 0 s: the state of the virtual chair is always known."""
-        return 0.0
-
-    def report(self, tick: Tick, t: float) -> None:
-        """Do nothing: a tick's fields of a chair's telemetry stay as they are for the virtual chair."""

@@ -4,14 +4,14 @@ import math
 from typing import NamedTuple
 
 from app.hardware.chair.packet import Telemetry
-from app.hardware.chair.reasons import WORDS, Reason
+from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.number_words import percent
 
 SILENT = 0.3  # s without telemetry, which comes every 0.1 s
 DRIFT = 1e-3  # s per s by which the chair's clock may differ from ours
 MOST_NONCES = 1000  # number of nonces kept: a chair makes a new one at each disarming
 ARMED, FAULT = 2, 3  # values of Telemetry.state
-STATE_WORDS = ("disarmed", "waits for rest", "armed", "not ready")
+STATE_NAMES = ("disarmed", "waits for rest", "armed", "not ready")
 
 
 class PressedSwitch(NamedTuple):
@@ -67,7 +67,7 @@ class ChairTelemetry:
         """Expect the epoch (not 0) of a new arming in the telemetry."""
         self._epoch, self._epoch_ns = epoch, -1
 
-    def take(self, telemetry: Telemetry, t: float) -> bool:
+    def accept(self, telemetry: Telemetry, t: float) -> bool:
         """Take a telemetry with a valid tag that arrived at `t` (monotonic s); False when it may be a recording."""
         if telemetry.t_ns <= self._nonces.get(telemetry.nonce, -1):
             return False
@@ -81,10 +81,10 @@ class ChairTelemetry:
         if len(self._nonces) > MOST_NONCES:
             del self._nonces[next(iter(self._nonces))]
         self.newest, self.t = telemetry, t
-        self._note_switch(telemetry, t)
+        self._update_switch(telemetry, t)
         return True
 
-    def _note_switch(self, telemetry: Telemetry, t: float) -> None:
+    def _update_switch(self, telemetry: Telemetry, t: float) -> None:
         if self.answers:
             if self._pressed is not None and not self.switch_seen:
                 self.switch_seen = _shows_now(self._pressed, telemetry, t)
@@ -124,10 +124,10 @@ def _shows_now(pressed: PressedSwitch, telemetry: Telemetry, t: float) -> bool:
     return pressed.nonce == telemetry.nonce and by_chair <= passed + SILENT + DRIFT * passed
 
 
-def telemetry_words(telemetry: Telemetry) -> str:
+def telemetry_description(telemetry: Telemetry) -> str:
     """Return the state, the battery and the fault of a telemetry in words."""
-    words = "stop switch pressed" if telemetry.stop_input else STATE_WORDS[min(telemetry.state, FAULT)]
+    words = "stop switch pressed" if telemetry.stop_input else STATE_NAMES[min(telemetry.state, FAULT)]
     if 0.0 <= telemetry.battery <= 1.0:
         words += f", battery {percent(telemetry.battery)}"
-    reason = Reason(telemetry.fault) if telemetry.fault in WORDS else Reason.NONE
-    return f"{words}." if reason is Reason.NONE else f"{words}. {WORDS[reason]}"
+    reason = Reason(telemetry.fault) if telemetry.fault in DESCRIPTIONS else Reason.NONE
+    return f"{words}." if reason is Reason.NONE else f"{words}. {DESCRIPTIONS[reason]}"

@@ -3,16 +3,14 @@
 import math
 import socket
 from contextlib import suppress
-from typing import Any
 
 from app.hardware.chair.inputs import Inputs
 from app.hardware.chair.packet import is_hello
 from app.hardware.chair.receiver import Receiver, ReceiverState
+from app.hardware.shirt.sender_choice import Address
 
 PERIOD = 0.1  # s between two telemetries
 ANSWER_PAUSE = 0.02  # s between two answers to hellos: anybody on the network can send a hello
-
-Address = Any  # what a socket calls an address
 
 
 class TelemetrySender:
@@ -29,8 +27,8 @@ class TelemetrySender:
         self._answered = self._sent = -math.inf
         self._state = ReceiverState.DISARMED
 
-    def note_driver(self, address: Address) -> None:
-        """Note which address sent the last valid command."""
+    def set_driver(self, address: Address) -> None:
+        """Set which address sent the last valid command."""
         self._driver = address
 
     def answer_hello(self, datagram: bytes, address: Address, t: float) -> None:

@@ -71,7 +71,7 @@ class FlockOfBirds:
                 self._pose = decode(record, now)
         return self._pose
 
-    def words(self) -> str:
+    def description(self) -> str:
         """Return the tracker's state in words."""
         device = self._config.device
         if self._loss:

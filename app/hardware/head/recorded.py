@@ -46,7 +46,7 @@ class RecordedHead:
             played %= duration
         return HeadPose(now, *(float(np.interp(played, self._t, self._angles[:, axis])) for axis in range(3)))
 
-    def words(self) -> str:
+    def description(self) -> str:
         """Return the tracker's state in words."""
         name = Path(self._config.file).name
         return f"The recorded head {name} is not played." if self._began is None else f"Recorded head {name} is played."

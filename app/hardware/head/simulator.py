@@ -37,7 +37,7 @@ class SimulatedHead:
         now = self._clock.now()
         return HeadPose(now, *(self._angle(name, now - self._began) for name in WAVES))
 
-    def words(self) -> str:
+    def description(self) -> str:
         """Return the tracker's state in words."""
         return "The simulated head rests." if self._began is None else "The simulated head looks around."
 

@@ -28,7 +28,7 @@ class TabletHead:
         """Return the newest pose, None before the first."""
         return self._pose
 
-    def words(self) -> str:
+    def description(self) -> str:
         """Return the tracker's state in words."""
         if not self._is_open:
             return "The tablet's orientation is not used."

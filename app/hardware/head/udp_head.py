@@ -72,7 +72,7 @@ class UdpHead:
                 self._sender, self._pose = sender, pose
         return self._pose
 
-    def words(self) -> str:
+    def description(self) -> str:
         """Return the tracker's state in words."""
         if self._socket is None:
             return f"Nothing listens for the head tracker {self._name}."

@@ -62,7 +62,7 @@ STANDARD = FabricProperties()
 
 
 class _Rows:
-    """Rows that are computed in blocks (n, n_channels) and taken one by one."""
+    """Rows that are computed in blocks (n, n_channels) and read one by one."""
 
     __slots__ = ("_at", "_block", "_compute")
 
@@ -71,7 +71,7 @@ class _Rows:
         self._block = np.empty((0, 0))
         self._at = 0
 
-    def take(self) -> NDArray[np.float64]:
+    def next_row(self) -> NDArray[np.float64]:
         """Return the next row (n_channels,)."""
         if self._at == len(self._block):
             self._block, self._at = self._compute(), 0
@@ -191,8 +191,8 @@ class Fabric:
         if self._properties.peak:
             np.power(moved / dt, self._properties.peak_power, out=speed)
         values: NDArray[np.float64] = self._matrix.dot(self._movement)  # `@` takes twice as long
-        values += self._drift.take()
-        values += self._noise.take()
+        values += self._drift.next_row()
+        values += self._noise.next_row()
         values += self._offsets
         self._t += dt
         values *= STEPS_PER_VOLT

@@ -43,8 +43,8 @@ class ShirtConfig(Document):
     kind: str
 
 
-def page_words(title: str, in_use: str) -> ConfigDict:
-    """Return the part of a `model_config` with the words of the Shirt page.
+def page_texts(title: str, in_use: str) -> ConfigDict:
+    """Return the part of a `model_config` with the texts of the Shirt page.
 
     Parameters
     ----------

@@ -27,15 +27,15 @@ def write_newest(file: Path, number: FrameNumber) -> None:
 def read_newest(file: Path) -> FrameNumber:
     """Return the number of the newest frame; HardwareError without a readable file, for then any frame could be old."""
     try:
-        found = _LINE.fullmatch(file.read_text(encoding="ascii").strip()) if file.is_file() else None
+        match = _LINE.fullmatch(file.read_text(encoding="ascii").strip()) if file.is_file() else None
     except (OSError, ValueError):
-        found = None
-    if found is None:
+        match = None
+    if match is None:
         raise HardwareError(
             f"{file}: nothing says which frame of this shirt was the newest, and an old one must not drive: pair the "
             f"shirt anew"
         )
-    return int(found[1]), int(found[2])
+    return int(match[1]), int(match[2])
 
 
 class NewestFrame:
@@ -67,7 +67,7 @@ class NewestFrame:
         """Return whether this frame is newer than every frame that may have been accepted."""
         return (boot, seq) > self._newest
 
-    def take(self, boot: int, seq: int) -> bool:
+    def accept(self, boot: int, seq: int) -> bool:
         """Accept a new frame; False while the number on the disk does not allow it."""
         allowed_boot, allowed_seq = self._allowed
         if boot != allowed_boot or seq + self._ahead // 2 > allowed_seq:

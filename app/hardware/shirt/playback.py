@@ -2,10 +2,9 @@
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -62,13 +61,13 @@ def layout_from_names(path: Path, names: Sequence[str]) -> ShirtLayout:
     """
     channels = []
     for name in names:
-        found = CHANNEL_OF_JOINT.fullmatch(name)
-        if found is None:
+        match = CHANNEL_OF_JOINT.fullmatch(name)
+        if match is None:
             raise ValueError(
                 f"{path}: nothing says which joint the column '{name}' belongs to, put the shirt's layout beside "
                 f"the file as {path.stem}.layout.json or name the columns like right_elbow_1"
             )
-        channels.append(Channel(name=name, joint=found["joint"]))
+        channels.append(Channel(name=name, joint=match["joint"]))
     joints = tuple(dict.fromkeys(channel.joint for channel in channels))
     return ShirtLayout(
         name=path.stem[:80],
@@ -94,7 +93,7 @@ class FramePlayer:
             share = np.array([[minimum_jerk((i + 0.5) / blend)] for i in range(blend)], dtype=np.float32)
             self._head = share * file.values[:blend] + (1 - share) * file.values[self._count :]
 
-    def take(self) -> tuple[int, float, NDArray[np.float32]]:
+    def next_frame(self) -> tuple[int, float, NDArray[np.float32]]:
         """Return seq, time (s since the start) and values (n_channels,) of the next frame; not after the last one."""
         file, i = self._file, self._at
         in_head = self._passed_seq > 0 and i < len(self._head)
@@ -160,7 +159,7 @@ def _read_recording(folder: Path) -> FrameFile:
     return FrameFile(folder.name, layout, sample_rate, t - t[0], seq, values)
 
 
-def _described(folder: Path, meta: dict[str, Any]) -> tuple[ShirtLayout, float]:
+def _described(folder: Path, meta: Mapping[str, object]) -> tuple[ShirtLayout, float]:
     """Return the layout and the sample rate (Hz) in the meta of a recording."""
     try:
         layout = ShirtLayout.model_validate(meta.get("layout"))

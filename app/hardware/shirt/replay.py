@@ -7,7 +7,7 @@ from pydantic import Field
 
 from app.clock import Clock
 from app.hardware.base import HardwareError
-from app.hardware.shirt.kind import ShirtConfig, ShirtKind, SignalFile, Trust, page_words
+from app.hardware.shirt.kind import ShirtConfig, ShirtKind, SignalFile, Trust, page_texts
 from app.hardware.shirt.playback import FrameFile, FramePlayer, read_frames
 from app.layout import ShirtLayout
 from app.messages import SensorFrame
@@ -18,7 +18,7 @@ LONGEST_LAG = 1.0  # s: after a longer hold-up the replay resumes where it stopp
 class ReplayConfig(ShirtConfig):
     """Signals that were recorded before, played as if they came now."""
 
-    model_config = page_words("Replay of a file", in_use="Replay of {file}")
+    model_config = page_texts("Replay of a file", in_use="Replay of {file}")
 
     kind: Literal["replay"]
     file: SignalFile
@@ -73,7 +73,7 @@ class ReplayedShirt:
             self._clock.sleep_until(due)
         elif now - due > LONGEST_LAG:
             self._start += now - due
-        seq, t, values = player.take()
+        seq, t, values = player.next_frame()
         self.lost += seq - self._next_seq
         self._next_seq = seq + 1
         self._t = t
@@ -83,7 +83,7 @@ class ReplayedShirt:
         """Return whether the next frame is due already."""
         return self._player is not None and self._start + self._player.due <= self._clock.now()
 
-    def words(self) -> str:
+    def description(self) -> str:
         """Return the shirt's state in words."""
         if self._player is None or self._file is None:
             return "The replay is closed."

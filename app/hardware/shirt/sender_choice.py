@@ -1,10 +1,8 @@
 """Choose which sender is the shirt: that of the first good frame, until a person chooses another (safety S23)."""
 
-from typing import Any
-
 MOST = 8  # other senders whose addresses are kept; frames of more senders are only counted
 
-Address = tuple[Any, ...]
+Address = tuple[str, int] | tuple[str, int, int, int]
 """A sender as a socket returns it: host and port first."""
 
 
@@ -35,7 +33,7 @@ class SenderChoice:
         """The address of the other sender that sent most, empty when there is none."""
         return address_text(max(self._frames, key=lambda address: self._frames[address])) if self._frames else ""
 
-    def takes(self, address: Address, boot: int, silent: bool) -> bool:
+    def accept(self, address: Address, boot: int, silent: bool) -> bool:
         """Return whether a good frame from `address` is the shirt's.
 
         `boot` is the boot counter of a signed frame, 0 of an unsigned one. A device with the same key that was started

@@ -24,7 +24,7 @@ class Sequence:
         self._last = self._straggler = -1
         self._behind = 0
 
-    def takes(self, seq: int) -> bool:
+    def accept(self, seq: int) -> bool:
         """Return whether the frame of number `seq` is new; late and repeated frames are not."""
         ahead = (seq - self._last) % WRAP
         if ahead == 1 or self._last < 0:

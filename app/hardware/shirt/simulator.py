@@ -10,20 +10,20 @@ from app.clock import Clock
 from app.hardware.base import Body, BodyView, HardwareError
 from app.hardware.body.minimum_jerk import minimum_jerk
 from app.hardware.shirt.fabric import Fabric
-from app.hardware.shirt.kind import ShirtConfig, ShirtKind, ShirtRate, Trust, page_words
-from app.hardware.shirt.pace import Pace
+from app.hardware.shirt.kind import ShirtConfig, ShirtKind, ShirtRate, Trust, page_texts
 from app.hardware.shirt.standard import standard_layout
 from app.layout import ShirtLayout
 from app.messages import SensorFrame
 from app.quantities import Count, Name
 
+LONGEST_LAG = 1.0  # s: frames that are later than this count as lost, as of a device that went on
 TRANSITION_TIME = 1.0  # s for the transition from one body's posture to the next body's
 
 
 class SimulatorConfig(ShirtConfig):
     """A fabric with 52 sensors, calculated from the body inside it."""
 
-    model_config = page_words("Simulated shirt", in_use="Simulated shirt, {sample_rate} frames a second")
+    model_config = page_texts("Simulated shirt", in_use="Simulated shirt, {sample_rate} frames a second")
 
     kind: Literal["simulator"]
     sample_rate: ShirtRate = Field(
@@ -43,6 +43,47 @@ class SimulatorConfig(ShirtConfig):
             "choices": [{"title": "All work", "at": []}, {"title": "Two are dead", "at": [1 / 3, 3 / 4]}],
         },
     )
+
+
+class Pace:
+    """The deadlines of frames: the first at once, then one every period."""
+
+    __slots__ = ("_clock", "_missed", "_number", "_period", "_start")
+
+    def __init__(self, clock: Clock, sample_rate: float) -> None:
+        self._clock = clock
+        self._period = 1.0 / sample_rate
+        self._start = clock.now()
+        self._number = 0  # of the next frame
+        self._missed = 0
+
+    def is_due(self) -> bool:
+        """Return whether a frame is due now."""
+        return self._clock.now() >= self._due
+
+    def wait(self, timeout: float) -> bool:
+        """Wait at most `timeout` (s) for the next deadline; True when it has passed, and the one after it is next."""
+        now, due = self._clock.now(), self._due
+        if due > now:
+            if due > now + timeout:
+                self._clock.sleep_until(now + timeout)
+                return False
+            self._clock.sleep_until(due)
+        elif now - due > LONGEST_LAG:
+            behind = int((now - due) / self._period)
+            self._missed += behind
+            self._number += behind
+        self._number += 1
+        return True
+
+    def missed(self) -> int:
+        """Return how many frames were lost since the last call."""
+        missed, self._missed = self._missed, 0
+        return missed
+
+    @property
+    def _due(self) -> float:
+        return self._start + self._number * self._period
 
 
 class SimulatedShirt:
@@ -128,7 +169,7 @@ class SimulatedShirt:
         """Return whether the next frame is due already."""
         return self._pace is not None and self._pace.is_due()
 
-    def words(self) -> str:
+    def description(self) -> str:
         """Return the shirt's state in words."""
         if self._pace is None:
             return "The simulated shirt is closed."

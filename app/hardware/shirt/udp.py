@@ -13,7 +13,7 @@ from app.clock import Clock
 from app.hardware.addresses import Host
 from app.hardware.base import HardwareError
 from app.hardware.chair.key import Key, KeyRefused, lost_key, read_key
-from app.hardware.shirt.kind import LayoutFile, ShirtConfig, ShirtKey, ShirtKind, ShirtRate, Trust, page_words
+from app.hardware.shirt.kind import LayoutFile, ShirtConfig, ShirtKey, ShirtKind, ShirtRate, Trust, page_texts
 from app.hardware.shirt.lateness import Lateness
 from app.hardware.shirt.newest_frame import NewestFrame, newest_file
 from app.hardware.shirt.packet import LONGEST, Packet, decode, decode_signed, refusal
@@ -33,7 +33,7 @@ _TIME = struct.Struct("@ll")  # struct timeval
 class UdpConfig(ShirtConfig):
     """Frames that arrive by UDP on this machine."""
 
-    model_config = page_words("A shirt over the network", in_use="Network shirt on port {port}")
+    model_config = page_texts("A shirt over the network", in_use="Network shirt on port {port}")
 
     kind: Literal["udp"]
     host: Host = Field(default="127.0.0.1", title="Listen on")  # the address of this machine that the shirt sends to
@@ -115,7 +115,7 @@ class UdpShirt:
             packet = self._packet(size, now)
             if packet is not None:
                 seq, microseconds, values = packet
-                if self._sequence.takes(seq) and (self._key is None or self._is_in_time(microseconds, now)):
+                if self._sequence.accept(seq) and (self._key is None or self._is_in_time(microseconds, now)):
                     self._frame_t = now
                     return SensorFrame(seq, microseconds * 1e-6, now, values)
             wait = deadline - now
@@ -136,9 +136,9 @@ class UdpShirt:
         if self._newest is not None and not self._newest.is_new(boot, packet[0]):
             self.repeated += 1
             return None
-        if not self.sender_choice.takes(self._sender, boot, now - self._frame_t > SILENCE):
+        if not self.sender_choice.accept(self._sender, boot, now - self._frame_t > SILENCE):
             return None
-        if self._newest is not None and not self._newest.take(boot, packet[0]):
+        if self._newest is not None and not self._newest.accept(boot, packet[0]):
             return None
         if boot != self._boot:
             self._boot = boot
@@ -181,7 +181,7 @@ class UdpShirt:
             return False
         return True
 
-    def words(self) -> str:
+    def description(self) -> str:
         """Return the shirt's state in words."""
         trouble = (self._newest.trouble if self._newest else "") or self._late_words() or self._refusal
         why = f" ({trouble})" if trouble else ""

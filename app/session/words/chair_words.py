@@ -6,7 +6,7 @@ from typing import Any, Literal, get_args
 import numpy as np
 from pydantic import BaseModel, ConfigDict
 
-from app.hardware.chair.reasons import WORDS, Reason
+from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.pipeline.safety_gate import CHAIR_SILENT
 
 StateName = Literal["disarmed", "checking", "armed", "fault"]
@@ -16,9 +16,9 @@ CHAIR_FAULT = 3  # index of "fault" in STATE_NAMES
 
 def fault_sentence(fault: int) -> str:
     """Return the sentence for the fault number of a chair whose state is "fault"."""
-    if fault == Reason.NONE or fault not in WORDS:
+    if fault == Reason.NONE or fault not in DESCRIPTIONS:
         return "The chair reports a fault that this program does not know."
-    return WORDS[Reason(fault)]
+    return DESCRIPTIONS[Reason(fault)]
 
 
 def is_silent(tick: np.void) -> bool:

@@ -6,7 +6,7 @@ import pytest
 from api.drives.chair_drives import arm, choose_chair, practise, velocity
 from api.fake_clinic import WORD, Clinic
 
-from app.hardware.chair.reasons import WORDS, Reason
+from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.hardware.shirt.kind import NO_KEY
 from app.speeds import Speeds
 from app.store.tables import ParameterSet
@@ -79,7 +79,7 @@ def test_a_hash_that_was_stored_by_an_older_program_counts_as_it_is_reckoned_now
         ({"chair_age": float("nan")}, "does not answer"),
         ({"chair_age": float("inf")}, "does not answer"),
         ({"stop_input": 1}, "stop switch"),
-        ({"chair_state": FAULT, "chair_fault": Reason.OUTPUT}, WORDS[Reason.OUTPUT]),
+        ({"chair_state": FAULT, "chair_fault": Reason.OUTPUT}, DESCRIPTIONS[Reason.OUTPUT]),
         ({"chair_state": FAULT, "chair_fault": 99}, "does not know"),
     ],
 )

@@ -9,7 +9,7 @@ from api.fake_clinic import WORD
 from store.known_people import known_clinic
 
 from app.faults import Fault, State
-from app.hardware.chair.reasons import WORDS, Reason
+from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.store.people import add_person, sign_in
 
 ARMED, FAULT = 2, 3  # of a chair's telemetry
@@ -124,6 +124,6 @@ def test_the_live_picture_shows_what_the_chair_says(ready: Any) -> None:
             time.sleep(0.01)
         assert shown.id == drive["id"]
     ready.process.says = {"chair_state": FAULT, "chair_fault": Reason.STOP_INPUT}
-    assert ready.web.live._picture().chair.words == WORDS[Reason.STOP_INPUT]
+    assert ready.web.live._picture().chair.words == DESCRIPTIONS[Reason.STOP_INPUT]
     ready.process.chair = "virtual"
     assert ready.web.live._picture().chair.words == "Blue is not open: choose it again."

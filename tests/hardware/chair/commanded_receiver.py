@@ -46,7 +46,7 @@ class CommandedReceiver:
         return encode_command(command._replace(**changes), key, self.receiver.nonce if nonce is None else nonce)
 
     def send(self, *words, **changes):
-        return self.receiver.take(self.frame(*words, **changes), self.t)
+        return self.receiver.accept(self.frame(*words, **changes), self.t)
 
     def step(self, dt=STEP):
         self.t += dt

@@ -12,7 +12,7 @@ from app.geometry import Pose
 from app.hardware.chair.key import new_key
 from app.hardware.chair.link import MOST_DATAGRAMS
 from app.hardware.chair.packet import encode_telemetry
-from app.hardware.chair.reasons import WORDS, Reason
+from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 
 
 def test_a_chair_that_is_paired_with_another_address_is_heard_often_enough(pair):
@@ -101,7 +101,7 @@ def test_a_recording_of_the_switch_arms_nothing_and_the_words_ask_for_it_anew(pa
     pair.hear(ARMED, first.epoch, first.sequence)
     assert not pair.link.ready
     assert not pair.link.switch_reported
-    assert pair.link.words().endswith("press and release the switch again.")
+    assert pair.link.description().endswith("press and release the switch again.")
     pair.chair.send(pressed)
     pair.link.listen(pair.t)
     assert not pair.link.switch_reported
@@ -163,6 +163,6 @@ def test_it_stands_when_the_chair_says_so_or_after_a_while(pair):
 def test_its_words_tell_what_the_chair_says(pair):
     pair.meet()
     pair.hear(FAULT, stop_input=1, fault=Reason.STOP_INPUT, battery=math.nan)
-    assert pair.link.words().endswith(f"stop switch pressed. {WORDS[Reason.STOP_INPUT]}")
+    assert pair.link.description().endswith(f"stop switch pressed. {DESCRIPTIONS[Reason.STOP_INPUT]}")
     pair.hear(CHECKING, fault=200)
-    assert pair.link.words().endswith("waits for rest, battery 50 %.")
+    assert pair.link.description().endswith("waits for rest, battery 50 %.")

@@ -18,56 +18,56 @@ def reported(t_ns, nonce=A, state=0, epoch=0, stop_input=0):
 @pytest.fixture
 def telemetry():
     made = ChairTelemetry()
-    assert made.take(reported(1000), 1.0)
+    assert made.accept(reported(1000), 1.0)
     return made
 
 
 def test_the_chair_s_time_must_grow(telemetry):
-    assert not telemetry.take(reported(1000), 1.01)
-    assert not telemetry.take(reported(999), 1.01)
-    assert telemetry.take(reported(1001), 1.02)
+    assert not telemetry.accept(reported(1000), 1.01)
+    assert not telemetry.accept(reported(999), 1.01)
+    assert telemetry.accept(reported(1001), 1.02)
     assert (telemetry.newest.t_ns, telemetry.t) == (1001, 1.02)
 
 
 def test_another_nonce_is_believed_when_the_chair_was_silent_or_tells_our_epoch(telemetry):
-    assert not telemetry.take(reported(2000, B), 0.99 + SILENT)
+    assert not telemetry.accept(reported(2000, B), 0.99 + SILENT)
     telemetry.begin_epoch(EPOCH)
-    assert not telemetry.take(reported(2000, B, epoch=EPOCH + 1), 1.1)
-    assert telemetry.take(reported(2000, B, epoch=EPOCH), 1.1)
-    assert telemetry.take(reported(1, b"nonce--C"), 1.1 + SILENT + 0.01)
+    assert not telemetry.accept(reported(2000, B, epoch=EPOCH + 1), 1.1)
+    assert telemetry.accept(reported(2000, B, epoch=EPOCH), 1.1)
+    assert telemetry.accept(reported(1, b"nonce--C"), 1.1 + SILENT + 0.01)
 
 
 def test_a_restarted_chair_is_believed_after_its_silence(telemetry):
     again = reported(5, B)  # its clock began anew, too
-    assert not telemetry.take(again, 1.2)
-    assert telemetry.take(again, 1.4)
+    assert not telemetry.accept(again, 1.2)
+    assert telemetry.accept(again, 1.4)
     assert telemetry.newest.nonce == B
 
 
 def test_a_recording_of_this_arming_rolls_nothing_back(telemetry):
     telemetry.begin_epoch(EPOCH)
-    assert telemetry.take(reported(2000, A, ARMED, EPOCH), 1.1)
-    assert telemetry.take(reported(3000, B, 0, EPOCH), 1.2)  # it disarmed: a new nonce
-    assert not telemetry.take(reported(2000, A, ARMED, EPOCH), 1.25)
-    assert not telemetry.take(reported(2500, A, ARMED, EPOCH), 1.25)  # also when somebody kept it from us until now
-    assert not telemetry.take(reported(2500, A, ARMED, EPOCH), 2.0)
+    assert telemetry.accept(reported(2000, A, ARMED, EPOCH), 1.1)
+    assert telemetry.accept(reported(3000, B, 0, EPOCH), 1.2)  # it disarmed: a new nonce
+    assert not telemetry.accept(reported(2000, A, ARMED, EPOCH), 1.25)
+    assert not telemetry.accept(reported(2500, A, ARMED, EPOCH), 1.25)  # also when somebody kept it from us until now
+    assert not telemetry.accept(reported(2500, A, ARMED, EPOCH), 2.0)
     assert not telemetry.ready
 
 
 def test_an_earlier_nonce_needs_silence_and_a_later_time(telemetry):
-    assert telemetry.take(reported(5, B), 2.0)
-    assert not telemetry.take(reported(1000), 3.0)
-    assert not telemetry.take(reported(1001), 2.1)
-    assert telemetry.take(reported(1001), 3.0)
+    assert telemetry.accept(reported(5, B), 2.0)
+    assert not telemetry.accept(reported(1000), 3.0)
+    assert not telemetry.accept(reported(1001), 2.1)
+    assert telemetry.accept(reported(1001), 3.0)
 
 
 def test_ready_is_only_who_tells_this_arming_s_epoch(telemetry):
-    assert telemetry.take(reported(2000, A, ARMED, 0), 1.1)
+    assert telemetry.accept(reported(2000, A, ARMED, 0), 1.1)
     assert not telemetry.ready
     telemetry.begin_epoch(EPOCH)
     assert not telemetry.ready
     assert not telemetry.answers
-    assert telemetry.take(reported(2001, A, ARMED, EPOCH), 1.1)
+    assert telemetry.accept(reported(2001, A, ARMED, EPOCH), 1.1)
     assert telemetry.ready
     telemetry.begin_epoch(EPOCH + 1)
     assert not telemetry.ready
@@ -76,21 +76,21 @@ def test_ready_is_only_who_tells_this_arming_s_epoch(telemetry):
 def test_a_pressed_switch_or_a_fault_inhibits(telemetry):
     telemetry.begin_epoch(EPOCH)
     assert not telemetry.inhibited
-    assert telemetry.take(reported(2000, A, FAULT, EPOCH), 1.1)
+    assert telemetry.accept(reported(2000, A, FAULT, EPOCH), 1.1)
     assert (telemetry.inhibited, telemetry.ready, telemetry.switch_seen) == (True, False, False)
-    assert telemetry.take(reported(2001, A, ARMED, EPOCH, stop_input=1), 1.1)
+    assert telemetry.accept(reported(2001, A, ARMED, EPOCH, stop_input=1), 1.1)
     assert (telemetry.inhibited, telemetry.ready, telemetry.switch_seen) == (True, False, True)
-    assert telemetry.take(reported(2002, A, ARMED, EPOCH), 1.1)
+    assert telemetry.accept(reported(2002, A, ARMED, EPOCH), 1.1)
     assert (telemetry.inhibited, telemetry.ready, telemetry.switch_seen) == (False, True, True)
 
 
 def confirmed(pressed, came, first, t):
     """Return whether a pressed switch counts after the first telemetry of our epoch."""
     telemetry = ChairTelemetry()
-    assert telemetry.take(pressed, came)
+    assert telemetry.accept(pressed, came)
     assert (telemetry.switch_seen, telemetry.switch_reported) == (False, True)
     telemetry.begin_epoch(EPOCH)
-    assert telemetry.take(first, t)
+    assert telemetry.accept(first, t)
     assert telemetry.switch_reported == telemetry.switch_seen != telemetry.switch_refuted
     assert telemetry.ready == telemetry.switch_seen
     return telemetry.switch_seen
@@ -110,20 +110,20 @@ def test_a_switch_seen_before_the_arming_counts_when_it_was_pressed_then():
 
 def test_a_switch_that_was_a_recording_keeps_the_chair_from_being_ready_in_all_of_this_arming():
     telemetry = ChairTelemetry()
-    assert telemetry.take(reported(5 * S, stop_input=1), 1.0)
+    assert telemetry.accept(reported(5 * S, stop_input=1), 1.0)
     for number, nonce in enumerate((A, B, b"nonce--C")):
         telemetry.begin_epoch(EPOCH + number)
-        assert telemetry.take(reported((50 + number) * S, nonce, ARMED, EPOCH + number), 1.1 + number)
+        assert telemetry.accept(reported((50 + number) * S, nonce, ARMED, EPOCH + number), 1.1 + number)
         assert not telemetry.ready
-    assert telemetry.take(reported(60 * S, b"nonce--C", FAULT, EPOCH + 2, stop_input=1), 5.0)
+    assert telemetry.accept(reported(60 * S, b"nonce--C", FAULT, EPOCH + 2, stop_input=1), 5.0)
     assert telemetry.switch_seen
 
 
 def test_it_remembers_many_nonces_and_not_endlessly_many():
     telemetry = ChairTelemetry()
     for i in range(2 * MOST_NONCES):
-        assert telemetry.take(reported(10, i.to_bytes(8, "little")), i * 1.0)
-    assert not telemetry.take(reported(10, (2 * MOST_NONCES - 500).to_bytes(8, "little")), 1e6)
+        assert telemetry.accept(reported(10, i.to_bytes(8, "little")), i * 1.0)
+    assert not telemetry.accept(reported(10, (2 * MOST_NONCES - 500).to_bytes(8, "little")), 1e6)
     assert len(telemetry._nonces) == MOST_NONCES
 
 
@@ -139,7 +139,7 @@ def test_nothing_is_taken_twice_whatever_comes(sequence, with_epoch):
         kept.begin_epoch(EPOCH)
     for telemetry, pause in sequence:
         t += pause
-        if kept.take(telemetry, t):
+        if kept.accept(telemetry, t):
             assert all(telemetry.t_ns > other.t_ns for other in taken if other.nonce == telemetry.nonce)
             if with_epoch and telemetry.epoch == EPOCH:
                 assert all(telemetry.t_ns > other.t_ns for other in taken if other.epoch == EPOCH)

@@ -6,7 +6,7 @@ import pytest
 from hardware.chair.commanded_receiver import PERIOD, CommandedReceiver
 
 from app.hardware.chair.packet import DRIVE, STOP, VIRTUAL
-from app.hardware.chair.reasons import WORDS, Reason
+from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.hardware.chair.receiver import Receiver, ReceiverState
 from app.pipeline import safety_gate
 
@@ -152,7 +152,7 @@ def test_every_disarming_ends_the_epoch_and_says_why_and_only_a_new_arming_drive
     began = chair.t
     chair.command(0.6, 0.5, 0.0, DRIVE)  # the same epoch, even under the new nonce
     chair.command(0.6)
-    assert not any(chair.receiver.take(frame, chair.t) for frame in recorded)
+    assert not any(chair.receiver.accept(frame, chair.t) for frame in recorded)
     assert chair.state is DISARMED
     assert chair.receiver.driven == STANDS
     assert all(v == 0.0 for t, v, _ in chair.speeds if t > began + safety_gate.STOP_TIME)
@@ -262,5 +262,5 @@ def test_every_nonce_is_another():
 
 
 def test_every_reason_has_words():
-    assert set(WORDS) == set(Reason)
-    assert all(words.endswith(".") for words in WORDS.values())
+    assert set(DESCRIPTIONS) == set(Reason)
+    assert all(words.endswith(".") for words in DESCRIPTIONS.values())

@@ -25,7 +25,7 @@ def cut():
         v, omega = rng.choice((-1, 1)) * rng.uniform(0.05, 1.5), rng.uniform(-2.5, 2.5)
         chair.drive(v, omega, seconds=0.54)
         heard = chair.t + rng.uniform(0.0, STEP)
-        assert chair.receiver.take(chair.frame(v, omega, DRIVE), heard)
+        assert chair.receiver.accept(chair.frame(v, omega, DRIVE), heard)
         before = chair.receiver.driven
         chair.speeds.clear()
         states = []
@@ -80,7 +80,7 @@ def test_what_is_not_taken_for_late_leaves_no_trace():
     chair = CommandedReceiver().drive()
     late = chair.frame(0.9, 0.0, DRIVE, t_ns=int((chair.t + chair.sender_ahead - 0.15) * 1e9))
     before = repr(vars(chair.receiver))
-    assert not chair.receiver.take(late, chair.t)
+    assert not chair.receiver.accept(late, chair.t)
     assert repr(vars(chair.receiver)) == before
     assert chair.send(0.5, 0.0, DRIVE)
 
@@ -102,7 +102,7 @@ def test_two_seconds_of_commands_that_a_network_kept_back_move_nothing():
         kept.append(chair.frame(0.5, 0.0, DRIVE))
         chair.wait(PERIOD)
     assert (chair.state, chair.reason) == (ReceiverState.DISARMED, Reason.SILENT)
-    assert not any(chair.receiver.take(frame, chair.t) for frame in kept)
+    assert not any(chair.receiver.accept(frame, chair.t) for frame in kept)
 
 
 @pytest.mark.parametrize("pause", [0.12, 0.2, 0.28])
@@ -114,7 +114,7 @@ def test_commands_that_were_kept_back_for_less_do_not_drive_either_until_they_ar
         chair.wait(PERIOD)
     for sent, frame in kept:
         late = chair.t - sent
-        taken = chair.receiver.take(frame, chair.t)
+        taken = chair.receiver.accept(frame, chair.t)
         assert late <= 0.1 + 0.1 * pause + SLACK if taken else late > 0.1 - SLACK
     assert taken
 

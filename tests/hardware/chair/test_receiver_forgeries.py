@@ -151,7 +151,7 @@ def changes_nothing(way, reach, earlier):
     before, nonces = everything(chair.receiver), chair.nonces
     for _ in range(REPEATS):
         make = forgeries(chair, seen, earlier, rng)[way]
-        assert not chair.receiver.take(make(), chair.t), case
+        assert not chair.receiver.accept(make(), chair.t), case
     assert everything(chair.receiver) == before, case
     assert chair.nonces == nonces, case
     chair.conditions = {}
@@ -167,15 +167,15 @@ def test_every_bit_of_a_command_counts():
     for bit in range(8 * FRAME_BYTES):
         forged = bytearray(frame)
         forged[bit // 8] ^= 1 << bit % 8
-        assert not chair.receiver.take(bytes(forged), chair.t)
+        assert not chair.receiver.accept(bytes(forged), chair.t)
     assert everything(chair.receiver) == before
-    assert chair.receiver.take(frame, chair.t)
+    assert chair.receiver.accept(frame, chair.t)
 
 
 def test_a_whole_drive_of_an_earlier_boot_moves_nothing(earlier):
     chair = CommandedReceiver()
     for frame in earlier:
-        assert not chair.receiver.take(frame, chair.t)
+        assert not chair.receiver.accept(frame, chair.t)
         chair.wait(0.02)
     assert chair.state is ReceiverState.DISARMED
     assert not any(v or omega for _, v, omega in chair.speeds)
@@ -187,14 +187,14 @@ def test_drives_of_the_same_boot_move_nothing_when_they_are_sent_again():
     for _ in range(3):
         for speed in (*[0.0] * 30, *[0.4] * 10):
             sent.append(chair.frame(speed, 0.0, DRIVE))
-            assert chair.receiver.take(sent[-1], chair.t)
+            assert chair.receiver.accept(sent[-1], chair.t)
             chair.wait(0.02)
         chair.wait(0.5)  # silence ends the epoch
         assert chair.state is ReceiverState.DISARMED
         chair.epoch += 1
     begun = len(chair.speeds)
     for frame in sent:
-        assert not chair.receiver.take(frame, chair.t)
+        assert not chair.receiver.accept(frame, chair.t)
         chair.wait(0.02)
     assert chair.state is ReceiverState.DISARMED
     assert not any(v or omega for _, v, omega in chair.speeds[begun:])

@@ -39,7 +39,7 @@ class Chair:
     def drive(self):
         for words in [(0.0, 0.0)] * 30 + [(0.5, 0.0, DRIVE)] * 10:
             assert self.commanded.send(*words)
-            self.sender.note_driver(DRIVER)
+            self.sender.set_driver(DRIVER)
             self.wait(0.02)
 
     def receivers(self, since=0.0):

@@ -34,7 +34,7 @@ def taken(newest, boot, seq):
     """Accept a frame as soon as the number on the disk allows it."""
     pause = threading.Event()
     for _ in range(1000):
-        if newest.is_new(boot, seq) and newest.take(boot, seq):
+        if newest.is_new(boot, seq) and newest.accept(boot, seq):
             return True
         pause.wait(0.005)
     return False
@@ -80,13 +80,13 @@ def test_a_disk_that_cannot_be_written_lets_nothing_through_and_is_said(opened, 
 
     write = newest_module.write_newest
     monkeypatch.setattr(newest_module, "write_newest", full)
-    assert newest.take(1, 1)  # that was allowed before
-    assert not newest.take(2, 0)
+    assert newest.accept(1, 1)  # that was allowed before
+    assert not newest.accept(2, 0)
     pause = threading.Event()
     while not newest.trouble:
         pause.wait(0.005)
     assert "No space left" in newest.trouble
-    assert not newest.take(2, 0)
+    assert not newest.accept(2, 0)
     monkeypatch.setattr(newest_module, "write_newest", write)
     assert taken(newest, 2, 0)
     assert newest.trouble == ""

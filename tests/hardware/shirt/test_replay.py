@@ -31,7 +31,7 @@ def test_every_sample_comes_at_its_own_time_and_then_the_words_say_that_it_is_ov
     np.testing.assert_allclose([frame.t for frame in frames], 3.0 + np.arange(30) / RATE, atol=1e-9)
     assert shirt.read(0.5) is None
     assert not shirt.pending()
-    assert "has ended" in shirt.words()
+    assert "has ended" in shirt.description()
 
 
 def test_a_gap_in_the_file_is_a_gap_in_the_replay(tmp_path):
@@ -117,7 +117,7 @@ def test_a_player_hands_out_what_was_read(tmp_path):
     player = FramePlayer(played, loop=False)
     taken = []
     while np.isfinite(player.due):
-        taken.append(player.take())
+        taken.append(player.next_frame())
     assert [seq for seq, _t, _values in taken] == list(range(40))
     np.testing.assert_array_equal([values for _seq, _t, values in taken], played.values)
 

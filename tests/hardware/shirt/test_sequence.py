@@ -8,10 +8,10 @@ from app.hardware.shirt.sequence import RESTART_AFTER, Sequence
 def test_gaps_are_counted_and_the_counter_may_wrap(start, steps):
     sequence = Sequence()
     seq = start
-    assert sequence.takes(seq)
+    assert sequence.accept(seq)
     for step in steps:
         seq = (seq + step) % 2**32
-        assert sequence.takes(seq)
+        assert sequence.accept(seq)
     assert sequence.lost == sum(steps) - len(steps)
     assert sequence.dropped == sequence.restarts == 0
 
@@ -20,11 +20,11 @@ def test_gaps_are_counted_and_the_counter_may_wrap(start, steps):
 def test_late_and_repeated_frames_between_new_ones_are_dropped(start, behind):
     sequence = Sequence()
     seq = start
-    sequence.takes(seq)
+    sequence.accept(seq)
     for back in behind:
         seq = (seq + 1) % 2**32
-        assert sequence.takes(seq)
-        assert not sequence.takes((seq - back) % 2**32)
+        assert sequence.accept(seq)
+        assert not sequence.accept((seq - back) % 2**32)
     assert sequence.dropped == len(behind)
     assert sequence.lost == sequence.restarts == 0
 
@@ -32,8 +32,8 @@ def test_late_and_repeated_frames_between_new_ones_are_dropped(start, behind):
 @given(st.integers(RESTART_AFTER + 1, 2**32 - 2**20 - 1))
 def test_a_device_that_begins_anew_is_heard_again_soon(last):
     sequence = Sequence()
-    sequence.takes(last)
-    taken = [sequence.takes(seq) for seq in range(RESTART_AFTER + 20)]
+    sequence.accept(last)
+    taken = [sequence.accept(seq) for seq in range(RESTART_AFTER + 20)]
     assert all(taken[RESTART_AFTER:])
     assert sequence.lost < RESTART_AFTER
     if last < 2**31:
@@ -42,7 +42,7 @@ def test_a_device_that_begins_anew_is_heard_again_soon(last):
 
 def test_a_device_that_begins_anew_far_ahead_has_lost_nothing():
     sequence = Sequence()
-    sequence.takes(5)
-    assert sequence.takes(1_900_000_000)
+    sequence.accept(5)
+    assert sequence.accept(1_900_000_000)
     assert sequence.lost == 0
     assert sequence.restarts == 1

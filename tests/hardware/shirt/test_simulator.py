@@ -5,8 +5,7 @@ from hardware.shirt.shirts import small_layout
 
 from app.hardware.base import HardwareError
 from app.hardware.body.visitor import Visitor
-from app.hardware.shirt.pace import LONGEST_LAG, Pace
-from app.hardware.shirt.simulator import TRANSITION_TIME, SimulatedShirt, SimulatorConfig
+from app.hardware.shirt.simulator import LONGEST_LAG, TRANSITION_TIME, Pace, SimulatedShirt, SimulatorConfig
 from app.layout import ShirtLayout
 
 

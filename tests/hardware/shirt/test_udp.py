@@ -34,14 +34,14 @@ def test_junk_is_passed_over_and_counted(source):
     source.send(0)
     assert source.shirt.read(WAIT).seq == 0
     assert source.shirt.junk == 4
-    assert "4 datagrams refused (the shirt sends 52 sensors, its layout has 3" in source.shirt.words()
+    assert "4 datagrams refused (the shirt sends 52 sensors, its layout has 3" in source.shirt.description()
 
 
 def test_before_any_frame_the_words_say_what_is_wrong_with_what_comes(source):
     source.send_bytes(encode(0, 0.0, np.zeros(52, dtype=np.float32)))
     assert source.shirt.read(0.05) is None
-    assert source.shirt.words().startswith("No frames from a shirt on 127.0.0.1:")
-    assert "sends 52 sensors" in source.shirt.words()
+    assert source.shirt.description().startswith("No frames from a shirt on 127.0.0.1:")
+    assert "sends 52 sensors" in source.shirt.description()
 
 
 def test_gaps_are_counted_late_frames_dropped(source):
@@ -50,7 +50,7 @@ def test_gaps_are_counted_late_frames_dropped(source):
     assert [source.shirt.read(WAIT).seq for _ in range(4)] == [10, 11, 15, 16]
     assert source.shirt.read(0.0) is None
     assert source.shirt.lost == 3
-    assert "3 frames lost" in source.shirt.words()
+    assert "3 frames lost" in source.shirt.description()
 
 
 def test_the_counter_may_wrap(source):
@@ -83,7 +83,7 @@ def test_after_any_silence_only_a_person_makes_another_sender_the_shirt(tmp_path
     for seq in range(77, 80):
         source.send(seq, stranger)
         assert shirt.read(0.1) is None
-    assert shirt.words().endswith(f", 3 frames of another sender ({other}) left out.")
+    assert shirt.description().endswith(f", 3 frames of another sender ({other}) left out.")
     assert not shirt.use_sender("127.0.0.1:1")
     assert shirt.use_sender(other)
     source.send(80, stranger)

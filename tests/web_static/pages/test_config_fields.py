@@ -11,7 +11,7 @@ from pydantic import Field
 from app.api.routes.equipment import shirt_kind_view
 from app.hardware.addresses import SerialLine
 from app.hardware.configs import SHIRTS
-from app.hardware.shirt.kind import LayoutFile, ShirtConfig, ShirtKey, ShirtKind, SignalFile, page_words
+from app.hardware.shirt.kind import LayoutFile, ShirtConfig, ShirtKey, ShirtKind, SignalFile, page_texts
 from app.hardware.shirt.standard import standard_layout
 from app.hardware.shirt.udp import UdpShirt
 
@@ -26,7 +26,7 @@ FILES = [
 class BandConfig(ShirtConfig):
     """Two bands of stretch sensors on a serial line."""
 
-    model_config = page_words("Chest bands", in_use="Chest bands on {device}, {baud} baud")
+    model_config = page_texts("Chest bands", in_use="Chest bands on {device}, {baud} baud")
 
     kind: Literal["band"]
     device: SerialLine = Field(default="/dev/ttyACM0", title="Serial line", description="As the system names it.")
