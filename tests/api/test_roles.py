@@ -89,6 +89,7 @@ FOR_REVIEWERS = {
     "GET /session",
     "GET /equipment",
     "GET /equipment/sender",
+    "GET /equipment/shirts",
     "GET /chairs",
     "GET /limits",
     "GET /clinic-prior",

@@ -109,7 +109,7 @@ def test_from_refusals_to_a_drive_and_its_recording(chair, tmp_path):
             await control.call("stop", by="tablet")
             stopped = await tick_with(control, lambda tick: tick["chair_state"] == 0)
             assert (stopped["state"], stopped["fault"]) == (State.FAULT, Fault.STOP_TABLET)
-            chair.wait_for(lambda line: line["reason"] == DESCRIPTIONS[Reason.TOLD_TO_STOP])
+            chair.wait_for(lambda line: line["reason"] == DESCRIPTIONS[Reason.STOP_COMMAND])
             await control.call("clear", stops=int(stopped["stops"]))
             await tick_with(control, lambda tick: tick["state"] in (State.ARMED, State.FAULT))
             ended = await control.call("end_run")
@@ -150,7 +150,7 @@ def test_a_stop_while_it_drives_reaches_the_chair(chair, tmp_path):
             speeds = [line["v"] for line in chair.since(told) if line["state"] == "disarmed"]
             assert speeds == sorted(speeds, reverse=True)
             assert chair.standing_since(told) - told < STOP_TIME + STEP + LOAD
-            assert any(line["reason"] == DESCRIPTIONS[Reason.TOLD_TO_STOP] for line in chair.since(told))
+            assert any(line["reason"] == DESCRIPTIONS[Reason.STOP_COMMAND] for line in chair.since(told))
 
     asyncio.run(story())
 
@@ -233,6 +233,6 @@ def test_a_control_process_that_is_told_to_end_stops_the_chair_first(chair, tmp_
             ended = monotonic()
             control.tell("quit")
             await until(lambda: chair.standing_since(ended) is not None and chair.newest["state"] == "disarmed")
-            assert {line["reason"] for line in chair.since(ended)} >= {DESCRIPTIONS[Reason.TOLD_TO_STOP]}
+            assert {line["reason"] for line in chair.since(ended)} >= {DESCRIPTIONS[Reason.STOP_COMMAND]}
 
     asyncio.run(story())

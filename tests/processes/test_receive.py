@@ -84,7 +84,7 @@ def test_the_stop_flag_stops_at_once_and_a_new_arming_drives_again(started):
     armed_and_driving(receiver, sender)
     sender.v, sender.flags = 0.0, 2
     line = receiver.wait_for(lambda line: line["state"] == "disarmed")
-    assert line["reason"] == DESCRIPTIONS[Reason.TOLD_TO_STOP]
+    assert line["reason"] == DESCRIPTIONS[Reason.STOP_COMMAND]
     receiver.wait_for(lambda line: line["state"] == "disarmed" and line["v"] == 0.0)
     falling = [line["v"] for line in [line, *after(receiver.lines, line["t"])]]
     assert falling[0] > 0.4

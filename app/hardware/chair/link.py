@@ -207,7 +207,7 @@ class ChairLink:
         if newest is None or self.silent:
             return f"{chair} does not answer: check its power and the network."
         if self.telemetry.switch_refuted:
-            return f"{chair}: what was told of its stop switch was not of now, press and release the switch again."
+            return f"{chair}: the report of its stop switch was an old one, press and release the switch again."
         return f"{chair}, {telemetry_description(newest)}"
 
     def report(self, tick: Tick, t: float) -> None:

@@ -8,7 +8,7 @@ class Reason(IntEnum):
 
     NONE = 0
     SILENT = 1  # no valid newer command for too long
-    TOLD_TO_STOP = 2  # a command with the stop flag
+    STOP_COMMAND = 2  # a command with the stop flag
     WITHDRAWN = 3  # the sender withdrew its permission to drive
     STOP_INPUT = 4
     NOT_NEUTRAL = 5  # no zero commands after a new epoch
@@ -20,7 +20,7 @@ class Reason(IntEnum):
 DESCRIPTIONS = {
     Reason.NONE: "Nothing is wrong.",
     Reason.SILENT: "No new command reached the chair for too long.",
-    Reason.TOLD_TO_STOP: "The chair received a stop.",
+    Reason.STOP_COMMAND: "The chair received a stop.",
     Reason.WITHDRAWN: "The sender withdrew its permission to drive.",
     Reason.STOP_INPUT: "The chair was stopped by its own switch.",
     Reason.NOT_NEUTRAL: "The chair was not commanded to stand for half a second after it was armed.",

@@ -11,7 +11,7 @@ import sys
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import NoReturn, cast
 
 from app.clock import MonotonicClock
 from app.hardware.chair.inputs import Inputs
@@ -21,6 +21,7 @@ from app.hardware.chair.packet import PORT
 from app.hardware.chair.receiver import OMEGA_MAX, V_MAX, Receiver
 from app.hardware.chair.receiver_loop import ReceiverLoop, slowness
 from app.hardware.chair.telemetry_sender import TelemetrySender
+from app.hardware.shirt.sender_choice import Address
 from app.realtime import go_real_time
 
 RECEIVE_BUFFER = 1 << 20  # bytes: room for a command behind the datagrams of a flood that come while the loop sleeps
@@ -99,11 +100,11 @@ def _bound(host: str, port: int) -> socket.socket:
     return end
 
 
-def _address(place: tuple[str, int], family: int) -> Any:
+def _address(place: tuple[str, int], family: int) -> Address:
     """Return the socket address of a host and port; names are looked up here, never while driving."""
     host, port = place
     try:
-        return socket.getaddrinfo(host, port, family=family, type=socket.SOCK_DGRAM)[0][4]
+        return cast(Address, socket.getaddrinfo(host, port, family=family, type=socket.SOCK_DGRAM)[0][4])
     except (OSError, UnicodeError) as error:
         raise CannotStart(f"--paired {host}:{port} is not an address like that of --bind, correct it") from error
 
@@ -117,7 +118,7 @@ def _parser(program: str) -> argparse.ArgumentParser:
     add("--port", type=_port, default=PORT, help=f"the port to listen on (default {PORT}); 0 takes a free one")
     add("--v-max", type=_up_to(V_MAX), default=V_MAX, metavar="M_PER_S", help=f"at most {V_MAX:g}, the default")
     add("--omega-max", type=_up_to(OMEGA_MAX), default=OMEGA_MAX, metavar="RAD_PER_S", help=f"at most {OMEGA_MAX:g}")
-    add("--paired", type=_host_and_port, metavar="HOST:PORT", help="who is told how the chair is, at rest too")
+    add("--paired", type=_host_and_port, metavar="HOST:PORT", help="where telemetry is sent at rest, too")
     add("--stop-input", type=Path, metavar="FILE", help="begins with 0: not pressed; anything else, or none: pressed")
     add("--battery-input", type=Path, metavar="FILE", help="the charge, a number from 0 to 1")
     return parser

@@ -118,8 +118,8 @@ class Receiver:
         """Return when, after `t` (s), a limit of silence is reached; inf when none applies."""
         if self.state not in (ReceiverState.CHECKING, ReceiverState.ARMED):
             return math.inf
-        looks = (self._command_t + limit + ROUNDING for limit in (QUIET, SILENT))
-        return next((look for look in looks if look > t), math.inf)
+        deadlines = (self._command_t + limit + ROUNDING for limit in (QUIET, SILENT))
+        return next((deadline for deadline in deadlines if deadline > t), math.inf)
 
     def accept(self, datagram: bytes, t: float) -> bool:
         """Act on a command that came at `t` (s); return False, with nothing changed, when it is not accepted."""
@@ -210,7 +210,7 @@ class Receiver:
 
     def _obey(self, command: ChairCommand, t: float) -> None:
         if command.flags & STOP:
-            self.stop(Reason.TOLD_TO_STOP)
+            self.stop(Reason.STOP_COMMAND)
             return
         if self._was_permitted and not command.flags & DRIVE:
             self.stop(Reason.WITHDRAWN)

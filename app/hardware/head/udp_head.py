@@ -1,4 +1,4 @@
-"""A head tracker that sends its poses as datagrams: each look reads all of them and keeps the last good pose."""
+"""A head tracker that sends its poses as datagrams: each reading takes all of them in and keeps the last good pose."""
 
 import math
 import socket
@@ -9,7 +9,7 @@ from app.hardware.base import HardwareError
 from app.messages import ALIVE, HeadPose
 
 SILENCE = 2.0  # s without a pose after which another sender is accepted
-MOST = 64  # datagrams read in one look, so that a flood does not hold up the loop
+MOST = 64  # datagrams of one reading, so that a flood does not hold up the loop
 KERNEL_BUFFER = 1 << 16  # bytes
 
 Decode = Callable[[bytes, float], HeadPose | None]

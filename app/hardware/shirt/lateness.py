@@ -14,7 +14,7 @@ WRAP = 1 << 32  # microseconds: a device that counts them in 32 bits begins anew
 
 
 class Lateness:
-    """Judges the frames of one device, in the order in which they were sent."""
+    """Measures how late the frames of one device come, in the order in which they were sent."""
 
     __slots__ = ("_least", "_microseconds", "_t", "_wrapped")
 

@@ -102,7 +102,9 @@ class NewestFrame:
         try:
             write_newest(self._file, number)
         except OSError as error:
-            self.trouble = f"the newest frame cannot be noted ({error.strerror or error}): free some disk space"
+            self.trouble = (
+                f"the number of the newest frame cannot be stored ({error.strerror or error}): free some disk space"
+            )
             return False
         self.trouble = ""
         return True

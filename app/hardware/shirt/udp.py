@@ -214,7 +214,7 @@ class UdpShirt:
             return ""
         return (
             f"its frames arrive {self._late_by:.1f} s late, and a late one counts as none: bring the shirt nearer to "
-            f"its receiver, and look what else is in the network"
+            f"its receiver, and check what else uses the network"
         )
 
     def close(self) -> None:

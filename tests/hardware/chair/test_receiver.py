@@ -132,7 +132,7 @@ def disarmed_by(condition):
 
 
 DISARMINGS = {
-    Reason.TOLD_TO_STOP: disarmed_by_sending(flags=DRIVE | STOP),
+    Reason.STOP_COMMAND: disarmed_by_sending(flags=DRIVE | STOP),
     Reason.WITHDRAWN: disarmed_by_sending(v=0.5),
     Reason.SILENT: lambda chair: chair.wait(0.31),
     Reason.LATE: lambda chair: chair.step(0.11),
@@ -194,7 +194,7 @@ def test_another_parameter_set_within_an_epoch_is_not_driven_but_stops(chair):
     chair.drive()
     assert not chair.send(0.9, 0.0, DRIVE, digest=b"another!")
     assert chair.send(0.0, 0.0, STOP, digest=b"another!")
-    assert chair.reason is Reason.TOLD_TO_STOP
+    assert chair.reason is Reason.STOP_COMMAND
 
 
 def test_what_moves_somebody_refuses_the_virtual_chairs_commands():
