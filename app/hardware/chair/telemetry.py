@@ -37,7 +37,7 @@ class ChairTelemetry:
     A forger can still show an old telemetry in place of a silent chair. That arms nothing, because a chair counts as
     ready only when its telemetry carries the epoch of the current arming. Nor does it show a switch: a pressed one
     counts as seen in a telemetry that carries our epoch. One seen before the arming is confirmed by the first telemetry
-    that carries it: by the same nonce, and a chair's time by which the switch was pressed when that report came, and not
+    that carries it: by the same nonce, and a chair's time by which the switch was pressed when that report came, not
     earlier. Otherwise the chair does not become ready, and the switch has to be shown again.
 
     Attributes
