@@ -35,7 +35,7 @@ _COMMANDS = {
     "floorplan": ("app.cli.floorplan", "floorplan_app"),
     "about": ("app.cli.about", "about"),
 }
-_OF_FEATURES = {
+OF_FEATURES = {
     "report": "reports",
     "export": "exports",
     "archive": "archive",
@@ -44,7 +44,7 @@ _OF_FEATURES = {
     "restore": "backup",
     "incident": "backup",
 }
-COMMANDS = {word: place for word, place in _COMMANDS.items() if _OF_FEATURES.get(word) in {None, *names()}}
+COMMANDS = {word: place for word, place in _COMMANDS.items() if OF_FEATURES.get(word) in {None, *names()}}
 # Base class of typer's errors about commands and options, which has no public name in typer.
 Complaint: type[Exception] = next(kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException")
 

@@ -7,7 +7,9 @@ import sys
 from pathlib import Path
 
 import pytest
+from rules.test_imports import feature_of, imports_of_all
 
+from app.cli.main import COMMANDS, OF_FEATURES
 from app.features import NEEDS
 from app.features.registration import features
 from folders import ROOT
@@ -52,3 +54,9 @@ def test_the_program_runs_without_a_feature(name: str, with_all: dict[str, int],
     } == {}
     gone = with_all.keys() - without.keys()
     assert bool(gone) == any(one.routes for other, one in features().items() if name in {other, *NEEDS[other]})
+
+
+def test_a_command_that_imports_a_feature_goes_with_it() -> None:
+    uses = {word: {*map(feature_of, imports_of_all()[module])} - {""} for word, (module, _) in COMMANDS.items()}
+    assert {word: found for word, found in uses.items() if found - {OF_FEATURES.get(word)}} == {}
+    assert OF_FEATURES.keys() <= COMMANDS.keys()
