@@ -1,9 +1,10 @@
-"""What is in the file of an archive: names, sizes, hashes, and one hash of all.
+"""The file of an archive: what is in it (names, sizes, hashes, one hash of all), and how it is read with distrust.
 
 An archive is a zip file. Its directory begins with `archive.json`: the format, its schema, the name of the clinic, the
 files with size and hash, and one hash of all files. Then come `patient.json`, `report.html` where there is one, and the
 recordings. Time and place of making are outside the hash of all, so every clinic writes the same hash for the same
-rows; so is `report.html`, the report of the patient's course for people, which names them.
+rows; so is `report.html`, the report of the patient's course for people, which names them. Whatever is wrong with a
+file that is read is one sentence.
 """
 
 import json

@@ -18,11 +18,23 @@ from app.store.origins import ImportedSession, PatientImport
 from app.store.schema import metadata
 from app.store.tables import Patient, PatientSession, Run
 
-CODE_TAKEN = (
+CODE_TAKEN: Final = (
     "The code '{code}' belongs to another patient of this clinic, and nothing was imported: give that patient another "
     "code, then import again."
 )
-RUNS_HERE = "Recordings of this archive are in this clinic already, and nothing was imported: their patient is here."
+RUNS_HERE: Final = (
+    "Recordings of this archive are in this clinic already, and nothing was imported: their patient is here."
+)
+HERE: Final = "{code} is in this clinic already, and nothing was imported: replace that patient, or leave it as it is."
+GOES_ON: Final = "A session of {code} is open here, and nothing was imported: end it first, then import again."
+INCIDENT: Final = (
+    "{code} is part of the incident of {made:%Y-%m-%d} and must not be replaced: an owner lifts the mark of the "
+    "incident first."
+)
+KEPT: Final = (
+    "Sessions of {code} were held in this clinic, and their records must be kept until {until:%Y-%m-%d}: the patient "
+    "cannot be replaced, and nothing was imported."
+)
 
 
 def earlier_import(db: Session, clinic_id: int, archive: str) -> Patient | None:
@@ -72,18 +84,6 @@ def require_no_runs(db: Session, ids: list[str]) -> None:
     here = select(Run.id).where(or_(Run.id.in_(ids), Run.folder.in_(ids))).limit(1)
     if db.scalar(here) is not None:
         raise Conflict(RUNS_HERE)
-
-
-HERE: Final = "{code} is in this clinic already, and nothing was imported: replace that patient, or leave it as it is."
-GOES_ON: Final = "A session of {code} is open here, and nothing was imported: end it first, then import again."
-INCIDENT: Final = (
-    "{code} is part of the incident of {made:%Y-%m-%d} and must not be replaced: an owner lifts the mark of the "
-    "incident first."
-)
-KEPT: Final = (
-    "Sessions of {code} were held in this clinic, and their records must be kept until {until:%Y-%m-%d}: the patient "
-    "cannot be replaced, and nothing was imported."
-)
 
 
 def require_replaceable(db: Session, patient: Patient, rows: Rows) -> None:

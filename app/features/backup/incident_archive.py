@@ -1,7 +1,8 @@
-"""The rows that an incident's archive holds: the log, sessions, what was done in them and with which parameters.
+"""The archive of an incident: log, recordings, parameters, versions and the machine's facts, in one signed tar file.
 
-What people wrote about a patient, and who may look at it, is not among them: it stays in the clinic, where the mark of
-the incident keeps it from being erased.
+Its last three files are `manifest.json` (each other file with its SHA-256), `manifest.sig` (an Ed25519 signature of the
+manifest) and `public-key.pem`. What people wrote about a patient, and who may look at it, is not in it: it stays in the
+clinic, where the mark of the incident keeps it from being erased.
 """
 
 import json
@@ -54,6 +55,10 @@ from app.store.tables import (
 AT_ONCE = 500  # rows of the log in memory, and read under one lock of the database
 SECRET = {"token_hash"}  # columns
 WRITTEN = {"goal", "discard_reason"}  # columns with words about a patient
+
+PERIOD: Final = timedelta(hours=24)
+SIGNATURE, PUBLIC_KEY = "manifest.sig", "public-key.pem"
+FORMAT: Final = 1
 
 Rows = dict[str, list[dict[str, Any]]]
 
@@ -125,11 +130,6 @@ def _document(row: Table) -> dict[str, Any]:
         for name, value in values.items()
         if name not in SECRET | WRITTEN
     }
-
-
-PERIOD: Final = timedelta(hours=24)
-SIGNATURE, PUBLIC_KEY = "manifest.sig", "public-key.pem"
-FORMAT: Final = 1
 
 
 @dataclass(frozen=True, slots=True)
