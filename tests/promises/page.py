@@ -17,9 +17,8 @@ KEYS = {"id", "words", "built", "tests", "commands", "missing"}
 
 HEAD = """# Promises
 
-Made by `make promises` of [safety.md](safety.md) and [promises.toml](promises.toml); a test says when it is old.
-Each row is a promise of the program with the tests that show it (file in `tests/` and function): all of it, unless
-it says **in part**, **not built yet** or 🔴 **no test**, and what is missing.
+Made by `make promises` of [safety.md](safety.md) and [promises.toml](promises.toml). Each promise has the tests that
+show it (file in `tests/` and function): all of it, unless it says what is missing.
 The promises on safety stand in [safety.md](safety.md#what-holds).
 
 """
