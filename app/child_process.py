@@ -6,7 +6,8 @@ one that hashes passwords, and the one that measures the computer. Each is `pyth
 (docs/decisions/0055). A child reads its questions from its standard input, or from a connection of its own. Both end
 with the web process, and so does the child.
 
-A child loads this file too, before its first answer: what only the web process needs is imported where it is used.
+A child loads this file too, before its first answer: what only some need is imported where it is used, and there is no
+dataclass, because the module of those takes as long to load as all of the others.
 """
 
 import json
@@ -15,17 +16,16 @@ import signal
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 from app.json_values import JsonObject, parse_object
-from app.realtime import lower_priority, take_lowest_priority
 
 if TYPE_CHECKING:
     from asyncio.subprocess import Process
     from multiprocessing.connection import Connection
     from subprocess import Popen
 
+NICENESS: Final = 10  # a tenth of the processor time of an ordinary process on the same core
 MOST_MEMORY: Final = 3_000_000_000  # bytes of address space
 ONE_THREAD: Final = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}  # each thread reserves address space
 
@@ -34,8 +34,7 @@ class ChildEndedError(ConnectionError):
     """The child has ended, or has written something else than a JSON object."""
 
 
-@dataclass(frozen=True, slots=True)
-class ChildLimits:
+class ChildLimits(NamedTuple):
     """What a child may use beside MOST_MEMORY, so that a hostile file cannot use up the computer."""
 
     computing: int  # s of processor time
@@ -142,9 +141,11 @@ def prepare_child(*, lowest_priority: bool = False, limits: ChildLimits | None =
     else:
         _set_limits(limits)
     if lowest_priority:
+        from app.realtime import take_lowest_priority  # noqa: PLC0415
+
         take_lowest_priority()
     else:
-        lower_priority()
+        os.nice(NICENESS)
 
 
 def limit_memory() -> None:

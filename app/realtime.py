@@ -6,14 +6,12 @@ It also keeps a process of many threads small, and frees memory at moments when 
 import ctypes
 import gc
 import os
-import platform
 import resource
 import sys
 from collections.abc import Callable
 
 LOOP_PRIORITY = 10  # of SCHED_FIFO: above every ordinary program, below the kernel's own threads
 RECORDER_PRIORITY = 5  # below the loop, above programs that could preempt the recorder while it holds the interpreter
-NICENESS = 10  # a tenth of the processor time of an ordinary process on the same core
 LOWEST_NICENESS = 19
 IDLE_DISK_CLASS = 3 << 13  # of ioprio_set: served when nobody else wants the disk
 IOPRIO_SET = {"x86_64": 251, "aarch64": 30, "armv7l": 314}  # numbers of the system call
@@ -93,17 +91,12 @@ def take_priority(priority: int) -> bool:
     return True
 
 
-def lower_priority() -> None:
-    """Lower the priority of this process below that of ordinary processes."""
-    os.nice(NICENESS)
-
-
 def take_lowest_priority() -> None:
     """Let this process run, and use the disk, only when no other process wants to."""
     os.nice(LOWEST_NICENESS)
     if hasattr(os, "SCHED_IDLE"):
         os.sched_setscheduler(0, os.SCHED_IDLE, os.sched_param(0))
-    number = IOPRIO_SET.get(platform.machine())
+    number = IOPRIO_SET.get(os.uname().machine)
     if sys.platform == "linux" and number is not None:
         ctypes.CDLL(None, use_errno=True).syscall(number, 1, 0, IDLE_DISK_CLASS)  # 1: a process, 0: this one
 

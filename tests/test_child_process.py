@@ -98,7 +98,7 @@ def test_what_is_no_object_is_refused(text: str) -> None:
 
 
 def test_a_child_loads_nothing_that_only_the_web_process_needs() -> None:
-    large = ("asyncio", "multiprocessing", "pydantic", "subprocess")
+    large = ("asyncio", "ctypes", "dataclasses", "multiprocessing", "pydantic", "subprocess")
     code = f"import sys, app.child_process; print([name for name in {large} if name in sys.modules])"
     seen = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert seen.stdout.strip() == "[]"

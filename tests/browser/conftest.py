@@ -25,7 +25,7 @@ from playwright.sync_api import (
     sync_playwright,
 )
 
-from app.realtime import NICENESS
+from app.child_process import NICENESS
 
 PATIENCE = 100_000  # ms until a page shows what is expected: a busy machine that draws in software is slow
 CHROMIUM = (
