@@ -41,6 +41,9 @@ def bench_parameters(sample_rate: float, mode: ControlMode = "acceleration") -> 
                 pca=LinearMap(
                     rates=(tuple((weights / np.linalg.norm(weights) / 3.0).tolist()),), dead_zone=0.2, full=1.0
                 ),
+                step=0.035,
+                filtered_step=0.06,
+                covariance=tuple(map(tuple, np.diag(1.0 / weights**2).tolist())),
                 grade="good",
                 reason="made for measuring",
             )
@@ -53,6 +56,7 @@ def bench_parameters(sample_rate: float, mode: ControlMode = "acceleration") -> 
         left_out={},
         low=(-10.0,) * CHANNELS,
         high=(10.0,) * CHANNELS,
+        noise=(0.0,) * CHANNELS,
         joints=tuple(maps),
     )
     return standard_parameters(profile).model_copy(update={"mode_u1": mode})

@@ -22,6 +22,12 @@ def make_layout(n_channels=52, joints=PAPER_JOINTS):
     )
 
 
+def covariance_of_independent(weights):
+    """Return the covariance of channels that move independently, each by as much in what the weights (k,) read."""
+    variances = 1.0 / np.square(weights)
+    return tuple(map(tuple, np.diag(variances).tolist()))
+
+
 def make_profile(n_channels=52, sample_rate=100.0, seed=1, joints=PAPER_JOINTS, dead_zone=0.2, full=1.0):
     """Return a profile with random unit weights and a range that no test signal leaves."""
     rng = np.random.default_rng(seed)
@@ -39,6 +45,9 @@ def make_profile(n_channels=52, sample_rate=100.0, seed=1, joints=PAPER_JOINTS, 
                 prompted=True,
                 rest_rate=0.02,
                 pca=LinearMap(rates=(rates,), dead_zone=dead_zone, full=full),
+                step=0.035,
+                filtered_step=0.06,
+                covariance=covariance_of_independent(weights),
                 grade="good",
                 reason="made for a test",
             )
@@ -51,6 +60,7 @@ def make_profile(n_channels=52, sample_rate=100.0, seed=1, joints=PAPER_JOINTS, 
         left_out={},
         low=(-100.0,) * n_channels,
         high=(100.0,) * n_channels,
+        noise=(0.0,) * n_channels,
         joints=tuple(maps),
     )
 

@@ -20,6 +20,9 @@ def small_profile(joints: tuple[str, ...] = ("right_elbow", "left_elbow")) -> Ca
             prompted=True,
             rest_rate=0.04,
             pca=LinearMap(rates=((1.0,),), dead_zone=0.2, full=1.0),
+            step=0.035,
+            filtered_step=0.06,
+            covariance=((1.0,),),
             grade="good",
             reason="Clear.",
         )
@@ -34,5 +37,6 @@ def small_profile(joints: tuple[str, ...] = ("right_elbow", "left_elbow")) -> Ca
         left_out={},
         low=zeros,
         high=tuple(1.0 for _ in joints),
+        noise=zeros,
         joints=maps,
     )

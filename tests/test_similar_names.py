@@ -7,7 +7,7 @@ from sqlalchemy.orm import Session
 
 from app.refusals import Conflict
 from app.similar_names import look_alike, mixed_word, require_distinct, skeleton
-from app.store.files.taken_names import name_for
+from app.store.files.name_conflicts import name_for
 from app.store.patients import add_patient
 from app.store.people import add_clinic, add_person
 

@@ -5627,7 +5627,7 @@ export interface components {
             };
             low: number[];
             high: number[];
-            noise: number[] | null;
+            noise: number[];
             joints: components["schemas"]["JointMap"][];
             cross_talk: number[][] | null;
         };
@@ -6439,8 +6439,8 @@ export interface components {
             signal_to_noise: number | null;
             repeatability: number | null;
             rest_rate: number;
-            step: number | null;
-            filtered_step: number | null;
+            step: number;
+            filtered_step: number;
             /** @enum {string} */
             grade: "good" | "usable" | "repeat";
             reason: string;
@@ -6452,7 +6452,7 @@ export interface components {
             pca: components["schemas"]["LinearMap"];
             guided: components["schemas"]["LinearMap"] | null;
             prior: components["schemas"]["LinearMap"] | null;
-            covariance: number[][] | null;
+            covariance: number[][];
         };
         JointQuality: {
             name: string;

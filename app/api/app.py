@@ -66,7 +66,7 @@ from app.settings import Settings, docs_folder, static_folder
 from app.store.database import Database
 from app.store.files.plans import OwnPlans
 from app.store.files.replacements import replaced_files
-from app.store.keeping.passed_time import look_at_clocks
+from app.store.keeping.passed_time import store_clocks
 from app.store.log_chain import warn_of_changed_log
 from app.world.scene import bundled_places
 
@@ -182,7 +182,7 @@ def _opened(settings: Settings) -> Database:
     """Open the database, and look at the clocks before anything is written that names a time."""
     database = Database(settings.database)
     with database.transaction(closing=True) as db:
-        look_at_clocks(db)
+        store_clocks(db)
     return database
 
 

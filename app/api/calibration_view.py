@@ -5,8 +5,8 @@ from typing import Any
 from app.api.answers import Answer, MomentText
 from app.calibration.fit.profile_fit import joints_without_map
 from app.calibration.linear_map import LinearMap
+from app.calibration.prior.hit_uncertainty import hits_with_prompts
 from app.calibration.prior.landmarks import landmarks
-from app.calibration.prior.prompting import hits_with_prompts
 from app.calibration.profile import CalibrationProfile
 from app.layout import ShirtLayout
 from app.quantities import Document

@@ -15,7 +15,7 @@ from app.clock import utc_now
 from app.computing_process import ComputingProcess
 from app.package import Step
 from app.quantities import Document
-from app.store.files.passing_folder import bytes_in, passing_folder
+from app.store.files.temporary_folders import bytes_in, temporary_folder
 
 State = Literal["going on", "complete", "broken off"]
 
@@ -108,7 +108,7 @@ def _content(steps: list[Step], state: Path, begun: AbstractContextManager[Expor
 
     The steps have a process of their own: the computing process of the clinic stays free for trials.
     """
-    with begun as course, passing_folder(state, "export") as folder, closing(ComputingProcess()) as computing:
+    with begun as course, temporary_folder(state, "export") as folder, closing(ComputingProcess()) as computing:
         package = folder / "export.zip"
         for number, step in enumerate(steps):
             final = computing.ask_while(partial(bytes_in, folder), partial(step, package))

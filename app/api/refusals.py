@@ -16,7 +16,7 @@ from app.quantities import Document
 from app.refusals import NO_ROOM, Conflict, DiskFull, NotFound, OtherClinicRow, PatientHere, Refusal, Unavailable
 from app.scene.models.object_scale import ScaleAsked
 from app.sentences import sentence_of
-from app.store.files.taken_names import NameTaken
+from app.store.files.name_conflicts import NameTaken
 from app.store.log import write_log
 
 STATUS: dict[type[Exception], int] = {

@@ -76,11 +76,11 @@ def channel_quality(
     return quality
 
 
-def worse_of(one: ChannelQuality, other: ChannelQuality) -> ChannelQuality:
+def worse_of(first: ChannelQuality, second: ChannelQuality) -> ChannelQuality:
     """Return the worse of two qualities of one channel; the first one when both are bad."""
-    if one.condition == "good" or (one.condition == "near" and other.condition not in {"good", "near"}):
-        return other
-    return one
+    if first.condition == "good" or (first.condition == "near" and second.condition not in {"good", "near"}):
+        return second
+    return first
 
 
 def _railed(signal: NDArray[np.float64], full_scale: float | None) -> ChannelQuality:

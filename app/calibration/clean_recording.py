@@ -68,17 +68,22 @@ class CleanRecording:
         """
         moved = np.asarray(free, dtype=np.float64)
         resting = None if rest is None else np.asarray(rest, dtype=np.float64)
-        prompted = [Repetition(one.joint, np.asarray(one.values, np.float64), one.moving) for one in repetitions]
+        prompted = [
+            Repetition(repetition.joint, np.asarray(repetition.values, np.float64), repetition.moving)
+            for repetition in repetitions
+        ]
         _check(layout, sample_rate, moved, resting, prompted, unused)
-        pieces = [moved, *([] if resting is None else [resting]), *(one.values for one in prompted)]
+        pieces = [moved, *([] if resting is None else [resting]), *(repetition.values for repetition in prompted)]
         low, high = _value_range(pieces)
         return cls(
             layout=layout,
             sample_rate=float(sample_rate),
             free=without_gaps(moved, sample_rate),
             rest=None if resting is None else without_gaps(resting, sample_rate),
-            repetitions=[replace(one, values=without_gaps(one.values, sample_rate)) for one in prompted],
-            stretches=[replace(one, values=without_gaps(one.values, sample_rate)) for one in stretches],
+            repetitions=[
+                replace(repetition, values=without_gaps(repetition.values, sample_rate)) for repetition in prompted
+            ],
+            stretches=[replace(stretch, values=without_gaps(stretch.values, sample_rate)) for stretch in stretches],
             left_out=channels_left_out(layout, sample_rate, moved, resting, prompted, unused, full_scale),
             low=low,
             high=high,
@@ -86,16 +91,16 @@ class CleanRecording:
 
     def with_stretches(self, stretches: Sequence[Stretch]) -> Self:
         """Return the recording with the prompted movements cut into other stretches."""
-        clean = [replace(one, values=without_gaps(one.values, self.sample_rate)) for one in stretches]
+        clean = [replace(stretch, values=without_gaps(stretch.values, self.sample_rate)) for stretch in stretches]
         return replace(self, stretches=clean)
 
     def repetitions_of(self, joint: str) -> list[Repetition]:
         """Return the repetitions of one joint."""
-        return [one for one in self.repetitions if one.joint == joint]
+        return [repetition for repetition in self.repetitions if repetition.joint == joint]
 
     def stretches_of(self, joint: str) -> list[Stretch]:
         """Return the stretches of one joint."""
-        return [one for one in self.stretches if one.joint == joint]
+        return [stretch for stretch in self.stretches if stretch.joint == joint]
 
 
 def _check(
@@ -114,7 +119,11 @@ def _check(
         One sentence: which piece is wrong, and what to do.
     """
     count = len(layout.channels)
-    for what, piece in (("free movement", free), ("rest", rest), *((one.joint, one.values) for one in repetitions)):
+    for what, piece in (
+        ("free movement", free),
+        ("rest", rest),
+        *((repetition.joint, repetition.values) for repetition in repetitions),
+    ):
         if piece is not None and (piece.ndim != 2 or piece.shape[1] != count):
             raise ValueError(f"the recording of {what} does not have the {count} channels of '{layout.name}'")
     for what, piece, shortest in (("free movement", free, SHORTEST_FREE), ("rest", rest, SHORTEST_REST)):
@@ -123,12 +132,12 @@ def _check(
                 f"the {what} lasts {len(piece) / sample_rate:.2f} s, which is too short for a calibration: "
                 f"record at least {shortest:g} s (10 s of free movement and 3 s of rest are usual)"
             )
-    for names, known, what in (
-        ({one.joint for one in repetitions}, layout.joint_names, "joint"),
+    for names, existing, what in (
+        ({repetition.joint for repetition in repetitions}, layout.joint_names, "joint"),
         (set(unused), layout.channel_names, "channel"),
     ):
-        if strange := sorted(names - set(known)):
-            raise ValueError(f"there is no {what} '{strange[0]}' in '{layout.name}': use one of {', '.join(known)}")
+        if strange := sorted(names - set(existing)):
+            raise ValueError(f"there is no {what} '{strange[0]}' in '{layout.name}': use one of {', '.join(existing)}")
 
 
 def _value_range(pieces: Sequence[Frames]) -> tuple[tuple[float, ...], tuple[float, ...]]:

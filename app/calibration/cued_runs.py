@@ -32,10 +32,10 @@ class CuedRun:
 def run_of_cues(values: NDArray[np.floating], cue: NDArray[np.integer], cues: Sequence[Cue]) -> CuedRun:
     """Return the recording of one step; `cue` (n,) is the index into `cues` of each frame."""
     phases = []
-    for index, one in enumerate(cues):
+    for index, prompt in enumerate(cues):
         rows = np.flatnonzero(cue == index)
         if len(rows) > 1:
-            phases.append(Phase(one.kind, slice(int(rows[0]), int(rows[-1]) + 1), one.joint))
+            phases.append(Phase(prompt.kind, slice(int(rows[0]), int(rows[-1]) + 1), prompt.joint))
     return CuedRun(fill_forward(np.asarray(values, np.float64)), tuple(phases))
 
 

@@ -57,8 +57,8 @@ def why_missing(pieces: Sequence[Frames], channel: int, sample_rate: float) -> s
     if any(map(len, pieces)) and not any(np.isnan(piece[:, channel]).any() for piece in pieces):
         return ""  # the usual case, answered before the slower search for lost frames
     missing = [np.isnan(piece[~np.isnan(piece).all(axis=1), channel]) for piece in pieces]
-    total = sum(len(one) for one in missing)
-    share = sum(int(one.sum()) for one in missing) / max(total, 1)
+    total = sum(len(samples) for samples in missing)
+    share = sum(int(samples.sum()) for samples in missing) / max(total, 1)
     if share == 1.0 or not total:
         return "gives no numbers"
     longest = max((int(lengths.max(initial=0)) for _, lengths in map(_gaps, missing)), default=0)
@@ -75,10 +75,10 @@ def _fill_short_gaps(values: Frames, sample_rate: float) -> Frames:
     for column in np.flatnonzero(missing.any(axis=0) & ~missing.all(axis=0)):
         starts, lengths = _gaps(missing[:, column])
         short = lengths <= _longest_gap(sample_rate)
-        known = np.flatnonzero(~missing[:, column])
+        present = np.flatnonzero(~missing[:, column])
         for start, length in zip(starts[short], lengths[short], strict=True):
             rows = np.arange(start, start + length)
-            filled[rows, column] = np.interp(rows, known, values[known, column])
+            filled[rows, column] = np.interp(rows, present, values[present, column])
     return filled
 
 

@@ -48,83 +48,84 @@ def repeats_word(spread: float) -> str:
     return "well" if spread <= fair else "fairly" if spread <= poor else "poorly"
 
 
-def grade(found: JointMeasurements) -> tuple[Grade, str]:
+def grade(measured: JointMeasurements) -> tuple[Grade, str]:
     """Return the worst grade over all criteria, and the sentences for them, the worst first."""
-    sentences = [*_of_movement(found), *_of_prompts(found), *_of_channels(found)]
+    sentences = [*_of_movement(measured), *_of_prompts(measured), *_of_channels(measured)]
     sentences.sort(key=lambda finding: -ORDER[finding[0]])
     worst: Grade = sentences[0][0] if sentences else "good"
     words = [words for _, words in sentences if words]
     if worst == "good":
-        words.insert(0, _good_sentence(found))
+        words.insert(0, _good_sentence(measured))
     return worst, " ".join(words)
 
 
-def _of_movement(found: JointMeasurements) -> list[tuple[Grade, str]]:
+def _of_movement(measured: JointMeasurements) -> list[tuple[Grade, str]]:
     findings: list[tuple[Grade, str]] = []
-    if not found.reaches_full:
+    if not measured.reaches_full:
         findings.append(("repeat", "The movement does not rise above the noise: repeat it larger and quicker."))
-    elif found.signal_to_noise < SIGNAL_TO_NOISE_LIMITS[0]:
-        bad = found.signal_to_noise < SIGNAL_TO_NOISE_LIMITS[1]
+    elif measured.signal_to_noise < SIGNAL_TO_NOISE_LIMITS[0]:
+        bad = measured.signal_to_noise < SIGNAL_TO_NOISE_LIMITS[1]
         advice = "rest quite still, then repeat it larger" if bad else "a larger or quicker movement would be safer"
         findings.append(
             (
                 "repeat" if bad else "usable",
-                f"It moves only {found.signal_to_noise:.1f} times above the noise: {advice}.",
+                f"It moves only {measured.signal_to_noise:.1f} times above the noise: {advice}.",
             )
         )
-    if found.evr < EVR_LIMITS[0]:
-        bad = found.evr < EVR_LIMITS[1]
+    if measured.evr < EVR_LIMITS[0]:
+        bad = measured.evr < EVR_LIMITS[1]
         advice = "repeat the free movement with this joint moved one way only" if bad else "keep to one movement of it"
         findings.append(
             (
                 "repeat" if bad else "usable",
-                f"The main movement is clear to {math.floor(100 * found.evr)} % only, below the usual 80 %: {advice}.",
+                f"The main movement is clear to {math.floor(100 * measured.evr)} % only, "
+                f"below the usual 80 %: {advice}.",
             )
         )
-    if not found.had_rest:
+    if not measured.had_rest:
         findings.append(("good", "No rest was recorded: the noise is that of the stillest half second."))
     return findings
 
 
-def _of_prompts(found: JointMeasurements) -> list[tuple[Grade, str]]:
-    if found.agreement is None:
+def _of_prompts(measured: JointMeasurements) -> list[tuple[Grade, str]]:
+    if measured.agreement is None:
         return [("usable", UNPROMPTED)]
     findings: list[tuple[Grade, str]] = []
-    if found.agreement < AGREEMENT_LIMITS[0]:
-        bad = found.agreement < AGREEMENT_LIMITS[1]
-        words = f"The prompted movements point both ways ({percent(found.agreement)} of them one way)"
-        findings.append(("repeat" if bad else "usable", f"{words}: repeat them in time with the cue."))
-    if found.prompted_share is not None and found.prompted_share < PROMPTED_SHARE_LIMITS[0]:
-        bad = found.prompted_share < PROMPTED_SHARE_LIMITS[1]
-        words = f"The prompted movements go through only {percent(found.prompted_share)} of the free one's span"
-        findings.append(("repeat" if bad else "usable", f"{words}: repeat them larger, and in time with the cue."))
-    if found.repeatability is not None and found.repeatability > SPREAD_LIMITS[0]:
-        bad = found.repeatability > SPREAD_LIMITS[1]
-        words = f"The repetitions differ by {percent(found.repeatability)}"
+    if measured.agreement < AGREEMENT_LIMITS[0]:
+        bad = measured.agreement < AGREEMENT_LIMITS[1]
+        finding = f"The prompted movements point both ways ({percent(measured.agreement)} of them one way)"
+        findings.append(("repeat" if bad else "usable", f"{finding}: repeat them in time with the cue."))
+    if measured.prompted_share is not None and measured.prompted_share < PROMPTED_SHARE_LIMITS[0]:
+        bad = measured.prompted_share < PROMPTED_SHARE_LIMITS[1]
+        finding = f"The prompted movements go through only {percent(measured.prompted_share)} of the free one's span"
+        findings.append(("repeat" if bad else "usable", f"{finding}: repeat them larger, and in time with the cue."))
+    if measured.repeatability is not None and measured.repeatability > SPREAD_LIMITS[0]:
+        bad = measured.repeatability > SPREAD_LIMITS[1]
+        finding = f"The repetitions differ by {percent(measured.repeatability)}"
         advice = "repeat them evenly" if bad else "more even ones would drive more evenly"
-        findings.append(("repeat" if bad else "usable", f"{words}: {advice}."))
-    if found.angle_deg is not None and found.angle_deg > LARGEST_ANGLE:
-        words = f"The prompted movement is {found.angle_deg:.0f} degrees away from the free one"
-        findings.append(("usable", f"{words}: the prompted direction is used, check it in Try it."))
-    if found.strongest_cross_talk is not None and found.strongest_cross_talk[1] > CROSS_TALK_LIMIT:
-        name, share = found.strongest_cross_talk
-        words = f"'{name}' answers too, with {percent(min(share, 9.99))} of its own activation"
-        findings.append(("usable", f"{words}: move this joint alone, or do not bind both."))
-    if found.span_from_prompts:
+        findings.append(("repeat" if bad else "usable", f"{finding}: {advice}."))
+    if measured.angle_deg is not None and measured.angle_deg > LARGEST_ANGLE:
+        finding = f"The prompted movement is {measured.angle_deg:.0f} degrees away from the free one"
+        findings.append(("usable", f"{finding}: the prompted direction is used, check it in Try it."))
+    if measured.strongest_cross_talk is not None and measured.strongest_cross_talk[1] > CROSS_TALK_LIMIT:
+        name, share = measured.strongest_cross_talk
+        finding = f"'{name}' answers too, with {percent(min(share, 9.99))} of its own activation"
+        findings.append(("usable", f"{finding}: move this joint alone, or do not bind both."))
+    if measured.span_from_prompts:
         findings.append(("good", "It moved little this way in the free movement: the span is that of the prompts."))
     return findings
 
 
-def _of_channels(found: JointMeasurements) -> list[tuple[Grade, str]]:
-    if found.channels == 1 and found.channels_out:
+def _of_channels(measured: JointMeasurements) -> list[tuple[Grade, str]]:
+    if measured.channels == 1 and measured.channels_out:
         return [("usable", "Only one of its sensors is left: check the others on the Shirt page.")]
-    if found.channels_out:
-        return [("good", f"Sensors left out: {found.channels_out} of {found.channels + found.channels_out}.")]
+    if measured.channels_out:
+        return [("good", f"Sensors left out: {measured.channels_out} of {measured.channels + measured.channels_out}.")]
     return []
 
 
-def _good_sentence(found: JointMeasurements) -> str:
-    words = f"Clear main movement: {percent(found.evr)}. Signal: {signal_word(found.signal_to_noise)}."
-    if found.repeatability is not None:
-        words += f" Repeats {repeats_word(found.repeatability)}."
-    return words
+def _good_sentence(measured: JointMeasurements) -> str:
+    sentence = f"Clear main movement: {percent(measured.evr)}. Signal: {signal_word(measured.signal_to_noise)}."
+    if measured.repeatability is not None:
+        sentence += f" Repeats {repeats_word(measured.repeatability)}."
+    return sentence

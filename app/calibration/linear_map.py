@@ -15,7 +15,7 @@ from app.quantities import Document, Finite, Fraction, Name, Threshold
 
 MapKind = Literal["pca", "guided", "prior"]
 
-# s: ages of the rates that a map may read; a joint's recent past tells a stroke from its way back.
+# s: ages of the rates that a map may read; a joint's recent past distinguishes a stroke from its way back.
 RATE_LAGS = (0.0, 0.05, 0.1, 0.15, 0.2)
 # s: time constants of the two slow averages above which levels are counted; they are those of the fabric's relaxation.
 AVERAGING_TIMES = (1.5, 10.0)
@@ -23,7 +23,7 @@ KINDS = len(RATE_LAGS) + len(AVERAGING_TIMES)  # readings of one channel: rates 
 
 LEAST_GAIN = 0.01  # of in-phase share that a map from own prompts must gain over the PCA map
 LARGEST_LOSS = 0.03  # of the hit rate that it may lose
-FEWEST_JUDGED = 3  # repetitions: what one or two say of a map does not agree with how it does later
+FEWEST_JUDGED = 3  # repetitions: one or two do not predict how well a map decodes later
 LEAST_HITS = 0.25  # hit rate on a person's own repetitions below which a map from other people is not offered
 MOSTLY_IN_PHASE = 0.5  # in-phase share below which it is not: most of the activation would come without the movement
 
@@ -97,9 +97,9 @@ class LinearMap(Document):
     pca_check: MapCheck | None = Field(default=None, exclude_if=is_missing)
     # Channels that moved too little on this person and have no weight.
     dropped: tuple[Name, ...] = Field(default=(), exclude_if=operator.not_)
-    # Per ring of the layout that was found to sit otherwise than on other people: the weights go by this.
+    # Ring of the layout -> its detected arrangement, where it differs from other people's; the weights follow it.
     arrangement: dict[Name, Arrangement] = Field(default_factory=dict, exclude_if=operator.not_)
-    # Per ring that looked so, and that a person is sure sits right: the weights go by the layout.
+    # Ring -> its detected arrangement, which the clinician has overridden: the weights follow the layout.
     as_worn: dict[Name, Arrangement] = Field(default_factory=dict, exclude_if=operator.not_)
     # Of 100 movements, how many should reach half of a full activation, and the expected activations a minute without
     # a prompt; None: not known.
@@ -124,8 +124,8 @@ class LinearMap(Document):
     def is_better(self) -> bool:
         """Whether the map may be offered instead of the PCA map, as far as the held-out repetitions tell.
 
-        A map from other people is offered unless enough of them speak against it; one from own prompts only where they
-        speak for it.
+        A map from other people is offered unless enough repetitions are worse with it; a map from own prompts only
+        where they are better with it.
         """
         own, pca = self.check, self.pca_check
         if own is None or pca is None:
@@ -138,9 +138,9 @@ class LinearMap(Document):
             )
         if self.repetitions < FEWEST_JUDGED:
             return True
-        # Fewer hits alone do not speak against it: its dead-zone is other people's, and that of PCA is fitted to these
-        # repetitions. They do where nothing is gained in phase. A map that mostly acts outside of the movement is never
-        # better, also where the PCA map does not act at all.
+        # A map from other people may have fewer hits than PCA: its dead-zone is other people's, and that of PCA is
+        # fitted to these repetitions. It is rejected where it has fewer hits and gains no in-phase share either. A map
+        # whose activation lies mostly outside of the movement is rejected also where the PCA map is never active.
         gain, loss = own.in_phase - pca.in_phase, pca.hit_rate - own.hit_rate
         gains_nothing = gain < LEAST_GAIN and loss > LARGEST_LOSS
         does_its_work = own.in_phase >= MOSTLY_IN_PHASE and own.hit_rate >= LEAST_HITS

@@ -35,20 +35,18 @@ class JointMap(Document):
     signal_to_noise: Annotated[float, Field(ge=0)] | None = None
     repeatability: Annotated[float, Field(ge=0)] | None = None  # spread of the repetitions' peaks / their mean
     rest_rate: Threshold  # FS/s, standard deviation of the rate at rest
-    # FS: larger changes from one rest to another are no movement, within 0.02 s and within 0.1 s; None: unknown.
-    step: Threshold | None = Field(default=None, exclude_if=is_missing)
-    filtered_step: Threshold | None = Field(default=None, exclude_if=is_missing)
+    # FS: a larger change from one rest to another is no movement, within 0.02 s (a step) or 0.06 s (a filtered one).
+    step: Threshold
+    filtered_step: Threshold
     grade: Grade
     reason: str
     map: MapKind = "pca"  # the map that decodes
     pca: LinearMap  # of the main component of free movement
     guided: LinearMap | None = Field(default=None, exclude_if=is_missing)  # learnt from own prompts alone
     prior: LinearMap | None = Field(default=None, exclude_if=is_missing)  # learnt from other people
-    # (k, k) of the channels' movement in the calibration, squared signal units: it tells what a bad channel would show,
-    # and how exactly that is known. None, and left out for their hash, in profiles from before it was stored.
-    covariance: Annotated[tuple[Covariances, ...], Field(max_length=MAX_CHANNELS)] | None = Field(
-        default=None, exclude_if=is_missing
-    )
+    # (k, k) of the channels' movement in the calibration, squared signal units: from it follows what a bad channel
+    # would show, and how exactly that is known.
+    covariance: Annotated[tuple[Covariances, ...], Field(max_length=MAX_CHANNELS)]
 
     @model_validator(mode="after")
     def _lengths_agree(self) -> Self:
@@ -62,12 +60,11 @@ class JointMap(Document):
                 raise ValueError(f"joint '{self.name}': the {kind} map must have one number per channel in each part")
         if not any(self.pca.rates[0]):
             raise ValueError(f"joint '{self.name}': the pca map reads no channel")
-        if self.covariance is not None:
-            self._check_covariance(self.covariance)
+        self._check_covariance()
         return self
 
-    def _check_covariance(self, covariance: tuple[tuple[float, ...], ...]) -> None:
-        count = len(self.channels)
+    def _check_covariance(self) -> None:
+        count, covariance = len(self.channels), self.covariance
         if len(covariance) != count or any(len(row) != count for row in covariance):
             raise ValueError(f"joint '{self.name}': the covariance must have {count} rows of {count} numbers")
         if any(covariance[i][j] != covariance[j][i] for i in range(count) for j in range(i)):
@@ -98,7 +95,7 @@ class JointMap(Document):
 
     @property
     def advice(self) -> str | None:
-        """What is to be heeded; None when the measurements are good."""
+        """What the measurements advise to do; None when they are good."""
         return None if self.grade == "good" else self.reason
 
     @property
@@ -137,10 +134,8 @@ class CalibrationProfile(Document):
     low: Numbers  # (n_channels,) smallest value in the calibration
     high: Numbers  # (n_channels,) largest value in the calibration
     # (n_channels,) standard deviation of each channel's noise in the calibration, signal units: a channel that shows
-    # much less of it is stuck. None in profiles from before it was stored.
-    noise: Annotated[tuple[Noise, ...], Field(max_length=MAX_CHANNELS)] | None = Field(
-        default=None, exclude_if=is_missing
-    )
+    # much less of it is stuck.
+    noise: Annotated[tuple[Noise, ...], Field(max_length=MAX_CHANNELS)]
     joints: Annotated[tuple[JointMap, ...], Field(min_length=1, max_length=MAX_JOINTS)]
     cross_talk: tuple[tuple[Finite, ...], ...] | None = None
     """Row: joint that was prompted; column: joint that answered, as a share of its activation when prompted itself.
@@ -153,7 +148,7 @@ class CalibrationProfile(Document):
         count = len(self.layout.channels)
         if not len(self.low) == len(self.high) == count:
             raise ValueError(f"low and high must have {count} numbers, one per channel of the layout")
-        if self.noise is not None and len(self.noise) != count:
+        if len(self.noise) != count:
             raise ValueError(f"noise must have {count} numbers, one per channel of the layout")
         for joint in self.joints:
             if any(not 0 <= index < count for index in joint.channels):

@@ -25,8 +25,8 @@ def read_prompts(path: Path, layout: ShirtLayout, first: float, last: float) -> 
     for row, (start, end, joint) in enumerate(zip(starts, ends, map(str, table["joint"]), strict=True)):
         where = row_words(path, row)
         if joint not in layout.joint_names:
-            known = ", ".join(layout.joint_names)
-            raise ValueError(f"{where}: there is no joint '{joint}' in '{layout.name}', use one of {known}")
+            names = ", ".join(layout.joint_names)
+            raise ValueError(f"{where}: there is no joint '{joint}' in '{layout.name}', use one of {names}")
         if end <= start:
             raise ValueError(
                 f"{where}: the prompt ends at {end:g} s, which is not after its start at {start:g} s, "

@@ -41,7 +41,7 @@ def calibration_script(layout: ShirtLayout) -> tuple[Step, ...]:
     return (_rest(), _free(), *(_prompt(joint) for joint in layout.joints))
 
 
-def movement_words(joint: Joint) -> str:
+def movement_instruction(joint: Joint) -> str:
     """Return the instruction to the patient to move this joint."""
     side, _, part = joint.name.partition("_")
     if side in {"left", "right"} and part in MOVEMENTS:
@@ -106,7 +106,7 @@ def _prompt(joint: Joint) -> Step:
         id=f"prompt-{joint.name}",
         kind="prompt",
         joint=joint.name,
-        title=movement_words(joint),
+        title=movement_instruction(joint),
         instruction="Follow the beat: move when the cue says so, then come back slowly and rest. Three times.",
         duration=cues[-1].end,
         cues=tuple(cues),

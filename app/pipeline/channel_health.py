@@ -18,7 +18,7 @@ FLAT_TIME: Final = 0.2  # s: a fabric sensor always shows noise; a signal consta
 STUCK_TIME: Final = 0.3  # s: real knit never was so quiet for so long, in 48 recordings by a factor of 1.3 at least
 FEWEST_STUCK: Final = 20  # frames: fewer of them can lie close together by chance
 STUCK_SHARE: Final = 0.7  # of the standard deviation of a channel's own noise: a smaller range is none of its own
-SAMPLES: Final = 12  # frames of half a window whose range is looked at first: of 12, noise seldom has so small a range
+SAMPLES: Final = 12  # frames of half a window whose range is computed first: of 12, noise seldom has so small a range
 RANGE_FACTOR: Final = 1.5  # of the calibrated half-range: a value beyond it is not from this body
 SMALLEST_HALF_RANGE: Final = 1e-9  # signal units, for a channel that did not change in the calibration
 LOSS_WINDOW: Final = 1.0  # s
@@ -31,9 +31,9 @@ class ChannelHealth:
     A channel is stuck when it is constant, or its range is smaller than its own noise explains: a sensor that broke may
     still show the noise of the converter.
 
-    Whether a channel is constant is looked at every `flat_after // 2` frames only: a channel that has not been constant
-    for at least the other half cannot become flat before the next look. While some channel could, all are counted frame
-    by frame.
+    Whether a channel is constant is checked every `flat_after // 2` frames only: a channel that has not been constant
+    for at least the other half cannot become flat before the next check. While some channel could, all are counted
+    frame by frame.
     """
 
     def __init__(self, profile: CalibrationProfile, watched: NDArray[np.bool_], sample_rate: float) -> None:
@@ -47,9 +47,9 @@ class ChannelHealth:
         self._all_within = np.ones((2, len(low)), dtype=np.bool_).tobytes()
         self._watched = watched
         self._flat_after = max(2, round(FLAT_TIME * sample_rate))
-        self._look_every = self._flat_after // 2
-        self._suspect_after = self._flat_after - self._look_every
-        noise = np.zeros(len(low)) if profile.noise is None else np.array(profile.noise)
+        self._check_every = self._flat_after // 2
+        self._suspect_after = self._flat_after - self._check_every
+        noise = np.array(profile.noise)
         # Signal units, -1 where no range is too small.
         self._least_range = np.where(watched & (noise > 0.0), STUCK_SHARE * noise, -1.0)
         self._has_noise = bool((self._least_range > 0.0).any())
@@ -61,7 +61,7 @@ class ChannelHealth:
     def reset(self) -> None:
         """Forget for how long each channel was constant."""
         self._recent: deque[Frame] = deque(maxlen=max(self._flat_after, self._stuck_after))
-        self._until_look = self._look_every + 1
+        self._until_check = self._check_every + 1
         self._still: NDArray[np.int32] | None = None  # frames, while some channel is suspect
         self._until_range = self._stuck_after // 2 if self._has_noise else -1
         self._window: Array | None = None  # (stuck_after, n_channels) the newest frames, while a range is suspect
@@ -87,10 +87,10 @@ class ChannelHealth:
         if self._still is not None:
             self._still += 1
             self._still *= self._watched & (values == self._recent[-2])
-        self._until_look -= 1
-        if not self._until_look:
-            self._until_look = self._look_every
-            self._look(values)
+        self._until_check -= 1
+        if not self._until_check:
+            self._until_check = self._check_every
+            self._check_constant(values)
         stuck = None
         self._until_range -= 1
         if not self._until_range or self._window is not None:
@@ -111,8 +111,8 @@ class ChannelHealth:
     def _stuck(self, values: Frame) -> NDArray[np.bool_] | None:
         """Return which channels have a range that is too small for their noise (n_channels,), None when none may have.
 
-        Every half window a few frames are looked at: only when their range is too small, the whole window is, frame by
-        frame.
+        Every half window a few frames are sampled. Only when their range is too small, the range of the whole window is
+        computed, frame by frame.
         """
         window = self._window
         if window is not None:
@@ -135,27 +135,27 @@ class ChannelHealth:
         small: NDArray[np.bool_] = frames.max(axis=0) <= frames.min(axis=0) + self._least_range
         return small
 
-    def _stuck_in_block(self, known: NDArray[Any]) -> NDArray[np.bool_] | None:
+    def _stuck_in_block(self, frames: NDArray[Any]) -> NDArray[np.bool_] | None:
         """Return what `_stuck` does for each of many frames (n, n_channels), None when no range is too small."""
-        if not self._has_noise or len(known) < self._stuck_after:
+        if not self._has_noise or len(frames) < self._stuck_after:
             return None
-        sampled = sliding_window_view(known[:: self._sample_step], self._samples, axis=0)
+        sampled = sliding_window_view(frames[:: self._sample_step], self._samples, axis=0)
         suspect = (sampled.max(axis=-1) <= sampled.min(axis=-1) + self._least_range).any(axis=0)
         if not suspect.any():
             return None
-        stuck = np.zeros(known.shape, dtype=np.bool_)
+        stuck = np.zeros(frames.shape, dtype=np.bool_)
         for channel in np.flatnonzero(suspect):
-            windows = sliding_window_view(known[:, channel], self._stuck_after)
+            windows = sliding_window_view(frames[:, channel], self._stuck_after)
             small = windows.max(axis=-1) <= windows.min(axis=-1) + self._least_range[channel]
             stuck[self._stuck_after - 1 :, channel] = small
         return stuck
 
-    def _look(self, values: Frame) -> None:
+    def _check_constant(self, values: Frame) -> None:
         """Begin or end to count frame by frame."""
         if self._still is not None:
             if self._still.max() < self._suspect_after:
                 self._still = None
-        elif (self._watched & (values == self._recent[-1 - self._look_every])).any():
+        elif (self._watched & (values == self._recent[-1 - self._check_every])).any():
             still = self._count_back()
             if still.max() >= self._suspect_after:
                 self._still = still
@@ -176,22 +176,22 @@ class ChannelHealth:
 
         `before` are the `memory` frames just before them, to notice a constant channel; None at the beginning.
         """
-        known = values if before is None else np.concatenate((before, values))
+        frames = values if before is None else np.concatenate((before, values))
         wrong = None
         # A NaN is the smallest and the largest value of its channel, and compares false.
         if not ((values.min(axis=0) >= self._low) & (values.max(axis=0) <= self._high))[self._watched].all():
             wrong = ~((values >= self._low) & (values <= self._high))
-        looks = known[:: self._look_every]  # two neighbours of these lie in every stretch that is long enough
-        if ((looks[1:] == looks[:-1]) & self._watched).any():
-            rows = np.arange(len(known), dtype=np.int32)[:, np.newaxis]
-            changed = np.ones(known.shape, dtype=np.bool_)
-            np.not_equal(known[1:], known[:-1], out=changed[1:])
+        sampled = frames[:: self._check_every]  # two neighbours of these lie in every stretch that is long enough
+        if ((sampled[1:] == sampled[:-1]) & self._watched).any():
+            rows = np.arange(len(frames), dtype=np.int32)[:, np.newaxis]
+            changed = np.ones(frames.shape, dtype=np.bool_)
+            np.not_equal(frames[1:], frames[:-1], out=changed[1:])
             flat = rows - np.maximum.accumulate(np.where(changed, rows, 0), axis=0) >= self._flat_after
-            flat = flat[len(known) - len(values) :]
+            flat = flat[len(frames) - len(values) :]
             wrong = flat if wrong is None else wrong | flat
-        stuck = self._stuck_in_block(known)
+        stuck = self._stuck_in_block(frames)
         if stuck is not None:
-            stuck = stuck[len(known) - len(values) :]
+            stuck = stuck[len(frames) - len(values) :]
             wrong = stuck if wrong is None else wrong | stuck
         if wrong is None:
             return None

@@ -1,16 +1,16 @@
-"""What bad channels would show: the other channels of their joints tell (decisions/0038).
+"""Estimates bad channels from the other channels of their joints (decisions/0038).
 
 While a channel is bad, its estimate replaces it: the conditional mean, given the joint's good channels, of a normal
 distribution with the covariance of the calibration. The estimate begins where the channel ended. When the channel is
 good again, the part of its change that the good channels do not explain is removed from it from then on. So whatever
-reads the frame, rates or levels, sees no step, neither when a channel breaks nor when it returns. A joint without a
-known covariance, and a channel without good neighbours, keep their last value.
+reads the frame, rates or levels, sees no step, neither when a channel breaks nor when it returns. A channel without
+good neighbours keeps its last value.
 """
 
 # Compiled in a wheel (hatch_build.py).
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -24,9 +24,9 @@ RIDGE: Final = 0.01  # of each channel's variance: the covariance of a short cal
 LARGEST_ERROR: Final = 0.1  # of what a gesture's projection moves by: measured on knit (decisions/0038)
 SLACK: Final = 0.1  # of the width of a calibrated range: beyond it, nothing is known of how channels move together
 LARGEST_LEVEL_ERROR: Final = 0.5  # of the dead-zone: an error of the levels alone must not look like a movement
-PLAUSIBLE_DEVIATIONS: Final = 6.0  # of the estimate: a larger unexplained change is no movement
-# FS/s or FS per FS of the error's standard deviation: what an error may feign. The error of a short calibration is
-# understated, and a posture is held for long.
+PLAUSIBLE_DEVIATIONS: Final = 6.0  # of the estimate: a larger unexplained change is not taken for a movement
+# FS/s or FS per FS of the error's standard deviation: the activation that an error may cause. The error of a short
+# calibration is understated, and a posture is held for long.
 MARGINS: Final = {"rate": 1.0, "displacement": 3.0}
 MOST_ESTIMATES: Final = 64  # sets of bad channels that are remembered
 
@@ -44,7 +44,7 @@ class Estimate(NamedTuple):
     known_by: NDArray[np.intp]  # the good channels that it follows from
     lost: list[bool]  # per gesture: whether the estimate is too inexact for it
     reading: list[bool]  # per gesture: whether it reads one of the bad channels
-    margins: list[float]  # per gesture, FS/s or FS: what the estimate's error may feign
+    margins: list[float]  # per gesture, FS/s or FS: the activation that the estimate's error may cause
 
 
 class SubstitutionChange(NamedTuple):
@@ -56,7 +56,7 @@ class SubstitutionChange(NamedTuple):
 
 
 class Surprise(NamedTuple):
-    """The part of a channel's change while it was bad that could as well have been a movement as none."""
+    """The unexplained part of a channel's change while it was bad: it may have been a movement, or not."""
 
     row: int  # of the block of frames
     step: Array  # (n_channels,) signal units
@@ -67,7 +67,7 @@ class _JointChannels(NamedTuple):
 
     channels: NDArray[np.intp]  # (k,)
     mean: Array  # (k,)
-    covariance: Array | None  # (k, k)
+    covariance: Array  # (k, k)
 
 
 class ChannelSubstitution:
@@ -78,7 +78,7 @@ class ChannelSubstitution:
     lost : list of bool
         Per gesture: whether it reads a channel that is bad in the newest frame and not known well enough.
     margins : list of float
-        Per gesture: what the error of the estimates may feign, FS/s or FS.
+        Per gesture: the activation that the error of the estimates may cause, FS/s or FS.
     replaced : list of int
         The channels that are replaced in the newest frame, and read by gestures that go on.
     is_active : bool
@@ -91,7 +91,7 @@ class ChannelSubstitution:
         self._uses = read.uses
         watched = np.asarray(self._uses.any(axis=0))
         self._joints = [
-            _joint_channels(np.array(joint.channels), np.array(joint.mean), joint.covariance, watched)
+            _joint_channels(np.array(joint.channels), np.array(joint.mean), np.array(joint.covariance), watched)
             for joint in profile.joints
         ]
         self._width = np.array(profile.high) - np.array(profile.low)
@@ -167,9 +167,9 @@ class ChannelSubstitution:
     def _support(self, estimate: Estimate, frames: Array, start: int) -> Iterator[SubstitutionChange]:
         """Yield where gestures are lost because an estimate begins or ends to lie beyond what calibration saw."""
         known_by = estimate.known_by
-        known: Array = frames[:, known_by]
-        within: Array = known.clip(self._low[known_by], self._high[known_by])
-        beyond: list[bool] = np.any(known != within, axis=1).tolist()
+        good: Array = frames[:, known_by]
+        within: Array = good.clip(self._low[known_by], self._high[known_by])
+        beyond: list[bool] = np.any(good != within, axis=1).tolist()
         for row, is_beyond in enumerate(beyond, start):
             lost = estimate.reading if is_beyond else estimate.lost
             if lost is not self.lost:
@@ -229,14 +229,12 @@ class ChannelSubstitution:
             if not wrong.any():
                 continue
             base[joint.channels[wrong]] = joint.mean[wrong]
-            if joint.covariance is None:
-                continue
             gains, errors = _conditional(joint.covariance, wrong)
-            those, others = joint.channels[wrong], joint.channels[~wrong]
-            gain[np.ix_(those, others)] = gains
-            base[those] -= gains @ joint.mean[~wrong]
-            error[np.ix_(those, those)] = errors
-            deviation[those] = np.sqrt(np.diag(errors))
+            bad_channels, good_channels = joint.channels[wrong], joint.channels[~wrong]
+            gain[np.ix_(bad_channels, good_channels)] = gains
+            base[bad_channels] -= gains @ joint.mean[~wrong]
+            error[np.ix_(bad_channels, bad_channels)] = errors
+            deviation[bad_channels] = np.sqrt(np.diag(errors))
         margins = [0.0] * len(lost)
         for gesture, is_lost in enumerate(lost):
             if is_lost and np.isfinite(deviation[self._uses[gesture] & bad]).all():
@@ -252,9 +250,8 @@ class ChannelSubstitution:
         row = self._moving[gesture]
         movement = 0.0
         for joint in self._joints:
-            if joint.covariance is not None:
-                part = row[joint.channels]
-                movement += float(part @ joint.covariance @ part)
+            part = row[joint.channels]
+            movement += float(part @ joint.covariance @ part)
         levels = sum(_deviation(level, error) for level in self._levels[gesture])
         return (
             _deviation(row, error) <= LARGEST_ERROR * math.sqrt(movement)
@@ -262,17 +259,13 @@ class ChannelSubstitution:
         )
 
 
-def _joint_channels(
-    channels: NDArray[np.intp], mean: Array, covariance: Sequence[Sequence[float]] | None, watched: Flags
-) -> _JointChannels:
+def _joint_channels(channels: NDArray[np.intp], mean: Array, covariance: Array, watched: Flags) -> _JointChannels:
     checked = watched[channels]
-    if covariance is None:
-        return _JointChannels(channels[checked], mean[checked], None)
-    return _JointChannels(channels[checked], mean[checked], np.array(covariance)[np.ix_(checked, checked)])
+    return _JointChannels(channels[checked], mean[checked], covariance[np.ix_(checked, checked)])
 
 
 def _conditional(covariance: Array, wrong: Flags) -> tuple[Array, Array]:
-    """Return the gains (b, g) with which the good channels of a joint tell the wrong ones, and their error (b, b).
+    """Return the gains (b, g) with which the good channels of a joint predict the bad ones, and their error (b, b).
 
     The equations are solved in units of each channel's own movement, so that they do not depend on signal units.
     """

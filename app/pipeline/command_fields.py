@@ -1,11 +1,12 @@
 """The fields of each command (docs/protocols.md, section 1)."""
 
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
 from app.calibration.vocabulary import DriveParameters
 from app.cues import Cue
+from app.json_values import JsonDocument
 from app.pipeline.open_run import RunKind
 from app.quantities import Count, Document, Fraction, Name, Radians, Seconds
 from app.speeds import Speeds
@@ -31,13 +32,13 @@ class Heartbeat(Document):
 class Device(Document):
     """The configuration of a shirt, a body or a chair, which the registry checks."""
 
-    config: dict[str, Any]
+    config: JsonDocument
 
 
 class HeadDevice(Document):
     """The configuration of a head tracker, which the registry checks; None: no head tracker."""
 
-    config: dict[str, Any] | None
+    config: JsonDocument | None
 
 
 class Look(Document):
@@ -92,7 +93,7 @@ class RunFields(Document):
     folder: Folder
     kind: RunKind
     cues: Annotated[tuple[Cue, ...], Field(max_length=MAX_CUES)] = ()
-    meta: dict[str, Any] = Field(default_factory=dict)
+    meta: JsonDocument = Field(default_factory=dict)
     test: CursorPlan | None = None  # of an interface test, which no other kind of run has
 
     @model_validator(mode="after")

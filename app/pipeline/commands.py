@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 from pydantic import ValidationError
 
@@ -11,19 +11,20 @@ from app.clock import Clock
 from app.faults import EXPLANATIONS, Fault, State
 from app.hardware.base import HardwareError, NetworkShirt
 from app.hardware.registry import parse_body, parse_chair, parse_head, parse_shirt
+from app.json_values import JsonDocument
 from app.pipeline import command_fields
 from app.pipeline.loop import ControlLoop
 from app.pipeline.opening import DeviceChange, Openings, defect
 from app.pipeline.person_brakes import missing_brake
 from app.pipeline.runs import Runs
 from app.pipeline.setup import CommandRefused
-from app.process.command_channel import CommandServer
+from app.process.command_channel import CommandServer, Message
 from app.quantities import Document
 from app.realtime import collect_garbage
 from app.sentences import one_sentence
 from app.world.floorplan import LINES_ARE_FREE
 
-Answer = dict[str, Any]
+Answer: TypeAlias = JsonDocument
 
 NOT_MEANWHILE = frozenset({"shirt", "sender", "body", "head", "chair", "parameters", "world", "run", "arm", "clear"})
 """Commands refused while a device is being opened: they would change, arm or record an incomplete setup."""
@@ -87,22 +88,22 @@ class Commands:
         self._runs.close()
         self._server.close()
 
-    def _do(self, message: dict[str, Any]) -> None:
-        command_id, word = message.pop("id"), message.pop("do")
-        command = self._commands.get(word)
+    def _do(self, message: Message) -> None:
+        command_id, name = message.pop("id"), message.pop("do")
+        command = self._commands.get(name)
         if command is None:
-            self._server.refuse(command_id, f"There is no command '{word}': use one of {', '.join(self._commands)}.")
+            self._server.refuse(command_id, f"There is no command '{name}': use one of {', '.join(self._commands)}.")
             return
         try:
-            if word in NOT_MEANWHILE and self._openings.busy:
+            if name in NOT_MEANWHILE and self._openings.busy:
                 raise CommandRefused("Another device is being opened: wait a moment, then try again.")
             answer = command.do(command.fields.model_validate(message, context=LINES_ARE_FREE), command_id)
         except ValidationError as error:
-            self._server.refuse(command_id, f"{one_sentence(error, word)}.")
+            self._server.refuse(command_id, f"{one_sentence(error, name)}.")
         except (CommandRefused, HardwareError) as refusal:
             self._server.refuse(command_id, str(refusal))
         except Exception as error:  # a defect of a command must not end the process that controls the chair
-            self._server.refuse(command_id, defect(word, error))
+            self._server.refuse(command_id, defect(name, error))
         else:
             if answer is not None:
                 self._server.answer(command_id, **answer)
@@ -156,7 +157,7 @@ class Commands:
         self._require_no_drive()
         head = self._setup.head
         change = head.change(None if fields.config is None else parse_head(fields.config))
-        self._open(change, command_id, lambda: {"words": head.words})
+        self._open(change, command_id, lambda: {"words": head.description})
 
     def _look(self, fields: command_fields.Look, _id: int) -> Answer:
         if not self._setup.head.look(fields.yaw, fields.pitch, fields.roll):
@@ -257,9 +258,9 @@ class Commands:
     def _open(self, change: DeviceChange, command_id: int, answer: Callable[[], Answer]) -> None:
         """Open a device in a thread; the command is answered when the device is open, or refused with the reason."""
 
-        def finish(why: str) -> None:
-            if why:
-                self._server.refuse(command_id, why)
+        def finish(failure: str) -> None:
+            if failure:
+                self._server.refuse(command_id, failure)
                 return
             try:
                 self._settle()
@@ -332,13 +333,13 @@ def device_refusal(loop: ControlLoop) -> str:
     return ""
 
 
-def status(loop: ControlLoop) -> dict[str, Any]:
+def status(loop: ControlLoop) -> JsonDocument:
     """Return the state of shirt, chair and head tracker, in words and numbers."""
     setup = loop.setup
     return {
         "shirt": {
             "kind": setup.shirt_kind,
-            "words": setup.shirt_words,
+            "words": setup.shirt_description,
             "alive": loop.shirt_alive,
             "silent": loop.shirt_silent,
             "sample_rate": setup.sample_rate if setup.shirt else 0.0,
@@ -350,14 +351,14 @@ def status(loop: ControlLoop) -> dict[str, Any]:
             "words": setup.chair_words,
             "switch_seen": setup.link is not None and setup.link.switch_reported,
         },
-        "head": {"kind": setup.head.kind, "words": setup.head.words},
+        "head": {"kind": setup.head.kind, "words": setup.head.description},
         "dial": setup.chain.dial,
         "late": loop.late,
         "hash": setup.hash,
     }
 
 
-def _senders(shirt: NetworkShirt | None) -> dict[str, Any] | None:
+def _senders(shirt: NetworkShirt | None) -> JsonDocument | None:
     if shirt is None:
         return None
     choice = shirt.sender_choice

@@ -29,8 +29,8 @@ def periods_between(time_step: float, sample_rate: float) -> float:
 class Decoder:
     """Decodes frame by frame; `score`, `rate`, `drive` and `activation` hold one number per gesture.
 
-    A bad channel is replaced by what the joint's other channels say of it (safety S5). Where they do not say it exactly
-    enough, the gestures that read it are `bad` and have activation 0.
+    A bad channel is replaced by its estimate from the joint's other channels (safety S5). Where the estimate is not
+    exact enough, the gestures that read the channel are `bad` and have activation 0.
     """
 
     def __init__(self, parameters: DriveParameters, sample_rate: float) -> None:
@@ -60,7 +60,7 @@ class Decoder:
         self._substitution.reset()
         self._doubt.reset()
         self.estimated = 0
-        """Bit i: channel i is bad, and gestures that read it go on by what its neighbours tell."""
+        """Bit i: channel i is bad, and gestures that read it go on with its estimate."""
         self._is_certain = True  # whether no gesture is bad, in doubt, or reads an estimate
         self._fresh = True
         self._baseline = [0.0] * count

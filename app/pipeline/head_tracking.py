@@ -24,7 +24,7 @@ class HeadTracking:
         self.kind = ""
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """The tracker's state in words."""
         return self._failed or (self._tracker.description() if self._tracker else NO_TRACKER)
 
@@ -36,10 +36,10 @@ class HeadTracking:
             close_quietly(before)
             return None if config is None else open_device(make_head(config, self._clock))
 
-        def take(tracker: HeadTracker | None) -> None:
+        def use(tracker: HeadTracker | None) -> None:
             self._tracker, self.kind = tracker, config.kind if config else ""
 
-        return DeviceChange("head tracker", opened, take)
+        return DeviceChange("head tracker", opened, use)
 
     def close(self) -> None:
         """Close the head tracker in use."""

@@ -14,17 +14,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.profile import JointMap
-from app.calibration.steps import STEEPNESS, frames_per_look, step_times
+from app.calibration.steps import STEEPNESS, frames_per_check, step_times
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.channel_health import SMALLEST_HALF_RANGE
 
-DEFAULT_STEP: Final = 0.035  # FS: least sudden step, where the calibration says nothing about it
-DEFAULT_FILTERED_STEP: Final = 0.06  # FS: the same of a filtered step
 LARGE_FACTOR: Final = 2.0  # of the least step: with a fabric that has steps of its own, a large one is larger
 LARGE_STEP: Final = 0.1  # FS: a sudden step that is not believed though it is the first one
 NOISE_OF_STEP: Final = 0.29  # of the least step: so large the noise of a change may be
 LEAST_SPIKE: Final = 0.08  # FS: a smaller spike does not drive
-AGAIN: Final = 5.0  # s within which further steps or spikes are a loose line and no chance: real fabric has some
+AGAIN: Final = 5.0  # s within which a further step or spike means a loose line: real fabric has single ones
 SUDDEN_STEPS: Final = 2  # so many within this time are not believed
 FILTERED_STEPS: Final = 3  # a jerk of a person can look like one
 COMMON_TIME: Final = 0.1  # s over which channels are compared; noise averages out over it
@@ -39,7 +37,7 @@ MOST_NOISE: Final = 0.04  # of a peak: by so much more they may differ at most b
 LONGEST_PAUSE: Final = 5.0  # s between two half waves of an oscillation
 HALF_WAVES: Final = 4  # so many in a row that are alike; people made at most 3
 NEXT: Final = 2.0  # half waves, since the last one ended: an oscillation without a next one is over
-LONGEST_GAP: Final = 0.05  # s without a frame after which the past is forgotten
+LONGEST_GAP: Final = 0.05  # s without a frame after which earlier frames are dropped
 DOUBT: Final = 2.0  # s for which signals that were no movement are not believed
 
 
@@ -117,9 +115,9 @@ class HalfWaves:
         self._end = end
 
     def _are_alike(self, duration: float, peak: float, which: int) -> bool:
-        more = min(MOST_NOISE, self._noise / peak)
+        tolerance = min(MOST_NOISE, self._noise / peak)
         time = abs(math.log(duration / self._durations[which]))
-        return time < ALIKE_TIME + more and abs(math.log(peak / self._peaks[which])) < ALIKE_PEAK + more
+        return time < ALIKE_TIME + tolerance and abs(math.log(peak / self._peaks[which])) < ALIKE_PEAK + tolerance
 
 
 def _channels_read(joint: JointMap) -> list[int]:
@@ -130,14 +128,14 @@ def _channels_read(joint: JointMap) -> list[int]:
 class _StepKind(NamedTuple):
     """What counts as one kind of step."""
 
-    still: int  # looks of stillness after it
+    still: int  # checks of stillness after it
     least: list[float]  # FS, of each joint
     enough: int  # so many lately are not believed
     large: float = math.inf  # FS: one that is not believed the first time
 
 
 class MovementCheck:
-    """Looks at the frames of one parameter set; a joint with a bad channel is not looked at."""
+    """Checks the frames of one parameter set; a joint with a bad channel is not checked."""
 
     def __init__(self, parameters: DriveParameters, sample_rate: float) -> None:
         profile = parameters.profile
@@ -146,24 +144,22 @@ class MovementCheck:
         place = {joint.name: i for i, joint in enumerate(joints)}
         self._joint_of = [place[gesture.joint] for gesture in parameters.gestures]
         read = [_channels_read(joint) for joint in joints]
-        channels = [i for one in read for i in one]
+        channels = [i for group in read for i in group]
         self._take = np.array(channels, dtype=np.intp)
         self._starts = np.cumsum([0, *map(len, read)])[:-1]
-        self._columns = [np.arange(start, start + len(one)) for start, one in zip(self._starts, read, strict=True)]
+        self._columns = [np.arange(start, start + len(group)) for start, group in zip(self._starts, read, strict=True)]
         half_range = (np.array(profile.high) - np.array(profile.low))[channels] / 2.0
-        spans = np.repeat([joint.span for joint in joints], [len(one) for one in read])
-        self.every = frames_per_look(sample_rate)
+        spans = np.repeat([joint.span for joint in joints], [len(group) for group in read])
+        self.every = frames_per_check(sample_rate)
         period = self.every / sample_rate
         common = max(1, round(COMMON_TIME / period))
         sudden, filtered = times = step_times(sample_rate)
         self._size = max(common, sudden.whole, filtered.whole) + 1
         self._kinds = (
-            _StepKind(sudden.still, [joint.step or DEFAULT_STEP for joint in joints], SUDDEN_STEPS, LARGE_STEP),
-            _StepKind(
-                filtered.still, [joint.filtered_step or DEFAULT_FILTERED_STEP for joint in joints], FILTERED_STEPS
-            ),
+            _StepKind(sudden.still, [joint.step for joint in joints], SUDDEN_STEPS, LARGE_STEP),
+            _StepKind(filtered.still, [joint.filtered_step for joint in joints], FILTERED_STEPS),
         )
-        # Ages of the frames between which changes are looked at: lately; and for each kind of step after, at and before
+        # Ages of the frames between which changes are computed: lately; and for each kind of step after, at and before
         # it, from before a spike to after it, and after that.
         newer, older = [0], [common]
         for fast, still in times:
@@ -173,14 +169,14 @@ class MovementCheck:
         scales = [1.0 / np.maximum(half_range, SMALLEST_HALF_RANGE), *[1.0 / spans] * (len(newer) - 1)]
         self._scale = np.stack(scales)
         self._compares = len(joints) >= FEWEST_JOINTS
-        self._masks = [sum(1 << channel for channel in one) for one in read]
-        self._counts = [len(one) for one in read]
+        self._masks = [sum(1 << channel for channel in group) for group in read]
+        self._counts = [len(group) for group in read]
         self._count = len(channels)
         self._waves = [
             HalfWaves(joint.pca.dead_zone, joint.rest_rate, period, displaced=True)
             if gesture.feature == "displacement"
             else HalfWaves(gesture.dead_zone, joint.rest_rate, period)
-            for gesture, joint in ((one, joints[place[one.joint]]) for one in parameters.gestures)
+            for gesture, joint in ((gesture, joints[place[gesture.joint]]) for gesture in parameters.gestures)
         ]
         self._again = round(AGAIN / period)
         self._doubt = round(DOUBT / period)
@@ -191,11 +187,11 @@ class MovementCheck:
     def reset(self) -> None:
         """Forget the past, and what was not believed."""
         self._forget()
-        self._now = 0  # looks so far
-        self._blind_until = [0] * len(self._starts)  # the look up to which the ring holds a bad channel of the joint
+        self._now = 0  # checks so far
+        self._blind_until = [0] * len(self._starts)  # the check up to which the ring holds a bad channel of the joint
         self._jumps: list[list[int]] = [
             [] for _ in self._starts
-        ]  # the looks at which each joint's last jumps were seen
+        ]  # the checks at which each joint's last jumps were seen
         self._doubt_until = -1
         self._disbelief_until = -1
         self.doubts = False
@@ -218,10 +214,10 @@ class MovementCheck:
         active: bool,
         periods: float,
     ) -> None:
-        """Look at a frame (n_channels,) and the decoded rates, `every` frames after the last look, or after a gap.
+        """Check a frame (n_channels,) and the decoded rates, `every` frames after the last check, or after a gap.
 
-        `bad`: the gestures with bad channels; `estimated`: the channels, as bits, that others stand in for; `active`:
-        whether any gesture is; `periods`: sample periods since the frame before.
+        `bad`: the gestures with bad channels; `estimated`: the channels, as bits, that are estimated from others;
+        `active`: whether any gesture is; `periods`: sample periods since the frame before.
         """
         if periods > self._gap:
             self._forget()
@@ -262,7 +258,7 @@ class MovementCheck:
         that, squared.
         """
         after, at, before, across, after_spike = squares
-        found = False
+        has_steps = False
         for i, least in enumerate(kind.least):
             if at[i] < least * least:
                 continue
@@ -273,8 +269,8 @@ class MovementCheck:
             is_step = steep > after[i]
             if is_step or (at[i] > LEAST_SPIKE * LEAST_SPIKE and steep > max(across[i], after_spike[i])):
                 is_large = is_step and at[i] > max(kind.large, LARGE_FACTOR * least) ** 2
-                found |= self._repeats(i, kind.still, kind.enough) or is_large
-        return found
+                has_steps |= self._repeats(i, kind.still, kind.enough) or is_large
+        return has_steps
 
     def _repeats(self, joint: int, still: int, enough: int) -> bool:
         """Note a step or spike of a joint; return whether it makes `enough` lately."""
@@ -282,7 +278,7 @@ class MovementCheck:
         jumps = self._jumps[joint]
         if jumps and self._now - jumps[-1] <= still:  # the same one, seen from the next frame
             return False
-        jumps[:] = [one for one in jumps if self._now - one <= self._again] + [self._now]
+        jumps[:] = [jump for jump in jumps if self._now - jump <= self._again] + [self._now]
         return len(jumps) >= enough
 
     def _is_common(self, total: float, squares: list[float]) -> bool:
@@ -293,6 +289,6 @@ class MovementCheck:
         mean, square = abs(total) / self._count, sum(squares) / self._count
         if mean > LEAST_COMMON and mean * mean > COMMON * COMMON * square:
             return True
-        each = [one / count for one, count in zip(squares, self._counts, strict=True)]
+        each = [square / count for square, count in zip(squares, self._counts, strict=True)]
         least = min(each)
         return least > LEAST_EVEN * LEAST_EVEN and least > EVEN * EVEN * max(each)

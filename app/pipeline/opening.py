@@ -10,7 +10,7 @@ from app.hardware.base import HardwareError
 
 OPENING_LIMIT = 8.0  # s; the web process waits 10 s for an answer
 MOST_STUCK = 8  # threads that never ended: each holds memory until the process ends
-LONGEST_REASON = 200  # letters of a driver's error message
+LONGEST_REASON = 200  # characters of a driver's error message
 
 
 class Openable(Protocol):
@@ -28,8 +28,8 @@ class DeviceChange(NamedTuple):
     """The change to another device: how to open it, and how to put it to use."""
 
     what: str  # the device's name in sentences: shirt, chair ...
-    open: Callable[[], Any]  # runs in a thread: may wait, and may raise anything
-    take: Callable[[Any], None]  # runs on the loop: neither waits nor fails
+    open: Callable[[], object]  # runs in a thread: may wait, and may raise anything
+    use: Callable[[Any], None]  # is given what `open` returned; runs on the loop: neither waits nor fails
 
 
 Finish = Callable[[str], None]
@@ -43,7 +43,7 @@ class Openings:
         self._clock = clock
         self._attempt: _Attempt | None = None
         self._change: DeviceChange | None = None
-        self._finish: Finish = lambda _why: None
+        self._finish: Finish = lambda _failure: None
         self._until = 0.0
         self._stuck: list[_Attempt] = []
 
@@ -69,21 +69,21 @@ class Openings:
         if attempt is None or change is None:
             return
         if attempt.ended.is_set():
-            why = attempt.why or _take(change, attempt.device)
+            failure = attempt.failure or _use(change, attempt.device)
         elif self._clock.now() > self._until:
             attempt.give_up()
             self._stuck.append(attempt)
-            why = f"The {change.what} did not open within {OPENING_LIMIT:g} seconds: check its settings."
+            failure = f"The {change.what} did not open within {OPENING_LIMIT:g} seconds: check its settings."
         else:
             return
         self._attempt = self._change = None
-        self._finish(why)
+        self._finish(failure)
 
 
-def _take(change: DeviceChange, device: Any) -> str:
+def _use(change: DeviceChange, device: object) -> str:
     """Put a device to use; return an empty string, or the sentence of a defect when that failed."""
     try:
-        change.take(device)
+        change.use(device)
     except Exception as error:
         return defect(change.what, error)
     return ""
@@ -94,8 +94,8 @@ class _Attempt(threading.Thread):
 
     def __init__(self, change: DeviceChange) -> None:
         super().__init__(name=f"opens the {change.what}", daemon=True)  # must not keep the process alive
-        self.device: Any = None
-        self.why = ""
+        self.device: object = None
+        self.failure = ""
         self.ended = threading.Event()
         self._change = change
         self._lock = threading.Lock()
@@ -106,7 +106,7 @@ class _Attempt(threading.Thread):
         try:
             device = self._change.open()
         except Exception as error:  # whatever a driver raises, the loop turns on
-            device, self.why = None, reason(error, self._change.what)
+            device, self.failure = None, reason(error, self._change.what)
         with self._lock:
             if not self._given_up:
                 self.device = device
@@ -138,15 +138,15 @@ def reason(error: Exception, what: str) -> str:
         return one_line(str(error))
     if isinstance(error, ModuleNotFoundError) and error.name:
         return f"The {what} needs the library '{error.name}', which is not installed: install it, then choose it again."
-    words = one_line(str(error))[:LONGEST_REASON]
-    why = f"{type(error).__name__}: {words}" if words else type(error).__name__
-    return f"The {what} cannot be opened ({why}): check its settings."
+    message = one_line(str(error))[:LONGEST_REASON]
+    cause = f"{type(error).__name__}: {message}" if message else type(error).__name__
+    return f"The {what} cannot be opened ({cause}): check its settings."
 
 
 def defect(what: str, error: Exception) -> str:
     """Return the sentence for an unforeseen exception."""
-    words = one_line(str(error))[:LONGEST_REASON]
-    return f"The program has a fault, and '{what}' was not done ({type(error).__name__}: {words}): please report it."
+    message = one_line(str(error))[:LONGEST_REASON]
+    return f"The program has a fault, and '{what}' was not done ({type(error).__name__}: {message}): please report it."
 
 
 def one_line(text: str) -> str:
@@ -154,7 +154,7 @@ def one_line(text: str) -> str:
     return " ".join("".join(letter if letter.isprintable() else " " for letter in text).split())
 
 
-def close_quietly(device: Any) -> None:
+def close_quietly(device: object) -> None:
     """Close a device, if it has `close`, and ignore whatever that raises."""
     close = getattr(device, "close", None)
     if close is not None:

@@ -23,13 +23,13 @@ LAST_TURNS = 0.5  # s: longest time for the last stop; the gate's STOP_TIME is s
 
 def main(arguments: list[str] | None = None) -> int:
     """Run until the control link ends; return the exit code."""
-    given = _parser().parse_args(arguments)
+    options = _parser().parse_args(arguments)
     clock = MonotonicClock()
     control_link = None
     try:
-        report = ChairReport(*given.report) if given.report else None
-        control_link = socket.socket(fileno=given.link_fd)
-        ring = TickRing.create(given.ring)
+        report = ChairReport(*options.report) if options.report else None
+        control_link = socket.socket(fileno=options.link_fd)
+        ring = TickRing.create(options.ring)
     except (HardwareError, OSError) as error:
         if control_link is not None:
             control_link.close()
@@ -43,7 +43,7 @@ def main(arguments: list[str] | None = None) -> int:
         commands = Commands(loop, server, go_real_time(), clock)
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the web process
         signal.signal(signal.SIGTERM, lambda *_: setattr(commands, "quit", True))
-        _turn_until_told(loop, commands, server, clock)
+        _run_until_quit(loop, commands, server, clock)
         _come_to_a_stop(loop, clock)
         commands.close()
         setup.close()
@@ -52,13 +52,13 @@ def main(arguments: list[str] | None = None) -> int:
     return 0
 
 
-def _turn_until_told(loop: ControlLoop, commands: Commands, server: CommandServer, clock: MonotonicClock) -> None:
-    poll_at = clock.now()
+def _run_until_quit(loop: ControlLoop, commands: Commands, server: CommandServer, clock: MonotonicClock) -> None:
+    next_poll = clock.now()
     while not (commands.quit or server.closed):
         loop.turn()
         now = clock.now()
-        if now >= poll_at:
-            poll_at = now + POLL_EVERY
+        if now >= next_poll:
+            next_poll = now + POLL_EVERY
             commands.poll()
             loop.send_to_chair()  # a stop does not wait for the next tick
 
@@ -77,7 +77,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="python -m app.pipeline.process", description="The control process.")
     parser.add_argument("--link-fd", type=int, required=True, help="an open end of a stream socket pair")
     parser.add_argument("--ring", required=True, help="name of the shared memory to make for the ticks")
-    parser.add_argument("--report", type=_address, metavar="HOST:PORT", help="tell this address where the chair is")
+    parser.add_argument("--report", type=_address, metavar="HOST:PORT", help="send this address where the chair is")
     return parser
 
 

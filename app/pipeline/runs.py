@@ -2,11 +2,11 @@
 
 import shutil
 from pathlib import Path
-from typing import Any
 
 from app import __version__
 from app.clock import Clock, utc_now
 from app.disk_room import ROOM_TO_RECORD
+from app.json_values import JsonDocument
 from app.pipeline import command_fields
 from app.pipeline.compiled import IS_COMPILED
 from app.pipeline.loop import ControlLoop
@@ -37,7 +37,7 @@ class Runs:
         """Disarm and begin a run; return its number in ticks, or raise CommandRefused."""
         loop, setup = self._loop, self._loop.setup
         if setup.shirt is None:
-            raise CommandRefused(setup.shirt_words)
+            raise CommandRefused(setup.shirt_description)
         setup.chain.gate.disarm()
         loop.send_to_chair()
         if not setup.stands:
@@ -75,7 +75,7 @@ class Runs:
             run.writer.wait()
         self._answer_closed()
 
-    def status(self) -> dict[str, Any] | None:
+    def status(self) -> JsonDocument | None:
         """Return the state of the run in progress, None outside a run."""
         run = self._loop.run
         if run is None:
@@ -100,7 +100,7 @@ class Runs:
         setup = self._loop.setup
         shirt, parameters, floorplan = setup.shirt, setup.parameters, setup.floorplan
         if shirt is None:
-            raise CommandRefused(setup.shirt_words)
+            raise CommandRefused(setup.shirt_description)
         gestures = [gesture.name for gesture in parameters.gestures] if parameters else []
         meta = {
             "run_id": fields.run_id,

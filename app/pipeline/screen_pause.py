@@ -1,7 +1,8 @@
 """The pause of the virtual chair while the screen that drives it does not report in time (S7).
 
-Nobody sits in the virtual chair, so that a slow picture need not be a stop that somebody takes back. The pause decides
-nothing about a real chair, and clears no fault: it disarms the gate, and arms it again, which begins a neutral check.
+A slow picture pauses the virtual chair in place of stopping it, because nobody sits in it: nobody has to take a stop
+back. The pause does not apply to a real chair, and clears no fault. It disarms the gate, and arms it again, which
+begins a neutral check.
 """
 
 # Compiled in a wheel (hatch_build.py).

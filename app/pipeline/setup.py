@@ -1,6 +1,6 @@
 """What is connected and loaded: shirt, body, chair, limits, parameters, world; and the chain made of these."""
 
-from typing import Any, Protocol, cast
+from typing import Protocol, cast
 
 from app.calibration.vocabulary import DriveParameters
 from app.clock import Clock
@@ -12,6 +12,7 @@ from app.hardware.chair.simulator import Dynamics, VirtualChair
 from app.hardware.configs import SHIRTS, BodyConfig, ChairConfig, RealChairConfig
 from app.hardware.registry import make_body, make_real_chair, make_shirt
 from app.hardware.shirt.kind import ShirtConfig
+from app.json_values import JsonDocument
 from app.pipeline.chain import Chain
 from app.pipeline.head_tracking import HeadTracking
 from app.pipeline.opening import DeviceChange, close_quietly, one_line, open_device
@@ -66,7 +67,7 @@ class Setup:
         return self.shirt.sample_rate if self.shirt else IDLE_RATE
 
     @property
-    def layout_document(self) -> dict[str, Any] | None:
+    def layout_document(self) -> JsonDocument | None:
         """The layout of the shirt as a document, None without a shirt."""
         return self.shirt.layout.model_dump(mode="json") if self.shirt else None
 
@@ -76,7 +77,7 @@ class Setup:
         return self.shirt if isinstance(self.shirt, NetworkShirt) else None
 
     @property
-    def shirt_words(self) -> str:
+    def shirt_description(self) -> str:
         """The shirt's state in words."""
         return self.shirt.description() if self.shirt else self._shirt_failed or NO_SHIRT
 
@@ -125,7 +126,7 @@ class Setup:
             close_quietly(before)  # first: the next shirt may use the same port
             return open_device(make_shirt(config, self._clock))
 
-        def take(shirt: Shirt) -> None:
+        def use(shirt: Shirt) -> None:
             self.shirt, self.shirt_kind = shirt, config.kind
             self.mistrust = SHIRTS[config.kind].mistrust(config)
             self.simulated_shirt = cast(ShirtWithBody, shirt) if config.kind == "simulator" else None
@@ -133,7 +134,7 @@ class Setup:
                 self.parameters = self.hash = None
             self._make_chain()
 
-        return DeviceChange("shirt", opened, take)
+        return DeviceChange("shirt", opened, use)
 
     def release_failed_shirt(self, error: Exception) -> None:
         """Release a shirt whose driver failed; without frames the gate stops the chair, as with a silent shirt."""
@@ -153,15 +154,15 @@ class Setup:
         self.require_still()
         if self.simulated_shirt is None:
             raise CommandRefused("Only the simulated shirt has a body to choose: choose the simulated shirt first.")
-        return DeviceChange("body", lambda: make_body(config), lambda body: self._take_body(body, config.kind))
+        return DeviceChange("body", lambda: make_body(config), lambda body: self._use_body(body, config.kind))
 
     def change_chair(self, config: ChairConfig) -> DeviceChange:
         """Return the change that opens another chair; until then, and when that fails, the chair in use stays."""
         self.require_still()
         if isinstance(config, RealChairConfig):
-            return DeviceChange("chair", lambda: open_device(make_real_chair(config)), self._take_real_chair)
+            return DeviceChange("chair", lambda: open_device(make_real_chair(config)), self._use_real_chair)
         dynamics = config.dynamics
-        return DeviceChange("chair", lambda: None, lambda _: self._take_virtual_chair(dynamics))
+        return DeviceChange("chair", lambda: None, lambda _: self._use_virtual_chair(dynamics))
 
     def use_clinic(self, speeds: Speeds) -> None:
         """Set the clinic's limits: lower ones at once, higher ones only while nothing moves."""
@@ -218,7 +219,7 @@ class Setup:
         self._make_chain()
         return before
 
-    def _take_body(self, body: Body, kind: str) -> None:
+    def _use_body(self, body: Body, kind: str) -> None:
         if self.simulated_shirt is not None:
             self.simulated_shirt.body, self.body_kind = body, kind
             self._show_path()
@@ -229,13 +230,13 @@ class Setup:
             self.link.close()
             self.link = None
 
-    def _take_real_chair(self, chair: LinkedChair) -> None:
+    def _use_real_chair(self, chair: LinkedChair) -> None:
         self._close_link()
         self.chair = self.link = chair
         self.floorplan = self.path = self.leader = None
         self._make_chain()
 
-    def _take_virtual_chair(self, dynamics: Dynamics) -> None:
+    def _use_virtual_chair(self, dynamics: Dynamics) -> None:
         self._close_link()
         self._dynamics = dynamics
         self.chair = VirtualChair(self.floorplan, self.path.start if self.path else ORIGIN, dynamics)

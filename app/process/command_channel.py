@@ -4,14 +4,16 @@ import asyncio
 import json
 import socket
 from contextlib import suppress
-from typing import Any
+from typing import TypeAlias
+
+from app.json_values import JsonDocument
 
 CHUNK = 65_536  # bytes read from the socket at once
 LONGEST_LINE = 16_000_000  # bytes; a floor plan's document has at most 8 MB
 ANSWER_LIMIT = 10.0  # s; opening a device may take several
 NO_ANSWER = 0  # the id of a command that gets no answer
 
-Message = dict[str, Any]
+Message: TypeAlias = JsonDocument
 
 
 class LinkRefused(Exception):  # noqa: N818
@@ -57,7 +59,7 @@ class CommandServer:
             self.close()
         return [command for line in lines if (command := self._parse(line)) is not None]
 
-    def answer(self, command_id: int, **fields: Any) -> None:
+    def answer(self, command_id: int, **fields: object) -> None:
         """Answer a command with its results."""
         self._send({"id": command_id, "ok": True, **fields}, command_id)
 
@@ -77,9 +79,9 @@ class CommandServer:
             command = None
         if isinstance(command, dict) and isinstance(command.get("id"), int) and isinstance(command.get("do"), str):
             return command
-        given = command.get("id") if isinstance(command, dict) else None
+        command_id = command.get("id") if isinstance(command, dict) else None
         self.refuse(
-            given if isinstance(given, int) else -1,
+            command_id if isinstance(command_id, int) else -1,
             "This is no command: send one JSON object a line, with a whole number 'id' and a word 'do'.",
         )
         return None
@@ -122,7 +124,7 @@ class ControlClient:
         """Return when the control process has closed the channel."""
         await self._closed.wait()
 
-    async def call(self, do: str, *, limit: float = ANSWER_LIMIT, **fields: Any) -> Message:
+    async def call(self, do: str, *, limit: float = ANSWER_LIMIT, **fields: object) -> Message:
         """Send a command and return its answer, waiting at most `limit` (s).
 
         Raises
@@ -147,7 +149,7 @@ class ControlClient:
             raise LinkRefused(str(message.get("error", "The control process refused without saying why.")))
         return message
 
-    def send(self, do: str, **fields: Any) -> None:
+    def send(self, do: str, **fields: object) -> None:
         """Send a command without waiting for an answer; raise LinkLost when the control process has ended."""
         self._write({"id": NO_ANSWER, "do": do, **fields})
 

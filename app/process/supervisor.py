@@ -8,7 +8,6 @@ import uuid
 from contextlib import suppress
 from dataclasses import dataclass
 from subprocess import DEVNULL, Popen, TimeoutExpired
-from typing import Any
 
 import numpy as np
 
@@ -100,11 +99,11 @@ class ControlProcess:
         """Number of the process."""
         return self._process.pid
 
-    async def call(self, do: str, **fields: Any) -> Message:
+    async def call(self, do: str, **fields: object) -> Message:
         """Send a command and return its answer; raise LinkRefused or LinkLost."""
         return await self.client.call(do, limit=LIMITS.get(do, ANSWER_LIMIT), **fields)
 
-    def tell(self, do: str, **fields: Any) -> None:
+    def send(self, do: str, **fields: object) -> None:
         """Send a command without waiting for an answer; raise LinkLost when the process has ended."""
         self.client.send(do, **fields)
 

@@ -59,7 +59,7 @@ class AdaptationProposal:
     base_hash: str  # of the parameter set that it would change
     result: AdaptationResult
     applied: int | None = None  # the version that it became
-    words: str = ""  # why it was not applied by itself, in a sentence
+    reason: str = ""  # why it was not applied by itself, in a sentence
 
 
 class AdaptationFlow:
@@ -73,7 +73,7 @@ class AdaptationFlow:
         trials: TrialFlow,
         session: SessionFlow,
         chairs: Chairs,
-        tell: Callable[[str], None],
+        notify: Callable[[str], None],
         computing: ComputingProcess,
     ) -> None:
         self._database = database
@@ -81,7 +81,7 @@ class AdaptationFlow:
         self._runs = runs
         self._session = session
         self._chairs = chairs
-        self._tell = tell
+        self._notify = notify
         self._computing = computing
         self._one_at_a_time = asyncio.Lock()
         self._ending = threading.Event()
@@ -134,7 +134,7 @@ class AdaptationFlow:
         async with self._one_at_a_time:
             self._session.refuse_while_busy("look what would change")
             await asyncio.to_thread(self._propose, session.patient_id, session.id)
-        self._tell("adaptation")
+        self._notify("adaptation")
 
     async def apply(self, clinic_id: int, proposal: str, person: str | None) -> int:
         """Make a proposal the patient's next map, and return the version; `person` None: it applies by itself."""
@@ -143,8 +143,8 @@ class AdaptationFlow:
             session = await self._session.needed_session(clinic_id)
             version = await asyncio.to_thread(self._save, session, proposal, person)
             await self._session.try_load_parameters()
-        self._tell("controls")
-        self._tell("adaptation")
+        self._notify("controls")
+        self._notify("adaptation")
         return version
 
     async def back(self, clinic_id: int, person: str) -> int:
@@ -153,8 +153,8 @@ class AdaptationFlow:
             session = await self._session.needed_session(clinic_id)
             version = await asyncio.to_thread(self._back, session, person)
             await self._session.try_load_parameters()
-        self._tell("controls")
-        self._tell("adaptation")
+        self._notify("controls")
+        self._notify("adaptation")
         return version
 
     async def dismiss(self, session: PatientSession, proposal: str) -> None:
@@ -163,7 +163,7 @@ class AdaptationFlow:
         if waiting is not None and waiting.id == proposal and waiting.applied is None:
             self._newest = None
             self._reasons[session.patient_id] = NOT_NOW
-        self._tell("adaptation")
+        self._notify("adaptation")
 
     async def set_mode(self, session: PatientSession, mode: Mode, person: str) -> None:
         """Choose whether this patient's map is adapted, and by whom."""
@@ -174,7 +174,7 @@ class AdaptationFlow:
                 write_log(db, person, "adaptation chosen", patient=session.patient_id, mode=mode)
 
         await asyncio.to_thread(_write)
-        self._tell("adaptation")
+        self._notify("adaptation")
 
     async def stop(self) -> None:
         """Abandon the proposal that is being made, because the application ends."""
@@ -194,7 +194,7 @@ class AdaptationFlow:
                 await self._apply_by_itself(trial.clinic_id, trial.patient_id)
         except (Refusal, ValueError, OSError):  # the next trial makes another
             logger.exception("No proposal was made after trial %d", trial_id)
-        self._tell("adaptation")
+        self._notify("adaptation")
 
     async def _apply_by_itself(self, clinic_id: int, patient_id: int) -> None:
         waiting = self.proposal_for(patient_id)
@@ -206,7 +206,7 @@ class AdaptationFlow:
             await self.apply(clinic_id, waiting.id, None)
         except Refusal as refusal:
             if self._newest is waiting:
-                self._newest = replace(waiting, words=str(refusal))
+                self._newest = replace(waiting, reason=str(refusal))
 
     def _require_standstill(self) -> None:
         refusal = self.refusal()
@@ -223,7 +223,7 @@ class AdaptationFlow:
         folders = [self._runs.folder_of(run_id) for run_id in material.run_ids]
         self._newest, result = None, None
         if material.fresh:
-            past = [PastRun(self._runs.folder_of(one.run_id), one.fulls) for one in material.past]
+            past = [PastRun(self._runs.folder_of(trial.run_id), trial.fulls) for trial in material.past]
             question = partial(
                 adapt_from_recordings,
                 material.parameters,
@@ -271,7 +271,7 @@ class AdaptationFlow:
                 felt_change=change.felt_change,
                 hash=change.parameters.hash,
             )
-        self._newest = replace(waiting, applied=row.version, words="")
+        self._newest = replace(waiting, applied=row.version, reason="")
         return row.version
 
     def _back(self, session: PatientSession, person: str) -> int:

@@ -41,7 +41,7 @@ def adapt_from_recordings(
     folders: list[Path],
     fresh: int,
     past: Sequence[PastRun],
-    known: ReadTrials = NOTHING_READ,
+    past_read: ReadTrials = NOTHING_READ,
 ) -> AdaptationResult:
     """Return what the recordings of trials (the newest last) propose to change.
 
@@ -51,13 +51,13 @@ def adapt_from_recordings(
     recording that is gone, or of another shirt, is left out.
     """
     movements, fresh_read = [], 0
-    for left, folder in zip(range(len(folders), 0, -1), folders, strict=True):
+    for age, folder in zip(range(len(folders), 0, -1), folders, strict=True):
         movement = movement_of(folder, parameters)
         if movement is not None:
             movements.append(movement)
-            fresh_read += left <= fresh
-    trials = [PastTrial(str(one.folder), partial(movement_of, one.folder, parameters), one.fulls) for one in past]
-    read = read_trials(parameters, trials, known)
+            fresh_read += age <= fresh
+    trials = [PastTrial(str(run.folder), partial(movement_of, run.folder, parameters), run.fulls) for run in past]
+    read = read_trials(parameters, trials, past_read)
     losses = losses_of(parameters, calibrated, trials, read)
     proposal = _proposal(parameters, calibrated, movements, losses, fresh_read)
     return AdaptationResult(proposal, _effect(parameters, proposal, folders[-1]) if folders else None, read)

@@ -47,10 +47,10 @@ class ClinicSpread:
         with every_patient(), self._database.transaction() as db:
             count = count_of_everybody(db, task.floorplan, task.path)
             consents = prior_consents(db, task.group)
-            then, then_consents, known = self._known.get(task, (0, consents, None))
-            if known is not None and consents == then_consents and abs(count - then) <= MORE * then:
-                return known
+            then, then_consents, before = self._known.get(task, (0, consents, None))
+            if before is not None and consents == then_consents and abs(count - then) <= MORE * then:
+                return before
             people = trials_of_everybody(db, *task)
-        found = self._computing.ask(people_variances, people)
-        self._known[task] = count, consents, found
-        return found
+        variances = self._computing.ask(people_variances, people)
+        self._known[task] = count, consents, variances
+        return variances

@@ -5,13 +5,13 @@ import logging
 import threading
 from collections.abc import Awaitable, Callable, Coroutine
 from contextlib import suppress
-from typing import Any, Literal, NamedTuple, Protocol, TypeVar, get_args
+from typing import Literal, NamedTuple, Protocol, TypeVar, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.clock import monotonic
-from app.process.command_channel import LinkLost, LinkRefused
+from app.process.command_channel import LinkLost, LinkRefused, Message
 from app.refusals import Conflict, Unavailable
 
 Answer = TypeVar("Answer")
@@ -25,11 +25,11 @@ class LoopThread:
         self._thread = threading.Thread(target=self._run, name=name, daemon=True)
         self._thread.start()
 
-    async def run(self, coroutine: Coroutine[Any, Any, Answer]) -> Answer:
+    async def run(self, coroutine: Coroutine[object, None, Answer]) -> Answer:
         """Run a coroutine in the thread's loop, and return its result to the caller's loop."""
         return await asyncio.wrap_future(asyncio.run_coroutine_threadsafe(coroutine, self._loop))
 
-    def begin(self, coroutine: Coroutine[Any, Any, None]) -> None:
+    def begin(self, coroutine: Coroutine[object, None, None]) -> None:
         """Run a coroutine in the thread's loop until `close`."""
         asyncio.run_coroutine_threadsafe(coroutine, self._loop)
 
@@ -53,7 +53,7 @@ logger = logging.getLogger("bodydrive")
 
 HEARTBEAT_EVERY = 0.1  # s; the control process stops the chair after 0.3 s of silence
 STOP_LIMIT = 0.4  # s until a stop is answered, also when the control process does not answer
-LOOK_EVERY = 0.25  # s
+WATCH_EVERY = 0.25  # s
 HANG_LIMIT = 2.0  # s without a tick, after which the process is replaced: its chair has stopped long before
 OPENING_LIMIT = 12.0  # s without a tick during an opening command; longer than its answer is waited for
 OPENING = frozenset({"chair", "shirt", "body", "head", "parameters", "world", "run"})  # refused while it may move
@@ -75,11 +75,11 @@ class ScreenSign(NamedTuple):
 class LinkedProcess(Protocol):
     """One running control process, as the control link uses it."""
 
-    async def call(self, do: str, **fields: Any) -> dict[str, Any]:
+    async def call(self, do: str, **fields: object) -> Message:
         """Send a command and return its answer; raise LinkRefused or LinkLost."""
         ...
 
-    def tell(self, do: str, **fields: Any) -> None:
+    def send(self, do: str, **fields: object) -> None:
         """Send a command that gets no answer."""
         ...
 
@@ -105,7 +105,7 @@ class LinkedProcess(Protocol):
 
 
 class ControlLink:
-    """Keeps one control process running: starts it, replaces it when it dies or hangs, and loads what it had before."""
+    """Keeps one control process running: starts it, replaces it when it dies or hangs, repeats its load commands."""
 
     def __init__(self, start_process: Callable[[], Awaitable[LinkedProcess]]) -> None:
         self.state: ControlState = "starting"
@@ -113,10 +113,12 @@ class ControlLink:
         self.on_change: list[Callable[[ControlState], Awaitable[None]]] = []
         self._start_process = start_process
         self._process: LinkedProcess | None = None
-        self._loaded: dict[str, dict[str, Any]] = {}  # commands that a new control process is given again
+        self._loaded: dict[str, dict[str, object]] = {}  # commands that a new control process is given again
         self._opening = 0  # opening commands under way: they may delay the loop
-        self._pending_stops: set[asyncio.Task[dict[str, Any]]] = set()  # kept, so that they are not garbage-collected
-        self._keeping: asyncio.Task[None] | None = None
+        self._pending_stops: set[asyncio.Task[Message]] = (
+            set()
+        )  # referred to here: asyncio itself refers to tasks weakly
+        self._supervision: asyncio.Task[None] | None = None
         # The link has a thread of its own, so that a long request does not delay the heartbeat. When the event loop of
         # the requests hangs, the screens' reports are no longer read, and their age stops the chair.
         self._thread: LoopThread | None = None
@@ -132,20 +134,20 @@ class ControlLink:
             raise
         self._thread.begin(self._heartbeat())
         self._thread.begin(self._watch())
-        self._keeping = asyncio.create_task(self._keep(self._thread))
+        self._supervision = asyncio.create_task(self._supervise(self._thread))
 
     async def close(self) -> None:
         """End the control process and start no other."""
-        if self._keeping is None or self._thread is None:
+        if self._supervision is None or self._thread is None:
             return
-        self._keeping.cancel()
-        await asyncio.gather(self._keeping, return_exceptions=True)
-        await self._let_go(self._thread)
+        self._supervision.cancel()
+        await asyncio.gather(self._supervision, return_exceptions=True)
+        await self._release(self._thread)
         await self._thread.close()
-        self._keeping = self._thread = None
+        self._supervision = self._thread = None
         self.state = "lost"
 
-    async def call(self, do: str, **fields: Any) -> dict[str, Any]:
+    async def call(self, do: str, **fields: object) -> Message:
         """Send a command and return its answer.
 
         Raises
@@ -165,7 +167,7 @@ class ControlLink:
         except LinkRefused as refusal:
             raise Conflict(str(refusal)) from refusal
         except LinkLost as lost:
-            # It might still carry the command out later, and begin a run that nobody knows of.
+            # It might still execute the command later, and begin a run without a row in the database.
             process.kill()
             raise Unavailable("The control process did not answer, and the chair stands: try again.") from lost
         finally:
@@ -177,19 +179,19 @@ class ControlLink:
         await asyncio.wait({stopping}, timeout=STOP_LIMIT)
         return stopping.done() and not stopping.cancelled() and stopping.exception() is None
 
-    def begin_stop(self, by: StopReason) -> "asyncio.Task[dict[str, Any]]":
+    def begin_stop(self, by: StopReason) -> "asyncio.Task[Message]":
         """Send a stop without waiting for its answer; the returned task need not be awaited."""
         stopping = asyncio.create_task(self.call("stop", by=by))
         self._pending_stops.add(stopping)
         stopping.add_done_callback(self._stopped)
         return stopping
 
-    def _stopped(self, stopping: "asyncio.Task[dict[str, Any]]") -> None:
+    def _stopped(self, stopping: "asyncio.Task[Message]") -> None:
         self._pending_stops.discard(stopping)
         if not stopping.cancelled():
             stopping.exception()  # mark as retrieved: perhaps nobody awaits the task
 
-    async def load(self, do: LoadCommand, **fields: Any) -> dict[str, Any]:
+    async def load(self, do: LoadCommand, **fields: object) -> Message:
         """Send a command that a new control process is given again, and return its answer."""
         answer = await self.call(do, **fields)
         self._loaded[do] = fields
@@ -202,12 +204,12 @@ class ControlLink:
     def move(self, joints: dict[str, float]) -> None:
         """Set the target of each joint of the simulated body (0 to 1) that a person moves on the screen."""
         if self._thread is not None:
-            self._thread.soon(lambda: self._tell("move", joints=joints))
+            self._thread.soon(lambda: self._send("move", joints=joints))
 
     def look(self, yaw: float, pitch: float, roll: float) -> None:
         """Report the direction (rad) of the tablet that is used as the head tracker."""
         if self._thread is not None:
-            self._thread.soon(lambda: self._tell("look", yaw=yaw, pitch=pitch, roll=roll))
+            self._thread.soon(lambda: self._send("look", yaw=yaw, pitch=pitch, roll=roll))
 
     def follow_screen(self, sign: Callable[[], ScreenSign]) -> None:
         """Take the last report of the screen that drives from `sign`, which is called from any thread."""
@@ -220,13 +222,13 @@ class ControlLink:
 
     def _beat(self) -> None:
         sign = self._screen_sign()
-        self._tell("heartbeat", screen_age=sign.age, screen=sign.view)
+        self._send("heartbeat", screen_age=sign.age, screen=sign.view)
 
-    def _tell(self, do: str, **fields: Any) -> None:
+    def _send(self, do: str, **fields: object) -> None:
         process = self._process
         if process is not None:
             with suppress(LinkLost):
-                process.tell(do, **fields)
+                process.send(do, **fields)
 
     def newest(self) -> np.void | None:
         """Return the newest tick, None when there is none; may be called from any thread."""
@@ -238,7 +240,7 @@ class ControlLink:
         with self._reading:
             return self._process.since(number) if self._process is not None and self.state == "alive" else None
 
-    async def _let_go(self, thread: LoopThread) -> None:
+    async def _release(self, thread: LoopThread) -> None:
         with self._reading:
             process, self._process = self._process, None
         if process is not None:
@@ -264,7 +266,7 @@ class ControlLink:
         """Kill a control process whose loop hangs: it might go on driving the chair later."""
         watched, since = self._process, monotonic()
         while True:
-            await asyncio.sleep(LOOK_EVERY)
+            await asyncio.sleep(WATCH_EVERY)
             process, now = self._process, monotonic()
             if process is not watched or process is None or self.state != "alive":
                 watched, since = process, now
@@ -276,16 +278,16 @@ class ControlLink:
                 process.kill()
                 watched = None
 
-    async def _keep(self, thread: LoopThread) -> None:
+    async def _supervise(self, thread: LoopThread) -> None:
         while True:
             if self._process is not None:
                 await thread.run(self._process.died())
                 self.state = "lost"
-                await self._tell_change()
-                await self._let_go(thread)
+                await self._notify_change()
+                await self._release(thread)
             self.state = "starting"
             await self._start_again(thread)
-            await self._tell_change()
+            await self._notify_change()
 
     async def _start_again(self, thread: LoopThread) -> None:
         pause = START_AGAIN_AFTER
@@ -294,12 +296,12 @@ class ControlLink:
             try:
                 await self._open(thread)
             except (LinkLost, OSError):
-                await self._let_go(thread)
+                await self._release(thread)
                 pause = min(2 * pause, LONGEST_PAUSE)
             else:
                 return
 
-    async def _tell_change(self) -> None:
+    async def _notify_change(self) -> None:
         for callback in self.on_change:
             await callback(self.state)
 

@@ -3,7 +3,6 @@
 import asyncio
 import logging
 from collections.abc import Callable
-from typing import Any
 
 from app.clock import monotonic
 from app.faults import Fault, is_pause
@@ -11,8 +10,8 @@ from app.session.control_link import ControlLink, ControlState
 from app.store.database import Database
 from app.store.log import write_log
 
-LOOK_EVERY = 0.1  # s
-NAMED_EVERY = 1.0  # s
+WATCH_EVERY = 0.1  # s
+REQUEST_EVERY = 1.0  # s
 
 logger = logging.getLogger("bodydrive")
 
@@ -26,7 +25,7 @@ class FaultLog:
         self._control = control
         self._during = during
         self._latched = Fault.NONE
-        self._named_at = -NAMED_EVERY
+        self._request_logged_at = -REQUEST_EVERY
         self._task: asyncio.Task[None] | None = None
         control.on_change.append(self._changed)
 
@@ -41,28 +40,28 @@ class FaultLog:
             await asyncio.gather(self._task, return_exceptions=True)
 
     async def stop_requested(self, person: str) -> None:
-        """Log who asked for a stop; at most one row per NAMED_EVERY, so that a flood of stops writes little."""
+        """Log who asked for a stop; at most one row per REQUEST_EVERY, so that a flood of stops writes little."""
         now = monotonic()
-        if now - self._named_at < NAMED_EVERY:
+        if now - self._request_logged_at < REQUEST_EVERY:
             return
-        self._named_at = now
+        self._request_logged_at = now
         try:
             await asyncio.to_thread(self._write, "stop requested", person, **self._during())
         except Exception:  # the stop itself was carried out, and is logged as a fault
-            logger.exception("Who asked for a stop could not be noted in the log")
+            logger.exception("Who asked for a stop could not be logged")
 
     async def _watch(self) -> None:
         while True:
-            await asyncio.sleep(LOOK_EVERY)
+            await asyncio.sleep(WATCH_EVERY)
             tick = self._control.newest()
             if tick is not None:
-                await self._note(Fault(int(tick["fault"])), is_pause=is_pause(tick["state"], tick["fault"]))
+                await self._log_fault(Fault(int(tick["fault"])), is_pause=is_pause(tick["state"], tick["fault"]))
 
     async def _changed(self, state: ControlState) -> None:
         if state == "lost":
-            await self._note(Fault.CONTROL_LOST)
+            await self._log_fault(Fault.CONTROL_LOST)
 
-    async def _note(self, fault: Fault, *, is_pause: bool = False) -> None:
+    async def _log_fault(self, fault: Fault, *, is_pause: bool = False) -> None:
         before, self._latched = self._latched, fault
         if fault in {before, Fault.NONE}:
             return
@@ -70,8 +69,8 @@ class FaultLog:
         try:
             await asyncio.to_thread(self._write, what, None, fault=fault.name.lower(), **self._during())
         except Exception:  # keep watching: a full database may have room again later
-            logger.exception("A %s could not be noted in the log", what)
+            logger.exception("A %s could not be logged", what)
 
-    def _write(self, what: str, person: str | None, **details: Any) -> None:
+    def _write(self, what: str, person: str | None, **details: object) -> None:
         with self._database.transaction(closing=True) as db:
             write_log(db, person, what, **details)

@@ -14,7 +14,7 @@ from app.store.database import Database
 from app.store.log import write_log
 from app.store.runs import renew_measures, trials_of_older_measures
 
-LOOK_EVERY: Final = 1.0  # s between two looks whether the recording under way has ended
+CHECK_EVERY: Final = 1.0  # s between two checks whether the recording under way has ended
 
 logger = logging.getLogger("bodydrive")
 
@@ -23,12 +23,12 @@ class MeasuresRenewal:
     """Renews the measures of older versions once after the start, one trial after the other, the newest first."""
 
     def __init__(
-        self, database: Database, runs: SessionRuns, computing: ComputingProcess, tell: Callable[[str], None]
+        self, database: Database, runs: SessionRuns, computing: ComputingProcess, notify: Callable[[str], None]
     ) -> None:
         self._database = database
         self._runs = runs
         self._computing = computing
-        self._tell = tell
+        self._notify = notify
         self._task: asyncio.Task[None] | None = None
 
     def start(self) -> None:
@@ -46,13 +46,13 @@ class MeasuresRenewal:
         renewed = 0
         for trial, folder in old.items():
             while self._runs.open is not None:
-                await asyncio.sleep(LOOK_EVERY)
+                await asyncio.sleep(CHECK_EVERY)
             try:
                 renewed += await asyncio.to_thread(self._renew, trial, folder)
             except Exception:  # go on with the other trials; this one keeps its measures
                 logger.exception("Trial %d could not be measured again", trial)
         if renewed:
-            self._tell("trial")
+            self._notify("trial")
 
     def _older(self) -> dict[int, str]:
         with self._database.transaction() as db:

@@ -27,7 +27,7 @@ SILENT = "The shirt sends no signals: the Shirt page says what arrives from it."
 class DriveObstacle(NamedTuple):
     """Why a parameter set cannot drive in the shirt in use, in one sentence, and the page on which that is mended."""
 
-    words: str
+    sentence: str
     page: Literal["shirt", "calibrate", "controls"]
 
 
@@ -43,7 +43,7 @@ class SessionFlow:
         trials: TrialFlow,
         drives: RealDriveFlow,
         others: Sequence[RunFlow[Any]],
-        tell: Callable[[str], None],
+        notify: Callable[[str], None],
     ) -> None:
         self._database = database
         self._control = control
@@ -52,7 +52,7 @@ class SessionFlow:
         self._trials = trials
         self._drives = drives
         self._others = others  # what else is recorded in a session
-        self._tell = tell
+        self._notify = notify
         self._one_at_a_time = asyncio.Lock()
         self.loaded: DriveParameters | None = None  # what the control process drives with
         # Of the open session; may be read from any thread.
@@ -83,7 +83,7 @@ class SessionFlow:
     @property
     def recording(self) -> bool:
         """Whether a step, a trial, a drive or another run is going on; may be read from any thread."""
-        return self.driving or self._calibration.running or any(one.running for one in self._others)
+        return self.driving or self._calibration.running or any(flow.running for flow in self._others)
 
     @property
     def simulated(self) -> bool | None:
@@ -95,7 +95,7 @@ class SessionFlow:
         flows: tuple[RunFlow[Any], ...] = (self._trials, self._drives, *self._others)
         for flow in flows:
             if flow.running:
-                raise Conflict(f"{flow.words.running}, then {what}.")
+                raise Conflict(f"{flow.messages.running}, then {what}.")
         if self._calibration.running:
             raise Conflict(f"A calibration step is running: wait for its end, or cancel it, then {what}.")
 
@@ -116,7 +116,7 @@ class SessionFlow:
         """Load the parameters of the patient who is here now; load none when nobody is here."""
         self.session_id, self.patient_id = await asyncio.to_thread(self._open_ids)
         await self.try_load_parameters()
-        self._tell("session")
+        self._notify("session")
 
     async def load_parameters(self) -> str | None:
         """Load the current parameters into the control process; return in one sentence why they cannot drive."""
@@ -132,7 +132,7 @@ class SessionFlow:
         await self._control.load("parameters", parameters=fitting and fitting.model_dump(mode="json"))
         self.loaded = fitting
         obstacle = self.obstacle(document, simulated=simulated)
-        return None if obstacle is None else obstacle.words
+        return None if obstacle is None else obstacle.sentence
 
     def current_obstacle(self) -> DriveObstacle | None:
         """Return why the current parameters of the open session's patient cannot drive, None when they can.
@@ -156,16 +156,16 @@ class SessionFlow:
     def _misfit(self, parameters: DriveParameters, *, simulated: bool | None) -> DriveObstacle | None:
         layout = self._equipment.layout
         if layout is None:
-            return DriveObstacle(self._equipment.words or NO_SHIRT, "shirt")
+            return DriveObstacle(self._equipment.failure or NO_SHIRT, "shirt")
         if simulated and not self._equipment.simulated:
-            words = "The patient's calibration is one of a shirt that nobody wore: calibrate in the worn shirt first."
+            reason = "The patient's calibration is one of a shirt that nobody wore: calibrate in the worn shirt first."
         elif layout.channel_names != parameters.profile.layout.channel_names:
-            words = "The patient was calibrated in another shirt: calibrate in this one first."
+            reason = "The patient was calibrated in another shirt: calibrate in this one first."
         elif abs(self._equipment.sample_rate - parameters.profile.sample_rate) > 0.01 * parameters.profile.sample_rate:
-            words = "The shirt sends at another rate than it was calibrated at: calibrate again first."
+            reason = "The shirt sends at another rate than it was calibrated at: calibrate again first."
         else:
             return None
-        return DriveObstacle(words, "calibrate")
+        return DriveObstacle(reason, "calibrate")
 
     async def try_load_parameters(self) -> None:
         """Load the current parameters, ignoring a refusal: a trial loads them again before it arms."""

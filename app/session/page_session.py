@@ -32,17 +32,17 @@ def require_page_session(db: Transaction) -> None:
     before = None if page.id is None else db.get(PatientSession, page.id)
     if before is not None and before.clinic_id != clinic.id:
         before = None
-    raise Conflict(f"{_now(db, now)} {_before(db, before)}")
+    raise Conflict(f"{_open_sentence(db, now)} {_page_sentence(db, before)}")
 
 
-def _now(db: Transaction, now: PatientSession | None) -> str:
+def _open_sentence(db: Transaction, now: PatientSession | None) -> str:
     if now is None:
         return "The session was ended on another screen, and no session is open now."
     by = f" by {now.opened_by}" if now.opened_by else ""
     return f"{_code(db, now)} was opened on another screen{by} at {_clock(now.started)}."
 
 
-def _before(db: Transaction, before: PatientSession | None) -> str:
+def _page_sentence(db: Transaction, before: PatientSession | None) -> str:
     belongs = "to no session" if before is None else f"to {_code(db, before)}"
     return f"What this page shows belongs {belongs} and can no longer be sent: load the page again."
 

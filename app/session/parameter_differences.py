@@ -64,10 +64,10 @@ Difference = Annotated[FieldDifference | BindingDifference | GestureDifference, 
 
 def differences(now: DriveParameters, before: DriveParameters) -> list[Difference]:
     """Return the differences of `now` from `before`; none exactly when both sets are equal."""
-    found = [*_fields(now, before), *_bindings(now, before), *_gestures(now, before)]
-    if not found and now != before:
-        found.append(FieldDifference(name="order"))
-    return found
+    all_differences = [*_fields(now, before), *_bindings(now, before), *_gestures(now, before)]
+    if not all_differences and now != before:
+        all_differences.append(FieldDifference(name="order"))
+    return all_differences
 
 
 def _fields(now: DriveParameters, before: DriveParameters) -> Iterator[Difference]:

@@ -8,13 +8,13 @@ import numpy as np
 from app.calibration.own_movement import own_movement_refusal
 from app.calibration.vocabulary import DriveParameters
 from app.refusals import Refusal
+from app.session.chair_messages import CHAIR_FAULT, fault_sentence, is_silent
 from app.session.control_link import ControlLink
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
 from app.session.open_session import SessionFlow
 from app.session.parameter_differences import Difference, differences
-from app.session.words.chair_words import CHAIR_FAULT, fault_sentence, is_silent
 from app.speeds import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
 from app.store.database import Database
 from app.store.parameters import as_document, current_parameters, newest_profile
@@ -117,7 +117,7 @@ class RealArming:
         refusals = []
         obstacle = self._session.obstacle(stored.parameters, simulated=stored.simulated)
         if obstacle is not None:
-            refusals.append(obstacle.words)
+            refusals.append(obstacle.sentence)
         if self._equipment.mistrust:
             refusals.append(self._equipment.mistrust)
         unconfirmed = own_movement_refusal(stored.parameters)

@@ -3,14 +3,13 @@
 import asyncio
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.faults import State
 from app.recording.recorded_trajectory import read_trajectory
-from app.session.run_flow import CurrentRun, FlowWords, RunFlow
+from app.session.run_flow import CurrentRun, FlowMessages, RunFigures, RunFlow
 from app.session.run_watch import Halt, Starter
 from app.session.runs import SessionRun
 from app.store.drives import add_drive, finish_drive
@@ -26,15 +25,15 @@ class DriveWatch:
         self._began: float | None = None
         self.t = 0.0  # s since motion was first permitted
 
-    def take(self, ticks: NDArray[np.void]) -> DriveEnding | None:
-        """Take the newest ticks (`app.messages.TICK`) of the run; return how the drive ended, None while it goes on."""
+    def update(self, ticks: NDArray[np.void]) -> DriveEnding | None:
+        """Follow the newest ticks (`app.messages.TICK`) of the run; return how it ended, None while it goes on."""
         for tick in ticks:
             t, state = float(tick["t"]), State(int(tick["state"]))
             if self._began is None and state is State.ARMED:
                 self._began = t
             if self._began is not None:
                 self.t = t - self._began
-            if self.halt.take(t, state is State.FAULT):
+            if self.halt.update(t, state is State.FAULT):
                 return "fault"
         return None
 
@@ -49,7 +48,7 @@ class RunningDrive(CurrentRun):
 class RealDriveFlow(RunFlow[RunningDrive]):
     """Starts one drive of the real chair at a time and follows it to its end."""
 
-    words = FlowWords(
+    messages = FlowMessages(
         event="drive",
         running="The real chair is armed: end the drive first",
         to_start="arm the chair",
@@ -89,7 +88,7 @@ class RealDriveFlow(RunFlow[RunningDrive]):
             write_log(db, who.name, "armed", drive=drive.id, chair=chair.id, parameters=parameters_id, hash=digest)
             return RunningDrive(drive.id, who.person_id, who.screen, run, DriveWatch())
 
-    async def _measure(self, current: RunningDrive, figures: dict[str, Any]) -> None:
+    async def _measure(self, current: RunningDrive, figures: RunFigures) -> None:
         """Read the length (m) of the line that the chair drove by its own report."""
         line = await asyncio.to_thread(self._computing.ask, read_trajectory, current.run.folder)
         figures["distance"] = float(np.hypot(np.diff(line.x), np.diff(line.y)).sum())
@@ -99,7 +98,7 @@ class RealDriveFlow(RunFlow[RunningDrive]):
             db.delete(db.get_one(Drive, current_id))
             write_log(db, None, "arming refused", drive=current_id)
 
-    def _save(self, current_id: int, end: str, **figures: Any) -> None:
+    def _save(self, current_id: int, end: str, figures: RunFigures) -> None:
         with self._database.transaction(closing=True) as db:
             finish_drive(db, current_id, end, figures.get("distance"))
             write_log(db, None, "drive ended", drive=current_id, end=end)

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,7 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
 from app.calibration.vocabulary import DriveParameters
 from app.faults import State
+from app.json_values import JsonDocument
 from app.layout import ShirtLayout
 from app.recording.reader import Columns, read_run
 from app.recording.recorded_trajectory import since_armed
@@ -45,8 +46,8 @@ class StepPieces(NamedTuple):
     """What was recorded in the steps of a calibration."""
 
     sample_rate: float  # Hz
-    free: NDArray[Any]  # (n, n_channels)
-    rest: NDArray[Any] | None
+    free: NDArray[np.floating]  # (n, n_channels)
+    rest: NDArray[np.floating] | None
     repetitions: list[Repetition]
     stretches: list[Stretch]
 
@@ -83,10 +84,10 @@ def judge_step(layout: ShirtLayout, recorded: list[tuple[Step, Path]], unused: l
 
     It is fitted with the rest and the free movement alone; nothing is said before both are recorded.
     """
-    kinds = {one.kind for one, _ in recorded}
+    kinds = {other.kind for other, _ in recorded}
     if step.kind == "rest" or not {"rest", "free"} <= kinds:
         return ""
-    pieces = _pieces([(one, folder) for one, folder in recorded if one.kind != "prompt" or one.id == step.id])
+    pieces = _pieces([(other, folder) for other, folder in recorded if other.kind != "prompt" or other.id == step.id])
     try:
         profile = fit_profile(pieces.clean(layout, unused))
     except ValueError as error:
@@ -112,8 +113,8 @@ def entry_of_recordings(layout: ShirtLayout, recorded: list[tuple[Step, Path]]) 
 
 
 def _pieces(recorded: list[tuple[Step, Path]]) -> StepPieces:
-    free: list[NDArray[Any]] = []
-    rest: list[NDArray[Any]] = []
+    free: list[NDArray[np.floating]] = []
+    rest: list[NDArray[np.floating]] = []
     repetitions: list[Repetition] = []
     stretches: list[Stretch] = []
     sample_rate = 0.0
@@ -133,14 +134,14 @@ def _pieces(recorded: list[tuple[Step, Path]]) -> StepPieces:
     return StepPieces(sample_rate, np.concatenate(free), resting, repetitions, stretches)
 
 
-def _during(frames: Columns, step: Step, kind: str) -> NDArray[Any]:
+def _during(frames: Columns, step: Step, kind: str) -> NDArray[np.floating]:
     """Return the values (n, n_channels) while a cue of this kind was shown."""
     cues = [index for index, cue in enumerate(step.cues) if cue.kind == kind]
-    chosen: NDArray[Any] = frames["values"][np.isin(frames["cue"], cues)]
+    chosen: NDArray[np.floating] = frames["values"][np.isin(frames["cue"], cues)]
     return chosen
 
 
-def measure_recording(folder: Path, plan: FloorPlan, path: PrescribedPath) -> dict[str, Any]:
+def measure_recording(folder: Path, plan: FloorPlan, path: PrescribedPath) -> JsonDocument:
     """Return all measures of a trial, from when motion was first permitted; ValueError when it never was.
 
     The time in which motion was not permitted any more is left out, and counted by its reason.
@@ -150,7 +151,7 @@ def measure_recording(folder: Path, plan: FloorPlan, path: PrescribedPath) -> di
     return {**measures, "measures_version": MEASURES_VERSION}
 
 
-def measure_again(folder: Path) -> dict[str, Any]:
+def measure_again(folder: Path) -> JsonDocument:
     """Return the measures of a trial by its recording alone; ValueError when it does not hold the plan and the path."""
     meta = read_run(folder, scalars_only=True).meta
     if not meta.get("floorplan"):

@@ -2,16 +2,18 @@
 
 import asyncio
 from abc import ABC, abstractmethod
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncIterator, Callable, Mapping
 from contextlib import asynccontextmanager, suppress
 from dataclasses import dataclass
-from typing import Any, ClassVar, Generic, NamedTuple, Protocol, TypeVar
+from typing import ClassVar, Generic, NamedTuple, Protocol, TypedDict, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.computing_process import ComputingProcess
+from app.json_values import JsonDocument
 from app.refusals import Conflict, Unavailable
+from app.scoring.control_quality import ControlQuality
 from app.session.control_link import ControlLink
 from app.session.run_watch import RunLost, follow_run
 from app.session.runs import SessionRun, SessionRuns
@@ -25,8 +27,8 @@ END_LIMIT = 30.0  # s for closing and measuring a run, before a caller is told t
 class Watch(Protocol):
     """Watches the ticks of a run."""
 
-    def take(self, ticks: NDArray[np.void]) -> str | None:
-        """Take the newest ticks of the run; return how it ended, None while it goes on."""
+    def update(self, ticks: NDArray[np.void]) -> str | None:
+        """Follow the newest ticks of the run; return how it ended, None while it goes on."""
         ...
 
 
@@ -35,7 +37,7 @@ class CurrentRun:
     """A trial, a drive or an interface test that is going on."""
 
     id: int
-    person_id: int  # who started it
+    person_id: int  # of the person who started it
     screen: str  # the random word of the screen that started it, which must stay in view of a trial or drive
     run: SessionRun
     watch: Watch
@@ -51,10 +53,18 @@ class RunEnd(NamedTuple):
     end: str
 
 
-class FlowWords(NamedTuple):
-    """The words of a flow."""
+class RunFigures(TypedDict, total=False):
+    """What was read from the closed recording of a run; a figure that could not be read is missing."""
 
-    event: str  # told to the pages when something changed
+    measures: JsonDocument  # of a trial or an interface test
+    quality: ControlQuality  # of a trial
+    distance: float  # m, of a drive
+
+
+class FlowMessages(NamedTuple):
+    """The messages of a flow, and the event by which pages are notified of it."""
+
+    event: str
     running: str  # "RUNNING, then start a trial."
     to_start: str  # "..., then start a trial."
     not_running: str
@@ -64,20 +74,20 @@ class FlowWords(NamedTuple):
 class RunFlow(ABC, Generic[Current]):
     """Starts one trial, drive or other run at a time and follows it to its end."""
 
-    words: ClassVar[FlowWords]
+    messages: ClassVar[FlowMessages]
 
     def __init__(
         self,
         database: Database,
         control: ControlLink,
         runs: SessionRuns,
-        tell: Callable[[str], None],
+        notify: Callable[[str], None],
         computing: ComputingProcess,
     ) -> None:
         self._database = database
         self._control = control
         self._runs = runs
-        self._tell = tell
+        self._notify = notify
         self._computing = computing
         self._task: asyncio.Task[None] | None = None
         self._end_asked = asyncio.Event()
@@ -102,19 +112,19 @@ class RunFlow(ABC, Generic[Current]):
         return None
 
     def when_finished(self, notify: Callable[[int], None]) -> None:
-        """Call `notify` with the id of each that has ended, after it is closed and measured."""
+        """Call `notify` with the id of each run that has ended, after it is closed and measured."""
         self._listeners.append(notify)
 
     async def end(self) -> int:
         """End what runs by hand, and return its id when it is closed and measured."""
         current, task = self.current, self._task
         if current is None or task is None:
-            raise Conflict(self.words.not_running)
+            raise Conflict(self.messages.not_running)
         self._end_asked.set()
         try:
             await asyncio.wait_for(asyncio.shield(task), END_LIMIT)
         except TimeoutError as late:
-            raise Conflict(self.words.still_closing) from late
+            raise Conflict(self.messages.still_closing) from late
         return current.id
 
     async def stop(self) -> None:
@@ -129,7 +139,7 @@ class RunFlow(ABC, Generic[Current]):
     async def _alone(self) -> AsyncIterator[None]:
         """Refuse to start beside another recording, and let no other start meanwhile."""
         if self.running or self._runs.open is not None:
-            raise Conflict(f"Something is being recorded already: end it first, then {self.words.to_start}.")
+            raise Conflict(f"Something is being recorded already: end it first, then {self.messages.to_start}.")
         self._starting = True
         try:
             await asyncio.to_thread(self._computing.begin)
@@ -138,7 +148,7 @@ class RunFlow(ABC, Generic[Current]):
             self._starting = False
 
     async def _arm(
-        self, session_id: int, meta: dict[str, Any], parameters_hash: str, add: Callable[[SessionRun], Current]
+        self, session_id: int, meta: Mapping[str, object], parameters_hash: str, add: Callable[[SessionRun], Current]
     ) -> int:
         """Begin the recording, store the trial or drive by `add`, and arm the chair; return the id."""
         current = await self._begin(await self._runs.begin(session_id, "drive", (), meta), add)
@@ -166,20 +176,20 @@ class RunFlow(ABC, Generic[Current]):
     def _go_on(self, current: Current) -> int:
         """Follow what has begun to its end, in a task of its own; return its id."""
         self._task = asyncio.create_task(self._follow(current))
-        self._tell(self.words.event)
+        self._notify(self.messages.event)
         return current.id
 
     async def _follow(self, current: Current) -> None:
         end = "fault"  # also when watching fails: nothing is left open
         try:
             with suppress(RunLost):
-                end = await follow_run(self._control, current.run, self._end_asked, current.watch.take) or "by hand"
+                end = await follow_run(self._control, current.run, self._end_asked, current.watch.update) or "by hand"
             self.last_end = RunEnd(current.id, end)
         finally:
             await self._finish(current, end)
 
     async def _finish(self, current: Current, end: str) -> None:
-        figures: dict[str, Any] = {}
+        figures = RunFigures()
         self._finishing = True
         try:
             await self._runs.end()
@@ -188,15 +198,15 @@ class RunFlow(ABC, Generic[Current]):
             pass  # too short to measure, or a recording that was cut: it stays without those figures
         finally:
             try:
-                await asyncio.to_thread(self._save, current.id, end, **figures)
+                await asyncio.to_thread(self._save, current.id, end, figures)
             finally:  # also when the database is gone: it is over
                 self.current, self._finishing = None, False
-                self._tell(self.words.event)
+                self._notify(self.messages.event)
         for notify in self._listeners:
             notify(current.id)
 
     @abstractmethod
-    async def _measure(self, current: Current, figures: dict[str, Any]) -> None:
+    async def _measure(self, current: Current, figures: RunFigures) -> None:
         """Read the figures for `_save` from the closed recording, one by one: those before an error are kept."""
 
     @abstractmethod
@@ -204,5 +214,5 @@ class RunFlow(ABC, Generic[Current]):
         """Delete the trial or drive that was not armed."""
 
     @abstractmethod
-    def _save(self, current_id: int, end: str, **figures: Any) -> None:
+    def _save(self, current_id: int, end: str, figures: RunFigures) -> None:
         """Store how the trial or drive ended, with its figures."""

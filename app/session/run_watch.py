@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from app.session.control_link import ControlLink
 from app.session.runs import SessionRun
 
-LOOK_EVERY = 0.04  # s
+WATCH_EVERY = 0.04  # s
 # s for which a halted trial or drive waits for Continue: time to help the patient or to change a cable. S27 requires
 # at least 180. It is limited because nothing else can be recorded meanwhile.
 HALT_LIMIT = 300.0
@@ -44,8 +44,8 @@ class Halt:
         self.remaining: float | None = None
         self._since: float | None = None
 
-    def take(self, t: float, waits: bool) -> bool:
-        """Take whether it is halted at `t` (s); return True when the halt has lasted for HALT_LIMIT."""
+    def update(self, t: float, waits: bool) -> bool:
+        """Store whether it is halted at `t` (s); return True when the halt has lasted for HALT_LIMIT."""
         if not waits:
             self._since = self.remaining = None
             return False
@@ -55,16 +55,16 @@ class Halt:
 
 
 async def follow_run(
-    control: ControlLink, run: SessionRun, asked_to_end: asyncio.Event, take: Callable[[NDArray[np.void]], End | None]
+    control: ControlLink, run: SessionRun, asked_to_end: asyncio.Event, follow: Callable[[NDArray[np.void]], End | None]
 ) -> End | None:
-    """Pass the ticks of a run, from its first, to `take` until `take` returns how it ended.
+    """Pass the ticks of a run, from its first, to `follow` until that returns how it ended.
 
     Return None when `asked_to_end` is set; raise RunLost when the control process has ended.
     """
     last = run.after
     while True:
         try:
-            await asyncio.wait_for(asked_to_end.wait(), LOOK_EVERY)
+            await asyncio.wait_for(asked_to_end.wait(), WATCH_EVERY)
         except TimeoutError:
             pass
         else:
@@ -74,6 +74,6 @@ async def follow_run(
             raise RunLost
         if len(ticks):
             last = int(ticks["number"][-1])
-            end = take(ticks[ticks["run"] == run.number])
+            end = follow(ticks[ticks["run"] == run.number])
             if end is not None:
                 return end

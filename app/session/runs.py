@@ -2,11 +2,11 @@
 
 import asyncio
 import uuid
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 from app.cues import Cue
 from app.recording.reader import kept_rows
@@ -53,7 +53,12 @@ class SessionRuns:
         return self._folder / run
 
     async def begin(
-        self, session_id: int, kind: str, cues: Sequence[Cue], meta: dict[str, Any], test: CursorPlan | None = None
+        self,
+        session_id: int,
+        kind: str,
+        cues: Sequence[Cue],
+        meta: Mapping[str, object],
+        test: CursorPlan | None = None,
     ) -> SessionRun:
         """Start recording; store the run in the database once the control process has begun it.
 
@@ -70,7 +75,7 @@ class SessionRuns:
             self._beginning = False
 
     async def _begin(
-        self, session_id: int, kind: str, cues: Sequence[Cue], meta: dict[str, Any], test: CursorPlan | None
+        self, session_id: int, kind: str, cues: Sequence[Cue], meta: Mapping[str, object], test: CursorPlan | None
     ) -> SessionRun:
         run_id = uuid.uuid4().hex
         folder = self.folder_of(run_id)
@@ -85,9 +90,9 @@ class SessionRuns:
             test=None if test is None else test.model_dump(mode="json"),
         )
         try:
-            await asyncio.to_thread(self._note, run_id, session_id, kind, Source.model_validate(answer["source"]))
+            await asyncio.to_thread(self._store, run_id, session_id, kind, Source.model_validate(answer["source"]))
         except BaseException:
-            with suppress(Refusal):  # otherwise a run that nobody knows of would never be ended
+            with suppress(Refusal):  # otherwise a run without a row would never be ended
                 await self._control.call("end_run")
             raise
         after = min(before, self._last_tick())  # a control process that was replaced meanwhile counts its ticks from 1
@@ -117,7 +122,7 @@ class SessionRuns:
         with self._database.transaction() as db:
             require_consent(db, db.get_one(PatientSession, session_id).patient_id, "recording")
 
-    def _note(self, run_id: str, session_id: int, kind: str, source: Source) -> None:
+    def _store(self, run_id: str, session_id: int, kind: str, source: Source) -> None:
         with self._database.transaction() as db:
             add_run(db, run_id, session_id, kind, run_id, source)
 
@@ -137,8 +142,8 @@ class SessionRuns:
             are kept; the start that finds them names them in the log.
         """
         with self._database.transaction() as db:
-            left, named = open_runs(db), run_folders(db)
-        rows = {run: kept_rows(self.folder_of(folder)) for run, folder in left.items()}
+            interrupted, named = open_runs(db), run_folders(db)
+        rows = {run: kept_rows(self.folder_of(folder)) for run, folder in interrupted.items()}
         nameless = sorted(place.name for place in self._folder.glob("*") if place.is_dir() and place.name not in named)
         with self._database.transaction(closing=True) as db:
             for run, count in rows.items():

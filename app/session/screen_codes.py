@@ -45,10 +45,10 @@ class PairingCodes:
         """Make a code for a session."""
         expires = utc_now() + timedelta(seconds=VALID_FOR)
         code = "".join(secrets.choice(LETTERS) for _ in range(CODE_LENGTH))
-        made = PairingOffer(code, session_id, person, monotonic() + VALID_FOR, expires)
+        offer = PairingOffer(code, session_id, person, monotonic() + VALID_FOR, expires)
         with self._lock:
-            self._offer = made
-        return made
+            self._offer = offer
+        return offer
 
     def redeem(self, code: str) -> PairingOffer:
         """Return the offer of a code and make the code invalid; Conflict when it is not the newest one, or too old."""

@@ -26,32 +26,32 @@ class TrialQualities:
     def of(self, trial: Trial) -> ControlQuality | None:
         """Return how well a trial was controlled; None while it runs or when its recording cannot be read."""
         with self._database.transaction() as db:
-            known = stored_qualities(db, [trial.id])
-        return known.get(trial.id) or self._made(trial)
+            stored = stored_qualities(db, [trial.id])
+        return stored.get(trial.id) or self._measure(trial)
 
     def assessments(self, trials: list[Trial]) -> list[TrialAssessment]:
         """Return the assessments of the kept trials whose recording can be read, in the order driven."""
         kept = {trial.id: trial for trial in trials if trial.kept}
         with self._database.transaction() as db:
-            known = stored_qualities(db, kept)
+            stored = stored_qualities(db, kept)
             places = sessions_and_versions(db, kept)
-        found = []
+        assessments = []
         for own, trial in kept.items():
-            quality = known.get(own) or self._made(trial)
+            quality = stored.get(own) or self._measure(trial)
             if quality is not None:
                 task = f"{trial.floorplan}/{trial.path}"
-                found.append(TrialAssessment(own, trial.number, *places[own], task, quality))
-        return found
+                assessments.append(TrialAssessment(own, trial.number, *places[own], task, quality))
+        return assessments
 
-    def _made(self, trial: Trial) -> ControlQuality | None:
-        """Return the quality by the recording, and store it; None where there is none."""
+    def _measure(self, trial: Trial) -> ControlQuality | None:
+        """Return the quality as measured from the recording, and store it; None where it cannot be read."""
         if trial.status != "done" or trial.id in self._unreadable:
             return None
         try:
-            made = self._computing.ask(quality_of_recording, self._folder_of(trial.run_id))
+            quality = self._computing.ask(quality_of_recording, self._folder_of(trial.run_id))
         except (ValueError, OSError):
             self._unreadable.add(trial.id)
             return None
         with suppress(DiskFull), self._database.transaction() as db:
-            save_quality(db, trial.id, made)
-        return made
+            save_quality(db, trial.id, quality)
+        return quality

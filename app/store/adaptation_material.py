@@ -1,13 +1,14 @@
 """The trials from which a proposal to adapt the map is made, and the check that it is still current."""
 
-from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Sequence
+from typing import NamedTuple
 
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
+from app.json_values import JsonDocument
 from app.scoring.map_losses.trial_history import MOST_TRIALS
 from app.store.map_versions import calibration_behind, family
 from app.store.parameters import as_document, current_parameters
@@ -37,14 +38,14 @@ class AdaptationMaterial(NamedTuple):
 def material_for(db: Session, patient_id: int, session_id: int, *, simulated: bool | None) -> AdaptationMaterial:
     """Return the last kept trials of a session that were driven with a map of the same calibration, and all of them.
 
-    How the person moves is told by this session's trials, because the shirt has been put on again since the earlier
-    ones; that something is lost, by all. A trial in which motion was never permitted counts as well: the noise that
-    kept the chair from starting is what a dead-zone has to follow. `simulated`: nobody wears the shirt in use. A
-    simulated movement never changes the map of a person, nor the other way round.
+    This session's trials show how the person moves: the shirt has been put on again since the earlier ones. All trials
+    together show whether the map loses something. A trial in which motion was never permitted counts as well, because
+    the dead-zone has to follow the noise that kept the chair from starting. `simulated`: nobody wears the shirt in use.
+    A simulated movement never changes the map of a person, and a person's movement never a simulated one.
     """
     row, profile = current_parameters(db, patient_id)
     versions = family(db, patient_id, profile.version)
-    found = db.execute(
+    rows = db.execute(
         select(Trial, Profile.version, ParameterSet.settings)
         .join(ParameterSet, ParameterSet.id == Trial.parameters_id)
         .join(Profile, Profile.id == ParameterSet.profile_id)
@@ -58,7 +59,7 @@ def material_for(db: Session, patient_id: int, session_id: int, *, simulated: bo
         )
         .order_by(Trial.id.desc())
     )
-    newest = list(found)
+    newest = list(rows)
     last = [(trial, version) for trial, version, _ in newest if trial.session_id == session_id][:LAST_TRIALS][::-1]
     return AdaptationMaterial(
         as_document(row, profile),
@@ -70,7 +71,7 @@ def material_for(db: Session, patient_id: int, session_id: int, *, simulated: bo
     )
 
 
-def _fulls(settings: Mapping[str, Any]) -> dict[str, float]:
+def _fulls(settings: JsonDocument) -> dict[str, float]:
     return {gesture["name"]: float(gesture["full"]) for gesture in settings.get("gestures", ())}
 
 

@@ -6,7 +6,6 @@ import sqlite3
 from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from app.clock import utc_now
 from app.file_modes import OWNER_FILE
@@ -47,14 +46,14 @@ def back_up(database: Path, folder: Path, label: str) -> Backup:
     part = target.with_name(f".{target.name}.part")
     with closing(sqlite3.connect(database, timeout=BUSY_LIMIT, isolation_level=None)) as source:
         source.execute("BEGIN")  # all that follows sees one state of the database, even if another program writes
-        size = _one(source, "PRAGMA page_count") * _one(source, "PRAGMA page_size")
+        size = _count(source, "PRAGMA page_count") * _count(source, "PRAGMA page_size")
         _require_room(folder, size)
         try:
             os.close(os.open(part, os.O_WRONLY | os.O_CREAT | os.O_EXCL, OWNER_FILE))
             with closing(sqlite3.connect(part, isolation_level=None)) as copy:
                 source.backup(copy, pages=PAGES_AT_ONCE)
                 copy.execute("PRAGMA journal_mode=DELETE")  # one file, without a write-ahead log beside it
-                complaint, rows = _one(copy, "PRAGMA integrity_check"), _counts(copy)
+                complaint, rows = _text(copy, "PRAGMA integrity_check"), _counts(copy)
             if complaint != "ok" or rows != _counts(source):
                 raise Unavailable(
                     f"The copy of the database {database} is not equal to it: check the disk, then try again."
@@ -78,11 +77,17 @@ def _require_room(folder: Path, size: int) -> None:
 
 def _counts(connection: sqlite3.Connection) -> Counts:
     names = connection.execute("SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name").fetchall()
-    return {name: _one(connection, f'SELECT COUNT(*) FROM "{name}"') for (name,) in names}  # noqa: S608
+    return {name: _count(connection, f'SELECT COUNT(*) FROM "{name}"') for (name,) in names}  # noqa: S608
 
 
-def _one(connection: sqlite3.Connection, query: str) -> Any:
-    return connection.execute(query).fetchone()[0]
+def _text(connection: sqlite3.Connection, query: str) -> str:
+    text: str = connection.execute(query).fetchone()[0]
+    return text
+
+
+def _count(connection: sqlite3.Connection, query: str) -> int:
+    count: int = connection.execute(query).fetchone()[0]
+    return count
 
 
 def _sync(file: Path) -> None:

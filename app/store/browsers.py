@@ -36,9 +36,9 @@ def find_browser(db: Session, person: Person | None, token: str | None) -> Known
 def remember_browser(db: Session, person: Person, token: str | None) -> str:
     """Make the browser in which a person has just signed in a known one; return its token, which only it stores."""
     now = utc_now()
-    known = find_browser(db, person, token)
-    if known is not None and token is not None:
-        known.expires = now + KNOWN_FOR
+    browser = find_browser(db, person, token)
+    if browser is not None and token is not None:
+        browser.expires = now + KNOWN_FOR
         return token
     new = secrets.token_urlsafe(TOKEN_BYTES)
     db.add(KnownBrowser(person_id=person.id, token_hash=_hash(person, new), created=now, expires=now + KNOWN_FOR))

@@ -1,10 +1,9 @@
 """The calibration under way: its script, its steps and their recordings, which survive a restart."""
 
-from typing import Any
-
 from sqlalchemy import delete, select
 from sqlalchemy.orm import Session
 
+from app.json_values import JsonDocument
 from app.refusals import Conflict
 from app.store.map_versions import family
 from app.store.tables import CalibrationStep, PatientSession, Profile, Run
@@ -15,7 +14,7 @@ MIXED = (
 )
 
 
-def begin_calibration(db: Session, session: PatientSession, script: dict[str, Any], steps: list[str]) -> None:
+def begin_calibration(db: Session, session: PatientSession, script: JsonDocument, steps: list[str]) -> None:
     """Begin the calibration anew with this script; every step is waiting, earlier recordings stay on disk."""
     db.execute(delete(CalibrationStep).where(CalibrationStep.session_id == session.id))
     db.add_all(

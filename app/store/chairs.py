@@ -1,12 +1,12 @@
 """Paired real chairs, and the clinic's speed limits."""
 
 from collections.abc import Iterator
-from typing import Any
 
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
+from app.json_values import JsonDocument
 from app.refusals import Conflict, NotFound
 from app.speeds import HIGHEST_SPEEDS, Speeds
 from app.store.own_rows import own_row
@@ -94,5 +94,5 @@ def remove_chair(db: Session, clinic: Clinic, chair_id: int) -> PairedChair:
 
 def limits_of(clinic: Clinic | None) -> Speeds:
     """Return what the clinic's owner allows; a limit that was not set is that of the application."""
-    stored: dict[str, Any] = {} if clinic is None else clinic.limits or {}
+    stored: JsonDocument = {} if clinic is None else clinic.limits or {}
     return Speeds.model_validate({**HIGHEST_SPEEDS.model_dump(mode="json"), **stored})

@@ -27,7 +27,9 @@ NEEDED: Final[dict[Consent, str]] = {
 
 def consented(consent: Consent) -> ColumnElement[bool]:
     """Return the condition that the patient of a query (`Patient`) has given a consent that is in force."""
-    return or_(false(), *(one.consented(consent) for one in features().values() if one.consented is not None))
+    return or_(
+        false(), *(feature.consented(consent) for feature in features().values() if feature.consented is not None)
+    )
 
 
 def has_consented(db: Session, patient_id: int, consent: Consent) -> bool:

@@ -16,8 +16,8 @@ def save_quality(db: Session, trial_id: int, quality: ControlQuality) -> None:
 
 def stored_qualities(db: Session, trials: Collection[int]) -> dict[int, ControlQuality]:
     """Return the stored quality of each of these trials that has one."""
-    found = db.execute(select(Trial.id, Trial.quality).where(Trial.id.in_(trials)))
-    return {trial: ControlQuality.model_validate(document) for trial, document in found if document is not None}
+    rows = db.execute(select(Trial.id, Trial.quality).where(Trial.id.in_(trials)))
+    return {trial: ControlQuality.model_validate(document) for trial, document in rows if document is not None}
 
 
 def sessions_and_versions(db: Session, trials: Collection[int]) -> dict[int, tuple[int, int]]:

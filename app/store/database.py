@@ -7,9 +7,8 @@ from collections.abc import Iterator
 from contextlib import closing as closing_connection
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
 
-from sqlalchemy import Engine, create_engine, event
+from sqlalchemy import Connection, Engine, create_engine, event
 from sqlalchemy.exc import DatabaseError
 from sqlalchemy.orm import Session
 
@@ -37,7 +36,7 @@ def make_engine(file: Path) -> Engine:
     engine = create_engine(f"sqlite:///{file}")
 
     @event.listens_for(engine, "connect")
-    def _prepare(connection: Any, _record: object) -> None:
+    def _prepare(connection: sqlite3.Connection, _record: object) -> None:
         connection.isolation_level = None  # we begin transactions ourselves, below
         cursor = connection.cursor()
         for pragma in PRAGMAS:
@@ -45,7 +44,7 @@ def make_engine(file: Path) -> Engine:
         cursor.close()
 
     @event.listens_for(engine, "begin")
-    def _begin(connection: Any) -> None:
+    def _begin(connection: Connection) -> None:
         # Lock at once: otherwise a transaction that reads first could be refused when it begins to write.
         connection.exec_driver_sql("BEGIN IMMEDIATE")
 

@@ -50,7 +50,7 @@ def drives_of(db: Session, clinic_id: int, patient_id: int) -> list[Drive]:
 
 def close_interrupted_drives(db: Session) -> list[Drive]:
     """End the drives that an ended web process left open."""
-    left = list(db.scalars(select(Drive).where(Drive.ended.is_(None))))
-    for drive in left:
+    interrupted = list(db.scalars(select(Drive).where(Drive.ended.is_(None))))
+    for drive in interrupted:
         drive.ended, drive.end = utc_now(), "fault"
-    return left
+    return interrupted

@@ -2,11 +2,12 @@
 
 from collections import Counter
 from collections.abc import Hashable, Iterable, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple, TypeAlias
 
-from sqlalchemy import JSON, ColumnElement, func, select, true
+from sqlalchemy import JSON, ColumnElement, Row, func, select, true
 from sqlalchemy.orm import Session
 
+from app.json_values import JsonDocument
 from app.source import SourceGroup, source_words
 from app.store.consent import consented
 from app.store.tables import ParameterSet, Patient, PatientSession, Profile, Run, Trial
@@ -14,6 +15,10 @@ from app.store.tables import ParameterSet, Patient, PatientSession, Profile, Run
 FAMILIARISATION = 3  # first trials of a task with one kind of source, in which a person gets used to it
 SIMULATED: dict[SourceGroup, bool | None] = {"worn": False, "simulated": True, "unknown": None}
 MOST_TRIALS = 2000  # the newest, that the clinic's median is of
+
+
+_TrialRow: TypeAlias = Row[int, int, int, bool, JsonDocument | None, int]
+"""Patient, id, number, whether it is kept, measures, number of the session."""
 
 
 class CountedTrial(NamedTuple):
@@ -30,7 +35,7 @@ class CountedTrial(NamedTuple):
         """Return the group of trials that it belongs to."""
         return self.trial.run.source.group
 
-    def row(self) -> dict[str, Any]:
+    def row(self) -> JsonDocument:
         """Return its measures and its attributes by name."""
         return {
             **(self.trial.measures or {}),
@@ -47,7 +52,7 @@ class CountedTrial(NamedTuple):
 
 def counted_trials(db: Session, clinic_id: int, patient_id: int, floorplan: str, path: str) -> list[CountedTrial]:
     """Return a patient's trials on one path over all sessions, of every source, the newest last."""
-    found = db.execute(
+    rows = db.execute(
         select(Trial, PatientSession.number, Profile.version, Profile.origin)
         .join(PatientSession, PatientSession.id == Trial.session_id)
         .join(ParameterSet, ParameterSet.id == Trial.parameters_id)
@@ -55,13 +60,13 @@ def counted_trials(db: Session, clinic_id: int, patient_id: int, floorplan: str,
         .where(Trial.patient_id == patient_id, *_measured(clinic_id, floorplan, path))
         .order_by(Trial.id)
     ).all()
-    familiarisation = _familiarisation((trial.id, trial.run.source.group) for trial, *_ in found)
-    return [CountedTrial(*row, row[0].id in familiarisation) for row in found if row[0].kept]
+    familiarisation = _familiarisation((trial.id, trial.run.source.group) for trial, *_ in rows)
+    return [CountedTrial(*row, row[0].id in familiarisation) for row in rows if row[0].kept]
 
 
 def trials_of_everybody(
     db: Session, clinic_id: int, floorplan: str, path: str, group: SourceGroup
-) -> dict[int, list[dict[str, Any]]]:
+) -> dict[int, list[JsonDocument]]:
     """Return the rows of each patient's trials on one path, the newest 2000, for the clinic's median spread.
 
     Trials that a person drove are those of patients who have consented to it; nobody drove the simulated ones.
@@ -69,7 +74,7 @@ def trials_of_everybody(
     The rows hold numbers only: `id`, `number`, `session`, `familiarisation` and the measures.
     """
     columns = (Trial.patient_id, Trial.id, Trial.number, Trial.kept, Trial.measures)
-    found = db.execute(
+    rows_of_all = db.execute(
         select(*columns, PatientSession.number.label("session"))
         .join(PatientSession, PatientSession.id == Trial.session_id)
         .join(Patient, Patient.id == Trial.patient_id)
@@ -79,8 +84,8 @@ def trials_of_everybody(
         .order_by(Trial.id.desc())
         .limit(MOST_TRIALS)
     ).all()[::-1]
-    people: dict[int, list[Any]] = {}
-    for row in found:
+    people: dict[int, list[_TrialRow]] = {}
+    for row in rows_of_all:
         people.setdefault(row.patient_id, []).append(row)
     return {person: _numbers(rows, group) for person, rows in people.items()}
 
@@ -102,7 +107,7 @@ def _may_be_used(group: SourceGroup) -> ColumnElement[bool]:
     return true() if group == "simulated" else consented("clinic_prior")
 
 
-def _numbers(rows: Sequence[Any], group: SourceGroup) -> list[dict[str, Any]]:
+def _numbers(rows: Sequence[_TrialRow], group: SourceGroup) -> list[JsonDocument]:
     familiarisation = _familiarisation((row.id, group) for row in rows)
     return [
         {
@@ -143,9 +148,9 @@ def _familiarisation(trials: Iterable[tuple[int, Hashable]]) -> set[int]:
     `trials` are one person's with their kind, in the order driven. A discarded trial counts: it was practice, too.
     """
     driven: Counter[Hashable] = Counter()
-    found = set()
+    first = set()
     for own, kind in trials:
         driven[kind] += 1
         if driven[kind] <= FAMILIARISATION:
-            found.add(own)
-    return found
+            first.add(own)
+    return first

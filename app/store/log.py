@@ -1,7 +1,6 @@
 """Write the log: who did what, when. Rows are only appended, and each row's hash covers the row before."""
 
 from datetime import timedelta
-from typing import Any
 
 from sqlalchemy import ColumnElement, select
 from sqlalchemy.orm import Session
@@ -16,7 +15,7 @@ VIEWED_EVERY = timedelta(minutes=15)  # a page asks for a patient's records many
 HAS_NEW_ROWS = "logged"  # key in `Session.info`: rows were added, so the log's head must be written
 
 
-def write_log(db: Session, person: str | None, what: str, /, **details: Any) -> None:
+def write_log(db: Session, person: str | None, what: str, /, **details: object) -> None:
     """Append one row; `details` name patients by id or code, never by a name.
 
     No row is ever changed, also not when a patient is erased. So what people wrote or measured of a patient is not in
@@ -38,7 +37,7 @@ def write_log(db: Session, person: str | None, what: str, /, **details: Any) -> 
     db.info[HAS_NEW_ROWS] = True
 
 
-def log_once(db: Session, what: str, **details: Any) -> None:
+def log_once(db: Session, what: str, **details: object) -> None:
     """Append one row that the program itself has found, unless the newest of its kind has these details."""
     last = db.scalar(select(LogEntry.details).where(LogEntry.what == what).order_by(LogEntry.id.desc()).limit(1))
     if last != details:

@@ -4,7 +4,7 @@ import json
 import logging
 import os
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from contextlib import closing
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -20,7 +20,7 @@ from app.files import sync_folder
 from app.store.schema import connect
 
 FIRST = "0" * 64  # previous hash of the first row
-HEAD_BEGUN = "log head begun"  # this row says from where on a removal of the newest rows is detected
+HEAD_BEGUN = "log head begun"  # from this row on, a removal of the newest rows is detected
 LINE = 128  # bytes
 WHAT_TO_DO = "Archive this computer with `bodydrive incident FILE`, and compare the log with that of a backup."
 WHOLE_LINE = re.compile(
@@ -79,9 +79,9 @@ class HeadFile:
         except OSError:
             return newest
         for place in (0, 1):
-            found = WHOLE_LINE.fullmatch(content[place * LINE : (place + 1) * LINE])
-            if found and int(found["check"], 16) == crc32(found["content"]):
-                head = ChainHead(int(found["rows"]), int(found["id"]), found["hash"].decode())
+            match = WHOLE_LINE.fullmatch(content[place * LINE : (place + 1) * LINE])
+            if match and int(match["check"], 16) == crc32(match["content"]):
+                head = ChainHead(int(match["rows"]), int(match["id"]), match["hash"].decode())
                 if newest[1] is None or head.rows > newest[1].rows:
                     newest = (place, head)
         return newest
@@ -95,7 +95,7 @@ class HeadFile:
         return None if head is None else advance(db, head)
 
 
-def entry_hash(previous: str, at: datetime, person: str | None, what: str, details: dict[str, Any]) -> str:
+def entry_hash(previous: str, at: datetime, person: str | None, what: str, details: Mapping[str, object]) -> str:
     """Return the hash of a row (hexadecimal SHA-256), which includes the hash of the row before."""
     content = json.dumps([previous, at.isoformat(), person, what, details], sort_keys=True, separators=(",", ":"))
     return sha256(content.encode()).hexdigest()
@@ -105,8 +105,8 @@ def advance(db: Session, head: ChainHead) -> ChainHead | None:
     """Return the head advanced over the rows added since; None when they do not follow on it."""
     connection = db.connection()
     if head.rows:
-        found = connection.exec_driver_sql("SELECT hash FROM log WHERE id = ?", (head.id,)).scalar()
-        if found != head.hash:
+        stored = connection.exec_driver_sql("SELECT hash FROM log WHERE id = ?", (head.id,)).scalar()
+        if stored != head.hash:
             return None
     for row in connection.exec_driver_sql(f"{ROWS} WHERE id > ? ORDER BY id", (head.id,)):
         if not _chains_on(head.hash, row):
@@ -158,7 +158,7 @@ def warn_of_changed_log(database: Path) -> None:
 
 
 def _check(head: ChainHead | None, rows: Iterable[RawRow]) -> LogCheck:
-    count, newest, hash_at_head, begun = 0, FIRST, FIRST, ""
+    count, newest, hash_at_head, note = 0, FIRST, FIRST, ""
     for row in rows:
         if not _chains_on(newest, row):
             what = f"row {row[0]} was edited, moved or put in, or rows before it were removed"
@@ -167,7 +167,7 @@ def _check(head: ChainHead | None, rows: Iterable[RawRow]) -> LogCheck:
         if head is not None and count == head.rows:
             hash_at_head = newest
         if row[3] == HEAD_BEGUN:
-            begun = f" A removal of newest rows is noticed from row {count} on, of {row[1][:10]}."
+            note = f" A removal of newest rows is noticed from row {count} on, of {row[1][:10]}."
     if head is None:
         gone = (
             "The head of the log is missing beside the database: rows may have been removed from the log's end. "
@@ -184,6 +184,4 @@ def _check(head: ChainHead | None, rows: Iterable[RawRow]) -> LogCheck:
     after = (
         f" The newest {late} are not in its head yet: the program ended just then, or it writes now." if late else ""
     )
-    return LogCheck(
-        True, count, f"The log is whole: {count} rows, none edited, moved, put in or removed.{after}{begun}"
-    )
+    return LogCheck(True, count, f"The log is whole: {count} rows, none edited, moved, put in or removed.{after}{note}")

@@ -1,14 +1,14 @@
 """Versions of a patient's map: adapted from one another, or restored; none is ever overwritten."""
 
-from collections.abc import Mapping
 from datetime import datetime
-from typing import Any, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
+from app.json_values import JsonDocument
 from app.refusals import Conflict
 from app.store.parameters import current_parameters, save_parameters, save_profile
 from app.store.tables import ParameterSet, Profile, Trial
@@ -24,7 +24,7 @@ class MapVersion(NamedTuple):
     version: int
     origin: str  # calibration, adaptation, donning, back
     parent: int | None
-    difference: dict[str, Any] | None
+    difference: JsonDocument | None
     created: datetime
     trials: list[int]  # ids of the trials that were driven with it, the newest last
 
@@ -34,7 +34,7 @@ def save_adapted(
     patient_id: int,
     session_id: int,
     adapted: DriveParameters,
-    difference: dict[str, Any],
+    difference: JsonDocument,
     *,
     origin: Literal["adaptation", "donning"] = "adaptation",
 ) -> Profile:
@@ -141,7 +141,7 @@ def _before(db: Session, now: Profile) -> Profile | None:
     return None if original.parent is None else version_row(db, now.patient_id, original.parent)
 
 
-def _settings_of(db: Session, profile: Profile, *, newest: bool) -> dict[str, Any]:
+def _settings_of(db: Session, profile: Profile, *, newest: bool) -> JsonDocument:
     """Return the newest settings of a version, or its first ones."""
     query = select(ParameterSet).where(ParameterSet.profile_id == profile.id)
     if newest:
@@ -150,9 +150,7 @@ def _settings_of(db: Session, profile: Profile, *, newest: bool) -> dict[str, An
     return {} if row is None else row.settings
 
 
-def _gestures_back(
-    now: Mapping[str, Any], at_first: Mapping[str, Any], restored: Mapping[str, Any]
-) -> list[dict[str, Any]]:
+def _gestures_back(now: JsonDocument, at_first: JsonDocument, restored: JsonDocument) -> list[JsonDocument]:
     """Return the gestures of `now` as they are in `restored`, where nobody has changed them since `at_first`."""
     initial = {gesture["name"]: gesture for gesture in at_first.get("gestures", ())}
     old = {gesture["name"]: gesture for gesture in restored.get("gestures", ())}

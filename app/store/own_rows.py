@@ -1,6 +1,6 @@
 """Find a row by its id, in the person's own clinic only."""
 
-from typing import Any, Protocol, TypeVar
+from typing import Protocol, TypeVar
 
 from sqlalchemy.orm import Session
 
@@ -11,7 +11,7 @@ from app.store.access.visible_patients import WITH_DELETED
 class ClinicRow(Protocol):
     """A row that names its clinic."""
 
-    __tablename__: Any
+    __tablename__: str
 
     @property
     def clinic_id(self) -> int:

@@ -1,7 +1,5 @@
 """Profiles and parameter sets: every version is kept, with undo, redo and sets saved by name."""
 
-from typing import Any
-
 from pydantic import ValidationError
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session
@@ -9,6 +7,7 @@ from sqlalchemy.orm import Session
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.clock import utc_now
+from app.json_values import JsonDocument
 from app.refusals import Conflict, NotFound
 from app.store.tables import ParameterSet, Profile
 
@@ -22,7 +21,7 @@ def save_profile(
     simulated: bool | None = None,
     origin: str = "calibration",
     parent: int | None = None,
-    difference: dict[str, Any] | None = None,
+    difference: JsonDocument | None = None,
 ) -> Profile:
     """Save an accepted map as the patient's next version; `parent` is the version that it was made from.
 
@@ -151,7 +150,7 @@ def load_titled(db: Session, patient_id: int, title: str) -> ParameterSet:
     Dead-zones and fulls are given in full scales of the joint, so they stay valid on a newer calibration.
     """
     profile = _needed_profile(db, patient_id)
-    saved: dict[str, Any] | None = db.scalar(
+    saved: JsonDocument | None = db.scalar(
         select(ParameterSet.settings)
         .join(Profile, Profile.id == ParameterSet.profile_id)
         .where(Profile.patient_id == patient_id, ParameterSet.title == title)

@@ -87,14 +87,14 @@ def screens_of(db: Session, session_id: int) -> list[PatientScreen]:
 
 def find_screen(db: Session, token: str) -> tuple[PatientScreen | None, ScreenState]:
     """Return the screen of a token, None unless it is paired, and its state."""
-    found = db.execute(
+    row = db.execute(
         select(PatientScreen, PatientSession)
         .join(PatientSession, PatientSession.id == PatientScreen.session_id)
         .where(PatientScreen.token_hash == _hash(token))
     ).first()
-    if found is None:
+    if row is None:
         return None, "none"
-    screen, session = found
+    screen, session = row
     if session.ended is not None or screen.expires <= utc_now():
         return None, "over"
     if screen.unpaired is not None:

@@ -11,7 +11,7 @@ from app import __version__
 from app.clock import utc_now
 from app.refusals import Conflict, NotFound
 from app.similar_names import require_distinct
-from app.store.access.visible_patients import WITH_DELETED, look_for_deleted
+from app.store.access.visible_patients import WITH_DELETED, read_deleted
 from app.store.keeping.record_time import require_reason
 from app.store.own_rows import own_row
 from app.store.tables import CalibrationStep, Patient, PatientSession, Profile, Trial
@@ -93,7 +93,7 @@ def restore_patient(db: Session, clinic_id: int, patient_id: int) -> Patient:
     patient = find_patient(db, clinic_id, patient_id, deleted=True)
     patient.deleted = patient.deletion_reason = None
     db.flush()
-    look_for_deleted(db)
+    read_deleted(db)
     return patient
 
 
@@ -176,11 +176,11 @@ def patient_figures(db: Session, patients: Sequence[Patient]) -> dict[int, Patie
         .group_by(Trial.patient_id)
     )
     trials = {row[0]: row[1] for row in db.execute(kept)}
-    found = {
+    figures = {
         patient_id: PatientFigures(count, trials.get(patient_id, 0), last)
         for patient_id, count, last in db.execute(sessions)
     }
-    return {patient_id: found.get(patient_id, PatientFigures(0, 0, None)) for patient_id in ids}
+    return {patient_id: figures.get(patient_id, PatientFigures(0, 0, None)) for patient_id in ids}
 
 
 def session_progress(db: Session, session: PatientSession) -> tuple[bool, list[str]]:

@@ -34,7 +34,7 @@ def the_clinic(db: Session) -> Clinic | None:
 
 
 def clinic_mark(db: Session, clinic_id: int) -> str:
-    """Return what tells a clinic from all others, also after it was restored: see `mark_of`."""
+    """Return the identity of a clinic, which a restored copy of it shares: see `mark_of`."""
     return mark_of(f"{db.get_one(Clinic, clinic_id).created:%Y-%m-%d %H:%M:%S.%f}")
 
 
@@ -104,42 +104,42 @@ def sign_in(db: Session, person: Person, how: str) -> str:
 
 def signed_in(db: Session, token: str) -> tuple[SignIn, Person] | None:
     """Return the sign-in of a token with its person, None when it has ended."""
-    found = db.execute(
+    row = db.execute(
         select(SignIn, Person)
         .join(Person, Person.id == SignIn.person_id)
         .where(SignIn.token_hash == _token_hash(token), SignIn.expires > utc_now(), Person.disabled.is_(None))
     ).first()
-    return None if found is None else (found[0], found[1])
+    return None if row is None else (row[0], row[1])
 
 
-def is_locked(found: SignIn, person: Person) -> bool:
+def is_locked(sign_in: SignIn, person: Person) -> bool:
     """Return whether a sign-in is locked: its person has done nothing for IDLE_FOR, and has a password to unlock it."""
-    return person.password_hash is not None and utc_now() - found.active > IDLE_FOR
+    return person.password_hash is not None and utc_now() - sign_in.active > IDLE_FOR
 
 
-def note_action(found: SignIn, person: Person) -> None:
+def store_action(sign_in: SignIn, person: Person) -> None:
     """Store that the person of a sign-in has just done something; a locked sign-in stays locked."""
     now = utc_now()
-    if not is_locked(found, person) and now - found.active > ACTION_STORED_EVERY:
-        found.active = now
+    if not is_locked(sign_in, person) and now - sign_in.active > ACTION_STORED_EVERY:
+        sign_in.active = now
 
 
 def unlock(db: Session, sign_in_id: int) -> None:
     """Unlock a sign-in, whose person has given the password."""
-    found = db.get(SignIn, sign_in_id)
-    person = None if found is None else db.get(Person, found.person_id)
-    if found is None or person is None:
+    row = db.get(SignIn, sign_in_id)
+    person = None if row is None else db.get(Person, row.person_id)
+    if row is None or person is None:
         raise NotFound("This sign-in has ended: sign in again.")
-    found.active = utc_now()
+    row.active = utc_now()
     write_log(db, person.name, "unlocked")
 
 
 def sign_out(db: Session, token: str) -> int | None:
     """End a sign-in; return its id, None when it had ended before."""
-    found = signed_in(db, token)
-    if found is None:
+    row = signed_in(db, token)
+    if row is None:
         return None
-    ended, person = found
+    ended, person = row
     db.delete(ended)
     write_log(db, person.name, "sign-out")
     return ended.id

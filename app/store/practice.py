@@ -31,7 +31,7 @@ NO_PRACTICE = Practice(0, None)
 
 
 class PracticeHistory:
-    """Finds practice in a patient's trials. Hashes are computed anew: an older program stored them for fewer fields.
+    """Finds practice in a patient's trials. Hashes are computed anew: a later program may hash more fields.
 
     Only trials with the same kind of shirt as the one in use count: `simulated` is true when nobody wears it. Trials
     that came with an archive do not count: shirt, limits and chairs were those of another clinic (decision 33).
@@ -42,8 +42,8 @@ class PracticeHistory:
 
     def practice(self, db: Session, patient_id: int, digest: str, *, simulated: bool | None) -> Practice:
         """Return how often the patient practised the set of this hash, in finished and kept trials."""
-        found = _practice_trials(db, patient_id, simulated)
-        started = [trial.started for trial, row, profile in found if self._has_hash(row, profile, digest)]
+        trials = _practice_trials(db, patient_id, simulated)
+        started = [trial.started for trial, row, profile in trials if self._has_hash(row, profile, digest)]
         return Practice(len(started), max(started, default=None))
 
     def newest(self, db: Session, patient_id: int, *, simulated: bool | None) -> DriveParameters | None:
@@ -63,7 +63,7 @@ def _practice_trials(
 
     The newest comes first.
     """
-    found = db.execute(
+    rows = db.execute(
         select(Trial, ParameterSet, Profile)
         .join(ParameterSet, ParameterSet.id == Trial.parameters_id)
         .join(Profile, Profile.id == ParameterSet.profile_id)
@@ -72,7 +72,7 @@ def _practice_trials(
         .where(Run.simulated.is_(simulated), Trial.session_id.not_in(select(ImportedSession.session_id)))
         .order_by(Trial.id.desc())
     )
-    yield from ((trial, row, profile) for trial, row, profile in found if trial.measures is not None)
+    yield from ((trial, row, profile) for trial, row, profile in rows if trial.measures is not None)
 
 
 def _hash(row: ParameterSet, profile: Profile) -> str:

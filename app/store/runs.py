@@ -1,18 +1,18 @@
 """Runs (recordings) and trials."""
 
 import math
-from typing import Any
 
 from sqlalchemy import JSON, func, select
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
+from app.features.registration import features
+from app.json_values import JsonDocument, JsonValue
 from app.refusals import Conflict
 from app.scoring.interruptions import reason_to_ask
 from app.source import UNKNOWN_SOURCE, Source
 from app.store.access.visible_patients import WITH_DELETED
 from app.store.own_rows import own_row
-from app.store.session_lock import require_unlocked, why_locked
 from app.store.tables import PatientSession, Run, Trial
 
 
@@ -36,8 +36,8 @@ def add_run(db: Session, run_id: str, session_id: int, kind: str, folder: str, s
 
 def run_ids(db: Session, patient_id: int) -> list[str]:
     """Return the ids of all runs of a patient."""
-    found = select(Run.id).join(PatientSession, PatientSession.id == Run.session_id)
-    return list(db.scalars(found.where(PatientSession.patient_id == patient_id)))
+    query = select(Run.id).join(PatientSession, PatientSession.id == Run.session_id)
+    return list(db.scalars(query.where(PatientSession.patient_id == patient_id)))
 
 
 def open_runs(db: Session) -> dict[str, str]:
@@ -98,14 +98,14 @@ def add_trial(
     return trial
 
 
-def finish_trial(db: Session, trial_id: int, end: str, measures: dict[str, Any] | None) -> Trial:
+def finish_trial(db: Session, trial_id: int, end: str, measures: JsonDocument | None) -> Trial:
     """Store how a trial ended, and its measures; one that is not finite is stored as null.
 
     A trial that the machine interrupted too much is left out until a person keeps it.
     """
     trial = db.get_one(Trial, trial_id)
     trial.status, trial.end = "done", end
-    trial.measures = _storable(measures)
+    trial.measures = None if measures is None else _storable_measures(measures)
     _ask_for(trial)
     return trial
 
@@ -118,31 +118,36 @@ def _ask_for(trial: Trial) -> None:
 
 def trials_of_older_measures(db: Session, version: int) -> dict[int, str]:
     """Return the finished trials whose measures are of an older version, the newest first, with their runs' folders."""
-    known = Trial.measures["measures_version"].as_integer()
-    old = (Trial.status == "done", Trial.measures != JSON.NULL, known < version)
+    stored_version = Trial.measures["measures_version"].as_integer()
+    old = (Trial.status == "done", Trial.measures != JSON.NULL, stored_version < version)
     query = select(Trial.id, Run.folder).join(Run, Run.id == Trial.run_id).where(*old)
     return dict(db.execute(query.order_by(Trial.id.desc())).all())
 
 
-def renew_measures(db: Session, trial_id: int, measures: dict[str, Any]) -> dict[str, Any]:
+def renew_measures(db: Session, trial_id: int, measures: JsonDocument) -> JsonDocument:
     """Store the measures of a trial that was measured again; return the figures that changed, as they were before.
 
     A trial of a signed session goes on counting, because a person has signed that it counts.
     """
     trial = db.get_one(Trial, trial_id)
-    before, trial.measures = trial.measures or {}, _storable(measures)
-    if not why_locked(db, trial.session_id):
+    before, trial.measures = trial.measures or {}, _storable_measures(measures)
+    if not _lock_reason(db, trial.session_id):
         _ask_for(trial)
     return {name: value for name, value in before.items() if _is_changed_figure(value, measures.get(name))}
 
 
-def _is_changed_figure(before: Any, now: Any) -> bool:
+def _is_changed_figure(before: object, now: object) -> bool:
     if not isinstance(before, int | float):
         return False
     return not (isinstance(now, int | float) and math.isclose(before, now, rel_tol=1e-6, abs_tol=1e-9))
 
 
-def _storable(value: Any) -> Any:
+def _storable_measures(measures: JsonDocument) -> JsonDocument:
+    return {name: _storable(value) for name, value in measures.items()}
+
+
+def _storable(value: JsonValue) -> JsonValue:
+    """Return a value with null in place of every number that is not finite."""
     if isinstance(value, dict):
         return {name: _storable(inner) for name, inner in value.items()}
     if isinstance(value, list):
@@ -172,14 +177,25 @@ def keep_trial(db: Session, clinic_id: int, trial_id: int, discard_reason: str |
     trial = find_trial(db, clinic_id, trial_id)
     if trial.status != "done":
         raise Conflict("This trial is still running: end it first.")
-    require_unlocked(db, trial.session_id)
+    _require_unlocked(db, trial.session_id)
     trial.kept, trial.discard_reason = discard_reason is None, discard_reason
     return trial
 
 
 def close_interrupted_trials(db: Session) -> list[Trial]:
     """End the trials that an ended web process left running; their recordings can still be read."""
-    left = list(db.scalars(select(Trial).where(Trial.status == "running")))
-    for trial in left:
+    interrupted = list(db.scalars(select(Trial).where(Trial.status == "running")))
+    for trial in interrupted:
         trial.status, trial.end = "done", "fault"
-    return left
+    return interrupted
+
+
+def _lock_reason(db: Session, session_id: int) -> str:
+    """Return the sentence why nothing of a session may be changed; empty when it may."""
+    return next(filter(None, (feature.why_locked(db, session_id) for feature in features().values())), "")
+
+
+def _require_unlocked(db: Session, session_id: int) -> None:
+    """Raise Conflict when a session is locked: for functions that may also find that nothing changes."""
+    if reason := _lock_reason(db, session_id):
+        raise Conflict(reason)

@@ -41,7 +41,7 @@ def drives_of_session(db: Session, session_id: int) -> list[Drive]:
 def sets_of_session(db: Session, session_id: int) -> list[UsedSet]:
     """Return each parameter set that a trial or a drive of the session used, in the order of its first use."""
     columns = (ParameterSet.id, ParameterSet.title, ParameterSet.hash, Profile.version, Profile.origin)
-    found: list[tuple[datetime, UsedSet]] = []
+    uses: list[tuple[datetime, UsedSet]] = []
     for kind in (Trial, Drive):
         query = (
             select(kind.started, *columns)
@@ -49,8 +49,8 @@ def sets_of_session(db: Session, session_id: int) -> list[UsedSet]:
             .join(Profile, Profile.id == ParameterSet.profile_id)
             .where(kind.session_id == session_id)
         )
-        found += [(row[0], UsedSet(*row[1:])) for row in db.execute(query)]
-    return list(dict.fromkeys(used for _, used in sorted(found, key=lambda one: one[0])))
+        uses += [(row[0], UsedSet(*row[1:])) for row in db.execute(query)]
+    return list(dict.fromkeys(used for _, used in sorted(uses, key=lambda use: use[0])))
 
 
 def set_of(db: Session, used: UsedSet) -> tuple[ParameterSet, Profile]:

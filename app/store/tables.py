@@ -1,7 +1,7 @@
 """The tables of a clinic: patients, sessions, screens, calibrations, parameters, trials, chairs, drives, the log."""
 
 from datetime import UTC, datetime
-from typing import Any, Literal
+from typing import Literal
 
 from sqlalchemy import (
     JSON,
@@ -20,6 +20,7 @@ from sqlalchemy.engine import Dialect
 from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column, relationship
 from sqlalchemy.types import TypeDecorator
 
+from app.json_values import JsonDocument
 from app.source import Source
 
 COUNTED = "kept = 1 AND status = 'done' AND measures != 'null'"  # a trial that is compared with others
@@ -56,7 +57,14 @@ class Table(DeclarativeBase):
             "pk": "pk_%(table_name)s",
         }
     )
-    type_annotation_map = {datetime: Moment, dict[str, Any]: JSON, list[Any]: JSON}  # noqa: RUF012
+    type_annotation_map = {  # noqa: RUF012
+        datetime: Moment,
+        JsonDocument: JSON,
+        list[int]: JSON,
+        list[str]: JSON,
+        list[JsonDocument]: JSON,
+        list[list[float]]: JSON,
+    }
 
 
 class Clinic(Table):
@@ -66,14 +74,13 @@ class Clinic(Table):
     id: Mapped[int] = mapped_column(primary_key=True)
     name: Mapped[str] = mapped_column(String(80))
     created: Mapped[datetime]
-    shirt: Mapped[dict[str, Any] | None]  # configuration of the shirt in use
-    body: Mapped[dict[str, Any] | None]  # configuration of the simulated body inside a simulated shirt
-    unused: Mapped[list[Any]]  # names of channels that are marked as unused
-    head: Mapped[dict[str, Any] | None]  # configuration of the head tracker in use; None: none
-    chair: Mapped[
-        dict[str, Any] | None
-    ]  # the chair in use: its id (None: the virtual one), and the dynamics of the virtual one
-    limits: Mapped[dict[str, Any] | None]  # the clinic's speed limits; None: the owner has set none
+    shirt: Mapped[JsonDocument | None]  # configuration of the shirt in use
+    body: Mapped[JsonDocument | None]  # configuration of the simulated body inside a simulated shirt
+    unused: Mapped[list[str]]  # names of channels that are marked as unused
+    head: Mapped[JsonDocument | None]  # configuration of the head tracker in use; None: none
+    # The chair in use: its id (None: the virtual one), and the dynamics of the virtual one.
+    chair: Mapped[JsonDocument | None]
+    limits: Mapped[JsonDocument | None]  # the clinic's speed limits; None: the owner has set none
 
 
 class Patient(Table):
@@ -108,11 +115,11 @@ class PatientSession(Table):
     started: Mapped[datetime]
     opened_by: Mapped[str | None] = mapped_column(String(80))  # a person's name; None: not recorded
     ended: Mapped[datetime | None]
-    script: Mapped[dict[str, Any] | None]  # the calibration under way: its layout; survives a restart
+    script: Mapped[JsonDocument | None]  # the calibration under way: its layout; survives a restart
     current_step: Mapped[str | None] = mapped_column(String(64))
-    result: Mapped[dict[str, Any] | None]  # the fitted profile before it is accepted
+    result: Mapped[JsonDocument | None]  # the fitted profile before it is accepted
     accepted: Mapped[bool]
-    screen: Mapped[dict[str, Any] | None]  # settings of the patient's screens; None: the standard ones
+    screen: Mapped[JsonDocument | None]  # settings of the patient's screens; None: the standard ones
     goal: Mapped[str] = mapped_column(String(1000), default="")  # in the patient's words
     # Of the software that it began with; "": not recorded.
     version: Mapped[str] = mapped_column(String(40), default="")
@@ -179,8 +186,8 @@ class Profile(Table):
     # calibration, adaptation, donning or back
     origin: Mapped[str] = mapped_column(String(16), server_default="calibration")
     parent: Mapped[int | None]  # version of the same patient that it was made from; None: from a calibration
-    difference: Mapped[dict[str, Any] | None]  # the changes from the parent
-    document: Mapped[dict[str, Any]]
+    difference: Mapped[JsonDocument | None]  # the changes from the parent
+    document: Mapped[JsonDocument]
     created: Mapped[datetime]
     simulated: Mapped[bool | None]  # whether nobody wore the shirt in which it was calibrated; None: unknown
 
@@ -192,7 +199,7 @@ class ParameterSet(Table):
     id: Mapped[int] = mapped_column(primary_key=True)
     profile_id: Mapped[int] = mapped_column(ForeignKey("profile.id"), index=True)
     title: Mapped[str] = mapped_column(String(80))
-    settings: Mapped[dict[str, Any]]  # DriveParameters without the profile
+    settings: Mapped[JsonDocument]  # DriveParameters without the profile
     hash: Mapped[str] = mapped_column(String(64))
     created: Mapped[datetime]
     current: Mapped[bool]
@@ -222,15 +229,15 @@ class Trial(Table):
     floorplan: Mapped[str] = mapped_column(String(64))
     floorplan_title: Mapped[str] = mapped_column(String(80))
     path: Mapped[str] = mapped_column(String(64))
-    path_points: Mapped[list[Any]]  # copied, because the floor plan may change later
+    path_points: Mapped[list[list[float]]]  # copied, because the floor plan may change later
     started: Mapped[datetime]
     status: Mapped[str] = mapped_column(String(16))  # running, done
     end: Mapped[str | None] = mapped_column(String(16))  # a TrialEnding
     kept: Mapped[bool]
     discard_reason: Mapped[str | None] = mapped_column(String(200))
-    measures: Mapped[dict[str, Any] | None]
+    measures: Mapped[JsonDocument | None]
     # A long document: only a query that names it reads it.
-    quality: Mapped[dict[str, Any] | None] = mapped_column(deferred=True, deferred_raiseload=True)
+    quality: Mapped[JsonDocument | None] = mapped_column(deferred=True, deferred_raiseload=True)
 
     @property
     def source(self) -> Source:
@@ -249,7 +256,7 @@ class PairedChair(Table):
     host: Mapped[str] = mapped_column(String(253))
     port: Mapped[int]
     key_id: Mapped[int]
-    speeds: Mapped[dict[str, Any]]  # the speed limits of this chair
+    speeds: Mapped[JsonDocument]  # the speed limits of this chair
     paired: Mapped[datetime]
     removed: Mapped[datetime | None]  # the row stays, because drives refer to it
 
@@ -294,9 +301,9 @@ class InterfaceTest(Table):
     started: Mapped[datetime]
     status: Mapped[str] = mapped_column(String(16))  # running, done
     end: Mapped[str | None] = mapped_column(String(16))  # an InterfaceTestEnding
-    plan: Mapped[dict[str, Any]]  # what was asked (app.world.cursor_task.CursorPlan)
-    measures: Mapped[dict[str, Any] | None]  # app.scoring.interface_test.InterfaceMeasures
-    workload: Mapped[dict[str, Any] | None]  # answers of the NASA task load index, 0 to 100 each; None: not asked
+    plan: Mapped[JsonDocument]  # what was asked (app.world.cursor_task.CursorPlan)
+    measures: Mapped[JsonDocument | None]  # app.scoring.interface_test.InterfaceMeasures
+    workload: Mapped[JsonDocument | None]  # answers of the NASA task load index, 0 to 100 each; None: not asked
 
     @property
     def source(self) -> Source:
@@ -312,7 +319,7 @@ class LogEntry(Table):
     at: Mapped[datetime]
     person: Mapped[str | None] = mapped_column(String(80))
     what: Mapped[str] = mapped_column(String(40))
-    details: Mapped[dict[str, Any]]
+    details: Mapped[JsonDocument]
     previous_hash: Mapped[str] = mapped_column(String(64))
     hash: Mapped[str] = mapped_column(String(64))
 

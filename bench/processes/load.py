@@ -76,7 +76,7 @@ async def main(
         await control.call("chair", config=chair)
     viewers = [await Viewer.open() for _ in range(VIEWERS)]
     work = [
-        _every(HEART_RATE, lambda: control.tell("heartbeat", screen_age=0.0)),
+        _every(HEART_RATE, lambda: control.send("heartbeat", screen_age=0.0)),
         _every(SCENE_RATE, lambda: _show_scene(control, viewers)),
         _every(PAGE_RATE, lambda: _show_page(control, viewers)),
         _keep_armed(control, parameters.hash, folder),

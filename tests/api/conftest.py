@@ -40,8 +40,8 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Take the time out of what a test waits for: hashes, the ballast, looking again, processes."""
     monkeypatch.setattr(hashing, "COST", hashing.Cost(time=1, memory=8, lanes=1))
     monkeypatch.setattr(ballast, "SIZE", 65_536)  # each test keeps its folder for a while
-    monkeypatch.setattr(calibration_flow, "LOOK_EVERY", 0.002)
-    monkeypatch.setattr(run_watch, "LOOK_EVERY", 0.002)
+    monkeypatch.setattr(calibration_flow, "WATCH_EVERY", 0.002)
+    monkeypatch.setattr(run_watch, "WATCH_EVERY", 0.002)
     read_in_this_process(monkeypatch)
     monkeypatch.setattr(package_download, "ComputingProcess", SameProcess)
 

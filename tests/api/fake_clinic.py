@@ -21,6 +21,7 @@ from app.messages import NO_CUE, TICK
 from app.pipeline.commands import STOPPED_BY
 from app.process.command_channel import LinkLost, LinkRefused
 from app.store.tables import LogEntry
+from building import covariance_of_independent
 
 with warnings.catch_warnings():
     # Starlette announces the successor of httpx, which is not needed here.
@@ -48,6 +49,9 @@ def profile_for(layout: ShirtLayout) -> CalibrationProfile:
             signal_to_noise=20.0,
             rest_rate=0.04,
             pca=LinearMap(rates=((1.0,) + (0.0,) * (len(indices) - 1),), dead_zone=0.2, full=1.0),
+            step=0.035,
+            filtered_step=0.06,
+            covariance=covariance_of_independent([1.0] * len(indices)),
             grade="good",
             reason="Clear.",
         )
@@ -62,6 +66,7 @@ def profile_for(layout: ShirtLayout) -> CalibrationProfile:
         left_out={},
         low=(0.0,) * count,
         high=(1.0,) * count,
+        noise=(0.0,) * count,
         joints=maps,
     )
 
@@ -158,7 +163,7 @@ class FakeProcess:
         if self.state is not State.FAULT:  # a latched stop outlives the run
             self.state = State.DISARMED
 
-    def tell(self, do: str, **fields: Any) -> None:
+    def send(self, do: str, **fields: Any) -> None:
         if self.dead.is_set():
             raise LinkLost
         self.told.append((do, fields))

@@ -1,4 +1,4 @@
-"""The profile as a document: documents from before guided maps are read, written and hashed as they were."""
+"""The profile as a document: its maps, and what decides which of them decodes."""
 
 import json
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from app.calibration.fit.joint_fit import LARGEST_STEP, SMALLEST_STEPS, STEP_MARGIN, least_steps
 from app.calibration.fit.repetitions import Repetition
-from app.calibration.fit.step_size import LARGEST_STEP, MARGIN, SMALLEST, least_steps
 
 RATE = 100.0
 
@@ -21,14 +21,14 @@ def with_step(size, rise, n=1000):
 
 
 def test_a_quiet_fabric_has_the_smallest_steps():
-    assert least_steps((0, 1, 2), 1.0, noisy(), noisy(300), [], RATE) == SMALLEST
+    assert least_steps((0, 1, 2), 1.0, noisy(), noisy(300), [], RATE) == SMALLEST_STEPS
 
 
 def test_noise_makes_sudden_steps_larger_and_tremor_at_rest_filtered_ones():
-    assert least_steps((0, 1, 2), 1.0, noisy(size=0.01), None, [], RATE).sudden > 2 * SMALLEST.sudden
+    assert least_steps((0, 1, 2), 1.0, noisy(size=0.01), None, [], RATE).sudden > 2 * SMALLEST_STEPS.sudden
     t = np.arange(300)[:, np.newaxis] / RATE
     tremor = 0.03 * np.sin(2 * np.pi * 6.0 * t) * np.ones(3)
-    assert least_steps((0, 1, 2), 1.0, noisy(), tremor, [], RATE).filtered > 2 * SMALLEST.filtered
+    assert least_steps((0, 1, 2), 1.0, noisy(), tremor, [], RATE).filtered > 2 * SMALLEST_STEPS.filtered
 
 
 @pytest.mark.parametrize(("rise", "kind"), [(0.01, "sudden"), (0.05, "filtered")])
@@ -37,7 +37,7 @@ def test_a_step_that_the_calibration_had_is_none(rise, kind, where):
     step = with_step(0.2, rise)
     own = [Repetition("elbow", step, slice(400, 600))] if where == "prompts" else []
     found = least_steps((0, 1, 2), 1.0, noisy() if own else step, noisy(300), own, RATE)
-    assert getattr(found, kind) == pytest.approx(MARGIN * 0.2, rel=0.05)
+    assert getattr(found, kind) == pytest.approx(STEP_MARGIN * 0.2, rel=0.05)
 
 
 def test_no_calibration_permits_steps_of_any_size():

@@ -41,7 +41,7 @@ async def main(given):
 
 async def beat(control):
     while True:
-        control.tell("heartbeat", screen_age=0.0)
+        control.send("heartbeat", screen_age=0.0)
         await asyncio.sleep(0.05)
 
 

@@ -153,7 +153,7 @@ class Rig:
         with suppress(LinkLost):
             while True:
                 if self.beats:
-                    control.tell("heartbeat", screen_age=self.screen_age, screen=self.screen)
+                    control.send("heartbeat", screen_age=self.screen_age, screen=self.screen)
                 await asyncio.sleep(0.05)
 
     async def start_web(self):

@@ -16,7 +16,7 @@ def head():
 
 def use(head):
     change = head.change(TabletHeadConfig(kind="tablet"))
-    change.take(change.open())
+    change.use(change.open())
 
 
 def noted(head, t=10.0):
@@ -27,7 +27,7 @@ def noted(head, t=10.0):
 
 def test_without_a_tracker_nothing_is_known(head):
     assert all(map(math.isnan, noted(head)))
-    assert head.words == NO_TRACKER
+    assert head.description == NO_TRACKER
     assert not head.look(0.0, 0.0, 0.0)
     assert not head.set_ahead()
 
@@ -77,10 +77,10 @@ def test_a_tracker_that_fails_is_let_go_and_said(head, monkeypatch):
     use(head)
     assert all(map(math.isnan, noted(head)))
     assert broken.closed
-    assert head.words == "The head tracker failed (no more): choose it again."
+    assert head.description == "The head tracker failed (no more): choose it again."
     assert all(map(math.isnan, noted(head)))
     head.close()
-    assert head.words == NO_TRACKER
+    assert head.description == NO_TRACKER
 
 
 def test_a_tracker_that_cannot_be_had_leaves_none(head, monkeypatch):
@@ -92,7 +92,7 @@ def test_a_tracker_that_cannot_be_had_leaves_none(head, monkeypatch):
     monkeypatch.setattr("app.pipeline.head_tracking.make_head", refuse)
     with pytest.raises(HardwareError):
         use(head)
-    assert head.words == NO_TRACKER
+    assert head.description == NO_TRACKER
 
 
 def test_a_tracker_that_fails_even_to_close_is_let_go(head, monkeypatch):
@@ -103,4 +103,4 @@ def test_a_tracker_that_fails_even_to_close_is_let_go(head, monkeypatch):
     monkeypatch.setattr("app.pipeline.head_tracking.make_head", lambda _config, _clock: Stuck())
     use(head)
     assert all(map(math.isnan, noted(head)))
-    assert "no more" in head.words
+    assert "no more" in head.description

@@ -164,4 +164,4 @@ def test_a_shirt_whose_driver_fails_is_let_go_and_the_ticks_go_on(ring):
     ticks = ticks_of(loop, 5)
     assert ticks["has_frame"].tolist() == [1, 1, 0, 0, 0, 0, 0]
     assert loop.setup.shirt is None
-    assert loop.setup.shirt_words == "The shirt failed (the cable burnt): choose it again."
+    assert loop.setup.shirt_description == "The shirt failed (the cable burnt): choose it again."

@@ -67,7 +67,7 @@ class Drive:
 
     def use_chair(self, config):
         change = self.setup.change_chair(config)
-        change.take(change.open())
+        change.use(change.open())
 
     @property
     def gate(self):

@@ -7,7 +7,7 @@ from pipeline.commanded_loop import CommandedLoop
 from pipeline.scripted_shirt import ScriptedShirt
 
 from app.faults import Fault, State
-from app.pipeline.process import _come_to_a_stop, _turn_until_told
+from app.pipeline.process import _come_to_a_stop, _run_until_quit
 from app.process.command_channel import CommandServer
 from building import make_signals
 
@@ -37,7 +37,7 @@ def test_when_the_web_process_has_gone_the_chair_stands_in_time_and_no_command_i
     driving._ours.close()
     server = driving.commands._server
     assert isinstance(server, CommandServer)
-    _turn_until_told(driving.loop, driving.commands, server, driving.clock)
+    _run_until_quit(driving.loop, driving.commands, server, driving.clock)
     _come_to_a_stop(driving.loop, driving.clock)
     ticks, _ = driving.ring.since(last)
     times = [gone, *ticks["t"].tolist()]

@@ -36,7 +36,7 @@ async def running():
 async def beat(control):
     with suppress(LinkLost):
         while True:
-            control.tell("heartbeat", screen_age=0.0)
+            control.send("heartbeat", screen_age=0.0)
             await asyncio.sleep(0.05)
 
 

@@ -231,7 +231,7 @@ def test_a_control_process_that_is_told_to_end_stops_the_chair_first(chair, tmp_
     async def story():
         async with cruising(chair, tmp_path) as control:
             ended = monotonic()
-            control.tell("quit")
+            control.send("quit")
             await until(lambda: chair.standing_since(ended) is not None and chair.newest["state"] == "disarmed")
             assert {line["reason"] for line in chair.since(ended)} >= {DESCRIPTIONS[Reason.STOP_COMMAND]}
 

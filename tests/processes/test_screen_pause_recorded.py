@@ -22,7 +22,7 @@ class Screen:
 
     async def beat(self, control):
         while True:
-            control.tell("heartbeat", screen_age=0.0, screen=self.says)
+            control.send("heartbeat", screen_age=0.0, screen=self.says)
             await asyncio.sleep(0.05)
 
 

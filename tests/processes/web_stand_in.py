@@ -30,7 +30,7 @@ async def main():
     answer = await control.call("parameters", parameters=parameters.model_dump(mode="json"))
     said = False
     while True:
-        control.tell("heartbeat", screen_age=0.0)
+        control.send("heartbeat", screen_age=0.0)
         tick = control.newest()
         state = State.DISARMED if tick is None else State(int(tick["state"]))
         if not said and state is State.FAULT:  # a busy machine caused a fault

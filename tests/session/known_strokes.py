@@ -8,6 +8,7 @@ from app.calibration.linear_map import LinearMap
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import Binding, DriveParameters, Gesture
 from app.layout import Channel, Joint, ShirtLayout
+from building import covariance_of_independent
 
 RATE = 100.0
 JOINTS = ("right_elbow", "left_elbow")
@@ -31,6 +32,9 @@ def parameters(bound: tuple[str, ...] = JOINTS, *, stop: bool = False) -> DriveP
             prompted=True,
             rest_rate=0.01,
             pca=LinearMap(rates=((0.5, 0.0, 0.0, 0.0),), dead_zone=0.15, full=1.0),
+            step=0.035,
+            filtered_step=0.06,
+            covariance=covariance_of_independent([0.5] * COUNT),
             grade="good",
             reason="Clear.",
         )
@@ -44,6 +48,7 @@ def parameters(bound: tuple[str, ...] = JOINTS, *, stop: bool = False) -> DriveP
         left_out={},
         low=(-1.0,) * COUNT * 2,
         high=(3.0,) * COUNT * 2,
+        noise=(0.0,) * COUNT * 2,
         joints=maps,
     )
     gestures = tuple(Gesture(name=joint, joint=joint, dead_zone=0.15, full=1.0) for joint in JOINTS)

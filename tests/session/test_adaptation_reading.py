@@ -17,6 +17,7 @@ from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.faults import State
 from app.messages import Tick
 from app.session.adaptation_reading import PastRun, adapt_from_recordings, movement_of
+from building import covariance_of_independent
 
 AS_CALIBRATED, PUT_ON_AGAIN = (1.0, -0.6), (1.0, -0.05)  # how a joint's two channels answer to its angle
 SIZE = math.hypot(*AS_CALIBRATED)
@@ -33,6 +34,9 @@ def parameters() -> DriveParameters:
             prompted=True,
             rest_rate=0.04,
             pca=LinearMap(rates=(tuple(gain / SIZE**2 for gain in AS_CALIBRATED),), dead_zone=0.2, full=3.0),
+            step=0.035,
+            filtered_step=0.06,
+            covariance=covariance_of_independent(AS_CALIBRATED),
             grade="good",
             reason="Clear.",
         )
@@ -46,6 +50,7 @@ def parameters() -> DriveParameters:
         left_out={},
         low=(-1.0,) * 4,
         high=(1.5,) * 4,
+        noise=(0.0,) * 4,
         joints=maps,
     )
     return standard_parameters(profile)

@@ -35,7 +35,7 @@ class Process:
             await asyncio.sleep(3600)
         return dict(answer)
 
-    def tell(self, do: str, **fields: Any) -> None:
+    def send(self, do: str, **fields: Any) -> None:
         self.commands.append((do, fields))
 
     def newest(self) -> np.void | None:
@@ -113,7 +113,7 @@ def test_a_refusal_ends_nothing() -> None:
 def test_a_loop_that_stands_still_is_killed_and_given_more_time_while_it_opens(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(control_module, "LOOK_EVERY", 0.01)
+    monkeypatch.setattr(control_module, "WATCH_EVERY", 0.01)
 
     async def opening(control: ControlLink, opened: list[Process]) -> None:
         loading = asyncio.create_task(control.load("shirt", config={}))

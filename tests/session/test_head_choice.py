@@ -52,10 +52,10 @@ def test_one_that_is_not_there_in_the_morning_stays_chosen_and_says_why(stored: 
     control.reason = "Check its cable."
     chosen = choice(stored, control)
     asyncio.run(chosen.open())
-    assert (chosen.config, chosen.words) == (SIMULATED, "Check its cable.")
+    assert (chosen.config, chosen.failure) == (SIMULATED, "Check its cable.")
     control.reason = ""
     asyncio.run(chosen.use(SIMULATED))
-    assert chosen.words == ""
+    assert chosen.failure == ""
 
 
 def test_one_that_is_refused_leaves_none(stored: Database) -> None:

@@ -24,6 +24,7 @@ from app.clock import monotonic
 from app.faults import EXPLANATIONS, Fault, is_pause
 from app.layout import ShirtLayout
 from app.messages import ALIVE, NO_CUE
+from app.session.chair_messages import STATE_NAMES, ChairMoment, chair_report
 from app.session.control_link import ControlLink
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.shirt import Equipment
@@ -33,7 +34,6 @@ from app.session.run_flow import RunFlow
 from app.session.run_watch import Halt
 from app.session.runs import SessionRuns
 from app.session.trial import TrialFlow
-from app.session.words.chair_words import STATE_NAMES, ChairMoment, chair_report
 
 STALE = 1.0  # s without a tick, after which the control process counts as lost
 LOOK_BACK = 1.0  # s of frames for the condition of the channels
@@ -130,7 +130,7 @@ class LivePicture:
         """Return the condition and the noise of every channel over the last second, and the shirt's state in words."""
         layout = self._equipment.layout
         if layout is None:
-            return Quality(quality=[], noise=[], shirt_words=self._equipment.words)
+            return Quality(quality=[], noise=[], shirt_words=self._equipment.failure)
         frames = self._frames(len(layout.channels))
         tick = self._control.newest()
         estimated = 0 if tick is None else int(tick["estimated"])

@@ -7,7 +7,7 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from app.session.words.chair_words import ChairMoment, StateName
+from app.session.chair_messages import ChairMoment, StateName
 
 Number = float | None
 TestPhase = Literal["ready", "running", "over"]

@@ -4,12 +4,12 @@ from pydantic import ConfigDict, Field
 
 from app.api.live.live_picture import LivePicture
 from app.api.live.message import CommonMessage, MessagePart, Number, RunMoment
-from app.calibration.script import movement_words
+from app.calibration.script import movement_instruction
 from app.faults import Fault, State
 from app.session.equipment.shirt import Equipment
+from app.session.patient_messages import Actor, patient_message
 from app.session.runs import SessionRuns
 from app.session.trial import TrialFlow
-from app.session.words.patient_words import Actor, patient_words
 from app.store.patient_screens import ScreenSettings
 
 
@@ -87,7 +87,7 @@ class PatientPicture:
         """Return the current picture."""
         live = self._live.picture()
         fault, over, drives = live.fault, self._trials.last_end, live.trial is not None or live.drive is not None
-        words = patient_words(
+        words = patient_message(
             State[live.state.upper()],
             Fault.NONE if fault is None else Fault[fault.name.upper()],
             drives=drives,
@@ -126,4 +126,4 @@ class PatientPicture:
         layout = self._equipment.layout
         if joint is None or layout is None:
             return None
-        return next((movement_words(known) for known in layout.joints if known.name == joint), None)
+        return next((movement_instruction(known) for known in layout.joints if known.name == joint), None)

@@ -95,7 +95,7 @@ def _proposal_view(waiting: AdaptationProposal, labels: dict[str, str]) -> Propo
         joints=[JointView(**dict(joint), label=labels.get(joint.name, joint.name)) for joint in proposal.joints],
         effect=waiting.result.effect,
         applied=waiting.applied,
-        words=waiting.words,
+        words=waiting.reason,
     )
 
 

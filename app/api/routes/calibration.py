@@ -16,7 +16,7 @@ from app.calibration.vocabulary import standard_parameters
 from app.quantities import Document, Line, Name
 from app.refusals import Conflict
 from app.session.calibration.map_choice import choose_map
-from app.session.calibration.sitting import note_sitting
+from app.session.calibration.ring_override import override_rotation
 from app.store.calibrations import is_calibration_simulated
 from app.store.log import write_log
 from app.store.parameters import save_parameters, save_profile
@@ -142,7 +142,9 @@ async def say_how_it_sits(body: SittingChoice, who: Clinician, parts: PeoplePart
         session = await web.session.needed_session(who.clinic_id)
         if web.calibration.running:
             raise Conflict("A step is being recorded, or the calibration is being worked out: wait for its end.")
-        await asyncio.to_thread(note_sitting, parts.database, session.id, body.joint, who.name, is_right=body.is_right)
+        await asyncio.to_thread(
+            override_rotation, parts.database, session.id, body.joint, who.name, is_right=body.is_right
+        )
         await web.calibration.fit_again(session.id)
     web.live.tell("calibration")
     return await _view(web, session)

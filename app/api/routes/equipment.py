@@ -16,7 +16,7 @@ from app.quantities import Document, Line, Name
 from app.refusals import Refusal
 from app.session.control_link import ControlLink
 from app.store.files.disk_watch import disk_room
-from app.store.files.taken_names import SameName, log_details
+from app.store.files.name_conflicts import SameName, log_details
 from app.store.keeping.patient_files import add_patient_file
 from app.store.log import write_log
 
@@ -126,14 +126,16 @@ async def _status(control: ControlLink, web: WebParts) -> tuple[StatusView, Head
         ), HeadTrackerView(config=head, words=str(refusal))
     shirt = status.get("shirt") or {}
     view = StatusView(
-        words=equipment.words or str(shirt.get("words", "")),
+        words=equipment.failure or str(shirt.get("words", "")),
         alive=bool(shirt.get("alive", False)),
         sample_rate=float(shirt.get("sample_rate") or equipment.sample_rate),
         lost=int(shirt.get("lost") or 0),
         realtime=[str(sentence) for sentence in status.get("realtime", [])],
         control=control.state,
     )
-    return view, HeadTrackerView(config=head, words=web.head.words or str((status.get("head") or {}).get("words", "")))
+    return view, HeadTrackerView(
+        config=head, words=web.head.failure or str((status.get("head") or {}).get("words", ""))
+    )
 
 
 async def _view(parts: PeopleParts, web: WebParts) -> EquipmentView:
@@ -151,7 +153,7 @@ async def _view(parts: PeopleParts, web: WebParts) -> EquipmentView:
         shirt_keys=await asyncio.to_thread(lambda: equipment.key_names),
         chair=ChairStateView(words=await web.chairs.state()),
         head=head,
-        disk=DiskView(free=room.free, words=room.words),
+        disk=DiskView(free=room.free, words=room.message),
     )
 
 

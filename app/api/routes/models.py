@@ -13,8 +13,8 @@ from app.api.foreign_files import refusal
 from app.api.routes.uploads import harmless_name
 from app.quantities import Document
 from app.scene.models.objects import MOST_BYTES, read_isolated_into, stored_model
+from app.store.files.name_conflicts import SameName, log_details
 from app.store.files.replacements import ReplacedFiles
-from app.store.files.taken_names import SameName, log_details
 from app.store.log import write_log
 
 SUFFIX = ".glb"

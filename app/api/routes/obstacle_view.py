@@ -15,4 +15,4 @@ class ObstacleView(Document):
     @classmethod
     def of(cls, obstacle: DriveObstacle | None) -> "ObstacleView | None":
         """Return the answer for an obstacle, None for none."""
-        return None if obstacle is None else cls(words=obstacle.words, page=obstacle.page)
+        return None if obstacle is None else cls(words=obstacle.sentence, page=obstacle.page)

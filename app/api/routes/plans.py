@@ -11,7 +11,7 @@ from app.api.deps import Clinician, People, PeopleParts
 from app.api.routes.plan_files import draft_of_uploads
 from app.quantities import Document, Name
 from app.sentences import one_sentence
-from app.store.files.taken_names import SameName, log_details
+from app.store.files.name_conflicts import SameName, log_details
 from app.store.log import write_log
 from app.world.floorplan import ClearanceError, FloorPlan
 

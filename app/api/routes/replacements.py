@@ -63,5 +63,5 @@ def _restored_plan(parts: People, identity: str) -> str:
     except ValidationError as error:
         raise HTTPException(409, "This floor plan can no longer be read: save it again as it was drawn.") from error
     saved = parts.own_plans.add(plan, "keep-both", parts.replaced)
-    parts.replaced.drop(found)
+    parts.replaced.discard(found)
     return saved.name

@@ -13,8 +13,8 @@ from app.quantities import Document
 from app.refusals import Unavailable
 from app.signals.csv_dialect import cells_of, separator_of
 from app.signals.parquet_names import MOST_NUMBERS, parquet_names
+from app.store.files.name_conflicts import SameName
 from app.store.files.replacements import ReplacedFiles
-from app.store.files.taken_names import SameName
 
 LARGEST = 64_000_000  # bytes
 HEADER = 65_536  # bytes of a CSV in which its first row must end

@@ -8,7 +8,7 @@ from app.api.sign_in.cookies import read_cookie
 from app.store.access.visible_patients import VisiblePatients
 from app.store.database import Database
 from app.store.patient_screens import find_screen
-from app.store.people import is_locked, note_action, signed_in
+from app.store.people import is_locked, signed_in, store_action
 
 COOKIE = "bodydrive_sign_in"
 DRIVERS = frozenset({"owner", "clinician"})  # roles whose people change what drives; a reviewer reads and comments
@@ -51,7 +51,7 @@ def find_sign_in(database: Database, connection: HTTPConnection, *, acts: bool =
             return None
         opened, person = found
         if acts:
-            note_action(opened, person)
+            store_action(opened, person)
         return SignedInPerson(
             opened.id,
             person.id,

@@ -5,13 +5,13 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class ChangeLimits:
-    """ChangeLimits of a map's change, so small that a person can adapt to it."""
+    """Limits of the change of a map in one adaptation, small enough for a person to adapt to."""
 
     per_trial_deg: float = 2.0
     per_update_deg: float = 5.0
     least_evr: float = 0.8
     largest_angle_deg: float = 30.0  # from the calibration's direction
-    cross_talk_slack: float = 0.01  # smaller differences of the share are chance
+    cross_talk_slack: float = 0.01  # smaller differences of the share are within chance
     warn: float = 0.05  # felt change from which on the proposal warns
     refuse: float = 0.10  # felt change from which on a joint's change is refused
     least_movement: float = 3.0  # s of the joint's own movement, from which its direction is estimated

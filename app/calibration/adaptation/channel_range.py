@@ -34,13 +34,15 @@ def shift_ranges(
     `calibrated` is the calibration that `profile` descends from: no range is shifted further from it than its width.
     `joints` are those whose channels may be shifted; all when not given.
     """
-    trials = [fill_forward(np.asarray(one.values, dtype=np.float64)) for one in movements if len(one.values)]
+    trials = [
+        fill_forward(np.asarray(movement.values, dtype=np.float64)) for movement in movements if len(movement.values)
+    ]
     if not trials:
         return profile
     origin = calibrated or profile
     values = np.concatenate(trials)
     shifts = np.zeros(values.shape[1])
-    for joint in profile.joints if joints is None else [one for one in profile.joints if one.name in joints]:
+    for joint in profile.joints if joints is None else [joint for joint in profile.joints if joint.name in joints]:
         for channel in sound_channels(profile, joint, movements):
             shift = _shift(profile, origin, channel, values[:, channel])
             if shift and agreement(joint, channel, values) >= LEAST_AGREEMENT:
@@ -75,9 +77,9 @@ def sound_channels(profile: CalibrationProfile, joint: JointMap, movements: Sequ
     """Return the joint's channels that have a weight in the map and were neither flat nor railed nor missing."""
     sound = {channel for channel, weight in zip(joint.channels, joint.pca.rates[0], strict=True) if weight != 0.0}
     groups = [profile.layout.channels_of_joint[joint.name]]
-    for one in movements:
-        if len(one.values):
-            quality = channel_quality(np.asarray(one.values, dtype=np.float64), groups, one.sample_rate)
+    for movement in movements:
+        if len(movement.values):
+            quality = channel_quality(np.asarray(movement.values, dtype=np.float64), groups, movement.sample_rate)
             sound -= {channel for channel in sound if quality[channel].condition not in SOUND_CONDITIONS}
     return sorted(sound)
 
@@ -85,18 +87,21 @@ def sound_channels(profile: CalibrationProfile, joint: JointMap, movements: Sequ
 def agreement(joint: JointMap, channel: int, values: Numbers) -> float:
     """Return the multiple correlation (0..1) of a channel with the joint's other channels, 1 when there are none.
 
-    The correlation with the map's score would not do: a sound channel may measure a second movement of the joint, which
-    the map hardly weighs.
+    The map's score is no reference for this: a sound channel may measure a second movement of the joint, to which the
+    map gives hardly any weight.
     """
     others = [other for other in joint.channels if other != channel]
     if not others:
         return 1.0
-    signal, known = values[:, channel] - values[:, channel].mean(), values[:, others] - values[:, others].mean(axis=0)
+    signal, neighbours = (
+        values[:, channel] - values[:, channel].mean(),
+        values[:, others] - values[:, others].mean(axis=0),
+    )
     total = float(signal @ signal)
-    if not 0.0 < total < np.inf or not np.isfinite(known).all():
+    if not 0.0 < total < np.inf or not np.isfinite(neighbours).all():
         return 0.0
-    shared = known.T @ signal
-    explained = float(shared @ np.linalg.pinv(known.T @ known, hermitian=True) @ shared)
+    shared = neighbours.T @ signal
+    explained = float(shared @ np.linalg.pinv(neighbours.T @ neighbours, hermitian=True) @ shared)
     return float(np.sqrt(min(1.0, max(0.0, explained / total))))
 
 

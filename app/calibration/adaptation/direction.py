@@ -61,10 +61,10 @@ def share_along(covariance: Vector, weights: Vector) -> float:
     return min(1.0, max(0.0, float(weights @ covariance @ weights) / total)) if total > 0 else 0.0
 
 
-def angle(one: Vector, other: Vector) -> float:
+def angle(first: Vector, second: Vector) -> float:
     """Return the angle (degrees, 0..180) between two unit vectors, by atan2, which is exact for small angles too."""
-    along = float(one @ other)
-    return math.degrees(math.atan2(float(np.linalg.norm(other - along * one)), along))
+    along = float(first @ second)
+    return math.degrees(math.atan2(float(np.linalg.norm(second - along * first)), along))
 
 
 def turn_towards(before: Vector, towards: Vector, most: float) -> Vector:

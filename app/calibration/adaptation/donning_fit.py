@@ -78,8 +78,8 @@ def _refuse_turned_rings(profile: CalibrationProfile, today: dict[str, Arrangeme
         joint = profile.layout.channels[sensors[0]].joint
         if joint not in priors:
             continue
-        known = priors[joint]
-        then = {**known.arrangement, **known.as_worn}.get(ring, Arrangement())
+        prior = priors[joint]
+        then = {**prior.arrangement, **prior.as_worn}.get(ring, Arrangement())
         if arrangement.mirrored != then.mirrored:
             raise DonningError(
                 f"At the {labels[joint].lower()} the shirt is inside out or on the other side since this was "

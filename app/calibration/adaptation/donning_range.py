@@ -1,9 +1,9 @@
 """Fits the ranges of the channels to the shirt as it sits today, from ten seconds of any movement.
 
-Putting a shirt on again changes how strongly each channel answers and where its level lies. Both can be told from free
-movement, without cues: how far each channel moves in comparison with the others of its joint. How far all of them move
-together says how large the movements were, not how the shirt sits, and changes nothing. Neither do the maps change:
-over the channels of a joint the changes cancel (docs/learning/adapting.md, "Does it help?").
+Putting a shirt on again changes how strongly each channel answers and where its level lies. Free movement shows both,
+without cues: the extent of each channel is compared with the extents of the other channels of its joint. Their common
+extent depends on how large the movements were, and not on how the shirt sits, so that it changes nothing. The maps do
+not change either: over the channels of a joint the changes cancel (docs/learning/adapting.md, "Does it help?").
 """
 
 from typing import NamedTuple
@@ -40,19 +40,19 @@ def fit_ranges(profile: CalibrationProfile, free: Movement, calibrated: Calibrat
 
     A range is that of `calibrated`, centred on the present levels, moved by at most its width, and widened by as much
     as the channel answers more strongly than at the calibration, at most twice. A channel that the joint's other
-    channels do not tell keeps its calibrated range: a loose one is to be found by it.
+    channels do not predict keeps its calibrated range, by which a loose one is detected.
     """
     values = fill_forward(np.asarray(free.values, dtype=np.float64))
     if not len(values):
         return profile
     low, high = np.array(profile.low), np.array(profile.high)
     for joint in calibrated.joints:
-        for one in channel_seats(calibrated, joint, free, values):
-            first, last = calibrated.low[one.channel], calibrated.high[one.channel]
+        for seat in channel_seats(calibrated, joint, free, values):
+            first, last = calibrated.low[seat.channel], calibrated.high[seat.channel]
             middle, reach = (first + last) / 2, LARGEST_SHIFT * (last - first)
-            middle = min(max(one.middle, middle - reach), middle + reach)
-            half = max(1.0, one.ratio) * (last - first) / 2
-            low[one.channel], high[one.channel] = middle - half, middle + half
+            middle = min(max(seat.middle, middle - reach), middle + reach)
+            half = max(1.0, seat.ratio) * (last - first) / 2
+            low[seat.channel], high[seat.channel] = middle - half, middle + half
     return with_ranges(profile, low, high)
 
 
@@ -70,4 +70,4 @@ def channel_seats(profile: CalibrationProfile, joint: JointMap, free: Movement, 
     ratio = np.log(moved / width[sound])
     ratio = np.exp(np.minimum(ratio - ratio.mean(), np.log(LARGEST_RATIO)))
     middle = np.percentile(values[:, sound], LEVELS, axis=0).mean(axis=0)
-    return [ChannelSeat(*one) for one in zip(sound, ratio.tolist(), middle.tolist(), strict=True)]
+    return [ChannelSeat(*row) for row in zip(sound, ratio.tolist(), middle.tolist(), strict=True)]

@@ -1,10 +1,10 @@
-"""What a joint's present map loses, as a proposal answers it; the evidence comes from `app/scoring/map_losses`."""
+"""The loss of a joint's present map, to which a proposal reacts; `app/scoring/map_losses` measures it."""
 
 from typing import NamedTuple
 
 
 class JointLoss(NamedTuple):
-    """What is to change of one joint because something is lost, and why."""
+    """What has to change in the map of one joint, and why."""
 
     words: str  # sentences that say what is lost
     dead_zone: float | None = None  # FS/s that the noise at rest asks for; None: the dead-zone stays

@@ -48,7 +48,7 @@ def map_trials(parameters: DriveParameters, movements: Sequence[Movement]) -> li
     A joint makes a movement of its own while motion is permitted, its rate in either direction is beyond its dead-zone,
     and rate / full is at least twice that of any other joint. Tremor and cross-talk from a neighbour do not count.
     """
-    return [_map_trial(parameters, one) for one in movements if len(one.values)]
+    return [_map_trial(parameters, movement) for movement in movements if len(movement.values)]
 
 
 def _map_trial(parameters: DriveParameters, movement: Movement) -> MappedTrial:

@@ -1,15 +1,71 @@
 """Proposes an adapted parameter set after the last trials, beside the one that drives (docs/learning/adapting.md)."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
 
 from app.calibration.adaptation.change_limits import STANDARD_LIMITS, ChangeLimits
-from app.calibration.adaptation.channel_range import shift_ranges
+from app.calibration.adaptation.channel_range import shift_ranges, sound_channels
+from app.calibration.adaptation.direction import (
+    angle,
+    exponential_covariance,
+    felt_change,
+    principal,
+    share_along,
+    turn_towards,
+)
 from app.calibration.adaptation.joint_loss import JointLoss
-from app.calibration.adaptation.joint_proposal import AdaptationInput, JointAssessment, assess_joint
-from app.calibration.adaptation.movement import Movement, gesture_of, map_trials
-from app.calibration.adaptation.proposal_document import JointChange, Proposal
+from app.calibration.adaptation.movement import (
+    MappedTrial,
+    Movement,
+    Numbers,
+    gesture_of,
+    map_trials,
+    movement_rows,
+    rate_along,
+)
+from app.calibration.adaptation.proposal_document import JointChange, Proposal, Status
+from app.calibration.adaptation.thresholds import Thresholds, full_for, step_thresholds
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
+from app.number_words import percent
+
+ANEW = "calibrate this joint again"
+AT_ITS_END = f"It cannot follow any further: {ANEW}."
+
+
+@dataclass(frozen=True, slots=True)
+class _Evidence:
+    """The parameters, trials, losses and limits by which every joint is assessed."""
+
+    parameters: DriveParameters
+    movements: Sequence[Movement]
+    trials: list[MappedTrial]
+    losses: Mapping[str, JointLoss]
+    shifted: Collection[str]  # joints of which the range that S5 checks follows the shirt
+    limits: ChangeLimits
+    fresh: int
+    calibrated: dict[str, JointMap]
+
+
+@dataclass(frozen=True, slots=True)
+class _JointAssessment:
+    """The change of one joint, and the weights and thresholds for the new parameters."""
+
+    change: JointChange
+    weights: Numbers
+    thresholds: Thresholds
+
+
+class _Turn(NamedTuple):
+    """The turn of a joint's direction."""
+
+    weights: Numbers  # (k,) after the turn; the old ones when there is none
+    values: dict[str, object]  # fields of JointChange
+    values_unturned: dict[str, object]  # fields of JointChange in case the turn is not applied
+    refusal: str  # why the direction may not turn, in one sentence; empty when it may
 
 
 def propose(
@@ -47,7 +103,7 @@ def propose(
     silenced = [name for name, loss in losses.items() if loss.silenced]
     if silenced and new_trials:
         profile = shift_ranges(profile, movements, calibrated, silenced)
-    evidence = AdaptationInput(
+    evidence = _Evidence(
         parameters,
         movements,
         map_trials(parameters, movements),
@@ -57,15 +113,15 @@ def propose(
         new_trials,
         {joint.name: joint for joint in origin.joints},
     )
-    found = [
-        assess_joint(evidence, joint, gesture)
+    assessments = [
+        _assess_joint(evidence, joint, gesture)
         for joint in parameters.profile.joints
         if (gesture := gesture_of(parameters, joint.name)) is not None
     ]
-    changes = tuple(one.change for one in found)
-    new = _new_parameters(parameters, profile, found)
-    applied = [one for one in changes if one.status == "applied"]
-    felt = max((one.felt_change for one in applied), default=0.0)
+    changes = tuple(assessment.change for assessment in assessments)
+    new = _new_parameters(parameters, profile, assessments)
+    applied = [change for change in changes if change.status == "applied"]
+    felt = max((change.felt_change for change in applied), default=0.0)
     return Proposal(
         trials=count,
         joints=changes,
@@ -74,9 +130,9 @@ def propose(
         parameters=new if new != parameters else None,
         difference={
             "felt_change": felt,
-            "joints": {one.name: one.model_dump(mode="json", exclude={"name"}) for one in applied},
+            "joints": {change.name: change.model_dump(mode="json", exclude={"name"}) for change in applied},
         },
-        reason=_sentence(changes, count),
+        reason=_summary(changes, count),
     )
 
 
@@ -90,38 +146,38 @@ def _joints_moved(before: CalibrationProfile, after: CalibrationProfile) -> set[
 
 
 def _new_parameters(
-    parameters: DriveParameters, profile: CalibrationProfile, found: Sequence[JointAssessment]
+    parameters: DriveParameters, profile: CalibrationProfile, assessments: Sequence[_JointAssessment]
 ) -> DriveParameters:
     """Return the parameters with new weights and thresholds; the span and all else stay."""
-    new = {one.change.name: one for one in found}
+    new = {assessment.change.name: assessment for assessment in assessments}
     joints = tuple(_with_weights(joint, new.get(joint.name)) for joint in profile.joints)
-    gestures = tuple(_with_handles(parameters, gesture, new.get(gesture.joint)) for gesture in parameters.gestures)
+    gestures = tuple(_with_thresholds(parameters, gesture, new.get(gesture.joint)) for gesture in parameters.gestures)
     document = parameters.model_dump()
     document["profile"] = profile.model_copy(update={"joints": joints}).model_dump()
     document["gestures"] = [gesture.model_dump() for gesture in gestures]
     return DriveParameters.model_validate(document)
 
 
-def _with_weights(joint: JointMap, new: JointAssessment | None) -> JointMap:
+def _with_weights(joint: JointMap, new: _JointAssessment | None) -> JointMap:
     is_new = new is not None and new.weights.tolist() != list(joint.direction)
     return joint.with_direction(new.weights.tolist()) if new is not None and is_new else joint
 
 
-def _with_handles(parameters: DriveParameters, gesture: Gesture, new: JointAssessment | None) -> Gesture:
+def _with_thresholds(parameters: DriveParameters, gesture: Gesture, new: _JointAssessment | None) -> Gesture:
     """Return a gesture with its new thresholds; unchanged when its joint was assessed by another gesture."""
     if new is None or gesture_of(parameters, gesture.joint) != gesture:
         return gesture
     return gesture.model_copy(update={"dead_zone": new.thresholds.dead_zone, "full": new.thresholds.full})
 
 
-def _sentence(changes: Sequence[JointChange], trials: int) -> str:
+def _summary(changes: Sequence[JointChange], trials: int) -> str:
     """Return one sentence on which joints would change."""
-    applied = [one.name.replace("_", " ") for one in changes if one.status == "applied"]
-    refused = [one.name.replace("_", " ") for one in changes if one.status == "refused"]
+    applied = [change.name.replace("_", " ") for change in changes if change.status == "applied"]
+    refused = [change.name.replace("_", " ") for change in changes if change.status == "refused"]
     after = "the last trial" if trials == 1 else f"the last {trials} trials"
     if applied:
-        words = f"After {after}, {', '.join(applied)} would change"
-        return f"{words}; {', '.join(refused)} may not." if refused else f"{words}."
+        sentence = f"After {after}, {', '.join(applied)} would change"
+        return f"{sentence}; {', '.join(refused)} may not." if refused else f"{sentence}."
     if refused:
         return f"After {after}, nothing changes: what {', '.join(refused)} would need may not be done."
     return (
@@ -129,3 +185,167 @@ def _sentence(changes: Sequence[JointChange], trials: int) -> str:
         if trials
         else "No trial was driven yet."
     )
+
+
+def _assess_joint(evidence: _Evidence, joint: JointMap, gesture: Gesture) -> _JointAssessment:
+    """Return the change of one joint, first of its direction, then of its thresholds; refused when it would be felt.
+
+    A joint that loses nothing stays as it is.
+    """
+    limits, old = evidence.limits, np.array(joint.direction)
+    now = Thresholds(gesture.dead_zone, gesture.full)
+    values: dict[str, object] = {
+        "name": joint.name,
+        "dead_zone_before": now.dead_zone,
+        "full_before": now.full,
+        "dead_zone_after": now.dead_zone,
+        "full_after": now.full,
+        "range_moved": joint.name in evidence.shifted,
+    }
+    loss = evidence.losses.get(joint.name)
+    if stop := _reason_to_skip(evidence, joint, loss):
+        return _JointAssessment(_change(values, stop[0], stop[1]), old, now)
+    assert loss is not None
+    moved = movement_rows(evidence.trials, joint)
+    turn = _turn(evidence, joint, moved) if loss.turns and joint.map == "pca" else _Turn(old, {}, {}, "")
+    values |= turn.values
+    turns = not np.array_equal(turn.weights, old)
+    thresholds = _thresholds(evidence, joint, gesture, loss, turns=turns)
+    sample_rate = evidence.trials[-1].sample_rate
+    felt = felt_change(old / now.full, turn.weights / thresholds.full, moved, sample_rate) if len(moved) else 0.0
+    if felt >= limits.refuse:
+        sentence = (
+            f"The patient would feel a change of {percent(min(felt, 9.99))}, and from {percent(limits.refuse)} on it "
+            f"is refused: {ANEW}."
+        )
+        values |= turn.values_unturned
+        values |= {"felt_change": min(felt, 1e6)}
+        refused = _change(values, "refused", f"{loss.words} {sentence}")
+        return _JointAssessment(refused, old, now)
+    values |= {"dead_zone_after": thresholds.dead_zone, "full_after": thresholds.full}
+    if turns or thresholds != now or values["range_moved"]:
+        values |= {"felt_change": felt, "angle_applied_deg": angle(old, turn.weights) if turns else 0.0}
+        change = _change(values, "applied", "")
+        reason = f"{loss.words} {_reason(change, turn.refusal)}"
+        return _JointAssessment(change.model_copy(update={"reason": reason}), turn.weights, thresholds)
+    return _JointAssessment(_change(values, "refused", f"{loss.words} {turn.refusal or AT_ITS_END}"), old, now)
+
+
+def _change(values: dict[str, object], status: Status, reason: str) -> JointChange:
+    return JointChange.model_validate({**values, "status": status, "reason": reason})
+
+
+def _reason_to_skip(evidence: _Evidence, joint: JointMap, loss: JointLoss | None) -> tuple[Status, str] | None:
+    """Return status and reason of a joint that is not to be adapted, None for one that is."""
+    if not evidence.trials or not evidence.fresh:
+        return "unchanged", "No trial was driven since the calibration last changed."
+    if loss is None:
+        return "unchanged", "The calibration fits it as well as before."
+    weighed = {channel for channel, weight in zip(joint.channels, joint.pca.rates[0], strict=True) if weight != 0.0}
+    broken = sorted(weighed - set(sound_channels(evidence.parameters.profile, joint, evidence.movements)))
+    if broken:
+        name = evidence.parameters.profile.layout.channel_names[broken[0]]
+        return "refused", f"Sensor {name} is dead or at the end of its range: check the shirt, then calibrate again."
+    return None
+
+
+def _turn(evidence: _Evidence, joint: JointMap, moved: Numbers) -> _Turn:
+    """Return one limited turn towards the main direction of the movements `moved` (m, k), unless a limit refuses it."""
+    limits, old = evidence.limits, np.array(joint.direction)
+    sample_rate = evidence.trials[-1].sample_rate
+    used = old != 0.0  # a weight of zero stays zero: the decoder does not read such a channel, and S5 does not check it
+    covariance = exponential_covariance(moved * used, sample_rate) if len(moved) else np.zeros((len(old), len(old)))
+    main = principal(covariance, old)
+    if main is None or len(moved) < limits.least_movement * sample_rate:
+        return _Turn(old, {}, {}, "")
+    proposed = angle(old, main.weights)
+    most = min(limits.per_update_deg, limits.per_trial_deg * evidence.fresh)
+    weights = np.where(used, turn_towards(old, main.weights, most), 0.0) if proposed > limits.worth_it_deg else old
+    calibrated = evidence.calibrated.get(joint.name, joint)
+    same = calibrated.channels == joint.channels  # directions of another shirt cannot be compared
+    away, before = (angle(np.array(calibrated.direction), direction) if same else 180.0 for direction in (weights, old))
+    gesture = gesture_of(evidence.parameters, joint.name)
+    assert gesture is not None
+    talk = tuple(_cross_talk(evidence, joint, gesture, direction) for direction in (old, weights))
+    unturned: dict[str, object] = {
+        "angle_proposed_deg": proposed,
+        "angle_from_calibration_deg": before,
+        "evr_before": share_along(covariance, old),
+        "evr_after": share_along(covariance, old),
+        "cross_talk_before": talk[0],
+        "cross_talk_after": talk[0],
+    }
+    values = unturned | {
+        "angle_from_calibration_deg": away,
+        "evr_after": share_along(covariance, weights),
+        "cross_talk_after": talk[1],
+    }
+    refusal = ""
+    if np.array_equal(weights, old):
+        pass
+    elif main.share < limits.least_evr:
+        refusal = f"Its main movement is clear to only {percent(main.share)}, less than {percent(limits.least_evr)}."
+    elif away > limits.largest_angle_deg:
+        refusal = f"It would be {away:.0f} degrees away from the calibration: {ANEW}."
+    elif talk[0] is not None and talk[1] is not None and talk[1] > talk[0] + limits.cross_talk_slack:
+        refusal = f"It would answer more to other joints ({percent(talk[0])} before, {percent(talk[1])} after)."
+    return _Turn(old, unturned, unturned, refusal) if refusal else _Turn(weights, values, unturned, "")
+
+
+def _rates(evidence: _Evidence, joint: JointMap, gesture: Gesture, weights: Numbers) -> list[Numbers]:
+    """Return the gesture's rate (n,) in FS/s in each trial, computed with `weights`."""
+    return [
+        gesture.direction * rate_along(joint, weights, trial.values, trial.sample_rate, evidence.parameters.cutoff)
+        for trial in evidence.trials
+    ]
+
+
+def _thresholds(evidence: _Evidence, joint: JointMap, gesture: Gesture, loss: JointLoss, *, turns: bool) -> Thresholds:
+    """Return the thresholds after one limited step towards those that answer the loss.
+
+    While the direction `turns`, full waits: a direction beside the movement also makes it look weaker, and both steps
+    at once could be felt too much.
+    """
+    dead_zone = gesture.dead_zone if loss.dead_zone is None else loss.dead_zone
+    calibrated = evidence.calibrated.get(joint.name, joint)
+    full = gesture.full if loss.growth is None or turns else full_for(calibrated, gesture.full, loss.growth)
+    return step_thresholds(gesture, Thresholds(dead_zone, full))
+
+
+def _cross_talk(evidence: _Evidence, joint: JointMap, gesture: Gesture, weights: Numbers) -> float | None:
+    """Return the gesture's largest mean activation while another bound joint moves, over that while its own does."""
+    rates = _rates(evidence, joint, gesture, weights)
+    trials: Sequence[MappedTrial] = evidence.trials
+    activation = [np.clip((rate - gesture.dead_zone) / (gesture.full - gesture.dead_zone), 0.0, 1.0) for rate in rates]
+
+    def _mean(name: str) -> float | None:
+        values = np.concatenate([active[trial.own[name]] for active, trial in zip(activation, trials, strict=True)])
+        return float(values.mean()) if len(values) else None
+
+    own = _mean(joint.name)
+    others = [
+        value
+        for other in trials[0].own
+        if other != joint.name and gesture_of(evidence.parameters, other) and (value := _mean(other)) is not None
+    ]
+    return max(others) / max(own, 0.05) if own is not None and others else None
+
+
+def _reason(change: JointChange, refusal: str) -> str:
+    """Return one sentence on what is applied to a joint, and why its direction is not turned."""
+    clauses = ["the range in which its sensors are believed follows the shirt"] if change.range_moved else []
+    if change.angle_applied_deg:
+        proposed = change.angle_proposed_deg or 0.0
+        part = (
+            "" if proposed - change.angle_applied_deg < 0.05 else f" of the {proposed:.1f} that its movements ask for"
+        )
+        clauses.append(f"turned by {change.angle_applied_deg:.1f} degrees{part}")
+    for what, before, after in (
+        ("counts from", change.dead_zone_before, change.dead_zone_after),
+        ("full at", change.full_before, change.full_after),
+    ):
+        if before is not None and after is not None and before != after:
+            clauses.append(f"{what} {percent(after)} / s instead of {percent(before)} / s")
+    unturned = f"; the direction stays: {refusal[0].lower()}{refusal[1:-1]}" if refusal else ""
+    text = f"{'; '.join(clauses)}{unturned}."
+    return text[:1].upper() + text[1:]

@@ -1,8 +1,9 @@
 """The proposal of an adaptation as a document: the change of each joint, and the reasons."""
 
-from typing import Any, Literal
+from typing import Literal
 
 from app.calibration.vocabulary import DriveParameters
+from app.json_values import JsonDocument
 from app.quantities import Document
 
 Status = Literal["applied", "refused", "unchanged"]
@@ -41,5 +42,5 @@ class Proposal(Document):
     felt_change: float  # the largest of those applied
     warns: bool  # whether the felt change is 5 % or more
     parameters: DriveParameters | None  # None when nothing changes
-    difference: dict[str, Any]  # from the parent version, kept with the new version
+    difference: JsonDocument  # from the parent version, kept with the new version
     reason: str  # one sentence

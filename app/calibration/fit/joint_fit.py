@@ -1,7 +1,8 @@
-"""Fits the map of one joint: direction, sign, span, and dead-zone and full of its gesture."""
+"""Fits the map of one joint: direction, sign, span, dead-zone and full of its gesture, least steps that count."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,15 +20,31 @@ from app.calibration.fit.joint_evidence import (
 )
 from app.calibration.fit.pca import JointPCA, angle_between
 from app.calibration.fit.repetitions import Repetition
-from app.calibration.fit.step_size import LeastSteps, least_steps
 from app.calibration.gaps import Frames
 from app.calibration.grades import LARGEST_ANGLE
+from app.calibration.steps import STEEPNESS, steps_of
 
 REST_NOISE_FACTOR = 4.0
 SMALLEST_DEAD_ZONE = 0.15  # FS/s
 LARGEST_THRESHOLD = 99.0  # FS/s
 LEAST_RANGE = 0.1  # FS/s between dead-zone and full: less would make the gesture a switch
 SPAN_FACTOR = 1.25  # of the free movement's span: prompts that go further than this set the span
+LARGEST_STEP = 0.3  # FS
+QUIET_QUANTILE = 0.3  # quantile of the changes of a piece that is taken for its noise: people rest for that part of it
+STEP_NOISE_FACTOR = 4.5  # of the usual change within the time of a sudden step
+TREMOR_QUANTILE = 0.95  # quantile of the changes at rest: a large cycle of a tremor
+TREMOR_FACTOR = 2.0  # of the change of such a cycle within the time of a filtered step
+STEP_MARGIN = 1.2  # of the largest step of the calibration
+
+
+class LeastSteps(NamedTuple):
+    """The least steps (FS) of a joint that count."""
+
+    sudden: float
+    filtered: float
+
+
+SMALLEST_STEPS = LeastSteps(0.03, 0.06)  # smaller ones hardly drive
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +95,10 @@ def fit_joint(
     noise = min(rest_rate(quiet, sample_rate, at_rest=rest is not None), LARGEST_THRESHOLD)
     dead_zone = round(min(max(REST_NOISE_FACTOR * noise, SMALLEST_DEAD_ZONE), LARGEST_THRESHOLD), 4)
     if own:
-        rates = [rate_of(direction, one.values, scale, sample_rate)[with_lag(one, sample_rate)] for one in own]
+        rates = [
+            rate_of(direction, repetition.values, scale, sample_rate)[with_lag(repetition, sample_rate)]
+            for repetition in own
+        ]
     else:
         rates = [np.abs(rate_of(direction, free, scale, sample_rate))]
     reached = full_rate(rates, dead_zone)
@@ -105,9 +125,34 @@ def _prompted_direction(
     channels: tuple[int, ...], own: Sequence[Repetition], sample_rate: float
 ) -> NDArray[np.float64] | None:
     """Return PC1 (k,) of the prompted movements about their own means (because of drift); None for too few rows."""
-    moved = [one.values[with_lag(one, sample_rate)] for one in own]
+    moved = [repetition.values[with_lag(repetition, sample_rate)] for repetition in own]
     if sum(map(len, moved)) <= 3 * len(channels):
         return None
     pca = JointPCA(channels).fit(np.concatenate([piece - piece.mean(axis=0) for piece in moved]))
     direction: NDArray[np.float64] = pca.components_[0]
     return direction
+
+
+def least_steps(
+    channels: Sequence[int],
+    span: float,
+    free: Frames,
+    rest: Frames | None,
+    own: Sequence[Repetition],
+    sample_rate: float,
+) -> LeastSteps:
+    """Return the least steps of a joint, from frames (n, n_channels) of free movement, of rest, and of its prompts."""
+    least = list(SMALLEST_STEPS)
+    for piece in (free, rest, *(repetition.values for repetition in own)):
+        if piece is None:
+            continue
+        changes = [step / span for step in steps_of(piece[:, list(channels)], sample_rate)]
+        for kind, (after, at, before) in enumerate(changes):
+            steep = at[at > STEEPNESS * np.maximum(after, before)]
+            least[kind] = max(least[kind], STEP_MARGIN * float(steep.max(initial=0.0)))
+        (_, sudden, _), (_, filtered, _) = changes
+        if (piece is free or piece is rest) and len(sudden):  # nobody rests during prompts
+            least[0] = max(least[0], STEP_NOISE_FACTOR * float(np.quantile(sudden, QUIET_QUANTILE)))
+        if piece is rest and len(filtered):
+            least[1] = max(least[1], TREMOR_FACTOR * float(np.quantile(filtered, TREMOR_QUANTILE)))
+    return LeastSteps(*(round(min(step, LARGEST_STEP), 4) for step in least))

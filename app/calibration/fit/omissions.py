@@ -31,26 +31,32 @@ def channels_left_out(
     groups = layout.channels_of_joint
     pieces = [free] if rest is None else [free, rest]
     missing = {
-        i: words
+        i: reason
         for joint, indices in groups.items()
         for i in indices
-        if (words := why_missing([*pieces, *_values_of(joint, repetitions)], i, sample_rate))
+        if (reason := why_missing([*pieces, *_values_of(joint, repetitions)], i, sample_rate))
     }
     quality = _quality(
         groups,
         sample_rate,
         bridge_gaps(free, sample_rate),
         None if rest is None else bridge_gaps(rest, sample_rate),
-        [Repetition(one.joint, bridge_gaps(one.values, sample_rate), one.moving) for one in repetitions],
+        [
+            Repetition(repetition.joint, bridge_gaps(repetition.values, sample_rate), repetition.moving)
+            for repetition in repetitions
+        ],
         full_scale,
     )
-    for i, words in missing.items():
-        quality[i] = ChannelQuality("nan", words)
+    for i, reason in missing.items():
+        quality[i] = ChannelQuality("nan", reason)
     names = layout.channel_names
-    good = {i for i, one in enumerate(quality) if one.condition == "good" and names[i] not in unused}
+    good = {i for i, channel in enumerate(quality) if channel.condition == "good" and names[i] not in unused}
     poor = [i for group in groups.values() if not good.intersection(group) for i in group]
     if any(quality[i].condition == "nan" for i in poor):
-        moving = [Repetition(one.joint, _hold_few_missing(one.values), one.moving) for one in repetitions]
+        moving = [
+            Repetition(repetition.joint, _hold_few_missing(repetition.values), repetition.moving)
+            for repetition in repetitions
+        ]
         resting = None if rest is None else _hold_few_missing(rest)
         second = _quality(groups, sample_rate, _hold_few_missing(free), resting, moving, full_scale)
         for i in poor:
@@ -80,7 +86,7 @@ def _quality(
     quality = channel_quality(free, list(groups.values()), sample_rate, full_scale)
     if rest is not None:
         at_rest = channel_quality(rest, list(groups.values()), sample_rate, full_scale, moving=False)
-        quality = [worse_of(one, other) for one, other in zip(quality, at_rest, strict=True)]
+        quality = [worse_of(first, second) for first, second in zip(quality, at_rest, strict=True)]
     for joint, indices in groups.items():
         own = _values_of(joint, repetitions)
         if own:
@@ -93,7 +99,7 @@ def _quality(
 
 
 def _values_of(joint: str, repetitions: Sequence[Repetition]) -> list[Frames]:
-    return [one.values for one in repetitions if one.joint == joint]
+    return [repetition.values for repetition in repetitions if repetition.joint == joint]
 
 
 def _hold_few_missing(values: Frames) -> Frames:

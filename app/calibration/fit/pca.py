@@ -42,6 +42,6 @@ class JointPCA:
         return place
 
 
-def angle_between(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
+def angle_between(first: NDArray[np.float64], second: NDArray[np.float64]) -> float:
     """Return the angle (degrees, 0..90) between the lines along two unit vectors, whose signs do not matter."""
-    return float(np.degrees(np.arccos(min(1.0, abs(float(one @ other))))))
+    return float(np.degrees(np.arccos(min(1.0, abs(float(first @ second))))))

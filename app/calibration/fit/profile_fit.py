@@ -7,14 +7,19 @@ from numpy.typing import NDArray
 
 import app
 from app.calibration.clean_recording import CleanRecording
-from app.calibration.fit.channel_statistics import channel_noise, movement_covariance
 from app.calibration.fit.joint_evidence import cross_talk, signal_to_noise, with_lag
 from app.calibration.fit.joint_fit import FittedJoint, fit_joint
 from app.calibration.fit.repetitions import Repetition
+from app.calibration.gaps import Frames
 from app.calibration.grades import JointMeasurements, grade
 from app.calibration.linear_map import LinearMap
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.clock import utc_now
+
+NOISE_BLOCK = 0.5  # s
+QUIET_SHARE = 0.25  # of the blocks that are taken as free of movement: also free movement has its pauses
+SECOND_DIFFERENCE = 6.0  # variance of the second difference of white noise, in variances of the noise
+DIGITS = 6  # significant digits: more of them only make the document longer
 
 
 def fit_profile(recording: CleanRecording) -> CalibrationProfile:
@@ -44,8 +49,13 @@ def fit_profile(recording: CleanRecording) -> CalibrationProfile:
     matrix = _cross_talk(fitted, repetitions, sample_rate)
     pieces = [moved, *(repetition.values for repetition in repetitions)]
     joints = tuple(
-        _joint_map(name, fitted, matrix, len(layout.channels_of_joint[name]), resting is not None).model_copy(
-            update={"covariance": movement_covariance(channels[name], pieces)}
+        _joint_map(
+            name,
+            fitted,
+            matrix,
+            movement_covariance(channels[name], pieces),
+            len(layout.channels_of_joint[name]),
+            had_rest=resting is not None,
         )
         for name in fitted
     )
@@ -83,17 +93,25 @@ def _cross_talk(
     names = list(fitted)
     activation = np.zeros((len(names), len(names)))
     for row in prompted:
-        own = [one for one in repetitions if one.joint == names[row]]
+        own = [repetition for repetition in repetitions if repetition.joint == names[row]]
         for column in prompted:
             joint = fitted[names[column]]
-            rates = [joint.rate(one.values, sample_rate)[with_lag(one, sample_rate)] for one in own]
+            rates = [
+                joint.rate(repetition.values, sample_rate)[with_lag(repetition, sample_rate)] for repetition in own
+            ]
             above = (np.concatenate(rates) - joint.dead_zone) / (joint.full - joint.dead_zone)
             activation[row, column] = np.clip(above, 0.0, 1.0).mean()
     return cross_talk(activation)
 
 
 def _joint_map(
-    name: str, fitted: Mapping[str, FittedJoint], matrix: NDArray[np.float64] | None, channels: int, had_rest: bool
+    name: str,
+    fitted: Mapping[str, FittedJoint],
+    matrix: NDArray[np.float64] | None,
+    covariance: tuple[tuple[float, ...], ...],
+    channels: int,
+    *,
+    had_rest: bool,
 ) -> JointMap:
     joint = fitted[name]
     strongest = None
@@ -136,6 +154,37 @@ def _joint_map(
         ),
         step=joint.steps.sudden,
         filtered_step=joint.steps.filtered,
+        covariance=covariance,
         grade=letter,
         reason=reason,
     )
+
+
+def movement_covariance(channels: Sequence[int], pieces: Sequence[Frames]) -> tuple[tuple[float, ...], ...]:
+    """Return the covariance (k, k) of channels over pieces (n, n_channels), each about its own mean.
+
+    From it follows what a channel that breaks later would show (`app/pipeline/channel_substitution.py`). Signals drift
+    from piece to piece, and that is no movement.
+    """
+    used = [piece[:, list(channels)] for piece in pieces if len(piece)]
+    centred = [piece - piece.mean(axis=0) for piece in used]
+    rows = np.concatenate(centred)
+    covariance = rows.T @ rows / len(rows)
+    return tuple(tuple(_rounded(value) for value in row) for row in np.maximum(covariance, covariance.T).tolist())
+
+
+def channel_noise(values: Frames, sample_rate: float) -> tuple[float, ...]:
+    """Return the standard deviation of the noise of each channel in frames (n, n_channels), from its quietest quarter.
+
+    A channel that is later much quieter than its noise is stuck (`app/pipeline/channel_health.py`). Second differences
+    leave drift and slow movement out. In oversampled signals they understate the noise, so that fewer channels count as
+    stuck.
+    """
+    length = min(len(values), max(5, round(NOISE_BLOCK * sample_rate)))
+    blocks = values[: len(values) // length * length].reshape(-1, length, values.shape[1])
+    deviation = np.sqrt((np.diff(blocks, n=2, axis=1) ** 2).mean(axis=1) / SECOND_DIFFERENCE)
+    return tuple(_rounded(value) for value in np.quantile(deviation, QUIET_SHARE, axis=0).tolist())
+
+
+def _rounded(value: float) -> float:
+    return float(f"{value:.{DIGITS}g}")

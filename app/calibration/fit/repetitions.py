@@ -57,12 +57,12 @@ def repetitions_of_run(
     sample_rate : float
         Hz.
     """
-    found = []
+    repetitions = []
     for index, prompt in enumerate(cues):
         rows = np.flatnonzero(cue == index)
         if prompt.kind == "move" and prompt.joint is not None and len(rows) > 1:
-            found.append(_cut(values, prompt.joint, int(rows[0]), int(rows[-1]) + 1, sample_rate))
-    return found
+            repetitions.append(_cut(values, prompt.joint, int(rows[0]), int(rows[-1]) + 1, sample_rate))
+    return repetitions
 
 
 def stretch_of_run(values: NDArray[np.floating], cue: NDArray[np.integer], cues: Sequence[Cue]) -> Stretch | None:
@@ -106,12 +106,12 @@ def repetitions_of_prompts(
     t: NDArray[np.float64], values: NDArray[np.floating], prompts: Sequence[Prompt], sample_rate: float
 ) -> list[Repetition]:
     """Return the repetitions of a table of prompts from one long recording; overlapping prompts count as one."""
-    found = []
+    repetitions = []
     for prompt in _merge_overlapping(prompts):
         first, last = np.searchsorted(t, (prompt.start, prompt.end))
         if last - first > 1:
-            found.append(_cut(values, prompt.joint, int(first), int(last), sample_rate))
-    return found
+            repetitions.append(_cut(values, prompt.joint, int(first), int(last), sample_rate))
+    return repetitions
 
 
 def _cut(values: NDArray[np.floating], joint: str, first: int, last: int, sample_rate: float) -> Repetition:

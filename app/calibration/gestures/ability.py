@@ -62,7 +62,13 @@ class Ability:
 def abilities(profile: CalibrationProfile, evidence: Evidence) -> list[Ability]:
     """Return the abilities of every joint of the profile in both directions, in the profile's order."""
     return [
-        _ability(evidence, joint, column, direction, [one for one in evidence.repetitions if one.joint == joint.name])
+        _ability(
+            evidence,
+            joint,
+            column,
+            direction,
+            [repetition for repetition in evidence.repetitions if repetition.joint == joint.name],
+        )
         for column, joint in enumerate(profile.joints)
         for direction in WAYS
     ]
@@ -71,7 +77,10 @@ def abilities(profile: CalibrationProfile, evidence: Evidence) -> list[Ability]:
 def _ability(
     evidence: Evidence, joint: JointMap, column: int, direction: Direction, own: Sequence[RepetitionRates]
 ) -> Ability:
-    windows = [(one.there, one.travel_there) if direction > 0 else (one.back, one.travel_back) for one in own]
+    windows = [
+        (repetition.there, repetition.travel_there) if direction > 0 else (repetition.back, repetition.travel_back)
+        for repetition in own
+    ]
     windows = [(rates, travel) for rates, travel in windows if len(rates)]
     rates = [direction * window[:, column] for window, _ in windows]
     # The prompts ask for the way there. No cue asks for a fast way back: there, the free movement is used as well.
@@ -118,10 +127,15 @@ class _Answer:
         )
 
 
-def _shares(answer: _Answer, joint: str, own: Sequence[Frames], made: Sequence[RepetitionRates]) -> dict[str, float]:
+def _shares(
+    answer: _Answer, joint: str, own: Sequence[Frames], repetitions: Sequence[RepetitionRates]
+) -> dict[str, float]:
     """Return the activation during whole repetitions of each other joint, as a share of that during its own."""
     if not own:
         return {}
     least = max(answer.seconds(own), LEAST_ACTIVATION)
-    others = dict.fromkeys(one.joint for one in made if one.joint != joint)
-    return {other: answer.seconds([one.whole for one in made if one.joint == other]) / least for other in others}
+    others = dict.fromkeys(repetition.joint for repetition in repetitions if repetition.joint != joint)
+    return {
+        other: answer.seconds([repetition.whole for repetition in repetitions if repetition.joint == other]) / least
+        for other in others
+    }

@@ -27,7 +27,7 @@ def predict(ability: Ability, all_abilities: Sequence[Ability], evidence: Eviden
     """Return false activations and hits to be expected of a gesture; None without rest and without repetitions."""
     first, second = _two_parts_of_rest(ability, evidence)
     quiet = rest_statistics([*first, *second], evidence.sample_rate)
-    others = [one.peaks for one in all_abilities if one.joint.name != ability.joint.name and len(one.rates) > 1]
+    others = [other.peaks for other in all_abilities if other.joint.name != ability.joint.name and len(other.rates) > 1]
     peaks = ability.peaks
     if quiet is None and not peaks:
         return None

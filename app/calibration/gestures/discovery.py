@@ -40,33 +40,33 @@ def discover(profile: CalibrationProfile, runs: Sequence[CuedRun]) -> Discovery:
     """
     evidence = gather_evidence(profile, runs)
     able = abilities(profile, evidence)
-    shares = {one.name: one.shares for one in able}
-    found = []
-    for one in able:
-        appears, brings = _companions(one.name, one.joint.name, shares)
-        found.append(
+    shares = {ability.name: ability.shares for ability in able}
+    gestures = []
+    for ability in able:
+        appears, brings = _companions(ability.name, ability.joint.name, shares)
+        gestures.append(
             _with_score(
                 FoundGesture(
-                    name=one.name,
-                    joint=one.joint.name,
-                    direction=one.direction,
-                    dead_zone=one.dead_zone,
-                    full=one.full,
-                    signal_to_noise=signal_to_noise(one.reached, evidence.noise_of(one.joint, one.column)),
-                    repeatability=repeatability(one.rates, evidence.sample_rate),
+                    name=ability.name,
+                    joint=ability.joint.name,
+                    direction=ability.direction,
+                    dead_zone=ability.dead_zone,
+                    full=ability.full,
+                    signal_to_noise=signal_to_noise(ability.reached, evidence.noise_of(ability.joint, ability.column)),
+                    repeatability=repeatability(ability.rates, evidence.sample_rate),
                     cross_talk=_larger(appears, brings),
-                    effort=one.effort,
+                    effort=ability.effort,
                     appears_with=appears,
                     brings=brings,
-                    prediction=predict(one, able, evidence),
+                    prediction=predict(ability, able, evidence),
                 )
             )
         )
-    return _discovery(profile, found, shares, "recordings", "")
+    return _discovery(profile, gestures, shares, "recordings", "")
 
 
-def discovery_from_profile(profile: CalibrationProfile, words: str) -> Discovery:
-    """Rank the gestures by the numbers in the profile where there are no recordings; `words` say why there are none.
+def discovery_from_profile(profile: CalibrationProfile, sentence: str) -> Discovery:
+    """Rank the gestures by the numbers in the profile where there are no recordings; `sentence` say why there are none.
 
     The profile knows the prompted direction only: its cross-talk is that of the prompted movements without the ways
     back, effort and prediction are unknown.
@@ -74,14 +74,14 @@ def discovery_from_profile(profile: CalibrationProfile, words: str) -> Discovery
     shares: dict[str, dict[str, float]] = {joint.name: {} for joint in profile.joints}
     if profile.cross_talk is not None:
         prompted = [(index, joint.name) for index, joint in enumerate(profile.joints) if joint.prompted]
-        for row, asked in prompted:
+        for row, cued in prompted:
             for column, answering in prompted:
                 if row != column:
-                    shares[answering][asked] = profile.cross_talk[row][column]
-    found = []
+                    shares[answering][cued] = profile.cross_talk[row][column]
+    gestures = []
     for joint in profile.joints:
         appears, brings = _companions(joint.name, joint.name, shares)
-        found.append(
+        gestures.append(
             _with_score(
                 FoundGesture(
                     name=joint.name,
@@ -97,7 +97,7 @@ def discovery_from_profile(profile: CalibrationProfile, words: str) -> Discovery
                 )
             )
         )
-    return _discovery(profile, found, shares, "profile", words)
+    return _discovery(profile, gestures, shares, "profile", sentence)
 
 
 def _with_score(gesture: FoundGesture) -> FoundGesture:
@@ -107,17 +107,17 @@ def _with_score(gesture: FoundGesture) -> FoundGesture:
 
 def _discovery(
     profile: CalibrationProfile,
-    found: Sequence[FoundGesture],
+    gestures: Sequence[FoundGesture],
     shares: Mapping[str, Shares],
     source: Literal["recordings", "profile"],
-    words: str,
+    sentence: str,
 ) -> Discovery:
     return Discovery(
         source=source,
-        words=words,
-        gestures=tuple(sorted(found, key=lambda gesture: -gesture.score)),
+        words=sentence,
+        gestures=tuple(sorted(gestures, key=lambda gesture: -gesture.score)),
         not_found=joints_without_map(profile),
-        suggestion=suggest_vocabulary(profile, found, shares),
+        suggestion=suggest_vocabulary(profile, gestures, shares),
     )
 
 
@@ -134,6 +134,6 @@ def _largest(shares: Shares) -> Companion | None:
     return Companion(joint=joint, share=shares[joint])
 
 
-def _larger(one: Companion | None, other: Companion | None) -> float | None:
-    known = [companion.share for companion in (one, other) if companion is not None]
-    return max(known) if known else None
+def _larger(first: Companion | None, second: Companion | None) -> float | None:
+    shares = [companion.share for companion in (first, second) if companion is not None]
+    return max(shares) if shares else None

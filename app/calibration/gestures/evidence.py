@@ -63,8 +63,8 @@ def gather_evidence(profile: CalibrationProfile, runs: Sequence[CuedRun]) -> Evi
         rates = np.diff(places, axis=0, prepend=places[:1]) * rate_of
         for column, joint in enumerate(profile.joints):
             if joint.map != "pca":
-                made = features(run.values[:, list(joint.channels)], rate_of)
-                rates[:, column] = made @ np.concatenate(joint.linear.parts)
+                readings = features(run.values[:, list(joint.channels)], rate_of)
+                rates[:, column] = readings @ np.concatenate(joint.linear.parts)
         for index, phase in enumerate(run.phases):
             _add_phase(evidence, profile, run.phases, index, phase, places, rates)
     return evidence
@@ -118,7 +118,9 @@ def _repetition_rates(
     last = min(len(rates), rows.stop + min(late, (rows.stop - rows.start + 1) // 2))
     end = last if back.stop == back.start else min(len(rates), back.stop + late)
     there, way_back = slice(rows.start, last), slice(back.start, end)
-    own = [index for index, one in enumerate(profile.joints) if one.name == joint]  # none when it has no map
+    own = [
+        index for index, joint_map in enumerate(profile.joints) if joint_map.name == joint
+    ]  # none when it has no map
     return RepetitionRates(
         joint,
         rates[there],

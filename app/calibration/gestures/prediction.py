@@ -48,7 +48,7 @@ def rest_statistics(pieces: Sequence[NDArray[np.float64]], sample_rate: float) -
     alike = 1.0
     for lag in range(1, max(2, round(CORRELATION_TIME * sample_rate))):
         products = [piece[lag:] * piece[:-lag] for piece in pieces if len(piece) > lag]
-        alike += 2.0 * (sum(float(one.sum()) for one in products) / count / noise**2) ** 2
+        alike += 2.0 * (sum(float(product.sum()) for product in products) / count / noise**2) ** 2
     return RestStatistics(noise, crossings, count / sample_rate, max(1.0, count / alike))
 
 
@@ -67,7 +67,7 @@ def false_per_minute(quiet: RestStatistics, dead_zone: float) -> float:
 def count_crossings(pieces: Sequence[NDArray[np.float64]], dead_zone: float) -> int:
     """Return how often the pieces (n,) of a rate cross `dead_zone` upwards; a piece that begins above it counts one."""
     above = [np.concatenate(([False], piece > dead_zone)) for piece in pieces]
-    return int(sum(np.count_nonzero(~one[:-1] & one[1:]) for one in above))
+    return int(sum(np.count_nonzero(~flags[:-1] & flags[1:]) for flags in above))
 
 
 def at_most_per_minute(counted: int, seconds: float) -> float | None:
@@ -108,7 +108,7 @@ def hit_probability(peaks: Sequence[float], level: float, others: Sequence[Seque
 def _usual_variance(others: Sequence[Sequence[float]]) -> float:
     """Return the variance of the logarithm of a peak within the other gestures' repetitions."""
     logs = [np.log(peaks) for peaks in others if len(peaks) > 1 and min(peaks) > 0]
-    freedom = sum(len(one) - 1 for one in logs)
+    freedom = sum(len(peaks) - 1 for peaks in logs)
     if not freedom:
         return USUAL_SPREAD**2
-    return sum(float(((one - one.mean()) ** 2).sum()) for one in logs) / freedom
+    return sum(float(((peaks - peaks.mean()) ** 2).sum()) for peaks in logs) / freedom

@@ -38,23 +38,23 @@ class _Costs:
     """
 
     def __init__(
-        self, profile: CalibrationProfile, found: Sequence[FoundGesture], shares: Mapping[str, Shares]
+        self, profile: CalibrationProfile, gestures: Sequence[FoundGesture], shares: Mapping[str, Shares]
     ) -> None:
         repeated = {joint.name for joint in profile.joints if joint.has_to_be_repeated}
         self._shares = shares
         self._joints = [joint.name for joint in profile.joints]
         self._matrix = profile.cross_talk
         self._alone: dict[str, float] = {}
-        for gesture in found:
+        for gesture in gestures:
             of_limits = ratios(gesture)
             alone = math.fsum(of_limits.values()) - of_limits["cross_talk"]
             self._alone[gesture.name] = alone / len(of_limits) + REPEAT_PENALTY * (gesture.joint in repeated)
 
-    def together(self, one: FoundGesture, other: FoundGesture) -> float:
+    def together(self, first: FoundGesture, second: FoundGesture) -> float:
         """Return the larger share of one joint's activation during the other's prompts, of which the grades warn."""
         if self._matrix is None:
             return 0.0
-        row, column = self._joints.index(one.joint), self._joints.index(other.joint)
+        row, column = self._joints.index(first.joint), self._joints.index(second.joint)
         return max(self._matrix[row][column], self._matrix[column][row])
 
     def is_allowed(self, chosen: Sequence[FoundGesture]) -> bool:
@@ -63,23 +63,23 @@ class _Costs:
 
     def cross_talk(self, chosen: Sequence[FoundGesture]) -> float | None:
         """Return the mean cross-talk among the chosen gestures, None when it is unknown."""
-        known = [
-            self._shares[one.name][other.joint]
-            for one in chosen
+        shares = [
+            self._shares[gesture.name][other.joint]
+            for gesture in chosen
             for other in chosen
-            if other.joint in self._shares[one.name]
+            if other.joint in self._shares[gesture.name]
         ]
-        return math.fsum(known) / len(known) if known else None
+        return math.fsum(shares) / len(shares) if shares else None
 
     def of(self, chosen: Sequence[FoundGesture]) -> float:
         """Return the cost of the chosen gestures."""
-        alone = math.fsum(self._alone[one.name] for one in chosen) / len(chosen)
+        alone = math.fsum(self._alone[gesture.name] for gesture in chosen) / len(chosen)
         mutual = self.cross_talk(chosen)
         return alone + (1.0 if mutual is None else min(mutual / CROSS_TALK_LIMIT, WORST_RATIO)) / 4.0
 
 
 def suggest_vocabulary(
-    profile: CalibrationProfile, found: Sequence[FoundGesture], shares: Mapping[str, Shares]
+    profile: CalibrationProfile, gestures: Sequence[FoundGesture], shares: Mapping[str, Shares]
 ) -> SuggestedVocabulary:
     """Return the two pairs of gestures with the lowest cost, that for u1 first, and the stop.
 
@@ -90,7 +90,7 @@ def suggest_vocabulary(
     which one comes with the other, beyond the limit of the grades, are never both bound: rather fewer than four are.
     """
     prompted = {joint.name for joint in profile.joints if joint.prompted}
-    candidates = [one for one in found if one.joint in prompted] or list(found)
+    candidates = [gesture for gesture in gestures if gesture.joint in prompted] or list(gestures)
     costs = _Costs(profile, candidates, shares)
     chosen = _choose_gestures(profile, candidates, costs)
     controls: tuple[Control, ...] = ("u1+", "u1-", "u2+", "u2-")
@@ -100,7 +100,7 @@ def suggest_vocabulary(
     if len(chosen) > 1:
         bindings.append(Binding(control="stop", gestures=(chosen[0].name, chosen[1].name)))
     return SuggestedVocabulary(
-        gestures=_gestures(found, chosen),
+        gestures=_gestures(gestures, chosen),
         bindings=tuple(bindings),
         reason=_reason_of(chosen, costs.cross_talk(chosen)) + _left_out(candidates, chosen, costs),
     )
@@ -112,18 +112,20 @@ def _choose_gestures(
     """Return at most four gestures in the order u1+, u1-, u2+, u2-, no two of one joint."""
     order = [joint.name for joint in profile.joints]
     better = {
-        joint: min((one for one in candidates if one.joint == joint), key=lambda one: costs.of([one]))
+        joint: min(
+            (gesture for gesture in candidates if gesture.joint == joint), key=lambda gesture: costs.of([gesture])
+        )
         for joint in order
-        if any(one.joint == joint for one in candidates)
+        if any(gesture.joint == joint for gesture in candidates)
     }
     sizes = range(min(len(better), 4), 0, -1)
     allowed = ([some for some in combinations(better.values(), size) if costs.is_allowed(some)] for size in sizes)
     sets = next(filter(None, allowed), [()])
     mirrored = [pair for pair in combinations(candidates, 2) if _is_mirrored(*pair) and costs.is_allowed(pair)]
     pairs_of_pairs = [
-        (*one, *other)
-        for one, other in combinations(mirrored, 2)
-        if not _joints(one) & _joints(other) and costs.is_allowed((*one, *other))
+        (*first, *second)
+        for first, second in combinations(mirrored, 2)
+        if not _joints(first) & _joints(second) and costs.is_allowed((*first, *second))
     ]
     chosen = sets[0] if len(sets) == 1 else _cheapest(sets, costs)
     if pairs_of_pairs:
@@ -132,86 +134,96 @@ def _choose_gestures(
             chosen = mirror
     if len(chosen) < 4:
         return list(chosen)
-    one, other = (chosen[0], chosen[1]), (chosen[2], chosen[3])
-    if FORWARD_PART in other[0].joint and FORWARD_PART not in one[0].joint:
-        one, other = other, one
-    return [*_right_first(one), *_right_first(other)]
+    first, second = (chosen[0], chosen[1]), (chosen[2], chosen[3])
+    if FORWARD_PART in second[0].joint and FORWARD_PART not in first[0].joint:
+        first, second = second, first
+    return [*_right_first(first), *_right_first(second)]
 
 
 def _cheapest(sets: Sequence[Sequence[FoundGesture]], costs: _Costs) -> Sequence[FoundGesture]:
     """Return the set of lowest cost; of nearly equal ones the first, as layouts name their main joints first."""
-    all_costs = [costs.of(one) for one in sets]
+    all_costs = [costs.of(gestures) for gestures in sets]
     enough = min(all_costs) + EQUAL_COST
-    return next(one for one, cost in zip(sets, all_costs, strict=True) if cost <= enough)
+    return next(gestures for gestures, cost in zip(sets, all_costs, strict=True) if cost <= enough)
 
 
 def _joints(pair: Pair) -> set[str]:
     return {gesture.joint for gesture in pair}
 
 
-def _is_mirrored(one: FoundGesture, other: FoundGesture) -> bool:
-    sides = {one.joint.partition("_")[0], other.joint.partition("_")[0]}
-    parts = {one.joint.partition("_")[2], other.joint.partition("_")[2]}
-    return sides == {"left", "right"} and len(parts) == 1 and one.direction == other.direction
+def _is_mirrored(first: FoundGesture, second: FoundGesture) -> bool:
+    sides = {first.joint.partition("_")[0], second.joint.partition("_")[0]}
+    parts = {first.joint.partition("_")[2], second.joint.partition("_")[2]}
+    return sides == {"left", "right"} and len(parts) == 1 and first.direction == second.direction
 
 
 def _right_first(pair: Pair) -> Pair:
     return (pair[1], pair[0]) if pair[1].joint.startswith("right") else pair
 
 
-def _gestures(found: Sequence[FoundGesture], chosen: Sequence[FoundGesture]) -> tuple[Gesture, ...]:
+def _gestures(gestures: Sequence[FoundGesture], chosen: Sequence[FoundGesture]) -> tuple[Gesture, ...]:
     """Return the bound gestures and, as far as there is room, the prompted direction of every other joint."""
     bound = {gesture.name for gesture in chosen}
-    others = [gesture for gesture in found if gesture.direction == 1 and gesture.name not in bound]
-    kept = bound | {gesture.name for gesture in others[: MAX_GESTURES - len(bound)]}
+    others = [gesture for gesture in gestures if gesture.direction == 1 and gesture.name not in bound]
+    names = bound | {gesture.name for gesture in others[: MAX_GESTURES - len(bound)]}
     return tuple(
-        Gesture(name=one.name, joint=one.joint, direction=one.direction, dead_zone=one.dead_zone, full=one.full)
-        for one in found
-        if one.name in kept
+        Gesture(
+            name=gesture.name,
+            joint=gesture.joint,
+            direction=gesture.direction,
+            dead_zone=gesture.dead_zone,
+            full=gesture.full,
+        )
+        for gesture in gestures
+        if gesture.name in names
     )
 
 
 def _reason_of(chosen: Sequence[FoundGesture], cross_talk: float | None) -> str:
-    names = ", ".join(one.joint if one.direction == 1 else f"{one.joint} going back" for one in chosen)
-    weakest = min(one.signal_to_noise for one in chosen)
-    words = f"Suggested: {names}. The weakest of them has a {signal_word(weakest)} signal"
+    names = ", ".join(gesture.joint if gesture.direction == 1 else f"{gesture.joint} going back" for gesture in chosen)
+    weakest = min(gesture.signal_to_noise for gesture in chosen)
+    sentence = f"Suggested: {names}. The weakest of them has a {signal_word(weakest)} signal"
     if len(chosen) == 1:
-        words += "."
+        sentence += "."
     elif cross_talk is None:
-        words += "; nothing was prompted, so it is not known what moves along."
+        sentence += "; nothing was prompted, so it is not known what moves along."
     else:
-        words += f"; on average {percent(cross_talk)} of another's activation appears while one moves."
-    return words + _forecast(chosen)
+        sentence += f"; on average {percent(cross_talk)} of another's activation appears while one moves."
+    return sentence + _forecast(chosen)
 
 
 def _left_out(candidates: Sequence[FoundGesture], chosen: Sequence[FoundGesture], costs: _Costs) -> str:
     """Return sentences on the joints that come with a chosen gesture, when fewer than four could be chosen."""
     if len(chosen) >= 4:
         return ""
-    words = ""
-    for joint in dict.fromkeys(one.joint for one in candidates):
-        if all(one.joint != joint for one in chosen):
-            gestures = [one for one in candidates if one.joint == joint]
-            share, partner = min(max((costs.together(one, other), other.joint) for other in chosen) for one in gestures)
-            words += f" {joint} is left out: it comes with {partner} ({percent(min(share, 9.99))} of its activation)."
-    return words
+    sentences = ""
+    for joint in dict.fromkeys(gesture.joint for gesture in candidates):
+        if all(gesture.joint != joint for gesture in chosen):
+            gestures = [gesture for gesture in candidates if gesture.joint == joint]
+            share, partner = min(
+                max((costs.together(gesture, other), other.joint) for other in chosen) for gesture in gestures
+            )
+            sentences += (
+                f" {joint} is left out: it comes with {partner} ({percent(min(share, 9.99))} of its activation)."
+            )
+    return sentences
 
 
 def _forecast(chosen: Sequence[FoundGesture]) -> str:
     """Return sentences on the predicted hit rate and false activations, and on the bound that the rest proves."""
-    forecasts = [one.prediction for one in chosen if one.prediction is not None]
-    hits = [one.hit_rate for one in forecasts if one.hit_rate is not None]
-    rates = [one.false_per_minute for one in forecasts if one.false_per_minute is not None]
-    bounds = [one.counted_at_most for one in forecasts if one.counted_at_most is not None]
-    words = ""
+    forecasts = [gesture.prediction for gesture in chosen if gesture.prediction is not None]
+    hits = [forecast.hit_rate for forecast in forecasts if forecast.hit_rate is not None]
+    rates = [forecast.false_per_minute for forecast in forecasts if forecast.false_per_minute is not None]
+    bounds = [forecast.counted_at_most for forecast in forecasts if forecast.counted_at_most is not None]
+    sentences = ""
     if hits:
-        words += f" At least {math.floor(100 * min(hits))} of 100 movements should be answered."
+        sentences += f" At least {math.floor(100 * min(hits))} of 100 movements should be answered."
     if rates:
         together = math.fsum(rates)
         expected = f"{together:.1f}" if together >= LEAST_SAID else f"fewer than {LEAST_SAID:g}"
-        seconds = min(one.rest_seconds for one in forecasts)
-        words += (
+        seconds = min(forecast.rest_seconds for forecast in forecasts)
+        sentences += (
             f" At rest, {expected} false activations a minute are expected of all of them together; "
             f"{seconds:.0f} s of rest prove only fewer than {max(bounds):.0f} of each (95 %)."
         )
-    return words
+    return sentences

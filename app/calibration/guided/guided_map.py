@@ -89,7 +89,7 @@ def with_guided_maps(profile: CalibrationProfile, recording: CleanRecording) -> 
 
 def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | None, sample_rate: float) -> LinearMap:
     """Return the guided map of one joint, or raise GuidedMapError."""
-    pieces = [_piece(joint, one, sample_rate) for one in stretches]
+    pieces = [_piece(joint, stretch, sample_rate) for stretch in stretches]
     count = sum(len(piece.cued) for piece in pieces)
     if not joint.prompted or count == 0:
         raise GuidedMapError(
@@ -136,14 +136,14 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
 
 
 def _piece(joint: JointMap, stretch: Stretch, sample_rate: float) -> _Piece:
-    made = features(stretch.values[:, list(joint.channels)], sample_rate)
+    readings = features(stretch.values[:, list(joint.channels)], sample_rate)
     return _Piece(
-        features=made,
-        pca=made[:, : len(joint.channels)] @ np.array(joint.pca.rates[0]),
+        features=readings,
+        pca=readings[:, : len(joint.channels)] @ np.array(joint.pca.rates[0]),
         cued=tuple(
-            CuedMovement(one.start, one.stop)
-            for one in stretch.moving
-            if one.stop - one.start >= SHORTEST_CUE * sample_rate
+            CuedMovement(movement.start, movement.stop)
+            for movement in stretch.moving
+            if movement.stop - movement.start >= SHORTEST_CUE * sample_rate
         ),
     )
 
@@ -155,8 +155,8 @@ def _training_rows(
     label, repetition, before = [], [], 0
     for piece, own in zip(pieces, lags, strict=True):
         label.append(labels(piece.pca, piece.cued, own, sample_rate))
-        starts = [one.start + lag for one, lag in zip(piece.cued, own, strict=True)]
-        edges = [_middle_of_pause(label[-1], one, start) for one, start in pairwise(starts)]
+        starts = [movement.start + lag for movement, lag in zip(piece.cued, own, strict=True)]
+        edges = [_middle_of_pause(label[-1], start, following) for start, following in pairwise(starts)]
         repetition.append(before + np.searchsorted(np.array(edges, dtype=np.int_), np.arange(len(piece.pca)), "right"))
         before += len(piece.cued)
     parts = [piece.features for piece in pieces]

@@ -51,9 +51,9 @@ def lags_of(rate: Array, cued: Sequence[CuedMovement], sample_rate: float) -> li
         return fits
 
     scores = []
-    for one in cued:
-        back = one.stop + round(WAY_BACK * (one.stop - one.start))
-        score = 2.0 * at(one.stop + lags) - at(one.start + lags) - at(back + lags)
+    for movement in cued:
+        back = movement.stop + round(WAY_BACK * (movement.stop - movement.start))
+        score = 2.0 * at(movement.stop + lags) - at(movement.start + lags) - at(back + lags)
         scores.append(score / max(float(np.abs(score).max()), np.finfo(float).tiny))
     common = np.sum(scores, axis=0)
     common[(lags < EARLIEST * sample_rate) | (lags > LATEST * sample_rate)] = -np.inf
@@ -69,15 +69,18 @@ def labels(rate: Array, cued: Sequence[CuedMovement], lags: Sequence[int], sampl
     fall is more than twice the first one: then the person held the posture for a while.
     """
     place = np.concatenate(([0.0], np.cumsum(rate)))
-    moved = [(max(0, one.start + lag), min(len(rate), one.stop + lag)) for one, lag in zip(cued, lags, strict=True)]
-    found = np.zeros(len(rate), dtype=np.int8)
-    for (_, stop), one, following in zip(moved, cued, [*moved[1:], (len(rate), 0)], strict=True):
-        length = round(WAY_BACK * (one.stop - one.start))
+    moved = [
+        (max(0, movement.start + lag), min(len(rate), movement.stop + lag))
+        for movement, lag in zip(cued, lags, strict=True)
+    ]
+    label = np.zeros(len(rate), dtype=np.int8)
+    for (_, stop), movement, following in zip(moved, cued, [*moved[1:], (len(rate), 0)], strict=True):
+        length = round(WAY_BACK * (movement.stop - movement.start))
         last = min(following[0] - length, stop + round(LONGEST_HOLD * sample_rate))
         starts = np.arange(stop, max(stop, last) + 1)
         falls = place[np.minimum(starts, len(rate))] - place[np.minimum(starts + length, len(rate))]
         start = stop if falls[0] >= AT_ONCE * falls.max() else int(starts[falls.argmax()])
-        found[start : min(start + length, following[0])] = -1
+        label[start : min(start + length, following[0])] = -1
     for start, stop in moved:
-        found[start:stop] = 1
-    return found
+        label[start:stop] = 1
+    return label

@@ -19,11 +19,11 @@ from app.calibration.prior.scale import log_ranges
 from app.signals.smoothing import smooth
 
 LARGEST_CORRELATION = 0.999  # keeps atanh finite
-SMALLEST_DEVIATION = 0.05  # of log ranges and of atanh of correlations: people differ by more than a few of them show
+SMALLEST_DEVIATION = 0.05  # of log ranges and of atanh of correlations: a few people differ less than all people do
 PAIR_WEIGHT = 0.5
 LARGEST_SQUARE = 16.0  # of a difference in deviations: one sensor that hardly moves does not decide about the others
-# By how much a mirrored ring must be more like other people's: a ring turned about its middle sensor looks much like
-# itself. On the real knit, right ones were more like a mirrored one by up to 11.
+# Cost added to each mirrored arrangement: a ring mirrored about its middle sensor is similar to itself. On the real
+# knit, the cost of rings that were not mirrored was lower by up to 11 when they were taken as mirrored.
 MIRROR_MARGIN = 15.0
 
 Array = NDArray[np.float64]

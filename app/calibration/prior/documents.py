@@ -159,7 +159,7 @@ class ReleasedPeople(PriorPart):
     def without(self, code: str) -> Self:
         """Return the codes without one."""
         joints, rings = (
-            {name: tuple(one for one in codes if one != code) for name, codes in part.items()}
+            {name: tuple(other for other in codes if other != code) for name, codes in part.items()}
             for part in (self.joints, self.rings)
         )
         return type(self)(joints=joints, rings=rings)
@@ -198,7 +198,7 @@ class OwnPrior(PriorPart):
 
     def without_person(self, code: str) -> "OwnPrior":
         """Return the prior as if this person had never been added."""
-        people = {name: one for name, one in self.people.items() if name != code}
+        people = {name: entry for name, entry in self.people.items() if name != code}
         return self.model_copy(update={"people": people, "released": self.released.without(code)})
 
 
@@ -227,12 +227,14 @@ PriorDocument = Annotated[OwnPrior | ReleasedPrior, Field(discriminator="kind")]
 
 
 def fitting_part(entry: PersonEntry, profile: CalibrationProfile) -> PersonEntry | None:
-    """Return the entry without each joint, and each ring, that sits otherwise than on other people.
+    """Return the entry without each ring whose detected arrangement differs from other people's, and without its joint.
 
-    The sensors of such a ring lie where other people have other sensors, or look so. None when nothing is left.
+    The sensors of such a ring lie where other people have other sensors. None when no joint is left.
     """
-    sits = {joint.name: {**joint.prior.arrangement, **joint.prior.as_worn} for joint in profile.joints if joint.prior}
-    turned = {joint: rings for joint, rings in sits.items() if rings}
+    arrangements = {
+        joint.name: {**joint.prior.arrangement, **joint.prior.as_worn} for joint in profile.joints if joint.prior
+    }
+    turned = {joint: rings for joint, rings in arrangements.items() if rings}
     joints = {name: joint for name, joint in entry.joints.items() if name not in turned}
     out = {ring for rings in turned.values() for ring in rings}
     rings = {name: ring for name, ring in entry.rings.items() if name not in out}

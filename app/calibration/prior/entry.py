@@ -24,15 +24,15 @@ def person_entry(recordings: Sequence[CleanRecording]) -> PersonEntry:
         One sentence: a recording is too short, or no joint was prompted and has a channel that can be used.
     """
     layout = recordings[0].layout
-    started = [first_movement(one.free, one.sample_rate) for one in recordings]
-    for one, free in zip(recordings, started, strict=True):
+    started = [first_movement(recording.free, recording.sample_rate) for recording in recordings]
+    for recording, free in zip(recordings, started, strict=True):
         if free is None:
             raise ValueError(
-                f"there are {len(one.free) / one.sample_rate:.1f} s of movement, and the scale of the channels needs "
-                f"{MOVEMENT:g} s: record longer"
+                f"there are {len(recording.free) / recording.sample_rate:.1f} s of movement, "
+                f"and the scale of the channels needs {MOVEMENT:g} s: record longer"
             )
     moved = [free for free in started if free is not None]
-    out = {name for one in recordings for name in one.left_out}
+    out = {name for recording in recordings for name in recording.left_out}
     joints = {}
     for joint, channels in layout.channels_of_joint.items():
         alive = np.array([layout.channels[i].name not in out for i in channels])
@@ -44,12 +44,12 @@ def person_entry(recordings: Sequence[CleanRecording]) -> PersonEntry:
     rings = {}
     for ring, sensors in layout.rings.items():
         if not any(layout.channels[i].name in out for i in sensors):
-            found = [
-                RingMoments.of(ring_movement(free[:, sensors], one.sample_rate))
-                for one, free in zip(recordings, moved, strict=True)
+            moments = [
+                RingMoments.of(ring_movement(free[:, sensors], recording.sample_rate))
+                for recording, free in zip(recordings, moved, strict=True)
             ]
             names = [layout.channels[i].name for i in sensors]
-            rings[ring] = RingDocument.of(total(found) * (1.0 / len(found)), names)
+            rings[ring] = RingDocument.of(total(moments) * (1.0 / len(moments)), names)
     return PersonEntry(recordings=len(recordings), joints=joints, rings=rings)
 
 
@@ -63,17 +63,17 @@ def _joint_entry(
     """Return what the recordings add to one joint; None when none of them prompts it."""
     used = [i for i, is_alive in zip(channels, alive, strict=True) if is_alive]
     logs, moments, seconds, strokes = [], [], 0.0, 0
-    for one, free in zip(recordings, moved, strict=True):
-        own = log_ranges(free[:, used], one.sample_rate)
+    for recording, free in zip(recordings, moved, strict=True):
+        own = log_ranges(free[:, used], recording.sample_rate)
         if not np.isfinite(own).all():
             continue
         frames = prompted_frames(
-            one.stretches_of(joint), used, scales(own, np.ones(len(used), np.bool_)), one.sample_rate
+            recording.stretches_of(joint), used, scales(own, np.ones(len(used), np.bool_)), recording.sample_rate
         )
         if frames is not None:
             logs.append(own)
             moments.append(Moments.of(frames.features, frames.label))
-            seconds += len(frames.label) / one.sample_rate
+            seconds += len(frames.label) / recording.sample_rate
             strokes += frames.repetitions
     if not moments:
         return None

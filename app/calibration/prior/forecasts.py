@@ -14,8 +14,8 @@ from app.calibration.gestures.cross_check import hit_level
 from app.calibration.gestures.prediction import hit_probability
 from app.calibration.guided.check import MARGIN, SHORTEST_REST, at_rest
 from app.calibration.linear_map import Forecast
+from app.calibration.prior.hit_uncertainty import deviation_of_hits
 from app.calibration.prior.moments import Moments
-from app.calibration.prior.prompting import deviation_of_hits
 from app.calibration.prior.solving import OwnFrames, solve
 from app.calibration.script import REPETITIONS
 

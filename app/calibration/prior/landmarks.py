@@ -21,8 +21,8 @@ class Landmarks(NamedTuple):
 def landmarks(layout: ShirtLayout, ring: str) -> Landmarks:
     """Return where a ring has its front and its outer side, from `side` and `position` of its channels."""
     channels = [layout.channels[i] for i in layout.rings[ring]]
-    fronts = [one.side == "front" for one in channels if one.side is not None]
-    outward = [abs(one.position[0] - MIDDLE) for one in channels if one.position is not None]
+    fronts = [channel.side == "front" for channel in channels if channel.side is not None]
+    outward = [abs(channel.position[0] - MIDDLE) for channel in channels if channel.position is not None]
     return Landmarks(_direction(fronts, len(channels)), _direction(outward, len(channels)))
 
 

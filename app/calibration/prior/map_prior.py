@@ -96,14 +96,16 @@ class MapPrior:
 
 def sums_of(entries: Iterable[PersonEntry]) -> tuple[dict[str, JointPrior], dict[str, RingMoments]]:
     """Return the sums over people, per joint and per ring."""
-    found: dict[str, list[JointEntry]] = {}
+    joints_of_people: dict[str, list[JointEntry]] = {}
     rings: dict[str, list[RingMoments]] = {}
     for entry in entries:
         for name, joint in entry.joints.items():
-            found.setdefault(name, []).append(joint)
+            joints_of_people.setdefault(name, []).append(joint)
         for name, ring in entry.rings.items():
             rings.setdefault(name, []).append(ring.moments)
-    return {name: _sum(joints) for name, joints in found.items()}, {name: total(ring) for name, ring in rings.items()}
+    return {name: _sum(joints) for name, joints in joints_of_people.items()}, {
+        name: total(ring) for name, ring in rings.items()
+    }
 
 
 def union_of_people(documents: Iterable[PriorDocument]) -> OwnPrior:
@@ -132,15 +134,15 @@ def union_of_people(documents: Iterable[PriorDocument]) -> OwnPrior:
     return OwnPrior(layout=layout, people=people, released=released)
 
 
-def check_layout(one: ShirtLayout, other: ShirtLayout) -> None:
+def check_layout(first: ShirtLayout, second: ShirtLayout) -> None:
     """Raise PriorError when channels or joints of two layouts differ, or their rings where both have rings.
 
     Their names and pictures may differ.
     """
-    rings_differ = one.rings and other.rings and one.rings != other.rings
-    if layout_key(one) != layout_key(other) or rings_differ:
+    rings_differ = first.rings and second.rings and first.rings != second.rings
+    if layout_key(first) != layout_key(second) or rings_differ:
         raise PriorError(
-            f"the layouts '{one.name}' and '{other.name}' have other channels, joints or rings: each shirt needs a "
+            f"the layouts '{first.name}' and '{second.name}' have other channels, joints or rings: each shirt needs a "
             f"prior of its own"
         )
 
@@ -161,11 +163,11 @@ def _sum(entries: list[JointEntry]) -> JointPrior:
     logs = np.array([entry.logs for entry in entries])
     with np.errstate(invalid="ignore", divide="ignore"):
         expected = logs.sum(axis=0) / alive.sum(axis=0)
-    known = alive.sum(axis=0) > 0.0
+    used = alive.sum(axis=0) > 0.0
     parts = []
     for entry in entries:
         own = np.array(entry.alive)
-        level = float(expected[known].mean() - expected[own].mean())  # 0 when every channel could be used
+        level = float(expected[used].mean() - expected[own].mean())  # 0 when every channel could be used
         parts.append(entry.moments.moments.rescaled(np.full(len(own), np.exp(-level / 2.0))))
     return JointPrior(
         people=len(entries),

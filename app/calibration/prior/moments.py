@@ -45,7 +45,7 @@ class Moments:
         return cls(np.zeros((d, d)), np.zeros(d), np.zeros(d), np.zeros((d, d)))
 
     def __add__(self, other: Self) -> Self:
-        return type(self)(*(one + another for one, another in zip(self._parts, other._parts, strict=True)))
+        return type(self)(*(part + another for part, another in zip(self._parts, other._parts, strict=True)))
 
     def __mul__(self, share: float) -> Self:
         return type(self)(*(share * part for part in self._parts))

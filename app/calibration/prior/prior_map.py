@@ -39,29 +39,32 @@ class PriorFit(NamedTuple):
 
     profile: CalibrationProfile
     reasons: dict[str, str]  # joint without such a map -> why
-    arrangement: dict[str, Arrangement]  # every ring that could be compared -> how it sits
+    arrangement: dict[str, Arrangement]  # ring -> its detected arrangement
 
 
-class Sitting(NamedTuple):
-    """How the rings sit as far as their movement tells, and those of them that somebody is sure sit right."""
+class _Arrangements(NamedTuple):
+    """The arrangement that was detected for each ring, and the rings for which the clinician has overridden it."""
 
-    found: dict[str, Arrangement]
-    as_worn: frozenset[str]
+    detected: dict[str, Arrangement]
+    overridden: frozenset[str]
 
     @property
     def used(self) -> dict[str, Arrangement]:
-        """What a map goes by."""
-        return {ring: Arrangement() if ring in self.as_worn else sits for ring, sits in self.found.items()}
+        """The arrangements by which a map reads the sensors: that of the layout where it was overridden."""
+        return {
+            ring: Arrangement() if ring in self.overridden else arrangement
+            for ring, arrangement in self.detected.items()
+        }
 
     @property
-    def left(self) -> dict[str, Arrangement]:
-        """How the rings look that are left as worn."""
-        return {ring: sits for ring, sits in self.found.items() if ring in self.as_worn}
+    def unused(self) -> dict[str, Arrangement]:
+        """The detected arrangements that were overridden."""
+        return {ring: arrangement for ring, arrangement in self.detected.items() if ring in self.overridden}
 
 
 @dataclass(frozen=True, slots=True)
 class _UsedChannels:
-    """The person's channels that a joint's map reads, the prior's channel that each stands for, and their scales."""
+    """The person's channels that a joint's map reads, the channel of the prior for each, and their scales."""
 
     channels: tuple[int, ...]  # indices into a frame, of the channels that are used
     places: tuple[int, ...]  # indices into the prior's channels of this joint
@@ -70,9 +73,9 @@ class _UsedChannels:
 
 
 def find_arrangements(prior: MapPrior, free: Array, sample_rate: float) -> dict[str, Arrangement]:
-    """Return how each ring sits that other people are known for, from ten seconds of movement (n, n_channels).
+    """Return the arrangement of each ring that the prior has enough people for.
 
-    The movement is without gaps. Empty when there are fewer than ten seconds.
+    It is detected in the first ten seconds of `free` (n, n_channels), which has no gaps. Empty for a shorter movement.
     """
     start = first_movement(free, sample_rate)
     if start is None:
@@ -90,7 +93,7 @@ def with_prior_maps(
     recording: CleanRecording,
     as_worn: Collection[str] = (),
 ) -> PriorFit:
-    """Return the profile with a map from other people beside the PCA map of each joint that they are known for.
+    """Return the profile with a map from other people beside the PCA map of each joint that the prior has.
 
     The map that decodes is not changed: a person chooses it. Where a joint was not prompted, the sign of its PCA map is
     made that of other people's movement.
@@ -104,7 +107,7 @@ def with_prior_maps(
     recording : CleanRecording
         Of its free movement, ten seconds set the scale of the channels; its stretches are the own prompted movements.
     as_worn : collection of str
-        Rings that somebody is sure sit right: the map goes by the layout, however they look.
+        Rings whose detected arrangement the clinician has overridden: the map reads them as in the layout.
 
     Raises
     ------
@@ -112,13 +115,13 @@ def with_prior_maps(
         When the prior is of another layout.
     """
     check_layout(prior.layout, profile.layout)
-    found = find_arrangements(prior, recording.free, recording.sample_rate)
-    of_layout = {ring: sits for ring, sits in found.items() if ring in profile.layout.rings}
-    sitting = Sitting(of_layout, frozenset(as_worn))
+    arrangements = find_arrangements(prior, recording.free, recording.sample_rate)
+    of_layout = {ring: sits for ring, sits in arrangements.items() if ring in profile.layout.rings}
+    rings = _Arrangements(of_layout, frozenset(as_worn))
     joints, reasons = [], {}
     for joint in profile.joints:
         try:
-            joints.append(_joint(joint, prior, recording, sitting))
+            joints.append(_joint(joint, prior, recording, rings))
         except PriorMapError as error:
             joints.append(joint)
             reasons[joint.name] = str(error)
@@ -126,7 +129,7 @@ def with_prior_maps(
 
 
 def with_best_maps(profile: CalibrationProfile) -> CalibrationProfile:
-    """Return the profile with the map in use for each joint that its held-out repetitions speak for.
+    """Return the profile in which each joint is decoded by the map that its held-out repetitions favour.
 
     A joint that was never prompted is decoded by other people's map where there is one.
     """
@@ -138,7 +141,7 @@ def _joint(
     joint: JointMap,
     prior: MapPrior,
     recording: CleanRecording,
-    sitting: Sitting,
+    rings: _Arrangements,
 ) -> JointMap:
     """Return the joint with its map from other people, or raise PriorMapError."""
     people = prior.joints.get(joint.name)
@@ -149,7 +152,7 @@ def _joint(
             f"joint, and {FEWEST_PEOPLE} are needed."
         )
     rate, moved, layout = recording.sample_rate, recording.free, recording.layout
-    used = _used_channels(joint, people, moved, sitting.used, layout, rate)
+    used = _used_channels(joint, people, moved, rings.used, layout, rate)
     others = people.mean.of_channels(used.places)
     frames = prompted_frames(recording.stretches_of(joint.name), used.channels, used.scale, rate, others)
     weights = solve(others, rate, frames)
@@ -175,20 +178,20 @@ def _joint(
         people=people.people,
         repetitions=0 if frames is None else frames.repetitions,
         dropped=tuple(layout.channels[i].name for i in used.dropped),
-        arrangement=_of_joint(sitting.used, joint, layout),
-        as_worn=_of_joint(sitting.left, joint, layout),
+        arrangement=_of_joint(rings.used, joint, layout),
+        as_worn=_of_joint(rings.unused, joint, layout),
     )
     peaks = [peak * in_fs for peak in peaks]
-    found: dict[str, object] = {"hits": expected_hits(peaks, fitted.dead_zone, fitted.full, fitted.repetitions)}
+    update: dict[str, object] = {"hits": expected_hits(peaks, fitted.dead_zone, fitted.full, fitted.repetitions)}
     if frames is not None and held_out is not None:
         held_out = held_out * in_fs
         pca = frames.features @ by_pca
-        found |= {
+        update |= {
             "false_per_minute": expected_false(held_out, frames, fitted.dead_zone, rate),
             "check": _check(held_out, frames, fitted.dead_zone, fitted.full, rate),
             "pca_check": _check(pca, frames, joint.pca.dead_zone, full, rate),
         }
-    fitted = fitted.model_copy(update=found)
+    fitted = fitted.model_copy(update=update)
     reason = joint.reason.replace(UNPROMPTED, DIRECTED)
     return joint.model_copy(update={"prior": fitted, "reason": reason})
 
@@ -208,9 +211,9 @@ def _used_channels(
         members = layout.rings[ring]
         if members[0] in own:
             sensors[[own.index(i) for i in members]] = np.array(members)[sensors_at(arrangement, len(members))]
-    known = people.alive > 0.0
-    expected = np.where(known, people.expected, 0.0)
-    usable = known & np.isin(sensors, joint.channels)
+    used_by_others = people.alive > 0.0
+    expected = np.where(used_by_others, people.expected, 0.0)
+    usable = used_by_others & np.isin(sensors, joint.channels)
     start = first_movement(moved, sample_rate)
     logs = expected.copy()
     alive = usable.copy()
@@ -223,7 +226,7 @@ def _used_channels(
             "None of the sensors that other people are known for moves on this person: move freely for ten seconds."
         )
     level = expected.copy()
-    level[~known] = expected[known].mean()
+    level[~used_by_others] = expected[used_by_others].mean()
     return _UsedChannels(
         tuple(sensors[alive].tolist()),
         tuple(np.flatnonzero(alive).tolist()),
@@ -248,10 +251,12 @@ def _per_unit(weights: Array, used: _UsedChannels, joint: JointMap) -> Array:
 
 
 def _of_joint(arrangements: dict[str, Arrangement], joint: JointMap, layout: ShirtLayout) -> dict[str, Arrangement]:
-    """Return the rings of a joint that sit otherwise than on other people."""
+    """Return the arrangements of a joint's rings that differ from the layout."""
     own = layout.channels_of_joint[joint.name]
     return {
-        ring: found for ring, found in arrangements.items() if layout.rings[ring][0] in own and found != Arrangement()
+        ring: arrangement
+        for ring, arrangement in arrangements.items()
+        if layout.rings[ring][0] in own and arrangement != Arrangement()
     }
 
 

@@ -44,10 +44,10 @@ def release(documents: Iterable[PriorDocument]) -> Release:
     PriorError
         When the layouts differ, two own priors have different entries of one person, or no joint has eight people.
     """
-    given = list(documents)
-    sums = [MapPrior.of(one) for one in given if isinstance(one, ReleasedPrior)]
+    priors = list(documents)
+    sums = [MapPrior.of(document) for document in priors if isinstance(document, ReleasedPrior)]
     people, left_out = ReleasedPeople(), set[str]()
-    own_priors = [one for one in given if isinstance(one, OwnPrior)]
+    own_priors = [document for document in priors if isinstance(document, OwnPrior)]
     if own_priors:
         own = union_of_people(own_priors)
         people = _new_people(own)
@@ -91,8 +91,8 @@ def _sums_over(own: OwnPrior, people: ReleasedPeople) -> MapPrior:
     chosen = [
         entry.model_copy(
             update={
-                "joints": {name: one for name, one in entry.joints.items() if code in people.joints.get(name, ())},
-                "rings": {name: one for name, one in entry.rings.items() if code in people.rings.get(name, ())},
+                "joints": {name: part for name, part in entry.joints.items() if code in people.joints.get(name, ())},
+                "rings": {name: part for name, part in entry.rings.items() if code in people.rings.get(name, ())},
             }
         )
         for code, entry in own.people.items()

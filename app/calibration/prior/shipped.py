@@ -27,5 +27,5 @@ def shipped_prior(layout: ShirtLayout) -> ReleasedPrior | None:
 
 @cache
 def _shipped_priors(folder: Path) -> dict[tuple[tuple[str, str], ...], ReleasedPrior]:
-    found = [read_prior(file) for file in sorted(folder.glob("*.json"))]
-    return {layout_key(one.layout): one for one in found if isinstance(one, ReleasedPrior)}
+    priors = [read_prior(file) for file in sorted(folder.glob("*.json"))]
+    return {layout_key(prior.layout): prior for prior in priors if isinstance(prior, ReleasedPrior)}

@@ -17,15 +17,15 @@ from app.features.archive.archive_file import RUN_ID, OpenArchive, open_archive
 from app.features.archive.imported_patient import (
     HERE,
     earlier_import,
-    note_import,
     patient_of_rows,
     remove_replaced_rows,
     require_new,
     require_replaceable,
     runs_here,
+    store_import,
 )
 from app.features.archive.patient_rows import Rows, WrongRows, add_patient_rows, check_rows, patient_rows
-from app.features.archive.row_forms import first_words
+from app.features.archive.row_forms import first_error
 from app.features.archive.service import archive_steps, clinic_name, require_room_for
 from app.file_modes import OWNER_FOLDER
 from app.files import sync_folder
@@ -37,8 +37,8 @@ from app.recording.groups import read_in_groups
 from app.refusals import NO_ROOM, DiskFull, PatientHere
 from app.store.database import Database, Transaction
 from app.store.files.disk_watch import disk_room
-from app.store.files.passing_folder import passing_folder
 from app.store.files.replacements import archive_on_shelf
+from app.store.files.temporary_folders import temporary_folder
 from app.store.keeping.keeping_tables import PatientFile
 from app.store.log import write_log
 from app.visible_text import visible_line
@@ -78,7 +78,7 @@ def wrong_recording(folder: Path) -> str:
             if header is not None and many and rows["score"].shape[1] != len(header.gestures):
                 return f"{where} has other gestures than it names"
     except ValidationError as error:
-        return f"{where}, {first_words(error)}"
+        return f"{where}, {first_error(error)}"
     except (pa.ArrowException, OSError, ValueError, TypeError, KeyError, AttributeError, NotImplementedError):
         return f"{where} cannot be read"
     return ""
@@ -164,7 +164,7 @@ def import_archive(
         if disk_room(runs.parent).free < archive.recording_bytes(here) + ROOM_TO_RECORD:
             raise DiskFull(NO_ROOM)
         runs.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
-        with passing_folder(runs.parent, "import") if unpacked is None else nullcontext(unpacked) as folder:
+        with temporary_folder(runs.parent, "import") if unpacked is None else nullcontext(unpacked) as folder:
             folder.mkdir(mode=OWNER_FOLDER, exist_ok=True)
             archive.unpack_recordings(folder, here)
             wrong = next(filter(None, map(wrong_recording, sorted(folder.iterdir()))), "")
@@ -268,7 +268,7 @@ def _add_rows(
     for upload in uploads:
         upload.patient_id = patient_id
         db.add(upload)
-    note_import(db, patient_id, listed.hash, listed.clinic, person)
+    store_import(db, patient_id, listed.hash, listed.clinic, person)
     trials = sum(row["status"] == "done" and row["kept"] is True for row in rows["trial"])
     code = rows["patient"][0]["code"]
     details = {"archive": listed.hash, "sessions": len(rows["session"])} | ({"replaced": kept} if kept else {})

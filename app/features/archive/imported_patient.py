@@ -1,7 +1,7 @@
 """The patient of an archive in this clinic: who is here already, what forbids the import, and the replacement."""
 
 from datetime import UTC, datetime
-from typing import Any, Final
+from typing import Final
 
 from sqlalchemy import or_, select
 from sqlalchemy.orm import Session
@@ -11,8 +11,8 @@ from app.features.archive.patient_rows import Rows
 from app.refusals import Conflict
 from app.store.keeping.incidents import incident_of
 from app.store.keeping.keeping_tables import PatientFile
-from app.store.keeping.last_ids import note_last_ids
-from app.store.keeping.owned_rows import erase_rows, forget_in_lists, rows_of_patient
+from app.store.keeping.last_ids import store_last_ids
+from app.store.keeping.owned_rows import erase_rows, forget_in_lists, rows_of_patient, sqlite_connection
 from app.store.keeping.record_time import must_be_kept_until
 from app.store.origins import ImportedSession, PatientImport
 from app.store.schema import metadata
@@ -69,7 +69,7 @@ def require_new(db: Session, clinic_id: int, rows: Rows) -> None:
         raise Conflict(CODE_TAKEN.format(code=code))
 
 
-def note_import(db: Session, patient_id: int, archive: str, clinic: str, person: str) -> None:
+def store_import(db: Session, patient_id: int, archive: str, clinic: str, person: str) -> None:
     """Store that all sessions of a patient came with an archive of `clinic`."""
     row = PatientImport(patient_id=patient_id, archive=archive, clinic=clinic, person=person, at=utc_now())
     db.add(row)
@@ -109,10 +109,10 @@ def remove_replaced_rows(db: Session, patient_id: int) -> list[PatientFile]:
     """
     query = select(PatientFile).where(PatientFile.patient_id == patient_id)
     uploads = [PatientFile(name=row.name, current=row.current) for row in db.scalars(query)]
-    connection: Any = db.connection().connection.driver_connection
+    connection = sqlite_connection(db)
     tables = metadata()
     rows = rows_of_patient(connection, tables, patient_id)
-    note_last_ids(connection, tables, rows)
+    store_last_ids(connection, tables, rows)
     erase_rows(connection, tables, rows)
     forget_in_lists(connection, patient_id)
     db.expunge_all()

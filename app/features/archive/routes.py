@@ -24,7 +24,7 @@ from app.features.registration import report_for_archive
 from app.quantities import Document
 from app.refusals import NO_ROOM, DiskFull
 from app.store.files.disk_watch import disk_room
-from app.store.files.passing_folder import bytes_in, passing_folder
+from app.store.files.temporary_folders import bytes_in, temporary_folder
 
 FILE, RECORDINGS = "archive.zip", "recordings"  # in the folder of an import
 
@@ -161,7 +161,7 @@ async def bring_archive(
 
     For owners: a file of at most 8 GB. 422: no archive, damaged, or other rows.
     """
-    async with contextmanager_in_threadpool(passing_folder(parts.settings.state, "import")) as folder:
+    async with contextmanager_in_threadpool(temporary_folder(parts.settings.state, "import")) as folder:
         announced = request.headers.get("content-length", "")
         total = int(announced) if announced.isdecimal() else 0
         with web.of_feature(ImportCourses, ImportCourses).begun(who.person_id, folder, total) as course:

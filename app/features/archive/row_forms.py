@@ -8,7 +8,7 @@ import json
 from collections.abc import Mapping
 from datetime import UTC, date, datetime
 from functools import cache
-from typing import Annotated, Any, Final, Literal
+from typing import Annotated, Any, Final, Literal, TypeAlias
 
 from pydantic import AfterValidator, AwareDatetime, Field, TypeAdapter, ValidationError, create_model
 from sqlalchemy import Boolean, Column, Date, Float, Integer
@@ -17,6 +17,7 @@ from sqlalchemy import Table as SqlTable
 from app.calibration.adaptation.proposal_document import JointChange
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters, SetTitle
+from app.json_values import JsonDocument
 from app.layout import ShirtLayout
 from app.quantities import Count, Document, Finite, Line, Name, Note
 from app.scoring.control_quality import ControlQuality
@@ -28,6 +29,10 @@ from app.store.tables import DriveEnding, InterfaceTestEnding, Moment, TrialEndi
 from app.world.cursor_task import CursorPlan
 from app.world.floorplan import Polyline
 from app.world.path import Path
+
+SqlColumn: TypeAlias = Column[Any]
+Form: TypeAlias = Any
+"""An annotation of pydantic: a model, a `Literal`, an `Annotated` type. There is no type for these."""
 
 EARLIEST, LATEST = datetime(1970, 1, 2, tzinfo=UTC), datetime(2200, 1, 1, tzinfo=UTC)
 
@@ -49,7 +54,7 @@ def _line(points: Polyline) -> Polyline:
     return points
 
 
-def _joint_change(change: dict[str, Any]) -> dict[str, Any]:
+def _joint_change(change: JsonDocument) -> JsonDocument:
     """Check the change of a joint as `JointChange` has it, under the joint's name; fitted to a donning it has less."""
     whole = {"name": "joint", "status": "applied", "reason": "", **change}
     JointChange.model_validate_json(json.dumps(whole), strict=True)
@@ -74,7 +79,7 @@ class MapDifference(Document):
     """What a version of a map differs in from its parent."""
 
     felt_change: Finite | None = None
-    joints: dict[Name, Annotated[dict[str, Any], AfterValidator(_joint_change)]] | None = None
+    joints: dict[Name, Annotated[JsonDocument, AfterValidator(_joint_change)]] | None = None
     trials: tuple[Count, ...] | None = None
     by_itself: bool | None = None
     back_to: Count | None = None
@@ -85,14 +90,14 @@ Days = Annotated[date, AfterValidator(_day_of_this_age)]
 Hash = Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
 Status = Literal["running", "done"]
 
-BY_TYPE: Final[tuple[tuple[type, Any], ...]] = (
+BY_TYPE: Final[tuple[tuple[type, Form], ...]] = (
     (Boolean, bool),
     (Integer, Count),
     (Float, Finite),
     (Moment, Moments),
     (Date, Days),
 )
-FORMS: Final[dict[str, dict[str, Any]]] = {
+FORMS: Final[dict[str, dict[str, Form]]] = {
     "patient": {"code": Line, "pseudonym": Line, "adaptation": Literal["off", "suggest", "auto"]},
     "session": {
         "script": CalibrationUnderWay,
@@ -117,7 +122,7 @@ FORMS: Final[dict[str, dict[str, Any]]] = {
         "difference": MapDifference,
         "document": CalibrationProfile,
     },
-    "parameters": {"title": SetTitle, "settings": dict[str, Any], "hash": Hash},
+    "parameters": {"title": SetTitle, "settings": JsonDocument, "hash": Hash},
     "trial": {
         "floorplan": Name,
         "floorplan_title": Line,
@@ -140,31 +145,33 @@ FORMS: Final[dict[str, dict[str, Any]]] = {
 
 
 def wrong_value(
-    table: SqlTable, columns: list[Column[Any]], rows: list[dict[str, Any]], more: Mapping[str, Any]
+    table: SqlTable, columns: list[SqlColumn], rows: list[JsonDocument], feature_forms: Mapping[str, Form]
 ) -> str:
     """Say in half a sentence which value of these rows does not have its form; empty when all have.
 
-    `more`: forms of columns of a feature's table, as in FORMS.
+    `feature_forms`: forms of columns of a feature's table, as in FORMS.
     """
     try:
-        _form_of_rows(table.name, tuple(columns), tuple(more.items())).validate_json(json.dumps(rows), strict=True)
+        _form_of_rows(table.name, tuple(columns), tuple(feature_forms.items())).validate_json(
+            json.dumps(rows), strict=True
+        )
     except ValidationError as error:
         row = int(error.errors()[0]["loc"][0]) + 1
-        return f"row {row} of its table '{table.name}', {first_words(error, skip=1)}"
+        return f"row {row} of its table '{table.name}', {first_error(error, skip=1)}"
     return ""
 
 
-def first_words(error: ValidationError, *, skip: int = 0, before: str = "") -> str:
+def first_error(error: ValidationError, *, skip: int = 0, before: str = "") -> str:
     """Return the field of the first thing that is wrong, and what: `skip` parts of its place are left out."""
     first = error.errors(include_url=False, include_context=False, include_input=False)[0]
     field = ".".join(map(str, [*filter(None, [before]), *first["loc"][skip:]]))
-    words = first["msg"].removeprefix("Value error, ").removeprefix("Input ")
-    return f"'{field}': {words}" if field else words
+    message = first["msg"].removeprefix("Value error, ").removeprefix("Input ")
+    return f"'{field}': {message}" if field else message
 
 
-def wrong_versions(rows: dict[str, list[dict[str, Any]]]) -> str:
+def wrong_versions(rows: dict[str, list[JsonDocument]]) -> str:
     """Say which map or set of controls contradicts another one: every map comes from an earlier one, or from none."""
-    documents: dict[Any, Any] = {}
+    documents: dict[int, JsonDocument] = {}
     for place, row in enumerate(rows["profile"], start=1):
         before = (row["difference"] or {}).get("back_to")
         earlier = {other["version"] for other in rows["profile"] if other["version"] < row["version"]}
@@ -173,7 +180,7 @@ def wrong_versions(rows: dict[str, list[dict[str, Any]]]) -> str:
         if row["origin"] == "back" and before is None:
             return f"row {place} of its table 'profile' does not say which version it goes back to"
         documents[row["id"]] = row["document"]
-    current: set[Any] = set()
+    current: set[int] = set()
     for place, row in enumerate(rows["parameters"], start=1):
         where = f"row {place} of its table 'parameters'"
         if row["profile_id"] not in documents:
@@ -186,21 +193,25 @@ def wrong_versions(rows: dict[str, list[dict[str, Any]]]) -> str:
             whole = json.dumps({**row["settings"], "profile": documents[row["profile_id"]]})
             DriveParameters.model_validate_json(whole, strict=True)
         except ValidationError as error:
-            return f"{where}, {first_words(error, before='settings')}"
+            return f"{where}, {first_error(error, before='settings')}"
     return ""
 
 
 @cache
-def _form_of_rows(table: str, columns: tuple[Column[Any], ...], more: tuple[tuple[str, Any], ...]) -> TypeAdapter[Any]:
-    forms = FORMS.get(table, {}) | dict(more)
-    fields: dict[str, Any] = {one.name: (_form(one, forms.get(one.name, _by_type(one))), ...) for one in columns}
+def _form_of_rows(
+    table: str, columns: tuple[SqlColumn, ...], feature_forms: tuple[tuple[str, Form], ...]
+) -> TypeAdapter[Form]:
+    forms = FORMS.get(table, {}) | dict(feature_forms)
+    fields: dict[str, Any] = {
+        column.name: (_form(column, forms.get(column.name, _by_type(column))), ...) for column in columns
+    }
     row = create_model(table, __base__=Document, **fields)
     return TypeAdapter(list[row])
 
 
-def _form(column: Column[Any], form: Any) -> Any:
+def _form(column: SqlColumn, form: Form) -> Form:
     return form | None if column.nullable else form
 
 
-def _by_type(column: Column[Any]) -> Any:
+def _by_type(column: SqlColumn) -> Form:
     return next((form for kind, form in BY_TYPE if isinstance(column.type, kind)), Note)

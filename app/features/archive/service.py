@@ -32,7 +32,7 @@ from app.package import Step, entry
 from app.refusals import Conflict, DiskFull
 from app.store.consent import require_consent
 from app.store.database import Database
-from app.store.files.room_to_make import words_without_room
+from app.store.files.room_for_files import room_refusal
 from app.store.log import write_log
 from app.store.patients import find_patient
 from app.store.runs import run_ids
@@ -124,7 +124,7 @@ def archive_room(database: Database, clinic_id: int, patient_id: int, runs: Path
 def room_for(folders: list[Path], place: Path) -> ArchiveRoom:
     """Return whether an archive of the recordings in `folders` can be made in `place`: recording goes on beside it."""
     size = sum(file.stat().st_size for folder in folders for _, file in recorded_files(folder))
-    return ArchiveRoom(size, words_without_room("archive", size, place))
+    return ArchiveRoom(size, room_refusal("archive", size, place))
 
 
 def require_room_for(folders: list[Path], place: Path) -> None:

@@ -11,7 +11,7 @@ from app.scoring.verdict.spread import Spread, SpreadsOf
 from app.source import source_words
 from app.store.consent import require_consent
 from app.store.database import Database
-from app.store.files.room_to_make import words_without_room
+from app.store.files.room_for_files import room_refusal
 from app.store.learning_trials import counted_trials
 from app.store.log import write_log
 from app.store.patients import find_patient
@@ -93,7 +93,7 @@ def exported_material(
 
 def _require_room(found: list[RecordedRun], place: Path) -> None:
     size = sum(file.stat().st_size for run in found for file in run.folder.glob("*"))
-    words = words_without_room("export", LARGEST * size, place)
+    words = room_refusal("export", LARGEST * size, place)
     if words:
         raise DiskFull(words)
 

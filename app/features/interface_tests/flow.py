@@ -4,7 +4,6 @@ import asyncio
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +16,7 @@ from app.features.interface_tests.service import (
     next_number,
 )
 from app.refusals import Conflict
-from app.session.run_flow import CurrentRun, FlowWords, RunFlow
+from app.session.run_flow import CurrentRun, FlowMessages, RunFigures, RunFlow
 from app.session.run_watch import Starter
 from app.session.runs import SessionRun
 from app.store.log import write_log
@@ -29,14 +28,14 @@ SILENT = 2.0  # s without a frame of the shirt, after which a test ends: the cur
 
 
 class InterfaceTestWatch:
-    """Takes the ticks of one interface test, in order, and moves the cursor that the screens show."""
+    """Follows the ticks of one interface test, in order, and moves the cursor that the screens show."""
 
     def __init__(self, plan: CursorPlan) -> None:
         self.task = CursorTask(plan)
         self._frame_t: float | None = None
 
-    def take(self, ticks: NDArray[np.void]) -> InterfaceTestEnding | None:
-        """Take the newest ticks (`app.messages.TICK`) of the run; return how the test ended, None while it goes on."""
+    def update(self, ticks: NDArray[np.void]) -> InterfaceTestEnding | None:
+        """Follow the newest ticks (`app.messages.TICK`) of the run; return how it ended, None while it goes on."""
         for tick in ticks:
             t = float(tick["t"])
             if tick["has_frame"] or self._frame_t is None:
@@ -61,7 +60,7 @@ class RunningInterfaceTest(CurrentRun):
 class InterfaceTestFlow(RunFlow[RunningInterfaceTest]):
     """Starts one interface test at a time and follows it to its measures. The gate stays disarmed."""
 
-    words = FlowWords(
+    messages = FlowMessages(
         event="test",
         running="The two-minute test is running: end it first",
         to_start="start the two-minute test",
@@ -99,7 +98,7 @@ class InterfaceTestFlow(RunFlow[RunningInterfaceTest]):
             write_log(db, who.name, "test started", test=test.id, parameters=parameters_id)
             return RunningInterfaceTest(test.id, who.person_id, who.screen, run, InterfaceTestWatch(plan))
 
-    async def _measure(self, current: RunningInterfaceTest, figures: dict[str, Any]) -> None:
+    async def _measure(self, current: RunningInterfaceTest, figures: RunFigures) -> None:
         plan, folder = current.watch.task.plan, current.run.folder
         figures["measures"] = await asyncio.to_thread(self._computing.ask, measure_interface_test, folder, plan)
 
@@ -107,7 +106,7 @@ class InterfaceTestFlow(RunFlow[RunningInterfaceTest]):
         with self._database.transaction(closing=True) as db:
             db.delete(db.get_one(InterfaceTest, current_id))
 
-    def _save(self, current_id: int, end: str, **figures: Any) -> None:
+    def _save(self, current_id: int, end: str, figures: RunFigures) -> None:
         with self._database.transaction(closing=True) as db:
             finish_interface_test(db, current_id, end, figures.get("measures"))
             write_log(db, None, "test ended", test=current_id, end=end)

@@ -8,7 +8,6 @@ and equal to a millionth.
 # Compiled in a wheel (hatch_build.py).
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,11 +17,12 @@ from app.calibration.vocabulary import DriveParameters
 from app.faults import State
 from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
+from app.json_values import JsonDocument
 from app.messages import SensorFrame
 from app.pipeline.chain import Chain
 from app.pipeline.replay.rerun import chair_of, sample_rate_of
 from app.pipeline.safety_gate import BadGestures, Conditions, SafetyGate
-from app.recording.reader import RunRecording
+from app.recording.reader import Columns, RunRecording
 from app.sentences import one_sentence
 from app.speeds import Speeds
 
@@ -90,7 +90,7 @@ def replay_run(run: RunRecording, parameters: DriveParameters) -> Rerun:
     return _drive(chain, gate, columns)
 
 
-def _drive(chain: Chain, gate: RecordedGate, columns: dict[str, NDArray[Any]]) -> Rerun:
+def _drive(chain: Chain, gate: RecordedGate, columns: Columns) -> Rerun:
     conditions = Conditions()
     count, gestures = len(columns["t"]), len(chain.parameters.gestures) if chain.parameters else 0
     numbers = {name: np.empty(count) for name in ("u1", "u2", "v", "omega", "x", "y", "theta")}
@@ -108,14 +108,14 @@ def _drive(chain: Chain, gate: RecordedGate, columns: dict[str, NDArray[Any]]) -
     return Rerun(**lists, **numbers)
 
 
-def _frame(columns: dict[str, NDArray[Any]], row: int, t: float) -> SensorFrame | None:
+def _frame(columns: Columns, row: int, t: float) -> SensorFrame | None:
     if not columns["has_frame"][row]:
         return None
     device = float(columns["t_device"][row])
     return SensorFrame(int(columns["frame_seq"][row]), device, t, columns["values"][row].astype(np.float32))
 
 
-def _clinic(meta: dict[str, Any]) -> Speeds:
+def _clinic(meta: JsonDocument) -> Speeds:
     """Return the clinic's limits of a recording."""
     try:
         return Speeds.model_validate(meta.get("clinic"))

@@ -1,13 +1,12 @@
 """A recorded run through the chain again, with its signals, its decisions of the gate and its floor plan."""
 
-from typing import Any
-
 import numpy as np
 from pydantic import ValidationError
 
 from app.calibration.vocabulary import DriveParameters
 from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
+from app.json_values import JsonDocument
 from app.pipeline.replay.batch import DecodedRun, decode_block
 from app.recording.reader import RunRecording
 from app.sentences import one_sentence
@@ -47,7 +46,7 @@ def decode_run(run: RunRecording, parameters: DriveParameters) -> DecodedRun:
     )
 
 
-def sample_rate_of(meta: dict[str, Any], otherwise: float) -> float:
+def sample_rate_of(meta: JsonDocument, otherwise: float) -> float:
     """Return the sample rate (Hz) that a run's meta states; ValueError for an invalid one."""
     stated = meta.get("sample_rate", otherwise)
     if isinstance(stated, bool) or not isinstance(stated, int | float) or not SLOWEST <= stated <= FASTEST:
@@ -57,7 +56,7 @@ def sample_rate_of(meta: dict[str, Any], otherwise: float) -> float:
     return float(stated)
 
 
-def chair_of(meta: dict[str, Any]) -> VirtualChair | None:
+def chair_of(meta: JsonDocument) -> VirtualChair | None:
     """Return the virtual chair on the start of a run's floor plan, None without one; ValueError for a broken one."""
     document = meta.get("floorplan")
     if not document:

@@ -11,7 +11,7 @@ from app.layout import ShirtLayout
 from app.refusals import Conflict
 from app.session.calibration.calibration_progress import EarlierCalibration, Progress
 from app.session.calibration.garment import Garment, OthersPrior
-from app.session.calibration.sitting import rings_as_worn
+from app.session.calibration.ring_override import rings_as_worn
 from app.session.calibration.step_check import advice_of
 from app.session.equipment.shirt import Equipment
 from app.session.recordings import entry_of_recordings, fit_recordings, fit_recordings_to_donning, judge_step
@@ -58,10 +58,10 @@ class CalibrationFit:
     def judge(self, session_id: int, progress: Progress, step: Step) -> str:
         """Store why a done step has to be repeated, in the words of the result, and return it; empty if it need not."""
         layout, recorded = self._recorded(session_id, progress)
-        words = self._computing.ask(judge_step, layout, recorded, self._equipment.unused, step)
+        advice = self._computing.ask(judge_step, layout, recorded, self._equipment.unused, step)
         with self._database.transaction() as db:
-            set_step(db, session_id, step.id, "done", words)
-        return words
+            set_step(db, session_id, step.id, "done", advice)
+        return advice
 
     def earlier(self, session_id: int, layout: ShirtLayout) -> EarlierCalibration | None:
         """Return the calibration that the patient drives with, None without one in this kind of shirt."""

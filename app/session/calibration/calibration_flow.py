@@ -3,12 +3,13 @@
 import asyncio
 import math
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step, calibration_script
 from app.clock import monotonic
 from app.computing_process import ComputingProcess
+from app.json_values import JsonDocument
 from app.layout import ShirtLayout
 from app.refusals import Conflict, Refusal
 from app.session.calibration.calibration_fit import CalibrationFit, garment
@@ -22,7 +23,7 @@ from app.store.calibrations import begin_calibration, calibration_steps, set_ste
 from app.store.database import Database, Transaction
 from app.store.tables import CalibrationStep, PatientSession
 
-LOOK_EVERY = 0.05  # s
+WATCH_EVERY = 0.05  # s
 STANDSTILL_LIMIT = 3.0  # s without progress of the run's time, after which the step fails
 CHECK_LIMIT = 30.0  # s for checking a closed recording and fitting the map, before a caller is told to look later
 RESULT = "result"
@@ -32,7 +33,7 @@ class Outcome(NamedTuple):
     """How a step ended."""
 
     status: str
-    words: str  # why it failed, in a sentence; empty otherwise
+    reason: str  # why it failed, in a sentence; empty otherwise
 
 
 INTERRUPTED = Outcome("failed", "The program ended during this step: repeat it.")
@@ -47,7 +48,7 @@ class CalibrationFlow:
         control: ControlLink,
         equipment: Equipment,
         runs: SessionRuns,
-        tell: Callable[[str], None],
+        notify: Callable[[str], None],
         computing: ComputingProcess,
         prior: OthersPrior,
     ) -> None:
@@ -57,7 +58,7 @@ class CalibrationFlow:
         self._control = control
         self._equipment = equipment
         self._runs = runs
-        self._tell = tell
+        self._notify = notify
         self._computing = computing
         self._task: asyncio.Task[None] | None = None
         self._running: str | None = None
@@ -75,7 +76,7 @@ class CalibrationFlow:
     async def start(self, session_id: int, step_id: str) -> None:
         """Record one step; its earlier recording no longer counts.
 
-        After the first unfinished one the next is shown; after any other nobody is made to move on: it stays shown.
+        After the first unfinished step the next one is shown; any other step stays shown.
         """
         progress = await self.progress(session_id)
         step = progress.step(step_id)
@@ -100,7 +101,7 @@ class CalibrationFlow:
         )
         await asyncio.sleep(0)  # let it begin: a task cancelled before that would never close its recording
         self._task = task
-        self._tell("calibration")
+        self._notify("calibration")
 
     async def cancel(self, session_id: int, step_id: str) -> None:
         """Stop recording a step; its status is then "waiting" again.
@@ -144,11 +145,11 @@ class CalibrationFlow:
         self._refuse_while_running()
         try:
             await self.go(session_id, RESULT)
-            words = await self._fit_now(session_id)
+            reason = await self._fit_now(session_id)
         finally:
             self._ended()
-        if words:
-            raise Conflict(words)
+        if reason:
+            raise Conflict(reason)
 
     async def fit_earlier(self, session_id: int, person: str) -> None:
         """Fit the patient's earlier calibration to the shirt as it sits today, as the patient's next map.
@@ -188,32 +189,32 @@ class CalibrationFlow:
                 db.get_one(PatientSession, session_id).current_step = step_id
 
         await asyncio.to_thread(_write)
-        self._tell("calibration")
+        self._notify("calibration")
 
     async def restart(self, session_id: int) -> None:
         """Begin the calibration anew; the recordings made so far stay on disk but no longer count."""
         self._refuse_while_running()
         await asyncio.to_thread(self._begin, session_id, self._equipment.needed_layout())
-        self._tell("calibration")
+        self._notify("calibration")
 
     async def _record(self, session_id: int, step: Step, number: int, *, stays: bool) -> None:
-        status, words = "failed", ""
+        status, reason = "failed", ""
         try:
-            words = await self._wait(number, step.duration)
+            reason = await self._wait(number, step.duration)
             run = await self._runs.end()
-            if not words and run is not None:
+            if not reason and run is not None:
                 complaint = await asyncio.to_thread(self._computing.ask, check_recording, run.folder, step.duration)
-                words = complaint or ""
-            status = "failed" if words else "done"
+                reason = complaint or ""
+            status = "failed" if reason else "done"
         except asyncio.CancelledError:
-            status, words = self._interruption
+            status, reason = self._interruption
             raise
         except (Refusal, ValueError, OSError) as error:
-            words = str(error)
+            reason = str(error)
         finally:
             try:
                 await self._runs.end()
-                await asyncio.to_thread(self._set, session_id, step.id, status, words, None, None)
+                await asyncio.to_thread(self._set, session_id, step.id, status, reason, None, None)
             except BaseException:  # also when the database is gone: the step has ended
                 self._ended()
                 raise
@@ -239,13 +240,13 @@ class CalibrationFlow:
 
     def _ended(self) -> None:
         self._running = None
-        self._tell("calibration")
+        self._notify("calibration")
 
     async def _wait(self, number: int, duration: float) -> str:
         """Wait until the run's own time has passed `duration`; return in words why it did not."""
         reached, moved_at = -1.0, monotonic()
         while True:
-            await asyncio.sleep(LOOK_EVERY)
+            await asyncio.sleep(WATCH_EVERY)
             tick = self._control.newest()
             if tick is not None and int(tick["run"]) == number:
                 run_t = float(tick["run_t"])
@@ -273,16 +274,16 @@ class CalibrationFlow:
         """Fit the map from the recordings, show the status of the fit as that of the result step, return why not."""
         self._running = RESULT
         await asyncio.to_thread(self._set, session_id, RESULT, "running", "It is being worked out.", None, None)
-        self._tell("calibration")
-        status, words = "failed", "The fit was interrupted: repeat any step, and it is done again."
+        self._notify("calibration")
+        status, reason = "failed", "The fit was interrupted: repeat any step, and it is done again."
         try:
             await asyncio.to_thread(self._fit.fit, session_id, await self.progress(session_id))
-            status, words = "done", ""
+            status, reason = "done", ""
         except (ValueError, OSError, Refusal) as error:
-            words = str(error)
+            reason = str(error)
         finally:
-            await asyncio.to_thread(self._set, session_id, RESULT, status, words, None, None)
-        return words
+            await asyncio.to_thread(self._set, session_id, RESULT, status, reason, None, None)
+        return reason
 
     def _progress(self, session_id: int) -> Progress:
         running = self._running  # read before the rows: a step has its last status before it stops running
@@ -331,16 +332,16 @@ class CalibrationFlow:
             begin_calibration(db, db.get_one(PatientSession, session_id), _script(layout), _step_ids(layout))
 
     def _set(
-        self, session_id: int, step: str, status: str, words: str, run_id: str | None, current: str | None
+        self, session_id: int, step: str, status: str, reason: str, run_id: str | None, current: str | None
     ) -> None:
         with self._database.transaction(closing=True) as db:
             self._begin_new(db, session_id)
-            set_step(db, session_id, step, status, words, run_id)
+            set_step(db, session_id, step, status, reason, run_id)
             if current is not None:
                 db.get_one(PatientSession, session_id).current_step = current
 
 
-def _script(layout: ShirtLayout) -> dict[str, Any]:
+def _script(layout: ShirtLayout) -> JsonDocument:
     return {"layout": layout.model_dump(mode="json")}
 
 

@@ -1,4 +1,4 @@
-"""The shirt of a calibration, and what other people's movements in such a shirt say of a patient's."""
+"""The shirt of a calibration, and the prior that other people's movements in such a shirt give."""
 
 import hashlib
 import json
@@ -11,9 +11,9 @@ from app.layout import ShirtLayout
 
 
 class Garment(NamedTuple):
-    """What must be equal so that other people's movements say something of a patient's.
+    """What must be equal so that other people's movements can be used for a patient.
 
-    Rings need not be: they may come to a layout later.
+    Rings need not be equal: they may be added to a layout later.
     """
 
     layout: ShirtLayout
@@ -23,7 +23,7 @@ class Garment(NamedTuple):
     @property
     def hash(self) -> str:
         """SHA-256, hex."""
-        # None twice: such was the hash of a layout without rings when rings were a part of it.
+        # None twice: stored hashes have the places of a ring and of a place in it, which do not count.
         key = [(*channel, None, None) for channel in layout_key(self.layout)]
         return hashlib.sha256(json.dumps([key, self.seed]).encode()).hexdigest()
 
@@ -34,7 +34,7 @@ class Garment(NamedTuple):
 
 
 class OthersPrior(Protocol):
-    """What is known of other people, for the patient of a session; and what this patient adds to it for others."""
+    """The prior from other people for the patient of a session, to which this patient can be added."""
 
     def people(self, session_id: int, garment: Garment) -> int:
         """Return how many other people are known in this shirt; 0 when they are too few, or the owner wants none."""
@@ -50,7 +50,7 @@ class OthersPrior(Protocol):
 
 
 class NobodyElse:
-    """Knows nobody else, and learns nothing: while no feature keeps what people add."""
+    """The prior of a program without a feature that stores what people add: it is empty, and stays so."""
 
     def people(self, _session_id: int, _garment: Garment) -> int:
         """Return 0."""

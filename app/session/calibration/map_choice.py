@@ -18,7 +18,7 @@ def choose_map(database: Database, session_id: int, joint: str, kind: MapKind) -
         if session.result is None:
             raise Conflict("There is no result yet: do every step first.")
         profile = CalibrationProfile.model_validate(session.result)
-        names = [one.name for one in profile.joints]
+        names = [joint_map.name for joint_map in profile.joints]
         if joint not in names:
             raise NotFound(f"There is no calibration for '{joint}': choose one of {', '.join(names)}.")
         chosen = profile.joints[names.index(joint)]
@@ -28,6 +28,9 @@ def choose_map(database: Database, session_id: int, joint: str, kind: MapKind) -
             raise Conflict("There is no better calibration from other people for this joint: keep the present one.")
         if chosen.map == kind:
             return
-        joints = tuple(one.model_copy(update={"map": kind}) if one.name == joint else one for one in profile.joints)
+        joints = tuple(
+            joint_map.model_copy(update={"map": kind}) if joint_map.name == joint else joint_map
+            for joint_map in profile.joints
+        )
         session.result = profile.model_copy(update={"joints": joints}).model_dump(mode="json")
         session.accepted = False

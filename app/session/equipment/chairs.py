@@ -2,8 +2,9 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Literal
+from typing import Literal
 
+from app.json_values import JsonDocument
 from app.refusals import Conflict, Refusal, Unavailable
 from app.session.control_link import ControlLink
 from app.session.equipment.choice import ClinicChoice
@@ -20,20 +21,20 @@ VIRTUAL_WORDS = "The virtual chair: nothing moves but the picture."
 class Chairs(ClinicChoice):
     """The chair in use, virtual or real; a real chair that does not open is never replaced by another."""
 
-    def __init__(self, database: Database, control: ControlLink, keys: Path, tell: Callable[[str], None]) -> None:
-        super().__init__(database, control, tell)
+    def __init__(self, database: Database, control: ControlLink, keys: Path, notify: Callable[[str], None]) -> None:
+        super().__init__(database, control, notify)
         self._keys = keys
         self.chosen: PairedChair | None = None  # None: the virtual chair
         self.dynamics: Dynamics = "unicycle"  # of the virtual chair
-        self.words = ""  # why the chosen chair is not open, empty when it is
+        self.failure = ""  # why the chosen chair is not open, empty when it is
 
     async def open(self) -> None:
-        """Open the chair that was driven last; when it does not open, `words` says why, and none takes its place."""
+        """Open the chair that was driven last; when it does not open, `failure` says why, and none takes its place."""
         try:
             await self._in_clinic(self._read)
             await self._open(self.chosen, self.dynamics)
         except Refusal as refusal:
-            self.words = self._without_paths(str(refusal))
+            self.failure = self._without_paths(str(refusal))
 
     async def choose(self, chair: PairedChair | None, dynamics: Dynamics) -> None:
         """Drive another chair; when it does not open, the one before stays and the reason is raised."""
@@ -43,16 +44,16 @@ class Chairs(ClinicChoice):
             raise  # the next control process is given the chair that was open before
         except Conflict as refusal:
             raise Conflict(self._without_paths(str(refusal))) from refusal
-        self.chosen, self.dynamics, self.words = chair, dynamics, ""
+        self.chosen, self.dynamics, self.failure = chair, dynamics, ""
         await self._in_clinic(self._write)
-        self._tell("equipment")
+        self._notify("equipment")
 
     async def state(self) -> str:
         """Return the state of the chosen chair in a sentence."""
         if self.chosen is None:
             return VIRTUAL_WORDS
-        if self.words:
-            return self.words
+        if self.failure:
+            return self.failure
         try:
             chair = (await self._control.call("status"))["chair"]
         except Refusal as refusal:
@@ -63,12 +64,12 @@ class Chairs(ClinicChoice):
     def not_open(self) -> str:
         """Return a sentence for a chair that is chosen and not open."""
         name = "The chair" if self.chosen is None else self.chosen.name
-        return self.words or f"{name} is not open: choose it again."
+        return self.failure or f"{name} is not open: choose it again."
 
     async def _open(self, chair: PairedChair | None, dynamics: Dynamics) -> None:
         await self._control.load("chair", config=self._config(chair, dynamics))
 
-    def _config(self, chair: PairedChair | None, dynamics: Dynamics) -> dict[str, Any]:
+    def _config(self, chair: PairedChair | None, dynamics: Dynamics) -> JsonDocument:
         if chair is None:
             return {"kind": "virtual", "dynamics": dynamics}
         return {

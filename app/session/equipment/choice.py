@@ -12,10 +12,10 @@ from app.store.tables import Clinic
 class ClinicChoice:
     """What every such choice needs: the clinic's row, the control link, and a way to tell the pages."""
 
-    def __init__(self, database: Database, control: ControlLink, tell: Callable[[str], None]) -> None:
+    def __init__(self, database: Database, control: ControlLink, notify: Callable[[str], None]) -> None:
         self._database = database
         self._control = control
-        self._tell = tell
+        self._notify = notify
 
     async def _in_clinic(self, act: Callable[[Transaction, Clinic], None]) -> None:
         """Read or write the clinic's row in a transaction, in a thread; do nothing before the set-up."""

@@ -1,15 +1,15 @@
 """The head tracker in use: chosen by people, kept in the database, opened by the control process."""
 
 from collections.abc import Callable
-from typing import Any
 
+from app.json_values import JsonDocument
 from app.refusals import Refusal, Unavailable
 from app.session.control_link import ControlLink
 from app.session.equipment.choice import ClinicChoice
 from app.store.database import Database, Transaction
 from app.store.tables import Clinic
 
-WithPath = Callable[[dict[str, Any]], dict[str, Any]]
+WithPath = Callable[[JsonDocument], JsonDocument]
 """Return a configuration with the path of its file in place of its name."""
 
 
@@ -17,23 +17,23 @@ class HeadChoice(ClinicChoice):
     """The head tracker in use; None: the head counts as looking straight ahead."""
 
     def __init__(
-        self, database: Database, control: ControlLink, with_path: WithPath, tell: Callable[[str], None]
+        self, database: Database, control: ControlLink, with_path: WithPath, notify: Callable[[str], None]
     ) -> None:
-        super().__init__(database, control, tell)
+        super().__init__(database, control, notify)
         self._with_path = with_path
-        self.config: dict[str, Any] | None = None
-        self.words = ""  # why the chosen one did not open, empty when it did
+        self.config: JsonDocument | None = None
+        self.failure = ""  # why the chosen one did not open, empty when it did
 
     async def open(self) -> None:
-        """Open the tracker that was in use last; when it does not open, `words` says why, and none takes its place."""
+        """Open the tracker that was in use last; when that fails, `failure` says why, and none takes its place."""
         await self._in_clinic(self._read)
         if self.config is not None:
             try:
                 await self._control.load("head", config=self._with_path(self.config))
             except Refusal as refusal:
-                self.words = str(refusal)
+                self.failure = str(refusal)
 
-    async def use(self, config: dict[str, Any] | None) -> None:
+    async def use(self, config: JsonDocument | None) -> None:
         """Use another tracker, or none; when it does not open, none is in use, and the reason is raised."""
         try:
             await self._control.load("head", config=None if config is None else self._with_path(config))
@@ -52,10 +52,10 @@ class HeadChoice(ClinicChoice):
     def _read(self, _db: Transaction, clinic: Clinic) -> None:
         self.config = clinic.head
 
-    async def _store(self, config: dict[str, Any] | None) -> None:
+    async def _store(self, config: JsonDocument | None) -> None:
         def _write(_db: Transaction, clinic: Clinic) -> None:
             clinic.head = config
 
-        self.config, self.words = config, ""
+        self.config, self.failure = config, ""
         await self._in_clinic(_write)
-        self._tell("equipment")
+        self._notify("equipment")

@@ -16,8 +16,8 @@ from app.store.tables import Clinic
 class ClinicLimits(ClinicChoice):
     """The clinic's speed limits: nobody here drives faster, whatever a parameter set or a chair would allow."""
 
-    def __init__(self, database: Database, control: ControlLink, tell: Callable[[str], None]) -> None:
-        super().__init__(database, control, tell)
+    def __init__(self, database: Database, control: ControlLink, notify: Callable[[str], None]) -> None:
+        super().__init__(database, control, notify)
         self.speeds = HIGHEST_SPEEDS
 
     async def open(self) -> None:
@@ -36,7 +36,7 @@ class ClinicLimits(ClinicChoice):
             write_log(db, person, "limits set", before=before.model_dump(), now=speeds.model_dump())
 
         await self._in_clinic(_write)
-        self._tell("controls")
+        self._notify("controls")
 
     async def _load(self, speeds: Speeds) -> None:
         await self._control.load("limits", clinic=speeds.model_dump(mode="json"))

@@ -2,11 +2,12 @@
 
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any, Literal
+from typing import Literal
 
 from pydantic import ValidationError
 
 from app.hardware.configs import SHIRTS
+from app.json_values import JsonDocument
 from app.layout import ShirtLayout
 from app.refusals import Conflict, NotFound, Refusal, Unavailable
 from app.session.control_link import ControlLink
@@ -15,14 +16,14 @@ from app.session.equipment.pairing import shirt_key_files
 from app.store.database import Database, Transaction
 from app.store.tables import Clinic
 
-STANDARD_SHIRT: dict[str, Any] = {
+STANDARD_SHIRT: JsonDocument = {
     "kind": "simulator",
     "sample_rate": 100.0,
     "seed": 1,
     "layout": None,
     "dead_channels": [],
 }
-STANDARD_BODY: dict[str, Any] = {"kind": "person", "skill": "practised", "seed": 1}
+STANDARD_BODY: JsonDocument = {"kind": "person", "skill": "practised", "seed": 1}
 NO_SHIRT = "No shirt yet: choose one on the Shirt page."
 
 
@@ -38,35 +39,35 @@ class Equipment(ClinicChoice):
         control: ControlLink,
         files: Path,
         keys: Path,
-        tell: Callable[[str], None],
+        notify: Callable[[str], None],
         *,
         demonstration: bool,
     ) -> None:
-        super().__init__(database, control, tell)
+        super().__init__(database, control, notify)
         self._files = files
         self._keys = keys
-        self.shirt: dict[str, Any] | None = STANDARD_SHIRT if demonstration else None
-        self.body: dict[str, Any] | None = STANDARD_BODY if demonstration else None
+        self.shirt: JsonDocument | None = STANDARD_SHIRT if demonstration else None
+        self.body: JsonDocument | None = STANDARD_BODY if demonstration else None
         self.unused: list[str] = []
         self.layout: ShirtLayout | None = None
         self.sample_rate = 0.0
-        self.words = ""  # why there is no shirt, empty when there is one
-        self.state = ""  # of the shirt, in words, when `look` was called last
+        self.failure = ""  # why there is no shirt, empty when there is one
+        self.state = ""  # of the shirt, in words, as of the last `refresh`
         self.silent = False  # whether there was a shirt then that sent nothing
         self.mistrust = NO_SHIRT  # why the shirt arms no real chair, empty when it may
 
     async def open(self) -> None:
-        """Open the shirt that was in use last; when it does not open, `words` says why, and none takes its place."""
+        """Open the shirt that was in use last; when it does not open, `failure` says why, and none takes its place."""
         await self._in_clinic(self._read)
         if self.shirt is None:
-            self.words = NO_SHIRT
+            self.failure = NO_SHIRT
             return
         try:
             await self._open_shirt(self.shirt)
             if self.body is not None and self.kind == "simulator":
                 await self._open_body(self.body)
         except Refusal as refusal:
-            self.words = str(refusal)
+            self.failure = str(refusal)
 
     @property
     def kind(self) -> str | None:
@@ -88,7 +89,7 @@ class Equipment(ClinicChoice):
         """Return the kind of the chosen shirt when nobody wears it: every page then says that this is practice."""
         return self.kind if self.simulated else None
 
-    async def use_shirt(self, config: dict[str, Any]) -> None:
+    async def use_shirt(self, config: JsonDocument) -> None:
         """Open another shirt; when it does not open, the one before is opened again and the reason is raised."""
         self.with_paths(config)  # refuse a missing file before the shirt in use is closed
         before, body = self.shirt, self.body
@@ -110,8 +111,8 @@ class Equipment(ClinicChoice):
             self.unused = []
         await self._store()
 
-    async def look(self) -> None:
-        """Read the state of the shirt; tell the pages when it has fallen silent, and when it sends again."""
+    async def refresh(self) -> None:
+        """Read the state of the shirt; notify the pages when it has fallen silent, and when it sends again."""
         try:
             shirt = (await self._control.call("status"))["shirt"]
         except Refusal:
@@ -119,9 +120,9 @@ class Equipment(ClinicChoice):
         before, self.silent = self.silent, self.layout is not None and bool(shirt["silent"])
         self.state = str(shirt["words"])
         if self.silent != before:
-            self._tell("equipment")
+            self._notify("equipment")
 
-    async def use_body(self, config: dict[str, Any]) -> None:
+    async def use_body(self, config: JsonDocument) -> None:
         """Choose another simulated body for the simulated shirt."""
         if self.kind != "simulator":
             raise Conflict("Only the simulated shirt has a body to choose: choose the simulated shirt first.")
@@ -131,20 +132,20 @@ class Equipment(ClinicChoice):
 
     async def leave_unused(self, channels: list[str]) -> None:
         """Mark channels as unused: the next calibration leaves them out."""
-        known = self.layout.channel_names if self.layout else []
+        names = self.layout.channel_names if self.layout else []
         for name in channels:
-            if name not in known:
+            if name not in names:
                 raise NotFound(f"This shirt has no sensor '{name}': choose one of its lamps.")
-        self.unused = [name for name in known if name in channels]
+        self.unused = [name for name in names if name in channels]
         await self._store()
 
     def needed_layout(self) -> ShirtLayout:
         """Return the layout of the shirt, refusing when there is none."""
         if self.layout is None:
-            raise Conflict(self.words or NO_SHIRT)
+            raise Conflict(self.failure or NO_SHIRT)
         return self.layout
 
-    async def _open_shirt(self, config: dict[str, Any]) -> None:
+    async def _open_shirt(self, config: JsonDocument) -> None:
         answer = await self._load("shirt", self.with_paths(config))
         try:
             self.layout = ShirtLayout.model_validate(answer["layout"])
@@ -152,13 +153,13 @@ class Equipment(ClinicChoice):
             raise Conflict("The shirt's layout cannot be read: choose another shirt.") from error
         self.sample_rate = float(answer["sample_rate"])
         self.mistrust = str(answer["mistrust"])
-        self.shirt, self.words = config, ""
-        await self.look()
+        self.shirt, self.failure = config, ""
+        await self.refresh()
 
-    async def _open_body(self, config: dict[str, Any]) -> None:
+    async def _open_body(self, config: JsonDocument) -> None:
         await self._load("body", self.with_path(config))
 
-    async def _load(self, do: Literal["shirt", "body"], config: dict[str, Any]) -> dict[str, Any]:
+    async def _load(self, do: Literal["shirt", "body"], config: JsonDocument) -> JsonDocument:
         """Open a device in the control process; a refusal names its files as pages do, without their folders."""
         try:
             return await self._control.load(do, config=config)
@@ -174,9 +175,9 @@ class Equipment(ClinicChoice):
     async def use_sender(self, sender: str) -> None:
         """Take another sender (HOST:PORT) as the shirt from now on."""
         await self._control.call("sender", sender=sender)
-        self._tell("equipment")
+        self._notify("equipment")
 
-    def with_paths(self, config: dict[str, Any]) -> dict[str, Any]:
+    def with_paths(self, config: JsonDocument) -> JsonDocument:
         """Return the configuration of a shirt with the paths of its files and its key in place of their names."""
         kind, complete = SHIRTS[config["kind"]], dict(config)
         for field in kind.fields_of("signal-file"):
@@ -187,7 +188,7 @@ class Equipment(ClinicChoice):
                 complete[field] = _path_of(str(config[field]), keys, "pair the shirt first (bodydrive shirt pair)")
         return complete
 
-    def with_path(self, config: dict[str, Any]) -> dict[str, Any]:
+    def with_path(self, config: JsonDocument) -> JsonDocument:
         """Return the configuration of a body or a head tracker with the path of its file in place of its name."""
         return {**config, "file": self._path_of_file(str(config["file"]))} if "file" in config else config
 
@@ -204,7 +205,7 @@ class Equipment(ClinicChoice):
             clinic.shirt, clinic.body, clinic.unused = self.shirt, self.body, list(self.unused)
 
         await self._in_clinic(_write)
-        self._tell("equipment")
+        self._notify("equipment")
 
 
 def _path_of(name: str, files: Iterable[Path], remedy: str) -> str:

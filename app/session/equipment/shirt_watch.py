@@ -4,7 +4,7 @@ import asyncio
 
 from app.session.equipment.shirt import Equipment
 
-LOOK_EVERY = 0.5  # s: a page shows within 2 s that the shirt has fallen silent, or sends again
+WATCH_EVERY = 0.5  # s: a page shows within 2 s that the shirt has fallen silent, or sends again
 
 
 class ShirtWatch:
@@ -26,5 +26,5 @@ class ShirtWatch:
 
     async def _watch(self) -> None:
         while True:
-            await asyncio.sleep(LOOK_EVERY)
-            await self._equipment.look()
+            await asyncio.sleep(WATCH_EVERY)
+            await self._equipment.refresh()

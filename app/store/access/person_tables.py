@@ -1,7 +1,6 @@
 """The tables of the people of a clinic: who may sign in, sign-ins, known browsers, invitations."""
 
 from datetime import datetime
-from typing import Any
 
 from sqlalchemy import ForeignKey, String, UniqueConstraint
 from sqlalchemy.orm import Mapped, mapped_column
@@ -18,7 +17,7 @@ class Person(Table):
     clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
     name: Mapped[str] = mapped_column(String(80))
     role: Mapped[str] = mapped_column(String(16))  # owner, clinician, reviewer
-    patients: Mapped[list[Any] | None]  # ids of the patients that are shown to a reviewer; None: all
+    patients: Mapped[list[int] | None]  # ids of the patients that are shown to a reviewer; None: all
     password_hash: Mapped[str | None]  # None: invited, or signs in by the link of a demonstration only
     created: Mapped[datetime]
     disabled: Mapped[datetime | None]

@@ -1,18 +1,18 @@
-"""The patients that exist for who asks: every query of the database leaves out the others, and all that is theirs.
+"""Restrict every query of a transaction to the patients that the signed-in person may see.
 
-The web application names the person who asks once for each request (`app/api/who_asks.py`), and each transaction of
-the request is restricted here. So a route needs no rule of its own, and a new one cannot forget it: for a reviewer of
-chosen patients, other patients do not exist.
+The web application finds the person of a request once (`app/api/who_asks.py`), and each transaction of the request is
+restricted here. So a route needs no rule of its own, and a new one cannot forget it: for a reviewer of chosen patients,
+other patients do not exist.
 """
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import lru_cache
-from typing import Any, Final
+from typing import Final
 
 from sqlalchemy import ColumnElement, and_, event, inspect, select
-from sqlalchemy.orm import Mapper, ORMExecuteState, Session, with_loader_criteria
+from sqlalchemy.orm import InstrumentedAttribute, Mapper, ORMExecuteState, Session, with_loader_criteria
 from sqlalchemy.orm.util import LoaderCriteriaOption
 
 from app.store.tables import Patient, Table
@@ -45,10 +45,10 @@ def every_patient() -> Iterator[None]:
 def restrict(db: Session) -> None:
     """Leave out of every later query of `db` what belongs to a patient who is not visible in this context.
 
-    Nor are deleted patients visible, to nobody: only a query with the execution options `WITH_DELETED` finds them.
+    Deleted patients are left out for everybody: only a query with the execution options `WITH_DELETED` finds them.
     """
     visible = VISIBLE_PATIENTS.get()
-    look_for_deleted(db)
+    read_deleted(db)
 
     @event.listens_for(db, "do_orm_execute")
     def _leave_out(state: ORMExecuteState) -> None:
@@ -57,15 +57,15 @@ def restrict(db: Session) -> None:
             state.statement = state.statement.options(*_loader_criteria(visible, deleted))
 
 
-def look_for_deleted(db: Session) -> None:
+def read_deleted(db: Session) -> None:
     """Read which patients are deleted; again after a deletion was undone within this transaction."""
-    found = db.connection().exec_driver_sql("SELECT id FROM patient WHERE deleted IS NOT NULL")
-    db.info[_DELETED] = frozenset(row[0] for row in found)
+    rows = db.connection().exec_driver_sql("SELECT id FROM patient WHERE deleted IS NOT NULL")
+    db.info[_DELETED] = frozenset(row[0] for row in rows)
 
 
 @lru_cache(maxsize=32)
 def _loader_criteria(visible: VisiblePatients, deleted: frozenset[int]) -> tuple[LoaderCriteriaOption, ...]:
-    def permits(patient: Any) -> ColumnElement[bool]:
+    def permits(patient: InstrumentedAttribute[int]) -> ColumnElement[bool]:
         conditions = [patient.not_in(deleted)] if deleted else []
         return and_(*conditions, *([] if visible is None else [patient.in_(visible)]))
 
@@ -80,7 +80,9 @@ def _mapped_classes() -> list[type[Table]]:
     return [mapper.class_ for mapper in Table.registry.mappers]
 
 
-def _belongs_to(kind: type[Table], permits: Callable[[Any], ColumnElement[bool]]) -> ColumnElement[bool] | None:
+def _belongs_to(
+    kind: type[Table], permits: Callable[[InstrumentedAttribute[int]], ColumnElement[bool]]
+) -> ColumnElement[bool] | None:
     """Return the condition that a row belongs to a patient that `permits`, None for a table that names no patient.
 
     A row belongs to the patient whom its required foreign keys name, directly or by another row.
@@ -89,7 +91,7 @@ def _belongs_to(kind: type[Table], permits: Callable[[Any], ColumnElement[bool]]
         return permits(Patient.id)
     mapper: Mapper[Table] = inspect(kind)
     by_table = {other.__table__: other for other in _mapped_classes()}
-    found: ColumnElement[bool] | None = None
+    by_owner: ColumnElement[bool] | None = None
     for column in mapper.local_table.columns:
         for key in column.foreign_keys:
             if column.nullable:
@@ -99,6 +101,6 @@ def _belongs_to(kind: type[Table], permits: Callable[[Any], ColumnElement[bool]]
             if owner is Patient:
                 return permits(attribute)
             condition = _belongs_to(owner, permits)
-            if condition is not None and found is None:
-                found = attribute.in_(select(key.column).where(condition))
-    return found
+            if condition is not None and by_owner is None:
+                by_owner = attribute.in_(select(key.column).where(condition))
+    return by_owner

@@ -11,7 +11,7 @@ from app.disk_room import LITTLE_ROOM, NO_ROOM, ROOM_TO_RECORD
 from app.refusals import DiskFull
 from app.store.files.ballast import Ballast
 
-LOOK_EVERY = 1.0  # s: people are told of a full disk within 2 s
+WATCH_EVERY = 1.0  # s: people are notified of a full disk within 2 s
 
 logger = logging.getLogger("bodydrive")
 
@@ -21,7 +21,7 @@ class DiskRoom:
     """The free room on a disk."""
 
     free: int  # bytes
-    words: str  # what to do about it, empty while there is enough
+    message: str  # what to do about it, empty while there is enough
 
 
 def disk_room(folder: Path) -> DiskRoom:
@@ -53,13 +53,13 @@ def require_room_to_record(folder: Path) -> None:
 
 
 class DiskWatch:
-    """Checks the disk every second: tells the pages when the sentence changes, and refills the ballast."""
+    """Checks the disk every second: notifies the pages when the sentence changes, and refills the ballast."""
 
-    def __init__(self, folder: Path, ballast: Ballast, tell: Callable[[str], None]) -> None:
+    def __init__(self, folder: Path, ballast: Ballast, notify: Callable[[str], None]) -> None:
         self._folder = folder
         self._ballast = ballast
-        self._tell = tell
-        self._words = ""
+        self._notify = notify
+        self._message = ""
         self._task: asyncio.Task[None] | None = None
 
     def start(self) -> None:
@@ -75,15 +75,15 @@ class DiskWatch:
     async def _watch(self) -> None:
         while True:
             try:
-                words = await asyncio.to_thread(self._look)
+                message = await asyncio.to_thread(self._check)
             except OSError:  # keep checking: a disk that is gone may come back
-                logger.exception("The disk of the recordings could not be looked at")
-                words = self._words
-            if words != self._words:
-                self._words = words
-                self._tell("disk")
-            await asyncio.sleep(LOOK_EVERY)
+                logger.exception("The disk of the recordings could not be checked")
+                message = self._message
+            if message != self._message:
+                self._message = message
+                self._notify("disk")
+            await asyncio.sleep(WATCH_EVERY)
 
-    def _look(self) -> str:
+    def _check(self) -> str:
         self._ballast.refill()
-        return disk_room(self._folder).words
+        return disk_room(self._folder).message

@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 from app.files import write_atomically
 from app.refusals import Conflict, NotFound
+from app.store.files.name_conflicts import SameName, name_for
 from app.store.files.replacements import ReplacedFiles
-from app.store.files.taken_names import SameName, name_for
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
 from app.world.scene import bundled_scenes
 
@@ -33,13 +33,13 @@ class OwnPlans:
 
     def listed(self) -> list[OwnPlan]:
         """Return the plans by name; one that cannot be used, which opening it says, has its name as its title."""
-        found = []
+        plans = []
         for file in sorted(self._folder.glob("*.json")):
             title = file.stem
             with suppress(ValueError):
                 title = load_floorplan(file).title
-            found.append(OwnPlan(file.stem, title, self.version(file.stem)))
-        return found
+            plans.append(OwnPlan(file.stem, title, self.version(file.stem)))
+        return plans
 
     def version(self, name: str) -> int:
         """Return the number of a plan's current version; of a deleted plan, of its last one."""
@@ -60,7 +60,7 @@ class OwnPlans:
             name = name_for(plan.name, taken, same_name)
             if name not in taken and len(taken) >= MOST_PLANS:
                 raise Conflict(f"There are {MOST_PLANS} floor plans of your own already: delete some first.")
-            shelf.keep("floorplan", self._file(name))
+            shelf.shelve("floorplan", self._file(name))
             saved = plan.model_copy(update={"name": name})
             return OwnPlan(name, saved.title, self._save(saved))
 
@@ -80,7 +80,7 @@ class OwnPlans:
             if is_bundled(name):
                 raise Conflict("A plan that comes with the software cannot be deleted.")
             self._needed(name)
-            self._keep(name)
+            self._store_version(name)
             self._file(name).unlink()
 
     def restore(self, name: str) -> int:
@@ -93,7 +93,7 @@ class OwnPlans:
             return len(versions)
 
     def _save(self, plan: FloorPlan) -> int:
-        self._keep(plan.name)
+        self._store_version(plan.name)
         content = plan.model_dump_json(exclude_none=True).encode() + b"\n"
         versions = self._version_files(plan.name)
         if not versions or versions[-1].read_bytes() != content:
@@ -101,7 +101,7 @@ class OwnPlans:
         write_atomically(self._file(plan.name), content)
         return len(self._version_files(plan.name))
 
-    def _keep(self, name: str) -> None:
+    def _store_version(self, name: str) -> None:
         """Store the current file as a version, if it is not stored yet."""
         file, number = self._file(name), self.version(name)
         if number > len(self._version_files(name)):

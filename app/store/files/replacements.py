@@ -11,7 +11,7 @@ from app.clock import utc_now
 from app.files import write_atomically
 from app.refusals import NotFound
 from app.settings import Settings
-from app.store.files.taken_names import SameName, free_name, name_for
+from app.store.files.name_conflicts import SameName, free_name, name_for
 
 KEPT_FOR: Final = timedelta(days=30)
 STAMP: Final = "%Y%m%dT%H%M%S.%fZ"  # UTC, ISO 8601
@@ -54,11 +54,11 @@ class ReplacedFiles:
         folder = self._folders[kind]
         with self.lock:
             now = self._name_for(kind, name, same_name)
-            self.keep(kind, folder / now)
+            self.shelve(kind, folder / now)
             write_atomically(folder / now, content)
         return now
 
-    def keep(self, kind: Kind, file: Path) -> None:
+    def shelve(self, kind: Kind, file: Path) -> None:
         """Put a copy of a file on the shelf, before another replaces it; do nothing when there is no file."""
         if not file.exists():
             return
@@ -76,37 +76,37 @@ class ReplacedFiles:
 
     def content(self, kind: Kind, identity: str) -> tuple[ReplacedFile, bytes]:
         """Return a file of the shelf with its content; NotFound when there is none."""
-        for one in self._all():
-            if (one.kind, one.id) == (kind, identity):
-                return one, (self._shelf / kind / identity).read_bytes()
+        for file in self._all():
+            if (file.kind, file.id) == (kind, identity):
+                return file, (self._shelf / kind / identity).read_bytes()
         raise NotFound("There is no such replaced file, or its 30 days are over: look at the list.")
 
     def restore(self, kind: Kind, identity: str) -> str:
         """Restore a file, under a free name when its own is taken, and return the name."""
         with self.lock:
-            found, content = self.content(kind, identity)
-            taken = [file.name for file in self._folders[kind].glob("*")]
-            free = found.name.lower() not in map(str.lower, taken)
-            name = self.put(kind, found.name if free else free_name(found.name, taken), content, "ask")
-            self.drop(found)
+            file, content = self.content(kind, identity)
+            taken = [other.name for other in self._folders[kind].glob("*")]
+            free = file.name.lower() not in map(str.lower, taken)
+            name = self.put(kind, file.name if free else free_name(file.name, taken), content, "ask")
+            self.discard(file)
         return name
 
-    def drop(self, one: ReplacedFile) -> None:
+    def discard(self, file: ReplacedFile) -> None:
         """Take a file off the shelf."""
-        (self._shelf / one.kind / one.id).unlink(missing_ok=True)
+        (self._shelf / file.kind / file.id).unlink(missing_ok=True)
 
     def purge(self, now: datetime) -> None:
         """Remove for good what was replaced 30 days before `now`, the time up to which time has really passed."""
-        for one in self._all():
-            if one.until <= now:
-                self.drop(one)
+        for file in self._all():
+            if file.until <= now:
+                self.discard(file)
         for archive in (self._shelf / PATIENTS).glob(f"*{BETWEEN}*"):
             if _time_of(archive.name.partition(BETWEEN)[0]) + KEPT_FOR <= now:
                 archive.unlink(missing_ok=True)
 
     def _name_for(self, kind: Kind, name: str, same_name: SameName) -> str:
         taken = {file.name: file for file in self._folders[kind].glob("*")}
-        standing = next((file for one, file in taken.items() if one.lower() == name.lower()), None)
+        standing = next((file for other, file in taken.items() if other.lower() == name.lower()), None)
         # A folder is a recording of this program: an uploaded file never replaces it.
         return name_for(name, taken, same_name, may_replace=standing is None or standing.is_file())
 

@@ -6,7 +6,6 @@ from contextlib import closing
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
-from typing import Any
 
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session
@@ -16,12 +15,19 @@ from app.refusals import Conflict, NotFound
 from app.settings import Settings
 from app.store.access.visible_patients import WITH_DELETED
 from app.store.database import Database
-from app.store.files.passing_folder import remove_passing_folders
 from app.store.files.replacements import BETWEEN, archive_on_shelf
+from app.store.files.temporary_folders import remove_temporary_folders
 from app.store.keeping.incidents import incident_of
 from app.store.keeping.keeping_tables import ErasedPatient, PatientFile
-from app.store.keeping.last_ids import note_last_ids
-from app.store.keeping.owned_rows import RowIds, erase_rows, forget_in_lists, rows_of_patient, tables_in
+from app.store.keeping.last_ids import store_last_ids
+from app.store.keeping.owned_rows import (
+    RowIds,
+    erase_rows,
+    forget_in_lists,
+    rows_of_patient,
+    sqlite_connection,
+    tables_in,
+)
 from app.store.keeping.passed_time import passed_now
 from app.store.keeping.record_time import UNDO_FOR, must_be_kept_until
 from app.store.keeping.tombstones import Tombstone, add_tombstones, tombstone
@@ -49,8 +55,8 @@ class DeletedPatient:
 def deleted_patients(db: Session, clinic_id: int) -> list[DeletedPatient]:
     """Return the clinic's deleted patients, who can still be restored, the latest first."""
     query = select(Patient).where(Patient.clinic_id == clinic_id, Patient.deleted.is_not(None))
-    found = db.scalars(query.order_by(Patient.deleted.desc()), execution_options=WITH_DELETED)
-    return [_described(db, patient, patient.deleted) for patient in found if patient.deleted is not None]
+    patients = db.scalars(query.order_by(Patient.deleted.desc()), execution_options=WITH_DELETED)
+    return [_described(db, patient, patient.deleted) for patient in patients if patient.deleted is not None]
 
 
 def erase_patient(database: Database, settings: Settings, clinic_id: int, patient_id: int, person: str | None) -> None:
@@ -65,12 +71,12 @@ def erase_patient(database: Database, settings: Settings, clinic_id: int, patien
     """
     with database.transaction(closing=True) as db:
         patient = _deleted_patient(db, clinic_id, patient_id)
-        why_not = _why_not(db, patient)
+        why_not = _refusal(db, patient)
         if why_not:
             raise Conflict(why_not)
         # The words of the reason may be about the patient, and go.
         why = {"reason": AFTER_30_DAYS if person is None else "", "reason_given": bool(patient.deletion_reason)}
-        # First the tombstone: were this to end here, a restored backup would lack the patient, as is wanted.
+        # The tombstone comes first: if the program ended here, a restored backup would leave the patient out, too.
         now = utc_now()
         add_tombstones(settings.erased, [tombstone(patient_id, patient.created, now)])
         rows = _erase(db, patient, now)
@@ -80,14 +86,14 @@ def erase_patient(database: Database, settings: Settings, clinic_id: int, patien
 
 
 def erase_due(database: Database, settings: Settings) -> None:
-    """Erase the patients who were deleted 30 days ago, and remove files that an interrupted erasure has left.
+    """Erase the patients who were deleted 30 days ago, and remove the files of an interrupted erasure.
 
     30 days must really have passed: a clock that was set forward erases nobody (`app/store/keeping/passed_time.py`).
     """
     with database.transaction() as db:
         query = select(Patient).where(Patient.deleted <= passed_now(db) - UNDO_FOR)
-        found = list(db.scalars(query, execution_options=WITH_DELETED))
-        due = [(patient.clinic_id, patient.id) for patient in found if not _why_not(db, patient)]
+        deleted = list(db.scalars(query, execution_options=WITH_DELETED))
+        due = [(patient.clinic_id, patient.id) for patient in deleted if not _refusal(db, patient)]
     for clinic_id, patient_id in due:
         erase_patient(database, settings, clinic_id, patient_id, None)
     remove_erased_files(database, settings)
@@ -96,37 +102,37 @@ def erase_due(database: Database, settings: Settings) -> None:
 def erase_again(database: Database, settings: Settings, tombstones: frozenset[Tombstone]) -> list[int]:
     """Erase the patients of these tombstones from a restored clinic, and return their ids."""
     with database.transaction(closing=True) as db:
-        found = [
+        patients = [
             patient
-            for one in sorted(tombstones)
-            if (patient := db.get(Patient, one.patient, execution_options=WITH_DELETED)) is not None
-            and tombstone(patient.id, patient.created, patient.created).created == one.created
+            for stone in sorted(tombstones)
+            if (patient := db.get(Patient, stone.patient, execution_options=WITH_DELETED)) is not None
+            and tombstone(patient.id, patient.created, patient.created).created == stone.created
         ]
-        for patient in found:
+        for patient in patients:
             rows = _erase(db, patient, utc_now())
             counts = {table: len(ids) for table, ids in sorted(rows.items())}
             write_log(db, None, "patient erased again", patient=patient.id, rows=counts, reason="restored backup")
     add_tombstones(settings.erased, tombstones)
     remove_erased_files(database, settings)
-    return [patient.id for patient in found]
+    return [patient.id for patient in patients]
 
 
 def remove_erased_files(database: Database, settings: Settings) -> None:
     """Remove the files of erased patients, and the bytes that SQLite's write-ahead log still holds of them.
 
-    What killed imports and exports have left can hold recordings of anybody: it goes, too.
+    The temporary folders of killed imports and exports are removed as well: they can hold recordings of anybody.
     """
-    remove_passing_folders(settings.state)
+    remove_temporary_folders(settings.state)
     with database.transaction(closing=True) as db:
-        left = {row.id: list(row.files) for row in db.scalars(select(ErasedPatient)) if row.files}
-    if not left:
+        remaining = {row.id: list(row.files) for row in db.scalars(select(ErasedPatient)) if row.files}
+    if not remaining:
         return
-    for patient, files in left.items():
+    for patient, files in remaining.items():
         for name in files:
             _remove(settings.state / name)
         _erase_in_copies(settings, patient)
     with database.transaction(closing=True) as db:
-        for patient in left:
+        for patient in remaining:
             db.get_one(ErasedPatient, patient).files = []
     database.empty_write_ahead_log()
 
@@ -141,7 +147,7 @@ def _described(db: Session, patient: Patient, deleted: datetime) -> DeletedPatie
         deleted=deleted,
         until=deleted + UNDO_FOR,
         recordings=recordings or 0,
-        why_not=_why_not(db, patient),
+        why_not=_refusal(db, patient),
     )
 
 
@@ -153,7 +159,7 @@ def _deleted_patient(db: Session, clinic_id: int, patient_id: int) -> Patient:
     return patient
 
 
-def _why_not(db: Session, patient: Patient) -> str:
+def _refusal(db: Session, patient: Patient) -> str:
     incident = incident_of(db, patient.id)
     if incident is not None:
         return (
@@ -171,23 +177,23 @@ def _why_not(db: Session, patient: Patient) -> str:
 
 def _erase(db: Session, patient: Patient, now: datetime) -> RowIds:
     """Erase the rows of a patient within a transaction, and store which files are to be removed after it."""
-    kept = ErasedPatient(id=patient.id, created=patient.created, erased=now, files=_files_of(db, patient))
+    record = ErasedPatient(id=patient.id, created=patient.created, erased=now, files=_files_of(db, patient))
     db.flush()
-    connection = _raw(db)
+    connection = sqlite_connection(db)
     tables = metadata()
     rows = rows_of_patient(connection, tables, patient.id)
-    note_last_ids(connection, tables, rows)
+    store_last_ids(connection, tables, rows)
     erase_rows(connection, tables, rows)
     forget_in_lists(connection, patient.id)
     db.expunge_all()
-    db.merge(kept)  # a backup of before may know the erasure of another patient of this id
+    db.merge(record)  # a backup of before may know the erasure of another patient of this id
     db.flush()
     return rows
 
 
 def _files_of(db: Session, patient: Patient) -> list[str]:
     """Return recordings and uploads of a patient, with what was replaced, relative to the state folder."""
-    rows = rows_of_patient(_raw(db), metadata(), patient.id)
+    rows = rows_of_patient(sqlite_connection(db), metadata(), patient.id)
     runs = select(Run.folder).where(Run.session_id.in_(rows.get("session", ())))
     recordings = [f"runs/{folder}" for folder in db.scalars(runs, execution_options=WITH_DELETED)]
     query = select(PatientFile).where(PatientFile.patient_id == patient.id)
@@ -199,11 +205,11 @@ def _files_of(db: Session, patient: Patient) -> list[str]:
 
 def _remove(place: Path) -> None:
     """Remove a file, a folder, or all files of a pattern."""
-    for found in place.parent.glob(place.name):
-        if found.is_dir():
-            shutil.rmtree(found)
+    for match in place.parent.glob(place.name):
+        if match.is_dir():
+            shutil.rmtree(match)
         else:
-            found.unlink(missing_ok=True)
+            match.unlink(missing_ok=True)
 
 
 def _erase_in_copies(settings: Settings, patient: int) -> None:
@@ -217,8 +223,3 @@ def _erase_in_copies(settings: Settings, patient: int) -> None:
             forget_in_lists(connection, patient)
             connection.execute("COMMIT")
             connection.execute("VACUUM")
-
-
-def _raw(db: Session) -> Any:
-    """Return the connection to SQLite itself, within the transaction of `db`."""
-    return db.connection().connection.driver_connection

@@ -8,7 +8,7 @@ from app.settings import Settings
 from app.store.database import Database
 from app.store.files.replacements import replaced_files
 from app.store.keeping.erasure import erase_due
-from app.store.keeping.passed_time import look_at_clocks, passed_now
+from app.store.keeping.passed_time import passed_now, store_clocks
 
 ERASE_EVERY: Final = 3600.0  # s
 
@@ -44,7 +44,7 @@ class ErasureWatch:
 
     def _erase(self) -> None:
         with self._database.transaction(closing=True) as db:
-            look_at_clocks(db)
+            store_clocks(db)
             passed = passed_now(db)
         self._replaced.purge(passed)
         erase_due(self._database, self._settings)

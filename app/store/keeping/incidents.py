@@ -30,8 +30,10 @@ def all_incidents(db: Session, clinic_id: int) -> list[tuple[Incident, list[int]
     """Return the clinic's incidents, the newest first, each with the ids of its patients."""
     query = select(IncidentPatient).order_by(IncidentPatient.patient_id)
     marked = list(db.scalars(query, execution_options=WITH_DELETED))
-    found = db.scalars(select(Incident).where(Incident.clinic_id == clinic_id).order_by(Incident.id.desc()))
-    return [(one, [mark.patient_id for mark in marked if mark.incident_id == one.id]) for one in found]
+    incidents = db.scalars(select(Incident).where(Incident.clinic_id == clinic_id).order_by(Incident.id.desc()))
+    return [
+        (incident, [mark.patient_id for mark in marked if mark.incident_id == incident.id]) for incident in incidents
+    ]
 
 
 def incident_of(db: Session, patient_id: int) -> Incident | None:

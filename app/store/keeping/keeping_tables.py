@@ -1,11 +1,11 @@
 """The tables of keeping records: the owner's settings, erased patients, uploads, incidents, clocks."""
 
 from datetime import datetime
-from typing import Any
 
 from sqlalchemy import Float, ForeignKey, String
 from sqlalchemy.orm import Mapped, mapped_column
 
+from app.json_values import JsonDocument
 from app.store.tables import Table
 
 
@@ -27,7 +27,7 @@ class ErasedPatient(Table):
     id: Mapped[int] = mapped_column(primary_key=True)  # that the patient had
     created: Mapped[datetime]  # tells this patient from one to whom an older backup has given the same id
     erased: Mapped[datetime]
-    files: Mapped[list[Any]]  # still to be removed, relative to the state folder
+    files: Mapped[list[str]]  # still to be removed, relative to the state folder
 
 
 class LastId(Table):
@@ -77,4 +77,4 @@ class PassedTime(Table):
     wall: Mapped[datetime]
     count: Mapped[float] = mapped_column(Float)  # s, of the monotonic clock
     boot: Mapped[str] = mapped_column(String(80))  # the start of the machine in which it counts; empty: unknown
-    jumps: Mapped[list[Any]]  # forward, of the wall clock (app.store.keeping.passed_time.Jump)
+    jumps: Mapped[list[JsonDocument]]  # forward, of the wall clock (app.store.keeping.passed_time.Jump)

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sqlalchemy import MetaData, create_engine
+from sqlalchemy.orm import Session
 
 RowIds = dict[str, set[int]]
 """SQLite's row ids, by table."""
@@ -27,28 +28,35 @@ class ForeignKey(NamedTuple):
     parent_column: str
 
 
+def sqlite_connection(db: Session) -> sqlite3.Connection:
+    """Return the connection to SQLite itself, within the transaction of `db`."""
+    connection = db.connection().connection.driver_connection
+    assert isinstance(connection, sqlite3.Connection)
+    return connection
+
+
 def tables_in(file: Path) -> MetaData:
     """Return the tables of a database file of any schema, without those of Alembic."""
-    found = MetaData()
+    tables = MetaData()
     engine = create_engine(f"sqlite:///{file}")
-    found.reflect(engine, only=lambda name, _: name != "alembic_version")
+    tables.reflect(engine, only=lambda name, _: name != "alembic_version")
     engine.dispose()
-    return found
+    return tables
 
 
 def rows_of_patient(connection: sqlite3.Connection, tables: MetaData, patient: int) -> RowIds:
     """Return the patient's own row and all rows that belong to it: their required foreign keys lead to it."""
     keys = [key for key in foreign_keys(tables) if key.required]
-    found: RowIds = defaultdict(set)
-    found["patient"] = {row[0] for row in connection.execute("SELECT id FROM patient WHERE id = ?", (patient,))}
+    rows: RowIds = defaultdict(set)
+    rows["patient"] = {row[0] for row in connection.execute("SELECT id FROM patient WHERE id = ?", (patient,))}
     is_complete = False
     while not is_complete:
         is_complete = True
         for key in keys:
-            if more := _children(connection, key, found[key.parent]) - found[key.table]:
-                found[key.table] |= more
+            if children := _children(connection, key, rows[key.parent]) - rows[key.table]:
+                rows[key.table] |= children
                 is_complete = False
-    return {table: ids for table, ids in found.items() if ids}
+    return {table: ids for table, ids in rows.items() if ids}
 
 
 def erase_rows(connection: sqlite3.Connection, tables: MetaData, rows: RowIds) -> None:
@@ -67,8 +75,8 @@ def forget_in_lists(connection: sqlite3.Connection, patient: int) -> None:
     for person, text in connection.execute("SELECT id, patients FROM person WHERE patients IS NOT NULL").fetchall():
         shown = json.loads(text)
         if shown and patient in shown:
-            left = json.dumps([one for one in shown if one != patient])
-            connection.execute("UPDATE person SET patients = ? WHERE id = ?", (left, person))
+            remaining = json.dumps([other for other in shown if other != patient])
+            connection.execute("UPDATE person SET patients = ? WHERE id = ?", (remaining, person))
 
 
 def foreign_keys(tables: MetaData) -> list[ForeignKey]:

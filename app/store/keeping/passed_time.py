@@ -3,14 +3,14 @@
 The time of the wall clock is compared with the count of the machine's monotonic clock, which goes on while the machine
 runs or sleeps, also when the program does not run. Nothing counts while the machine is off: each start of it counts as
 one day at most. By how much the wall clock has gone on beyond that is taken off again for 30 days that were counted.
-So whatever waits for 30 days or less has waited for as many days that were counted, wherever the clock was set to.
+So what is erased after 30 days has waited for 30 counted days, whatever the clock was set to.
 """
 
 import sqlite3
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 from sqlalchemy import NullPool, create_engine, select
 from sqlalchemy.orm import Session
@@ -23,10 +23,10 @@ from app.store.tables import LogEntry
 DAY: Final = 86_400.0  # s
 TAKEN_OFF_FOR: Final = 30 * DAY  # of counted time; nothing that is erased by itself waits for longer
 COUNTED_AT_A_START: Final = DAY
-ONE_JUMP: Final = DAY  # of counted time: what the clock runs too fast within it is one jump
-TOLD_RUNNING: Final = 3600.0  # s; the machine was on: the clock was set
-TOLD_STARTED: Final = 4 * DAY  # s; longer than a weekend: the clock was set, or the machine was off
-TOLD_BACK: Final = 3600.0  # s
+LONGEST_JUMP: Final = DAY  # of counted time: what the clock runs too fast within it is one jump
+REPORTED_RUNNING: Final = 3600.0  # s; the machine was on: the clock was set
+REPORTED_STARTED: Final = 4 * DAY  # s; longer than a weekend: the clock was set, or the machine was off
+REPORTED_BACK: Final = 3600.0  # s
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +63,7 @@ class Passed:
             return datetime.min.replace(tzinfo=UTC)
 
 
-def looked(last: Passed | None, now: Reading) -> tuple[Passed, float]:
+def compare_clocks(last: Passed | None, now: Reading) -> tuple[Passed, float]:
     """Return the look that follows `last`, and by how many seconds the clock jumped, 0 when nobody need be told."""
     if last is None:
         return Passed(now), 0.0
@@ -73,17 +73,17 @@ def looked(last: Passed | None, now: Reading) -> tuple[Passed, float]:
     older = [replace(jump, counted=jump.counted + counted) for jump in last.jumps]
     jumps = [jump for jump in older if jump.counted < TAKEN_OFF_FOR]
     beyond = gone_on - counted
-    told = beyond >= (TOLD_RUNNING if running else TOLD_STARTED)
+    is_reported = beyond >= (REPORTED_RUNNING if running else REPORTED_STARTED)
     if beyond > 0:
-        joins = bool(jumps) and not told and not jumps[-1].told and jumps[-1].counted < ONE_JUMP
-        before = jumps.pop() if joins else Jump(0.0, 0.0, told)
+        joins = bool(jumps) and not is_reported and not jumps[-1].told and jumps[-1].counted < LONGEST_JUMP
+        before = jumps.pop() if joins else Jump(0.0, 0.0, is_reported)
         jumps.append(replace(before, by=before.by + beyond))
-    return Passed(now, tuple(jumps)), beyond if told or beyond <= -TOLD_BACK else 0.0
+    return Passed(now, tuple(jumps)), beyond if is_reported or beyond <= -REPORTED_BACK else 0.0
 
 
 def passed_now(db: Session) -> datetime:
     """Return the time up to which time has passed: what is erased after days is due by it, not by the wall clock."""
-    return looked(_last(db), _reading())[0].now
+    return compare_clocks(_last(db), _reading())[0].now
 
 
 def passed_of(file: Path) -> datetime:
@@ -94,9 +94,9 @@ def passed_of(file: Path) -> datetime:
         return passed_now(db)
 
 
-def look_at_clocks(db: Session) -> None:
+def store_clocks(db: Session) -> None:
     """Store what the clocks say, and log a jump of the wall clock."""
-    passed, jump = looked(_last(db), _reading())
+    passed, jump = compare_clocks(_last(db), _reading())
     row = db.get(PassedTime, 1) or PassedTime(id=1)
     row.wall, row.count, row.boot = passed.reading.wall, passed.reading.count, passed.reading.boot
     row.jumps = [{"by": jump.by, "counted": jump.counted, "told": jump.told} for jump in passed.jumps]
@@ -107,7 +107,7 @@ def look_at_clocks(db: Session) -> None:
 
 def clock_warning(db: Session) -> str:
     """Return in one sentence that the wall clock went forward, while that keeps back what is to be erased."""
-    jumps = looked(_last(db), _reading())[0].jumps
+    jumps = compare_clocks(_last(db), _reading())[0].jumps
     days = sum(jump.by for jump in jumps if jump.told) / DAY
     if not days:
         return ""
@@ -128,7 +128,7 @@ def _reading() -> Reading:
 
 def _last(db: Session) -> Passed | None:
     """Return the last look; before the first one the newest row of the log says when the program ran."""
-    row: Any = db.get(PassedTime, 1)
+    row = db.get(PassedTime, 1)
     if row is not None:
         return Passed(Reading(row.wall, row.count, row.boot), tuple(Jump(**jump) for jump in row.jumps))
     logged = _logged(db)

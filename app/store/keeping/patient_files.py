@@ -1,4 +1,4 @@
-"""Whose an uploaded file is: that of the patient who was here when it was uploaded."""
+"""Assign an uploaded file to the patient whose session was open."""
 
 from sqlalchemy import update
 from sqlalchemy.orm import Session
@@ -9,7 +9,7 @@ from app.store.patients import open_session
 
 
 def add_patient_file(db: Session, clinic_id: int, name: str) -> None:
-    """Store that a file belongs to the patient who is here; it belongs to nobody while nobody is here."""
+    """Assign a file to the patient of the open session; to nobody when no session is open."""
     db.execute(
         update(PatientFile).where(PatientFile.name == name).values(current=False), execution_options=WITH_DELETED
     )

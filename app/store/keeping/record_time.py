@@ -18,12 +18,12 @@ MOST_YEARS: Final = 100
 
 def record_keeping(db: Session, clinic_id: int) -> RecordKeeping:
     """Return the clinic's settings; made when there are none yet."""
-    found = db.get(RecordKeeping, clinic_id)
-    if found is None:
-        found = RecordKeeping(clinic_id=clinic_id, years=None, folder=None, hour=2, with_keys=False)
-        db.add(found)
+    settings = db.get(RecordKeeping, clinic_id)
+    if settings is None:
+        settings = RecordKeeping(clinic_id=clinic_id, years=None, folder=None, hour=2, with_keys=False)
+        db.add(settings)
         db.flush()
-    return found
+    return settings
 
 
 def must_be_kept_until(db: Session, patient: Patient) -> datetime | None:

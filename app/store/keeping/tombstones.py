@@ -33,7 +33,9 @@ def read_tombstones(file: Path) -> frozenset[Tombstone]:
     """Return the tombstones in a file, none when there is no file; Unavailable when it cannot be read."""
     try:
         entries = json.loads(file.read_bytes())["erased"]
-        return frozenset(Tombstone(int(one["patient"]), str(one["created"]), str(one["erased"])) for one in entries)
+        return frozenset(
+            Tombstone(int(entry["patient"]), str(entry["created"]), str(entry["erased"])) for entry in entries
+        )
     except FileNotFoundError:
         return frozenset()
     except (ValueError, KeyError, TypeError, OSError) as error:
@@ -43,11 +45,13 @@ def read_tombstones(file: Path) -> frozenset[Tombstone]:
         ) from error
 
 
-def add_tombstones(file: Path, more: Iterable[Tombstone]) -> frozenset[Tombstone]:
+def add_tombstones(file: Path, new: Iterable[Tombstone]) -> frozenset[Tombstone]:
     """Add tombstones to a file, and return all of them; none is ever removed."""
-    known = read_tombstones(file)
-    union = known | frozenset(more)
-    if union != known:
-        entries = [{"patient": one.patient, "created": one.created, "erased": one.erased} for one in sorted(union)]
+    before = read_tombstones(file)
+    union = before | frozenset(new)
+    if union != before:
+        entries = [
+            {"patient": stone.patient, "created": stone.created, "erased": stone.erased} for stone in sorted(union)
+        ]
         write_atomically(file, json.dumps({"erased": entries}, indent=1).encode() + b"\n", OWNER_FILE)
     return union

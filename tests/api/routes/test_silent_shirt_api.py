@@ -13,7 +13,7 @@ NO_FRAMES = "No frames from a shirt on 127.0.0.1:5252 (the shirt sends 40 sensor
 
 @pytest.fixture(autouse=True)
 def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(shirt_watch, "LOOK_EVERY", 0.01)
+    monkeypatch.setattr(shirt_watch, "WATCH_EVERY", 0.01)
 
 
 def until_told(socket: Any) -> None:

@@ -10,9 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.calibration.adaptation.joint_loss import JointLoss
-from app.calibration.adaptation.joint_proposal import AT_ITS_END
 from app.calibration.adaptation.movement import Movement
-from app.calibration.adaptation.proposal import propose
+from app.calibration.adaptation.proposal import AT_ITS_END, propose
 from app.calibration.vocabulary import standard_parameters
 
 WORDS = "Something is lost."

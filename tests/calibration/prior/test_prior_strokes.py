@@ -5,8 +5,7 @@ import pytest
 from calibration.prior.simulated_wearers import RATE, Wearer
 
 from app.calibration.guided.labels import CuedMovement
-from app.calibration.prior.frames import prompted_frames
-from app.calibration.prior.strokes import movement_lags, stroke_labels
+from app.calibration.prior.frames import movement_lags, prompted_frames, stroke_labels
 
 
 @pytest.mark.parametrize("seed", range(5))

@@ -20,7 +20,7 @@ from app.features.archive.service import make_archive
 from app.features.consents.service import give_consent
 from app.recording.reader import read_run
 from app.store.database import Database
-from app.store.files import room_to_make
+from app.store.files import room_for_files
 from app.store.files.disk_watch import DiskRoom
 from app.store.tables import Patient
 
@@ -123,14 +123,14 @@ def test_an_archive_without_room_on_the_disk_is_refused_before_anything_is_made(
     settings = signed_in.client.app.state.people.settings
     assert room == {"bytes": sum(file.stat().st_size for file in (settings.runs / RUN).iterdir()), "words": ""}
     needed = room["bytes"] + ROOM_TO_RECORD
-    monkeypatch.setattr(room_to_make, "disk_room", lambda _: DiskRoom(needed - 1, ""))
+    monkeypatch.setattr(room_for_files, "disk_room", lambda _: DiskRoom(needed - 1, ""))
     refused = signed_in("GET", f"/patients/{patient}/archive")
     words = refused.json()["detail"]
     assert (refused.status_code, words.startswith("There is no room for this archive: 501 MB must")) == (507, True)
     assert signed_in.good("GET", f"/patients/{patient}/archive/room") == {**room, "words": words}
     assert [row for row in signed_in.log() if row.what == "export"] == []
     assert list(settings.state.glob(".export-*")) == []
-    monkeypatch.setattr(room_to_make, "disk_room", lambda _: DiskRoom(needed, ""))
+    monkeypatch.setattr(room_for_files, "disk_room", lambda _: DiskRoom(needed, ""))
     assert signed_in("GET", f"/patients/{patient}/archive").status_code == 200
 
 
@@ -138,7 +138,7 @@ def test_an_export_without_room_on_the_disk_is_refused_before_anything_is_made(
     signed_in: Any, package: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     patient = brought(signed_in, package).json()["patient_id"]
-    monkeypatch.setattr(room_to_make, "disk_room", lambda _: DiskRoom(ROOM_TO_RECORD, ""))
+    monkeypatch.setattr(room_for_files, "disk_room", lambda _: DiskRoom(ROOM_TO_RECORD, ""))
     refused = signed_in("GET", f"/patients/{patient}/export?form=csv")
     words = refused.json()["detail"]
     assert (refused.status_code, words.startswith("There is no room for this export: 501 MB must")) == (507, True)

@@ -14,7 +14,7 @@ from app.features.archive.archive_import import import_archive
 from app.features.archive.service import make_archive
 from app.settings import Settings
 from app.store.database import Database
-from app.store.files.passing_folder import passing_folder, remove_passing_folders
+from app.store.files.temporary_folders import remove_temporary_folders, temporary_folder
 from app.store.keeping.erasure import erase_due
 
 KILLED = """
@@ -65,14 +65,14 @@ def test_the_next_import_removes_it(settings: Settings, package: Path) -> None:
 
 def test_what_a_killed_export_left_goes_likewise(tmp_path: Path) -> None:
     (tmp_path / ".export-left" / "part").mkdir(parents=True)
-    remove_passing_folders(tmp_path)
+    remove_temporary_folders(tmp_path)
     assert list(tmp_path.iterdir()) == []
 
 
 def test_an_import_that_goes_on_keeps_its_recordings(tmp_path: Path) -> None:
-    with passing_folder(tmp_path, "import") as first, passing_folder(tmp_path, "export") as second:
+    with temporary_folder(tmp_path, "import") as first, temporary_folder(tmp_path, "export") as second:
         (first / "run").mkdir()
-        remove_passing_folders(tmp_path)
+        remove_temporary_folders(tmp_path)
         assert (first / "run").is_dir()
         assert second.is_dir()
     assert list(tmp_path.iterdir()) == []

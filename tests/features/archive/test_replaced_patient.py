@@ -23,7 +23,7 @@ from app.refusals import Conflict, DiskFull, PatientHere
 from app.settings import Settings
 from app.store.access.person_tables import Person
 from app.store.database import Database
-from app.store.files import room_to_make
+from app.store.files import room_for_files
 from app.store.files.disk_watch import DiskRoom
 from app.store.files.replacements import replaced_files
 from app.store.keeping.erasure import erase_patient
@@ -190,7 +190,7 @@ def test_what_stands_against_a_replacement_is_one_sentence_and_nothing_changes(
     refused(archives.second, "=P-1 is open here")
     with closing(Database(settings.database)) as database, database.transaction() as db:
         db.query(PatientSession).filter_by(ended=None).one().ended = now
-    monkeypatch.setattr(room_to_make, "disk_room", lambda _: DiskRoom(1000, ""))
+    monkeypatch.setattr(room_for_files, "disk_room", lambda _: DiskRoom(1000, ""))
     refused(archives.second, "There is no room for this archive")
     monkeypatch.undo()
     before = state_of(settings)

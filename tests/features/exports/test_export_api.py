@@ -18,7 +18,7 @@ from app import computing_process
 from app.api import package_download
 from app.features.consents.service import give_consent
 from app.recording.reader import read_run
-from app.store.files.passing_folder import bytes_in
+from app.store.files.temporary_folders import bytes_in
 from app.store.tables import Trial
 from building import make_parameters
 

@@ -9,7 +9,7 @@ from exported_clinic import CODE, make_clinic
 from app.clock import utc_now
 from app.settings import Settings
 from app.store.database import Database
-from app.store.files import room_to_make
+from app.store.files import room_for_files
 from app.store.files.disk_watch import DiskRoom
 from app.store.tables import Clinic
 
@@ -62,7 +62,7 @@ def test_a_patient_goes_to_another_clinic_by_two_commands(bodydrive, tmp_path):
 def test_an_archive_without_room_on_its_disk_is_refused_and_leaves_nothing(bodydrive, tmp_path, monkeypatch):
     settings = make_clinic(tmp_path / "clinic")
     looked = []
-    monkeypatch.setattr(room_to_make, "disk_room", lambda place: looked.append(place) or DiskRoom(10**6, ""))
+    monkeypatch.setattr(room_for_files, "disk_room", lambda place: looked.append(place) or DiskRoom(10**6, ""))
     code, out, err = bodydrive("archive", "make", CODE, "--out", "stick/heron.zip", "--state", settings.state)
     assert (code, out) == (2, "")
     assert "must be free on the disk where it is made, and 1 MB are." in " ".join(err.split())

@@ -57,7 +57,7 @@ def test_a_disk_that_fills_is_told_to_open_pages(signed_in: Clinic, monkeypatch:
     monkeypatch.setattr(web.disk, "_tell", told.append)
     usage = SimpleNamespace(free=10_000_000)
     monkeypatch.setattr("app.store.files.disk_watch.shutil.disk_usage", lambda _folder: usage)
-    monkeypatch.setattr("app.store.files.disk_watch.LOOK_EVERY", 0.01)
+    monkeypatch.setattr("app.store.files.disk_watch.WATCH_EVERY", 0.01)
     signed_in.until("/equipment", lambda _e: told == ["disk"])
     words = signed_in.good("GET", "/equipment")["disk"]["words"]
     assert "disk of the recordings is full" in words

@@ -73,9 +73,9 @@ def test_the_loop_reads_a_minute_of_frames(lines: ModuleType, line: tuple[int, i
     setup = Setup(clock)
     layout = small_layout().model_dump(mode="json")
     change = setup.change_shirt(parse_shirt({"kind": "lines", "device": device, "layout": layout}))
-    change.take(change.open())
+    change.use(change.open())
     assert (setup.source.shirt, setup.source.simulated, setup.mistrust) == ("lines", False, "")
-    assert setup.shirt_words == f"Shirt on {device}, 3 sensors."
+    assert setup.shirt_description == f"Shirt on {device}, 3 sensors."
     loop = ControlLoop(setup, ring, None, clock)
     sent = np.arange(3 * MINUTE, dtype=np.float32).reshape(MINUTE, 3) / 4
     for values in sent:

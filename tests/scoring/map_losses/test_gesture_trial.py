@@ -12,6 +12,7 @@ from app.calibration.vocabulary import standard_parameters
 from app.pipeline.replay.batch import decode_block
 from app.scoring.map_losses.gesture_trial import gesture_trials
 from app.scoring.map_losses.trial_history import PastTrial, losses_of, read_trials
+from building import covariance_of_independent
 
 
 @pytest.fixture
@@ -73,7 +74,10 @@ def out_of_range(person, parameters):
 
 
 def test_a_channel_that_others_cannot_stand_in_for_silences_its_gesture_alone(person, parameters) -> None:
-    alone = tuple(joint.model_copy(update={"covariance": None}) for joint in parameters.profile.joints)
+    alone = tuple(
+        joint.model_copy(update={"covariance": covariance_of_independent(joint.direction)})
+        for joint in parameters.profile.joints
+    )
     lonely = parameters.model_copy(update={"profile": parameters.profile.model_copy(update={"joints": alone})})
     found = gesture_trials(lonely, out_of_range(person, parameters))
     assert found[JOINTS[0]] == (None, None, None, None, 1.0)

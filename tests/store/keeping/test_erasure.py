@@ -22,7 +22,7 @@ from app.store.keeping.erasure import deleted_patients, erase_again, erase_due, 
 from app.store.keeping.incidents import lift_incident, mark_incident
 from app.store.keeping.keeping_tables import ErasedPatient
 from app.store.keeping.owned_rows import foreign_keys
-from app.store.keeping.passed_time import DAY, look_at_clocks
+from app.store.keeping.passed_time import DAY, store_clocks
 from app.store.keeping.record_time import record_keeping, years_later
 from app.store.keeping.tombstones import add_tombstones, read_tombstones
 from app.store.log_chain import verify_log
@@ -51,7 +51,7 @@ class Filled:
 
     def look(self) -> None:
         with self.database.transaction() as db:
-            look_at_clocks(db)
+            store_clocks(db)
 
     def whats(self) -> list[str]:
         with self.database.transaction() as db:

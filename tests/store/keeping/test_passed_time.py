@@ -14,7 +14,7 @@ from app.refusals import Conflict
 from app.store.files.replacements import replaced_files
 from app.store.keeping import passed_time
 from app.store.keeping.erasure import erase_due
-from app.store.keeping.passed_time import DAY, Reading, clock_warning, look_at_clocks, looked, passed_now
+from app.store.keeping.passed_time import DAY, Reading, clock_warning, compare_clocks, passed_now, store_clocks
 from app.store.keeping.record_time import record_keeping
 from app.store.patients import delete_patient, restore_patient
 from app.store.tables import LogEntry
@@ -30,30 +30,30 @@ def after(reading: Reading, *, wall: float, count: float, boot: str | None = Non
 
 
 def test_without_a_jump_the_time_is_that_of_the_wall_clock() -> None:
-    passed, _ = looked(None, BEGUN)
+    passed, _ = compare_clocks(None, BEGUN)
     for day in range(40):
-        passed, told = looked(passed, after(BEGUN, wall=day, count=day))
+        passed, told = compare_clocks(passed, after(BEGUN, wall=day, count=day))
         assert told == NOBODY_TOLD
         assert passed.now == BEGUN.wall + timedelta(days=day)
 
 
 @pytest.mark.parametrize("boot", [None, "second"])
 def test_a_clock_that_is_set_forward_counts_as_a_day_at_most_and_is_told(boot: str | None) -> None:
-    first, _ = looked(None, BEGUN)
-    passed, told = looked(first, after(BEGUN, wall=31, count=0.001, boot=boot))
+    first, _ = compare_clocks(None, BEGUN)
+    passed, told = compare_clocks(first, after(BEGUN, wall=31, count=0.001, boot=boot))
     assert told > 29 * DAY
     assert passed.now - BEGUN.wall <= timedelta(days=1)
 
 
 def test_a_machine_that_is_off_each_night_and_weekend_is_not_told_and_waits_little_longer() -> None:
-    passed, _ = looked(None, BEGUN)
+    passed, _ = compare_clocks(None, BEGUN)
     day = 0
     while passed.now < BEGUN.wall + timedelta(days=30):
         day += 1
         if day % 7 < 5:
             for hours in (0.0, 8.0):
                 wall = BEGUN.wall + timedelta(days=day, hours=hours)
-                passed, told = looked(passed, Reading(wall, 60.0 + hours * 3600, f"day {day}"))
+                passed, told = compare_clocks(passed, Reading(wall, 60.0 + hours * 3600, f"day {day}"))
                 assert told == NOBODY_TOLD
     assert day <= 45
 
@@ -70,7 +70,7 @@ def test_what_is_due_after_30_days_has_waited_as_many_counted_days(
     course: list[tuple[float, float, bool]], when: int
 ) -> None:
     """Whatever the clock does, from a moment on that is stamped by the wall clock as it was then."""
-    passed, _ = looked(None, BEGUN)
+    passed, _ = compare_clocks(None, BEGUN)
     reading, stamped, counted = BEGUN, None, 0.0
     for number, (set_by, days, off) in enumerate(course):
         if number == when:
@@ -83,7 +83,7 @@ def test_what_is_due_after_30_days_has_waited_as_many_counted_days(
             else replace(reading, wall=wall, count=reading.count + days * DAY)
         )
         counted += min(max(gone_on, 0.0), 1.0) if off else days
-        passed, _ = looked(passed, reading)
+        passed, _ = compare_clocks(passed, reading)
         if stamped is not None and passed.now >= stamped + timedelta(days=30):
             assert counted >= 30 - 1e-6
 
@@ -103,7 +103,7 @@ def test_a_start_with_a_clock_31_days_ahead_erases_nothing_and_says_so(filled: A
     shelf = replaced_files(filled.settings)
     (filled.settings.files).mkdir(exist_ok=True)
     (filled.settings.files / "again.csv").write_bytes(b"t\n0\n")
-    shelf.keep("file", filled.settings.files / "again.csv")
+    shelf.shelve("file", filled.settings.files / "again.csv")
     now = passed_time._reading()
     filled.delete(filled.goes)
     filled.look()
@@ -140,6 +140,6 @@ def test_a_clock_that_is_set_back_is_logged(filled: Any, clocks: Any) -> None:  
     filled.look()
     clocks(after(passed_time._reading(), wall=-2, count=0.01))
     with filled.database.transaction() as db:
-        look_at_clocks(db)
+        store_clocks(db)
         assert db.query(LogEntry).where(LogEntry.what == "clock jumped").one().details["seconds"] < -DAY
         assert clock_warning(db) == ""

@@ -1,7 +1,7 @@
 """What own repetitions bring: as many hits are expected, and are surer."""
 
 from app.calibration.linear_map import Forecast
-from app.calibration.prior.prompting import deviation_of_hits, hits_with_prompts
+from app.calibration.prior.hit_uncertainty import deviation_of_hits, hits_with_prompts
 
 
 def test_hits_with_prompts_are_as_many_and_surer() -> None:

@@ -1,7 +1,7 @@
-"""The reports of a real chair, in words for the pages."""
+"""What a real chair reports of itself, as the pages show it."""
 
 import math
-from typing import Any, Literal, get_args
+from typing import Literal, get_args
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict
@@ -45,11 +45,11 @@ def chair_report(tick: np.void) -> ChairMoment:
     """Return the fields of a real chair in a tick (`app.messages.TICK`)."""
     state, fault = int(tick["chair_state"]), int(tick["chair_fault"])
     if is_silent(tick):
-        words = "The chair does not answer: check its power and the network."
+        message = "The chair does not answer: check its power and the network."
     elif state == CHAIR_FAULT:
-        words = fault_sentence(fault)
+        message = fault_sentence(fault)
     else:
-        words = "" if fault == Reason.NONE else fault_sentence(fault)
+        message = "" if fault == Reason.NONE else fault_sentence(fault)
     return ChairMoment(
         state=STATE_NAMES[min(state, CHAIR_FAULT)],
         age=_number(tick["chair_age"]),
@@ -57,10 +57,10 @@ def chair_report(tick: np.void) -> ChairMoment:
         stop_input=bool(tick["stop_input"]),
         v=_number(tick["driven_v"]) or 0.0,
         omega=_number(tick["driven_omega"]) or 0.0,
-        words=words,
+        words=message,
     )
 
 
-def _number(value: Any) -> float | None:
+def _number(value: float) -> float | None:
     number = float(value)
     return round(number, 3) if math.isfinite(number) else None

@@ -12,7 +12,7 @@ NO_ROOM_TO_MAKE = (
 )
 
 
-def words_without_room(what: str, size: float, place: Path) -> str:
+def room_refusal(what: str, size: float, place: Path) -> str:
     """Return why `what`, of this many bytes, cannot be made in the folder `place`; an empty text when it can."""
     needed, free = size + ROOM_TO_RECORD, disk_room(place).free
     return (

@@ -37,7 +37,7 @@ def name_for(name: str, taken: Collection[str], same_name: SameName, *, may_repl
     NameTaken
         When the name is taken and nobody chose, or when the file of this name cannot be replaced.
     """
-    standing = next((one for one in sorted(taken) if one.lower() == name.lower()), None)
+    standing = next((other for other in sorted(taken) if other.lower() == name.lower()), None)
     if standing is None:
         if same_name == "ask":
             require_distinct(name, taken, "a file or plan")
@@ -53,7 +53,7 @@ def name_for(name: str, taken: Collection[str], same_name: SameName, *, may_repl
 
 def free_name(name: str, taken: Collection[str]) -> str:
     """Return the name with the first number from 2 on that makes it free: walk.csv, walk-2.csv."""
-    lower = {one.lower() for one in taken}
+    lower = {other.lower() for other in taken}
     suffix = PurePath(name).suffix if "." in name else ""
     stem = name.removesuffix(suffix)
     for number in count(2):

@@ -1,4 +1,4 @@
-"""What a person's own repetitions bring to a forecast of hits: it is surer with each of them."""
+"""The uncertainty of expected hits, which falls with each repetition of the person's own."""
 
 import math
 
@@ -18,7 +18,7 @@ def deviation_of_hits(repetitions: int) -> float:
 def hits_with_prompts(without: Forecast) -> Forecast:
     """Return the hits of 100 movements to expect after a calibration's repetitions, from those without any.
 
-    They are as many, and surer: that repetitions also bring more hits was seen on neither garment
+    The number is the same, and its uncertainty smaller: repetitions brought more hits on neither garment
     (docs/learning/prior-measured.md).
     """
     return Forecast(value=without.value, uncertainty=deviation_of_hits(REPETITIONS))

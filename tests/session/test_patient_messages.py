@@ -6,7 +6,7 @@ from itertools import product
 import pytest
 
 from app.faults import Fault, State
-from app.session.words.patient_words import Actor, patient_words
+from app.session.patient_messages import Actor, patient_message
 
 TECHNICAL = re.compile(r"process|tablet|recording|disk|loop|telemetry|control|network|command|number", re.IGNORECASE)
 NAMES = {
@@ -22,7 +22,7 @@ OF_THE_SHIRT = {Fault.SHIRT_SILENT, Fault.SHIRT_LOSSY}
 def test_in_every_state_and_fault_a_sentence_names_who_is_waited_for() -> None:
     for case in product(State, Fault, [True, False], [True, False]):
         state, fault, drives, shirt_alive = case
-        words = patient_words(state, fault, drives=drives, shirt_alive=shirt_alive)
+        words = patient_message(state, fault, drives=drives, shirt_alive=shirt_alive)
         assert NAMES[words.actor] in words.wait, case
         assert sum(name in words.wait for name in NAMES.values()) == 1, case
         assert bool(words.happened) == (state is State.FAULT), case
@@ -35,7 +35,7 @@ def test_in_every_state_and_fault_a_sentence_names_who_is_waited_for() -> None:
 @pytest.mark.parametrize("fault", FAULTS)
 def test_after_a_stop_the_clinician_goes_on_or_something_comes_back_first(fault: Fault) -> None:
     def actor(shirt_alive: bool) -> Actor:
-        return patient_words(State.FAULT, fault, drives=True, shirt_alive=shirt_alive).actor
+        return patient_message(State.FAULT, fault, drives=True, shirt_alive=shirt_alive).actor
 
     first = Actor.PROGRAM if fault is Fault.CONTROL_LOST else Actor.CLINICIAN
     assert actor(True) is first
@@ -53,13 +53,13 @@ def test_after_a_stop_the_clinician_goes_on_or_something_comes_back_first(fault:
     ],
 )
 def test_without_a_stop(state: State, drives: bool, shirt_alive: bool, actor: Actor) -> None:
-    words = patient_words(state, Fault.NONE, drives=drives, shirt_alive=shirt_alive)
+    words = patient_message(state, Fault.NONE, drives=drives, shirt_alive=shirt_alive)
     assert words.actor is actor
 
 
 def test_who_stopped_the_chair_is_told_right() -> None:
     def happened(fault: Fault) -> str:
-        return patient_words(State.FAULT, fault, drives=True, shirt_alive=True).happened
+        return patient_message(State.FAULT, fault, drives=True, shirt_alive=True).happened
 
     assert happened(Fault.STOP_GESTURE).startswith("You stopped")
     for fault in (Fault.STOP_TABLET, Fault.STOP_KEY):

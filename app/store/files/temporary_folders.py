@@ -1,4 +1,4 @@
-"""The folders in which imports and exports keep recordings for a while; what a killed one has left goes."""
+"""Temporary folders of imports and exports; folders of killed processes are removed."""
 
 import fcntl
 import os
@@ -14,14 +14,15 @@ PATTERNS: Final = (".import-*", ".export-*")
 
 
 @contextmanager
-def passing_folder(state: Path, use: Use) -> Iterator[Path]:
+def temporary_folder(state: Path, use: Use) -> Iterator[Path]:
     """Make an empty folder in the clinic's folder, yield it, and remove it afterwards.
 
-    A lock tells it from the folder of a killed process: the system releases the lock when the process ends.
+    The folder is locked while it is in use. The system releases the lock when the process ends, so that a folder
+    without a lock is one of a killed process.
     """
     with ExitStack() as stack:
         with _locked(state):
-            _remove_left(state)
+            _remove_unlocked(state)
             name = stack.enter_context(tempfile.TemporaryDirectory(dir=state, prefix=f".{use}-"))
             stack.enter_context(_locked(Path(name)))
         yield Path(name)
@@ -37,14 +38,14 @@ def bytes_in(folder: Path) -> int:
     return total
 
 
-def remove_passing_folders(state: Path) -> None:
-    """Remove what killed imports and exports have left in the clinic's folder; those that go on keep theirs."""
+def remove_temporary_folders(state: Path) -> None:
+    """Remove the temporary folders of killed imports and exports from the clinic's folder."""
     with _locked(state):
-        _remove_left(state)
+        _remove_unlocked(state)
 
 
-def _remove_left(state: Path) -> None:
-    for folder in (found for pattern in PATTERNS for found in state.glob(pattern)):
+def _remove_unlocked(state: Path) -> None:
+    for folder in (folder for pattern in PATTERNS for folder in state.glob(pattern)):
         with suppress(BlockingIOError, FileNotFoundError), _locked(folder, fcntl.LOCK_NB):
             shutil.rmtree(folder)
 

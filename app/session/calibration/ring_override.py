@@ -1,40 +1,39 @@
-"""How the shirt sits, as a person says it: rings of sensors that are left as worn although they look turned."""
-
-from typing import Any
+"""The clinician's override of a detected rotation of a ring of sensors."""
 
 from app.calibration.profile import CalibrationProfile
+from app.json_values import JsonDocument
 from app.refusals import Conflict, NotFound
 from app.store.calibrations import recordings_of
 from app.store.database import Database, Transaction
 from app.store.log import write_log
 from app.store.tables import PatientSession
 
-AS_WORN = "as_worn"  # in the calibration under way: which rings, and the recording in which they looked turned
+AS_WORN = "as_worn"  # in the script of a calibration: the rings, and the recording in which a rotation was detected
 
 
 def rings_as_worn(db: Transaction, session: PatientSession) -> tuple[str, ...]:
-    """Return the rings that a person is sure of; none once the free movement was recorded again."""
-    noted: dict[str, Any] = (session.script or {}).get(AS_WORN, {})
-    if not noted or noted["recording"] != _free_movement(db, session.id):
+    """Return the rings whose detected rotation is overridden; none once the free movement was recorded again."""
+    override: JsonDocument = (session.script or {}).get(AS_WORN, {})
+    if not override or override["recording"] != _free_movement(db, session.id):
         return ()
-    return tuple(noted["rings"])
+    return tuple(override["rings"])
 
 
-def note_sitting(database: Database, session_id: int, joint: str, person: str, *, is_right: bool) -> None:
-    """Store whether the shirt sits right at a joint; the result must then be fitted again.
+def override_rotation(database: Database, session_id: int, joint: str, person: str, *, is_right: bool) -> None:
+    """Store whether the detected rotations at a joint are overridden; the result must then be fitted again.
 
     Raises
     ------
     NotFound
         When the result has no such joint.
     Conflict
-        When there is no result, or the shirt sits at the joint as on other people.
+        When there is no result, or no rotation was detected at the joint.
     """
     with database.transaction() as db:
         session = db.get_one(PatientSession, session_id)
         if session.result is None or session.script is None:
             raise Conflict("There is no result yet: do every step first.")
-        joints = {one.name: one for one in CalibrationProfile.model_validate(session.result).joints}
+        joints = {joint_map.name: joint_map for joint_map in CalibrationProfile.model_validate(session.result).joints}
         if joint not in joints:
             raise NotFound(f"There is no calibration for '{joint}': choose one of {', '.join(joints)}.")
         prior = joints[joint].prior
@@ -42,11 +41,11 @@ def note_sitting(database: Database, session_id: int, joint: str, person: str, *
         if not rings:
             raise Conflict("At this joint the shirt sits as on other people: there is nothing to choose.")
         before = set(rings_as_worn(db, session))
-        noted = {
+        override = {
             "recording": _free_movement(db, session_id),
             "rings": sorted(before | rings if is_right else before - rings),
         }
-        session.script = {**session.script, AS_WORN: noted}
+        session.script = {**session.script, AS_WORN: override}
         write_log(db, person, "shirt sits right", patient=session.patient_id, joint=joint, right=is_right)
 
 

@@ -15,8 +15,8 @@ class Actor(StrEnum):
     PATIENT = "patient"
 
 
-class PatientWords(NamedTuple):
-    """Plain sentences for the patient, without technical details."""
+class PatientNotice(NamedTuple):
+    """What the patient reads while the chair stands, without technical details."""
 
     happened: str  # why the chair was stopped; empty when it was not
     actor: Actor
@@ -56,12 +56,12 @@ _AFTER_STOP = {
 }
 
 
-def patient_words(state: State, fault: Fault, *, drives: bool, shirt_alive: bool) -> PatientWords:
+def patient_message(state: State, fault: Fault, *, drives: bool, shirt_alive: bool) -> PatientNotice:
     """Return the words for the patient; `drives`: a trial or drive is going on, `shirt_alive`: the shirt sends."""
     if state is State.FAULT:
         actor = _actor_after(fault, shirt_alive)
-        return PatientWords(_HAPPENED.get(fault, _STOPPED), actor, _AFTER_STOP[actor])
-    return PatientWords("", *_actor_without_stop(state, drives, shirt_alive))
+        return PatientNotice(_HAPPENED.get(fault, _STOPPED), actor, _AFTER_STOP[actor])
+    return PatientNotice("", *_actor_without_stop(state, drives, shirt_alive))
 
 
 def _actor_after(fault: Fault, shirt_alive: bool) -> Actor:
