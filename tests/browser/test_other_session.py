@@ -21,23 +21,27 @@ def served(served):
     return served
 
 
-@pytest.fixture
-def tablets(browser, page_log, served):
-    """Yield two browsers of their own, both signed in while A-03 is here."""
+@pytest.fixture(scope="module")
+def two_pages(browser, page_log, served):
+    """Two browsers of their own for all tests."""
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    log = page_log(served.address)
+    pages = [log.watch(browser.new_context().new_page()) for _ in range(2)]
+    yield pages
+    assert_quiet(log)
+    for page in pages:
+        page.context.close()
+
+
+@pytest.fixture
+def tablets(two_pages, served):
+    """Return both, just signed in while A-03 is here."""
     served.open_session("A-03")
-    pages, logs = [], []
-    for _ in range(2):
-        log = page_log(served.address)
-        page = log.watch(browser.new_context(viewport={"width": 768, "height": 1024}).new_page())
+    for page in two_pages:
+        page.set_viewport_size({"width": 768, "height": 1024})
         served.sign_in(page)
         expect(page.locator(".who")).to_contain_text("A-03")
-        pages.append(page)
-        logs.append(log)
-    yield pages
-    for page, log in zip(pages, logs, strict=True):
-        assert_quiet(log)
-        page.context.close()
+    return two_pages
 
 
 def opens(page, code):

@@ -20,17 +20,24 @@ IN_VIEW = """(one) => {
 }"""
 
 
-@pytest.fixture
-def page(browser, page_log, served):
+@pytest.fixture(scope="module")
+def one_page(browser, page_log, served):
+    """One page for all tests."""
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     log = page_log(served.address)
     page = log.watch(browser.new_context(viewport={"width": 768, "height": 1024}).new_page())
-    served.open_session("A-03")
-    served.sign_in(page)
-    expect(page.locator(".who")).to_contain_text("A-03")
     yield page
     assert_quiet(log)
     page.context.close()
+
+
+@pytest.fixture
+def page(one_page, served):
+    """Yield the page, on which the owner has just signed in."""
+    served.open_session("A-03")
+    served.sign_in(one_page)
+    expect(one_page.locator(".who")).to_contain_text("A-03")
+    return one_page
 
 
 def assert_marked(page, words):
@@ -107,7 +114,7 @@ def test_every_page_carries_the_mark_while_nobody_wears_the_shirt(page, served):
     # Three show no shirt: the pages of docs/, what somebody outside is shown, and what explains trust to a tablet.
     assert DOCUMENTS == ["docs.html", "index.html", "patient.html", "share.html", "stereo.html", "tablet.html"]
     for address in ("", "patient.html", "stereo.html", link[link.index("patient.html") :]):
-        page.goto("about:blank")
+        page.goto(f"{served.address}/icon.svg")
         page.goto(f"{served.address}/{address}")
         assert_marked(page, "Simulated shirt")
         page.screenshot(path=SCREENSHOTS / f"768x1024-practice-{address.split('.')[0].split('#')[0] or 'sign-in'}.png")

@@ -21,8 +21,9 @@ def refuse(route):
         route.continue_()
 
 
-@pytest.fixture
-def page(browser, page_log, served):
+@pytest.fixture(scope="module")
+def one_page(browser, page_log, served):
+    """One page for all tests, whose trial is what its attribute `trial` says."""
     log = page_log(served.address)
     page = log.watch(browser.new_context(viewport={"width": 1024, "height": 768}).new_page())
     page.trial = None
@@ -36,12 +37,20 @@ def page(browser, page_log, served):
         server.on_message(lambda words: socket.send(with_trial(words)))
 
     page.route_web_socket(re.compile("/api/v1/live$"), pass_on)
-    served.open_session("A-03")
-    served.sign_in(page)
-    expect(page.locator(".who")).to_contain_text("A-03")
     yield page
     assert_quiet(log)
     page.context.close()
+
+
+@pytest.fixture
+def page(one_page, served):
+    """Yield the page, on which the owner has just signed in."""
+    served.open_session("A-03")
+    served.sign_in(one_page)
+    expect(one_page.locator(".who")).to_contain_text("A-03")
+    yield one_page
+    one_page.set_viewport_size({"width": 1024, "height": 768})
+    one_page.unroute_all()
 
 
 def test_a_refused_change_says_so_in_view_and_a_trial_disables_the_page(page):
@@ -107,7 +116,7 @@ def test_signing_in_says_that_it_waits_and_is_not_sent_twice(browser, served):
     page = browser.new_page()
     waiting = []
     page.route("**/auth/sign-in", lambda route: waiting.append(route))  # noqa: PLW0108 - Playwright sets an attribute of it
-    served.sign_in(page)
+    served.type_name_and_password(page)
     expect(page.get_by_role("status").filter(has_text="One moment…")).to_be_visible()
     page.get_by_role("button", name="Sign in").click(force=True)
     while not waiting:

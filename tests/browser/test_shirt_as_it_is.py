@@ -41,7 +41,7 @@ def expect_ticks(page, steps):
 
 
 def expect_all(page, where, steps, sentence, obstacle=None):
-    """Wait until the rail, and the page that is open, say what is true of the shirt.
+    """Wait until the rail, and the page `where`, which is open, say what is true of the shirt.
 
     `obstacle` is why no trial is started, and the button that leads on; None: a trial can be started.
     """
@@ -63,31 +63,31 @@ def expect_all(page, where, steps, sentence, obstacle=None):
         expect(foot.get_by_role("link", name=obstacle[1])).to_be_visible()
 
 
-@pytest.mark.parametrize("where", PAGES)
-def test_all_follow_a_shirt_that_falls_silent_and_sends_again(page, served, where):
+def test_all_follow_a_shirt_that_falls_silent_and_sends_again(page, served):
     process = served.process
-    go(page, where)
-    for _ in range(2):
+    for where in PAGES:
+        go(page, where)
+        for _ in range(2):
+            process.sends, process.shirt_words = True, "Sends."
+            expect_all(page, where, READY, "Sends.")
+            process.sends, process.shirt_words = False, NO_FRAMES
+            expect_all(page, where, ("Patients",), NO_FRAMES, ("The shirt sends no signals", "To the shirt"))
+        page.screenshot(path=SCREENSHOTS / f"768x1024-silent-{where}.png")
         process.sends, process.shirt_words = True, "Sends."
-        expect_all(page, where, READY, "Sends.")
-        process.sends, process.shirt_words = False, NO_FRAMES
-        expect_all(page, where, ("Patients",), NO_FRAMES, ("The shirt sends no signals", "To the shirt"))
-    page.screenshot(path=SCREENSHOTS / f"768x1024-silent-{where}.png")
-    process.sends, process.shirt_words = True, "Sends."
 
 
-@pytest.mark.parametrize("where", PAGES)
-def test_all_follow_another_shirt_that_is_chosen_on_another_screen(page, served, where):
+def test_all_follow_another_shirt_that_is_chosen_on_another_screen(page, served):
     process = served.process
-    go(page, where)
-    expect_all(page, where, READY, "Sends.")
-    process.layout, process.shirt_words = OTHER_LAYOUT, "Another shirt sends."
-    served.good("PUT", "/equipment/shirt", {"kind": "simulator", "seed": 2})
-    obstacle = ("The patient was calibrated in another shirt", "Calibrate")
-    expect_all(page, where, ("Patients", "Shirt"), "Another shirt sends.", obstacle)
-    process.layout, process.shirt_words = LAYOUT, "Sends."
-    served.good("PUT", "/equipment/shirt", {"kind": "simulator", "seed": 1})
-    expect_all(page, where, READY, "Sends.")
+    for where in PAGES:
+        go(page, where)
+        expect_all(page, where, READY, "Sends.")
+        process.layout, process.shirt_words = OTHER_LAYOUT, "Another shirt sends."
+        served.good("PUT", "/equipment/shirt", {"kind": "simulator", "seed": 2})
+        obstacle = ("The patient was calibrated in another shirt", "Calibrate")
+        expect_all(page, where, ("Patients", "Shirt"), "Another shirt sends.", obstacle)
+        process.layout, process.shirt_words = LAYOUT, "Sends."
+        served.good("PUT", "/equipment/shirt", {"kind": "simulator", "seed": 1})
+        expect_all(page, where, READY, "Sends.")
 
 
 def test_frames_of_another_number_of_sensors_are_no_signals(browser, page_log, tmp_path):
