@@ -2,7 +2,9 @@
 the tests make say what they need.
 """
 
+import sqlite3
 from collections.abc import Callable
+from contextlib import closing
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -33,6 +35,18 @@ from app.store.tables import InterfaceTest, PatientSession, Trial
 
 OWNER = {"code": "the-set-up-code-of-the-tests", "name": "Ada", "password": "correct horse battery"}
 LAYOUT = standard_layout()
+# What is stored of all that a place may change, and that has to be put back.
+STORED = (
+    "SELECT id, patient_id, ended, script, current_step, result, accepted, goal FROM session",
+    "SELECT * FROM calibration_step",
+    "SELECT * FROM session_note",
+    "SELECT * FROM session_sign_off",
+    "SELECT id, revoked FROM share_link",
+    "SELECT id, deleted FROM patient",
+    "SELECT id, status FROM interface_test",
+    "SELECT * FROM chair",
+    "SELECT chair FROM clinic",
+)
 
 
 class StandIn(FakeProcess):
@@ -62,6 +76,7 @@ class EyesClinic(ServedClinic):
         self.shown_to_patient: dict[str, Any] = {}  # the same of the patient's picture
         self.lamps: dict[int, str] = {}  # conditions of sensors that are other than in truth, by the sensor's number
         self.when_left: list[Callable[[], Any]] = []  # what puts back what a place has changed in the browser or here
+        self.put_back_to: Any = None  # what was stored, and under way, when it was last put back
         self._others: dict[type[EyesClinic], EyesClinic] = {}  # clinics of another kind that a place has asked for
 
     def _furnish(self, settings: Settings) -> list[int]:
@@ -219,6 +234,12 @@ class EyesClinic(ServedClinic):
         before = process.shirt_words
         sends(False, words)
         self.when_left.append(lambda: sends(True, before))
+
+    def stored(self) -> Any:
+        """Return what is stored, and under way, of all that a place may change."""
+        with closing(sqlite3.connect(self._settings.database)) as db:
+            rows = [db.execute(query).fetchall() for query in STORED]
+        return rows, self.process.run, self.app.state.web.calibration.running
 
     def clear(self) -> None:
         """Take the reason back."""

@@ -3,7 +3,7 @@
 from typing import Any
 
 from browser.eyes.eyes_clinic import EyesClinic
-from browser.eyes.opening import Open, answered, at, go, opened, start_with, tap
+from browser.eyes.opening import Open, answered, at, go, leave, opened, start_with, tap
 from browser.eyes.states.session_places import session_record, trial_over, written_session
 from playwright.sync_api import expect
 
@@ -27,8 +27,7 @@ def refused_set_up(page: Any, clinic: EyesClinic) -> None:
 
 
 def old_invitation(page: Any, clinic: EyesClinic) -> None:
-    page.unroute_all()
-    page.goto("about:blank")
+    leave(page, clinic)
     page.goto(f"{clinic.address}/#invite=not-this-one")
     expect(page.get_by_role("heading", name="This invitation does not work")).to_be_visible()
 
@@ -169,8 +168,7 @@ def unsaved_plan_of_the_list(page: Any, clinic: EyesClinic) -> None:
 
 
 def wrong_pin(page: Any, clinic: EyesClinic) -> None:
-    page.unroute_all()
-    page.goto("about:blank")
+    leave(page, clinic)
     page.goto(f"{clinic.address}/share.html#{'a' * 32}")
     page.get_by_label("PIN of this link").fill("0000")
     tap(page, "Open")

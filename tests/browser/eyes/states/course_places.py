@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 from browser.eyes.eyes_clinic import EyesClinic
-from browser.eyes.opening import Open, go, open_all, opened
+from browser.eyes.opening import Open, go, leave, open_all, opened
 from browser.eyes.states.course_clinic import BETTER, WORSE, CourseClinic
 from playwright.sync_api import expect
 
@@ -15,7 +15,7 @@ def of_course(open_place: Callable[[Any, CourseClinic], None]) -> Open:
     """Return what opens a place in the clinic of people with a course of sessions."""
 
     def open_in_course(page: Any, clinic: EyesClinic) -> None:
-        page.goto("about:blank")
+        leave(page, clinic)
         course = clinic.other(page, CourseClinic)
         assert isinstance(course, CourseClinic)
         open_place(page, course)

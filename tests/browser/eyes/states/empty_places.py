@@ -3,7 +3,7 @@
 from typing import Any
 
 from browser.eyes.eyes_clinic import EyesClinic
-from browser.eyes.opening import Open, answered, go, opened
+from browser.eyes.opening import Open, answered, go, leave, opened
 from playwright.sync_api import expect
 
 NO_SHIRT: dict[str, Any] = {"shirt": None, "body": None, "layout": None, "unused": []}
@@ -17,7 +17,7 @@ def with_nobody(where: str) -> Open:
     """Return what opens a page while no session is open."""
 
     def open_place(page: Any, clinic: EyesClinic) -> None:
-        page.goto("about:blank")
+        leave(page, clinic)
         clinic.good("DELETE", "/session")
         go(page, clinic, where)
         expect(page.locator(".body.empty")).to_be_visible()
@@ -29,7 +29,7 @@ def not_calibrated(where: str) -> Open:
     """Return what opens a page for a patient who has no calibration."""
 
     def open_place(page: Any, clinic: EyesClinic) -> None:
-        page.goto("about:blank")
+        leave(page, clinic)
         clinic.be_here(2)
         go(page, clinic, where)
         expect(page.locator(".body.empty")).to_be_visible()
@@ -41,8 +41,7 @@ def failed(path: str, where: str, words: str = "The disk is full: delete what yo
     """Return what opens a page whose request the program refuses."""
 
     def open_place(page: Any, clinic: EyesClinic) -> None:
-        page.goto("about:blank")
-        page.unroute_all()
+        leave(page, clinic)
         page.route(f"**/api/v1{path}", lambda route: route.fulfill(status=503, json={"detail": words}))
         page.goto(f"{clinic.address}/#/{where}")
         expect(page.get_by_role("button", name="Try again")).to_be_visible()
@@ -57,8 +56,7 @@ def nobody_found(page: Any, clinic: EyesClinic) -> None:
 
 
 def calibrate_without_shirt(page: Any, clinic: EyesClinic) -> None:
-    page.goto("about:blank")
-    page.unroute_all()
+    leave(page, clinic)
     replies = {
         "calibration": {
             **clinic.good("GET", "/calibration"),
@@ -82,8 +80,7 @@ def review_without_trials(page: Any, clinic: EyesClinic) -> None:
 
 
 def trial_without_recording(page: Any, clinic: EyesClinic) -> None:
-    page.goto("about:blank")
-    page.unroute_all()
+    leave(page, clinic)
     words = "The recording of this trial is not on this machine."
     page.route("**/timeline", lambda route: route.fulfill(status=404, json={"detail": words}))
     page.goto(f"{clinic.address}/#/review/1/trial/{clinic.trials[0]}")

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from browser.eyes.eyes_clinic import EyesClinic
-from browser.eyes.opening import Open, answered, go, patient_screen
+from browser.eyes.opening import Open, answered, go, leave, patient_screen
 from browser.eyes.states.chair_places import chair_page
 from browser.eyes.states.session_places import trial_stopped
 from playwright.sync_api import expect
@@ -87,9 +87,8 @@ def session_over(page: Any, clinic: EyesClinic) -> None:
 
 
 def refused_code(page: Any, clinic: EyesClinic) -> None:
-    page.unroute_all()
+    leave(page, clinic)
     page.context.clear_cookies(name="bodydrive_screen")
-    page.goto("about:blank")
     page.goto(f"{clinic.address}/patient.html")
     page.get_by_role("textbox").fill("AAAA 1111")
     page.keyboard.press("Enter")

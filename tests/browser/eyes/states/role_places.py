@@ -4,7 +4,7 @@ import re
 from typing import Any
 
 from browser.eyes.eyes_clinic import EyesClinic
-from browser.eyes.opening import Open, at, opened, tap
+from browser.eyes.opening import Open, at, leave, opened, tap
 from browser.eyes.states.session_places import review, session_record, written_session
 from playwright.sync_api import expect
 
@@ -13,7 +13,7 @@ def as_a(role: str, open_place: Open) -> Open:
     """Return what opens a place for somebody of this role."""
 
     def open_as(page: Any, clinic: EyesClinic) -> None:
-        page.goto("about:blank")
+        leave(page, clinic)
         clinic.visit(page, role)
         open_place(page, clinic)
 

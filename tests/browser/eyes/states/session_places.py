@@ -4,7 +4,7 @@ from typing import Any
 
 from browser.driving import drive_by_plan
 from browser.eyes.eyes_clinic import EyesClinic
-from browser.eyes.opening import Open, answered, go, opened, tap
+from browser.eyes.opening import Open, answered, go, leave, opened, tap
 from playwright.sync_api import expect
 
 from app.faults import Fault
@@ -177,8 +177,7 @@ def shared_records(page: Any, clinic: EyesClinic) -> None:
     written_session(clinic)  # with the consent
     revoke_links(clinic)
     made = clinic.good("POST", "/patients/1/shares", {"days": 1})
-    page.unroute_all()
-    page.goto("about:blank")
+    leave(page, clinic)
     page.goto(f"{clinic.address}/share.html#{made['url'].partition('#')[2]}")
     page.get_by_label("PIN of this link").fill(made["pin"])
     tap(page, "Open")
