@@ -1,5 +1,6 @@
 """What a screen reader would say: the words that come into live regions, and how urgently."""
 
+from collections.abc import Callable
 from typing import Any
 
 # Collects what live regions say: the text that is added to one, with how urgently. A region within another one that is
@@ -28,12 +29,23 @@ LISTEN = """() => {
     }
   }).observe(document.body, { childList: true, subtree: true, characterData: true });
 }"""
-A_WHILE = 2500  # ms
+QUIET = 1000  # ms in which nothing more may be said
+HEARD = "(words) => window.said.some(([, row]) => row.includes(words))"
 
 
 def said(page: Any) -> Any:
     """Return what was said since the last look, with its urgency."""
     return page.evaluate("() => window.said.splice(0)")
+
+
+def said_after(page: Any, change: Callable[[], Any], words: str = "") -> list[list[str]]:
+    """Return what is said after a change, with its urgency: up to these words, and for a while from then on."""
+    said(page)
+    change()
+    if words:
+        page.wait_for_function(HEARD, arg=words)
+    page.wait_for_timeout(QUIET)
+    return list(said(page))
 
 
 def with_words(rows: Any, words: str) -> list[str]:

@@ -5,13 +5,14 @@ import re
 import pytest
 from browser.eyes.axe import look_as
 from browser.eyes.places import PLACES, put_back
-from browser.eyes.spoken import A_WHILE, LISTEN, said, with_words
+from browser.eyes.spoken import LISTEN, QUIET, said, said_after, with_words
 from playwright.sync_api import expect
 
 from app.faults import Fault, State
 
 pytestmark = [pytest.mark.browser]
 
+A_WHILE = 1500  # ms in which nothing is said
 # The role of the notice of a page that has lost the program, without a cover over the page and with one.
 LOST_ROLES = """() => import("/js/shell/notices.js").then(({ notices }) => {
   const live = Object.assign(new EventTarget(), { connected: false, receivedAt: 0, latest: null });
@@ -50,40 +51,34 @@ def test_each_state_of_a_drive_is_said_once(page, clinic):
     page.wait_for_timeout(A_WHILE)
     assert said(page) == []  # nothing has happened, though figures change twenty times a second
 
-    clinic.process.state = State.CHECKING
-    page.wait_for_timeout(A_WHILE)
-    rows = said(page)
+    process = clinic.process
+    rows = said_after(page, lambda: setattr(process, "state", State.CHECKING), "Rest")
     assert with_words(rows, "Rest") == ["polite"], rows
 
-    clinic.process.state = State.ARMED
     go, picture = page.locator(".cue-card.go"), page.locator(".picture")
+    said(page)
+    process.state = State.ARMED
     expect(go).to_be_visible()
     card, whole = go.bounding_box(), picture.bounding_box()
     assert card["y"] + card["height"] < whole["y"] + 0.2 * whole["height"]  # the middle of the path stays free
-    page.wait_for_timeout(A_WHILE)
+    expect(go).to_be_hidden()  # it goes by itself, and nothing is said of that
+    page.wait_for_timeout(QUIET)
     rows = said(page)
     assert len(rows) == 1, rows
     assert rows[0][0] == "polite"
 
-    clinic.fault(Fault.SHIRT_SILENT)
-    page.wait_for_timeout(A_WHILE)
-    rows = said(page)
+    rows = said_after(page, lambda: clinic.fault(Fault.SHIRT_SILENT), "The shirt stopped sending")
     assert with_words(rows, "The shirt stopped sending") == ["polite"], rows
 
-    clinic.clear()
-    page.wait_for_timeout(A_WHILE)
-    said(page)
+    said_after(page, clinic.clear, "Go")
     for _ in range(2):  # each press is said, also the second one
+        expect(go).to_be_hidden()
         page.locator("#stop").focus()
-        page.keyboard.press("Enter")
+        rows = said_after(page, lambda: page.keyboard.press("Enter"), "Stop was pressed")
         expect(page.get_by_role("heading", name="Stop was pressed")).to_be_visible()
-        page.wait_for_timeout(A_WHILE)
-        rows = said(page)
         assert with_words(rows, "Stop was pressed") == ["assertive"], rows
         assert [live for live, _ in rows] == ["assertive"] * len(rows), rows
-        clinic.clear()
-        page.wait_for_timeout(A_WHILE)
-        said(page)
+        said_after(page, clinic.clear, "Go")
     put_back(clinic)
 
 
@@ -151,7 +146,7 @@ def test_no_page_says_figures_that_change(page, clinic):
         PLACES[name](page, clinic)
         page.wait_for_timeout(800)
         page.evaluate(LISTEN)
-        page.wait_for_timeout(1500)
+        page.wait_for_timeout(A_WHILE)
         rows = said(page)
         if rows:
             spoken[name] = rows
