@@ -23,7 +23,7 @@ share_statements()
 # Side by side, what takes longest is begun first, so that no process of the tests waits for another at the end.
 LONGEST = (
     *("test_axe", "test_way", "test_chair_page", "test_story", "test_drawn_plan", "test_calibrate_page"),
-    *("test_without_program", "test_view", "test_keyboard", "test_live_words", "test_people_page"),
+    *("test_without_program", "test_view", "test_layout", "test_keyboard", "test_live_words", "test_people_page"),
     *("test_drills_short", "test_odd_equipment", "test_stoppable", "test_study_sessions"),
 )
 

@@ -103,6 +103,16 @@ CUT_OFF = """() => {
   return lost;
 }"""
 
+# What moves after everything that opens was turned over, and every switch was pressed.
+MOVES = """() => {
+  document.querySelectorAll("details").forEach((one) => (one.open = !one.open));
+  document.querySelectorAll(".switch input").forEach((one) => (one.checked = !one.checked));
+  document.querySelectorAll(".tune").forEach((one) => one.setAttribute("aria-expanded", "true"));
+  getComputedStyle(document.body).opacity;
+  return document.getAnimations({ subtree: true }).map(({ effect, animationName, transitionProperty }) =>
+    `${animationName ?? transitionProperty} of ${effect.target.className} ${effect.pseudoElement ?? ""}`);
+}"""
+
 
 def small_targets(page: Any) -> list[str]:
     """Return what a finger misses: controls with less than 44 px of touch area."""
@@ -126,3 +136,8 @@ def lost_when_enlarged(page: Any) -> list[str]:
     if page.evaluate(CUT_OFF):
         page.wait_for_timeout(CHARTS_SETTLE)
     return list(page.evaluate(CUT_OFF))
+
+
+def moving_parts(page: Any) -> list[str]:
+    """Return what moves, or glides from one state to the next, after everything that opens was turned over."""
+    return list(page.evaluate(MOVES))

@@ -1,7 +1,8 @@
 """axe-core finds no violation on any page in any state, and decides the contrast of every text.
 
 Each page is looked at in one size and theme here, and by `make browser` in all of them and in every state. The same
-visit looks for what a finger misses, what Tab does not come to, and what is cut off at 200 %.
+visit looks for what a finger misses, what Tab does not come to, what is cut off at 200 %, and what moves although the
+person has asked for reduced motion.
 """
 
 import re
@@ -10,7 +11,7 @@ from urllib.parse import urlsplit
 import pytest
 from browser.eyes.axe import cells_of, findings, look_as
 from browser.eyes.places import PLACES, put_back
-from browser.eyes.sweep import keyboard_faults, lost_when_enlarged, small_targets
+from browser.eyes.sweep import keyboard_faults, lost_when_enlarged, moving_parts, small_targets
 
 from folders import ROOT
 
@@ -48,6 +49,7 @@ def test_one_size_and_theme_of_every_page(page, clinic):
     found = {}
     addresses, loaded = set(), {"/index.html", "/docs.html"}  # the frames of "/" and of "/docs/"
     page.on("request", lambda request: loaded.add(path_of(request.url)))
+    page.emulate_media(reduced_motion="reduce")
     for number, (name, open_place) in enumerate(FIRST_STATES.items()):
         cells = cells_of(name)
         cell = cells[number % len(cells)]
@@ -56,9 +58,11 @@ def test_one_size_and_theme_of_every_page(page, clinic):
         page.wait_for_timeout(200)
         found[name, *cell] = [str(one) for one in findings(page)] + small_targets(page) + keyboard_faults(page)
         found[name, "200 %"] = lost_when_enlarged(page)
+        found[name, "motion"] = moving_parts(page)
         address = address_of(page.url)
         addresses |= {address, address.split("/")[0]}
         put_back(clinic)
+    page.emulate_media(reduced_motion="no-preference")
     assert {cell: words for cell, words in found.items() if words} == {}
     PLACES["patients"](page, clinic)
     assert set(page.evaluate(KNOWN)) <= addresses  # else: a line in PLACES is missing

@@ -44,39 +44,44 @@ def test_forced_colours_leave_the_line_of_a_slider(page, clinic):
     put_back(clinic)
 
 
-@pytest.mark.parametrize(("theme", "is_dark"), [("light", False), ("dark", True), ("contrast", True)])
-def test_the_page_that_connects_a_device_follows_the_system(page, clinic, theme, is_dark):
-    look_as(page, ("390x844", theme))
-    for name in ("tablet, not yet", "tablet, trusted"):
+def test_the_page_that_connects_a_device_follows_the_system_and_its_tick_and_switch_stand_out(page, clinic):
+    """The ground is looked at on a telephone; the tick of a device and the switch of its settings on a tablet."""
+    look_as(page, ("390x844", "light"))
+    for name, stands_out in (("tablet, not yet", the_switch_stands_out), ("tablet, trusted", the_tick_stands_out)):
         PLACES[name](page, clinic)
-        whole = np.asarray(Image.open(io.BytesIO(page.screenshot(scale="css"))).convert("RGB"), float)
-        for ground in (whole[2, 2], whole[-2, 2]):  # above the page's text and below it
-            assert (luminance(ground) < 0.1) == is_dark, (name, ground)
+        for theme, is_dark in (("light", False), ("dark", True), ("contrast", True)):
+            look_as(page, ("390x844", theme))
+            whole = whole_window(page)
+            for ground in (whole[2, 2], whole[-2, 2]):  # above the page's text and below it
+                assert (luminance(ground) < 0.1) == is_dark, (name, theme, ground)
+            look_as(page, ("768x1024", theme))
+            assert stands_out(page), (name, theme)
         put_back(clinic)
 
 
-@pytest.mark.parametrize("theme", ["light", "dark", "contrast"])
-def test_the_tick_and_the_switch_of_a_device_stand_out(page, clinic, theme):
-    look_as(page, ("768x1024", theme))
-    PLACES["tablet, trusted"](page, clinic)
+def whole_window(page):
+    """Return the pixels of the window, (height, width, 3)."""
+    return np.asarray(Image.open(io.BytesIO(page.screenshot(scale="css"))).convert("RGB"), float)
+
+
+def the_tick_stands_out(page):
     tick = picture(page, ".check svg")
-    assert contrast(tick[36:39, 24:27].mean((0, 1)), tick[14, 28]) >= SEEN  # its corner, and the disc above it
-    put_back(clinic)
-    PLACES["tablet, not yet"](page, clinic)
+    return contrast(tick[36:39, 24:27].mean((0, 1)), tick[14, 28]) >= SEEN  # its corner, and the disc above it
+
+
+def the_switch_stands_out(page):
     switch = picture(page, ".steps li:last-child svg g g, .steps li:last-child svg > g:last-of-type")
     row = switch[len(switch) // 2]
-    width = len(row)
-    knob, track = row[round(width * 0.907)], row[round(width * 0.81)]
-    assert contrast(knob, track) >= SEEN
-    put_back(clinic)
+    knob, track = row[round(len(row) * 0.907)], row[round(len(row) * 0.81)]
+    return contrast(knob, track) >= SEEN
 
 
-@pytest.mark.parametrize("theme", ["light", "dark", "contrast"])
-def test_the_shared_page_has_one_ground_and_a_button_to_touch(page, clinic, theme):
-    look_as(page, ("390x844", theme))
+def test_the_shared_page_has_one_ground_and_a_button_to_touch(page, clinic):
+    look_as(page, ("390x844", "light"))
     PLACES["share link, PIN"](page, clinic)
-    whole = np.asarray(Image.open(io.BytesIO(page.screenshot(scale="css"))).convert("RGB"), float)
-    top, foot = whole[2, 2], whole[-2, 2]
-    assert contrast(top, foot) < 1.1
-    assert page.get_by_role("button", name="Open").bounding_box()["height"] >= 44
+    for theme in ("light", "dark", "contrast"):
+        look_as(page, ("390x844", theme))
+        whole = whole_window(page)
+        assert contrast(whole[2, 2], whole[-2, 2]) < 1.1, theme
+        assert page.get_by_role("button", name="Open").bounding_box()["height"] >= 44, theme
     put_back(clinic)
