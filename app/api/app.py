@@ -13,16 +13,14 @@ from app import __version__
 from app.api import package_download
 from app.api.assembly import StartProcess, end_parts, make_parts, start_parts
 from app.api.computer import this_computer
-from app.api.deps import Owner, People, clinician, viewer
+from app.api.deps import Owner, clinician, viewer
 from app.api.docs_pages import docs_pages
 from app.api.driving import places
-from app.api.foreign_files import OneAtATime
 from app.api.guard import Guard
 from app.api.live import live_socket, screen_socket
-from app.api.package_download import ExportCourses
 from app.api.page_session import SessionRequired
 from app.api.pages import Pages, PagesFirst
-from app.api.parts import web_parts_of
+from app.api.parts import Parts, parts_of
 from app.api.patient_screen import patient_socket
 from app.api.patient_screen import routes as patient_screen
 from app.api.proxy import BehindProxy
@@ -51,21 +49,16 @@ from app.api.routes import (
     trials,
 )
 from app.api.sign_in import accept_invitation, auth, introduction, own_password
-from app.api.sign_in.hashing import Hashing
-from app.api.sign_in.set_up import SetUp
-from app.api.sign_in.sign_in_limits import SignInLimits
 from app.api.sockets import OpenSockets
 from app.api.view.view_bridge import view_router
 from app.api.view.view_controls import view_controls
-from app.api.view.view_keeper import OpenScene, may_view
+from app.api.view.view_keeper import OpenScene, ViewKeeper, may_view
 from app.computing_process import ComputingProcess
 from app.features.registration import feature_routers
 from app.scene.role_servers import Role
 from app.scene.session_scene import LiveScene
 from app.settings import Settings, docs_folder, static_folder
 from app.store.database import Database
-from app.store.files.plans import OwnPlans
-from app.store.files.replacements import replaced_files
 from app.store.keeping.passed_time import store_clocks
 from app.store.log_chain import warn_of_changed_log
 from app.world.scene import bundled_places
@@ -122,22 +115,8 @@ def create_app(
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
         database = await asyncio.to_thread(_opened, settings)
-        parts = People(
-            settings=settings,
-            database=database,
-            hashing=Hashing(),
-            limits=SignInLimits(),
-            set_up=SetUp(settings.setup_code),
-            sockets=OpenSockets(settings, database, busy=lambda: web_parts_of(app).session.recording),
-            replaced=replaced_files(settings),
-            own_plans=OwnPlans(settings.floorplans),
-            readings=OneAtATime(),
-            uploads=OneAtATime(),
-            exports=ExportCourses(),
-        )
-        web = make_parts(settings, database, start_process, computing, open_scene)
-        app.state.people, app.state.web = parts, web
-        await start_parts(database, web)
+        parts = make_parts(app, settings, database, start_process, computing, open_scene)
+        await start_parts(parts)
         # The places are validated before the first page asks for them.
         beside = [
             asyncio.create_task(asyncio.to_thread(warn_of_changed_log, settings.database)),
@@ -147,10 +126,7 @@ def create_app(
             yield
         finally:
             await asyncio.gather(*beside, return_exceptions=True)
-            await parts.sockets.close_all()
-            await parts.hashing.close()
-            await end_parts(web)
-            database.close()
+            await end_parts(parts)
 
     app = FastAPI(
         title="bodydrive",
@@ -160,10 +136,10 @@ def create_app(
     )
 
     def scene_now() -> LiveScene | None:
-        return web_parts_of(app).view.scene
+        return parts_of(app)[ViewKeeper].scene
 
     def port_of(role: Role) -> int | None:
-        return web_parts_of(app).view.port(role)
+        return parts_of(app)[ViewKeeper].port(role)
 
     install_refusals(app)
     app.router.routes.extend(_routes_of_all_clinics())
@@ -230,6 +206,6 @@ def prepare_routes(app: WebApp) -> None:
 
 async def say_goodbye(app: WebApp) -> None:
     """Close every open page's sockets, so that nothing is waited for when the program ends."""
-    found: People | None = getattr(app.state, "people", None)
+    found: Parts | None = getattr(app.state, "parts", None)
     if found is not None:
-        await found.sockets.close_all()
+        await found[OpenSockets].close_all()

@@ -2,22 +2,32 @@
 
 import asyncio
 from collections.abc import Awaitable, Callable
+from typing import Any, NamedTuple
+
+from fastapi import FastAPI
 
 from app.api.computer.graphics import Graphics
 from app.api.computer.measurement import Measurement
-from app.api.live.hub import LiveHub
-from app.api.live.live_picture import LivePicture
+from app.api.driving.clinic_places import ClinicPlaces
+from app.api.foreign_files import Readings, Uploads
+from app.api.live.driving_screen import DrivingScreen
+from app.api.live.live_picture import ClinicLive, LivePicture
 from app.api.live.message import LiveMessage
 from app.api.live.screen_pictures import ScreenPictures
 from app.api.live.screens import Screens
-from app.api.parts import WebParts, open_view
-from app.api.patient_screen.patient_picture import PatientPicture
+from app.api.package_download import ExportCourses
+from app.api.parts import Parts
+from app.api.patient_screen.patient_picture import PatientLive, PatientPicture
 from app.api.replay.replays import Replays
 from app.api.replay.timelines import Timelines
 from app.api.replay.trajectories import Trajectories
-from app.api.view.view_keeper import OpenScene, ViewKeeper
+from app.api.sign_in.hashing import Hashing
+from app.api.sign_in.set_up import SetUp
+from app.api.sign_in.sign_in_limits import SignInLimits
+from app.api.sockets import OpenSockets
+from app.api.view.view_keeper import OpenScene, ViewKeeper, open_view
 from app.computing_process import ComputingProcess
-from app.features.registration import features
+from app.features.registration import Background, features
 from app.session.adaptation import AdaptationFlow
 from app.session.calibration.calibration_flow import CalibrationFlow
 from app.session.calibration.garment import NobodyElse, OthersPrior
@@ -34,6 +44,7 @@ from app.session.measures_renewal import MeasuresRenewal
 from app.session.open_session import SessionFlow
 from app.session.real_arming import RealArming
 from app.session.real_drive import RealDriveFlow
+from app.session.run_flow import RunFlow
 from app.session.runs import SessionRuns
 from app.session.screen_codes import PairingCodes
 from app.session.trial import TrialFlow
@@ -43,6 +54,8 @@ from app.store.calibrations import fail_interrupted_steps
 from app.store.database import Database
 from app.store.drives import close_interrupted_drives
 from app.store.files.disk_watch import DiskWatch
+from app.store.files.plans import OwnPlans
+from app.store.files.replacements import ReplacedFiles, replaced_files
 from app.store.interface_tests import close_interrupted_tests
 from app.store.keeping.erasure_watch import ErasureWatch
 from app.store.patients import open_session
@@ -52,36 +65,110 @@ from app.store.runs import close_interrupted_trials
 StartProcess = Callable[[], Awaitable[LinkedProcess]]
 
 
+class FeatureParts(NamedTuple):
+    """What features let run: in a session, and as long as the web process."""
+
+    flows: list[RunFlow[Any]]
+    background: list[Background]
+
+
 def make_parts(
+    app: FastAPI,
     settings: Settings,
     database: Database,
     start_process: StartProcess,
     computing: ComputingProcess,
     open_scene: OpenScene | None,
-) -> WebParts:
-    """Make the parts of the web process; nothing runs before `start_parts`."""
-    hub: LiveHub[LiveMessage]
+) -> Parts:
+    """Make the parts of the web process, and give them to the application; nothing runs before `start_parts`."""
+    parts = app.state.parts = Parts()
+    parts.add(Settings, settings)
+    parts.add(Database, database)
+    parts.add(ComputingProcess, computing)
+    _add_what_runs(parts, start_process)
+    _add_pictures(parts)
+    _add_what_is_recorded(parts)
+    _add_sign_in(parts)
+    parts.add(ReplacedFiles, replaced_files(settings))
+    parts.add(OwnPlans, OwnPlans(settings.floorplans))
+    parts.add(ClinicPlaces, ClinicPlaces(settings.floorplans))
+    parts.add(Readings, Readings())
+    parts.add(Uploads, Uploads())
+    parts.add(ExportCourses, ExportCourses())
+    parts.add(Measurement, Measurement(settings.state, lambda: parts[SessionFlow].recording))
+    parts.add(ViewKeeper, ViewKeeper(open_scene, parts[ControlLink].newest))
+    for feature in features().values():
+        feature.add_parts(parts)
+    return parts
+
+
+def _teller(parts: Parts) -> Callable[[str], None]:
+    """Return what tells the pages that something has changed on the server."""
 
     def tell(event: str) -> None:
-        hub.tell(event)
+        parts[ClinicLive].tell(event)
 
-    control = ControlLink(start_process)
-    equipment = Equipment(database, control, settings.files, settings.keys, tell, demonstration=settings.demo)
-    runs = SessionRuns(database, control, settings.runs, lambda: equipment.simulated)
-    chairs = Chairs(database, control, settings.keys, tell)
-    limits = ClinicLimits(database, control, tell)
+    return tell
+
+
+def _add_what_runs(parts: Parts, start_process: StartProcess) -> None:
+    """Add the link to the control process, the equipment, and the flows of a session."""
+    settings, database, computing, tell = parts[Settings], parts[Database], parts[ComputingProcess], _teller(parts)
+    control = parts.add(ControlLink, ControlLink(start_process))
+    choices = Equipment(database, control, settings.files, settings.keys, tell, demonstration=settings.demo)
+    equipment = parts.add(Equipment, choices)
+    parts.add(ShirtWatch, ShirtWatch(equipment))
+    runs = parts.add(SessionRuns, SessionRuns(database, control, settings.runs, lambda: equipment.simulated))
+    chairs = parts.add(Chairs, Chairs(database, control, settings.keys, tell))
+    parts.add(HeadChoice, HeadChoice(database, control, equipment.with_path, tell))
+    limits = parts.add(ClinicLimits, ClinicLimits(database, control, tell))
     priors = (one.prior(database) for one in features().values() if one.prior is not None)
     prior: OthersPrior = next(priors, NobodyElse())
-    calibration = CalibrationFlow(database, control, equipment, runs, tell, computing, prior)
-    trials = TrialFlow(database, control, runs, tell, computing)
-    drives = RealDriveFlow(database, control, runs, tell, computing)
+    calibration = parts.add(
+        CalibrationFlow, CalibrationFlow(database, control, equipment, runs, tell, computing, prior)
+    )
+    trials = parts.add(TrialFlow, TrialFlow(database, control, runs, tell, computing))
+    drives = parts.add(RealDriveFlow, RealDriveFlow(database, control, runs, tell, computing))
     flows = (one.flow for one in features().values() if one.flow is not None)
     others = [make(database, control, runs, tell, computing) for make in flows]
-    session = SessionFlow(database, control, equipment, calibration, trials, drives, others, tell)
-    live_picture = LivePicture(control, equipment, chairs, runs, trials, drives, others, session)
-    hub = LiveHub(live_picture.picture, live_picture.quality, LiveMessage.without_patient)
-    patient = PatientPicture(live_picture, equipment, runs, trials)
-    patient_hub = LiveHub(patient.picture)
+    made = (one.background for one in features().values() if one.background is not None)
+    background = [make(database, settings, tell) for make in made]
+    parts.add(FeatureParts, FeatureParts(others, background))
+    for part in (*others, *background):
+        parts.add(type(part), part)
+    session = parts.add(
+        SessionFlow, SessionFlow(database, control, equipment, calibration, trials, drives, others, tell)
+    )
+    parts.add(RealArming, RealArming(database, control, equipment, session, chairs, limits))
+    parts.add(AdaptationFlow, AdaptationFlow(database, control, runs, trials, session, chairs, tell, computing))
+
+    async def control_changed(_state: str) -> None:
+        tell("equipment")
+
+    control.on_change.append(control_changed)
+
+
+def _add_pictures(parts: Parts) -> None:
+    """Add what the pages and the patient's screens are sent, and what they report."""
+    control, equipment, runs, trials = parts[ControlLink], parts[Equipment], parts[SessionRuns], parts[TrialFlow]
+    drives = parts[RealDriveFlow]
+    picture = LivePicture(
+        control, equipment, parts[Chairs], runs, trials, drives, parts[FeatureParts].flows, parts[SessionFlow]
+    )
+    live = parts.add(ClinicLive, ClinicLive(picture.picture, picture.quality, LiveMessage.without_patient))
+    patient = parts.add(PatientPicture, PatientPicture(picture, equipment, runs, trials))
+    patient_live = parts.add(PatientLive, PatientLive(patient.picture))
+    parts.add(Graphics, Graphics(live, patient_live))
+    screens = parts.add(Screens, Screens())
+    pictures = parts.add(ScreenPictures, ScreenPictures(control, trials))
+    driving = parts.add(DrivingScreen, DrivingScreen(control, trials, drives, screens, pictures))
+    control.follow_screen(driving.sign)
+
+
+def _add_what_is_recorded(parts: Parts) -> None:
+    """Add what reads recordings, and what keeps the state of the clinic."""
+    settings, database, computing, tell = parts[Settings], parts[Database], parts[ComputingProcess], _teller(parts)
+    runs, trials, drives = parts[SessionRuns], parts[TrialFlow], parts[RealDriveFlow]
 
     def current_drive() -> dict[str, int]:
         trial, drive = trials.current, drives.current
@@ -89,77 +176,49 @@ def make_parts(
             return {"drive": drive.id}
         return {} if trial is None else {"trial": trial.id}
 
-    async def control_changed(_state: str) -> None:
-        tell("equipment")
-
-    control.on_change.append(control_changed)
-    spread = ClinicSpread(database, computing)
-    made = (one.background for one in features().values() if one.background is not None)
-    background = [make(database, settings, tell) for make in made]
-    web = WebParts(
-        computing=computing,
-        control=control,
-        equipment=equipment,
-        shirt_watch=ShirtWatch(equipment),
-        runs=runs,
-        calibration=calibration,
-        discoveries=GestureDiscoveries(database, runs.folder_of, computing),
-        trials=trials,
-        drives=drives,
-        others=others,
-        chairs=chairs,
-        head=HeadChoice(database, control, equipment.with_path, tell),
-        limits=limits,
-        arming=RealArming(database, control, equipment, session, chairs, limits),
-        session=session,
-        adaptation=AdaptationFlow(database, control, runs, trials, session, chairs, tell, computing),
-        screens=Screens(),
-        pictures=ScreenPictures(control, trials),
-        faults=FaultLog(database, control, current_drive),
-        disk=DiskWatch(settings.state, database.ballast, tell),
-        live=hub,
-        pairing=PairingCodes(),
-        patient=patient,
-        patient_live=patient_hub,
-        graphics=Graphics(hub, patient_hub),
-        measurement=Measurement(settings.state, lambda: session.recording),
-        erasures=ErasureWatch(database, settings),
-        trajectories=Trajectories(computing),
-        timelines=Timelines(computing),
-        qualities=TrialQualities(database, runs.folder_of, computing),
-        renewal=MeasuresRenewal(database, runs, computing, tell),
-        spread=spread,
-        replays=Replays(),
-        view=ViewKeeper(open_scene, control.newest),
-        own_floorplans=settings.floorplans,
-        background=background,
-        of_features={type(part): part for part in (*others, *background)},
-    )
-
-    control.follow_screen(web.driving_sign)
-    return web
+    parts.add(FaultLog, FaultLog(database, parts[ControlLink], current_drive))
+    parts.add(DiskWatch, DiskWatch(settings.state, database.ballast, tell))
+    parts.add(ErasureWatch, ErasureWatch(database, settings))
+    parts.add(GestureDiscoveries, GestureDiscoveries(database, runs.folder_of, computing))
+    parts.add(Trajectories, Trajectories(computing))
+    parts.add(Timelines, Timelines(computing))
+    parts.add(TrialQualities, TrialQualities(database, runs.folder_of, computing))
+    parts.add(MeasuresRenewal, MeasuresRenewal(database, runs, computing, tell))
+    parts.add(ClinicSpread, ClinicSpread(database, computing))
+    parts.add(Replays, Replays())
 
 
-async def start_parts(database: Database, web: WebParts) -> None:
+def _add_sign_in(parts: Parts) -> None:
+    """Add what decides who may sign in, and what closes the sockets of those who may no longer."""
+    settings, session = parts[Settings], parts[SessionFlow]
+    parts.add(Hashing, Hashing())
+    parts.add(SignInLimits, SignInLimits())
+    parts.add(SetUp, SetUp(settings.setup_code))
+    parts.add(PairingCodes, PairingCodes())
+    parts.add(OpenSockets, OpenSockets(settings, parts[Database], busy=lambda: session.recording))
+
+
+def _watching(parts: Parts) -> list[Background]:
+    return [
+        *(parts[ShirtWatch], parts[ClinicLive], parts[PatientLive], parts[FaultLog]),
+        *(parts[DiskWatch], parts[ErasureWatch], parts[MeasuresRenewal]),
+        *parts[FeatureParts].background,
+    ]
+
+
+async def start_parts(parts: Parts) -> None:
     """Start the control process and what watches it; open a 3D view when a session is open."""
-    await asyncio.to_thread(_close_interrupted, database, web.runs)
-    await web.control.start()
-    await web.limits.open()
-    await web.chairs.open()
-    await web.equipment.open()
-    await web.head.open()
-    await web.session.session_changed()
-    web.shirt_watch.start()
-    web.live.start()
-    web.patient_live.start()
-    web.faults.start()
-    web.disk.start()
-    web.erasures.start()
-    for part in web.background:
-        part.start()
-    web.renewal.start()
-    if await asyncio.to_thread(_is_session_open, database):
-        await open_view(web)
+    await asyncio.to_thread(_close_interrupted, parts[Database], parts[SessionRuns])
+    await parts[ControlLink].start()
+    await parts[ClinicLimits].open()
+    await parts[Chairs].open()
+    await parts[Equipment].open()
+    await parts[HeadChoice].open()
+    await parts[SessionFlow].session_changed()
+    for watching in _watching(parts):
+        watching.start()
+    if await asyncio.to_thread(_is_session_open, parts[Database]):
+        await open_view(parts[ViewKeeper], parts[ClinicPlaces])
 
 
 def _is_session_open(database: Database) -> bool:
@@ -178,20 +237,17 @@ def _close_interrupted(database: Database, runs: SessionRuns) -> None:
         close_interrupted_tests(db)
 
 
-async def end_parts(web: WebParts) -> None:
-    """End what runs, the control process last."""
-    await web.calibration.stop()
-    await asyncio.gather(web.trials.stop(), web.drives.stop(), *(flow.stop() for flow in web.others))
-    await web.adaptation.stop()
+async def end_parts(parts: Parts) -> None:
+    """Close every open page, then end what runs, the control process and the database last."""
+    await parts[OpenSockets].close_all()
+    await parts[Hashing].close()
+    await parts[CalibrationFlow].stop()
+    others = parts[FeatureParts].flows
+    await asyncio.gather(parts[TrialFlow].stop(), parts[RealDriveFlow].stop(), *(flow.stop() for flow in others))
+    await parts[AdaptationFlow].stop()
+    await asyncio.gather(*(watching.close() for watching in _watching(parts)))
     await asyncio.gather(
-        web.shirt_watch.close(),
-        web.renewal.close(),
-        web.live.close(),
-        web.patient_live.close(),
-        web.faults.close(),
-        web.disk.close(),
-        web.erasures.close(),
-        *(part.close() for part in web.background),
+        parts[ViewKeeper].close(), parts[ControlLink].close(), asyncio.to_thread(parts[Replays].close_all)
     )
-    await asyncio.gather(web.view.close(), web.control.close(), asyncio.to_thread(web.replays.close_all))
-    await asyncio.to_thread(web.computing.close)
+    await asyncio.to_thread(parts[ComputingProcess].close)
+    parts[Database].close()

@@ -24,6 +24,14 @@ class OneAtATime:
             return await asyncio.to_thread(work, *given, **named)
 
 
+class Readings(OneAtATime):
+    """Reads drawings, pictures and 3D objects."""
+
+
+class Uploads(OneAtATime):
+    """Reads recordings that people bring, each in memory as a whole."""
+
+
 def refusal(error: ValueError, places: Sequence[str] = ()) -> HTTPException:
     """Return the answer for an error of a reader: 422, or 503 when it took too long; `places` are removed."""
     sentence = str(error).removesuffix(".")

@@ -2,19 +2,22 @@
 
 from collections.abc import Iterator
 from contextlib import AbstractContextManager, closing, contextmanager
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Annotated, Literal
 
-from fastapi import APIRouter, Query
+from fastapi import APIRouter, Depends, Query
 from fastapi.responses import StreamingResponse
 
-from app.api.deps import Exporter, People, PeopleParts
+from app.api.deps import Exporter
+from app.api.parts import part, parts_for
 from app.api.sign_in.identity import SignedInPerson
 from app.clock import utc_now
 from app.computing_process import ComputingProcess
 from app.package import Step
 from app.quantities import Document
+from app.settings import Settings
 from app.store.files.temporary_folders import bytes_in, temporary_folder
 
 State = Literal["going on", "complete", "broken off"]
@@ -67,6 +70,7 @@ router = APIRouter(tags=["exports"])
 CHUNK = 1 << 18  # bytes
 
 
+ExportsPart = Annotated[ExportCourses, Depends(part(ExportCourses))]
 CourseWord = Annotated[str, Query(pattern=r"^[0-9a-z-]{8,40}$")]
 
 
@@ -80,27 +84,37 @@ class ExportCourseView(Document):
 
 
 @router.get("/exports")
-def export_course(course: CourseWord, who: Exporter, parts: PeopleParts) -> ExportCourseView | None:
+def export_course(course: CourseWord, who: Exporter, exports: ExportsPart) -> ExportCourseView | None:
     """Return how far an export of the person who asks is, by the word that it was begun with; null when none has it."""
-    found = parts.exports.of(who.person_id, course)
+    found = exports.of(who.person_id, course)
     if found is None:
         return None
     return ExportCourseView(packed=found.packed, recordings=found.recordings, sent=found.sent, state=found.state)
 
 
-def sent(
-    steps: list[Step], recordings: int, form: str, parts: People, who: SignedInPerson, course: str | None
-) -> StreamingResponse:
-    """Answer with the zip file of these steps; the first packs no recording, the next ones one each.
+@dataclass(frozen=True, slots=True)
+class PackageDownload:
+    """Sends zip files while they are made."""
 
-    With a word in `course`, `GET /exports?course=WORD` says meanwhile how far it is.
-    """
-    name = f"bodydrive-{form}-{utc_now():%Y%m%dT%H%M%SZ}.zip"
-    headers = {"Content-Disposition": f'attachment; filename="{name}"'}
-    begun = parts.exports.begun(who.person_id, course, recordings)
-    return StreamingResponse(
-        _content(steps, parts.settings.state, begun), media_type="application/zip", headers=headers
-    )
+    settings: Settings
+    exports: ExportCourses
+
+    def sent(
+        self, steps: list[Step], recordings: int, form: str, who: SignedInPerson, course: str | None
+    ) -> StreamingResponse:
+        """Answer with the zip file of these steps; the first packs no recording, the next ones one each.
+
+        With a word in `course`, `GET /exports?course=WORD` says meanwhile how far it is.
+        """
+        name = f"bodydrive-{form}-{utc_now():%Y%m%dT%H%M%SZ}.zip"
+        headers = {"Content-Disposition": f'attachment; filename="{name}"'}
+        begun = self.exports.begun(who.person_id, course, recordings)
+        return StreamingResponse(
+            _content(steps, self.settings.state, begun), media_type="application/zip", headers=headers
+        )
+
+
+Download = Annotated[PackageDownload, Depends(parts_for(PackageDownload))]
 
 
 def _content(steps: list[Step], state: Path, begun: AbstractContextManager[ExportCourse]) -> Iterator[bytes]:

@@ -11,7 +11,7 @@ from functools import cache
 from fastapi import Depends, HTTPException
 from starlette.requests import HTTPConnection
 
-from app.api.deps import People, PeopleParts
+from app.api.deps import Db
 from app.api.who_asks import READS, WhoAsks
 from app.features.registration import features
 from app.session.page_session import PAGE_SESSION, PageSession, require_page_session
@@ -79,21 +79,21 @@ def without_session() -> Mapping[str, str]:
     return WITHOUT_SESSION | {route: why for one in features().values() for route, why in one.without_session.items()}
 
 
-async def require_session(connection: HTTPConnection, parts: PeopleParts, who: WhoAsks) -> None:
+async def require_session(connection: HTTPConnection, database: Db, who: WhoAsks) -> None:
     """Refuse a change that names no session (422) or another session than the open one (409)."""
     method = connection.scope.get("method", "GET")  # a websocket has no method, and opening one changes nothing
     if method in READS or f"{method} {_path(connection)}" in without_session():
         return
     if who is not None and who.drives:  # the route refuses everybody else
-        await require_named(connection, parts)
+        await require_named(connection, database)
 
 
-async def require_named(connection: HTTPConnection, parts: People) -> None:
+async def require_named(connection: HTTPConnection, database: Db) -> None:
     """Read the session that the page of a request shows; Conflict when another one is open."""
     PAGE_SESSION.set(_page_session(connection.headers.get(HEADER, "")))
 
     def _check() -> None:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             require_page_session(db)
 
     await asyncio.to_thread(_check)

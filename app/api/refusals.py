@@ -10,12 +10,13 @@ from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
 from starlette.exceptions import HTTPException
 
-from app.api.deps import People
+from app.api.parts import parts_of
 from app.api.sign_in.identity import find_sign_in
 from app.quantities import Document
 from app.refusals import NO_ROOM, Conflict, DiskFull, NotFound, OtherClinicRow, PatientHere, Refusal, Unavailable
 from app.scene.models.object_scale import ScaleAsked
 from app.sentences import sentence_of
+from app.store.database import Database
 from app.store.files.name_conflicts import NameTaken
 from app.store.log import write_log
 
@@ -91,10 +92,10 @@ async def _broken(request: Request, error: Exception) -> JSONResponse:
 
 def _note(request: Request, error: OtherClinicRow) -> None:
     """Log who requested a row of another clinic; the answer does not depend on it."""
-    parts: People = request.app.state.people
+    database = parts_of(request.app)[Database]
     try:
-        who = find_sign_in(parts.database, request)
-        with parts.database.transaction() as db:
+        who = find_sign_in(database, request)
+        with database.transaction() as db:
             write_log(db, who.name if who else None, "another clinic's id", **{error.kind: error.row_id})
     except Refusal:
         logging.getLogger("bodydrive").exception("A request for another clinic's %s could not be noted", error.kind)

@@ -12,8 +12,10 @@ from starlette.requests import HTTPConnection
 from starlette.types import Message, Receive
 
 from app.api.deps import anyone_signed_in, clinician
+from app.api.parts import parts_of
 from app.api.sign_in.identity import find_sign_in
 from app.clock import monotonic
+from app.store.database import Database
 
 SMALL = 64_000  # bytes: whatever a page sends but files, floor plans and controls; anybody may send so much
 BODY_LIMIT = 2_000_000  # bytes
@@ -92,7 +94,7 @@ class RequestBody:
             raise HTTPException(413, TOO_LARGE.format(limit=self._limit // 1_000_000))
         if size <= SMALL or self in self._large:
             return
-        database = self._connection.app.state.people.database
+        database = parts_of(self._connection.app)[Database]
         await clinician(await anyone_signed_in(await asyncio.to_thread(find_sign_in, database, self._connection)))
         if len(self._large) >= MOST_AT_ONCE:
             raise HTTPException(503, TOO_MANY)

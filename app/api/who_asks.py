@@ -6,9 +6,11 @@ from typing import Annotated
 from fastapi import Depends
 from starlette.requests import HTTPConnection
 
+from app.api.parts import parts_of
 from app.api.sign_in.cookies import read_cookie
 from app.api.sign_in.identity import COOKIE, SignedInPerson, find_sign_in
 from app.store.access.visible_patients import VISIBLE_PATIENTS
+from app.store.database import Database
 
 AT_ONCE = frozenset({"/control/stop"})  # it asks nobody's name, and must not wait for the database
 READS = frozenset({"GET", "HEAD", "OPTIONS"})
@@ -25,7 +27,7 @@ async def who_asks(connection: HTTPConnection) -> SignedInPerson | None:
         return None
     method = connection.scope["method"]
     acts = method not in READS and _route_path(connection) not in BY_THEMSELVES
-    database = connection.app.state.people.database
+    database = parts_of(connection.app)[Database]
     who = await asyncio.to_thread(find_sign_in, database, connection, acts=acts)
     VISIBLE_PATIENTS.set(None if who is None else who.patients)
     return who

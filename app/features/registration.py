@@ -20,6 +20,7 @@ from app.store.tables import PatientSession, Table
 if TYPE_CHECKING:
     from fastapi import APIRouter
 
+    from app.api.parts import Parts
     from app.computing_process import ComputingProcess
     from app.scoring.verdict.spread import SpreadsOf
     from app.session.calibration.garment import OthersPrior
@@ -138,6 +139,10 @@ def _nothing(_db: Session) -> None:
     """Listen to nothing."""
 
 
+def _no_parts(_parts: "Parts") -> None:
+    """Add nothing to the parts of the web process."""
+
+
 def _no_matter(_db: Session, _patient_id: int, _consent: Consent) -> None:
     """Leave everything as it is."""
 
@@ -174,6 +179,8 @@ class Feature:
     """Returns what starts runs of its own in a session and follows them, beside trials and drives."""
     background: "MakeBackground | None" = None
     """Returns what runs as long as the web process, which gives it what tells the pages that something changed."""
+    add_parts: "Callable[[Parts], None]" = _no_parts
+    """Adds its own long-lived parts to those of the web process."""
 
     archived: tuple[ArchivedTable, ...] = ()
     not_archived: Mapping[str, str] = field(default_factory=dict)  # its other tables, with the reason

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from app.api.app import create_app
-from app.api.parts import web_parts_of
+from app.api.parts import parts_of
 from app.cli.host.event_loop import FewAtOnce
 from app.cli.port import bind
 from app.cli.server import WebServer
@@ -91,7 +91,7 @@ async def main(chair: dict[str, Any], shirt_port: int, shirt_key: str, folder: P
             if serving.done():
                 raise RuntimeError("the web process of the benchmark did not start: its message stands above")
             await asyncio.sleep(LOOK_EVERY)
-        control = web_parts_of(app).control
+        control = parts_of(app)[ControlLink]
         beats = _Beats()
         control.follow_screen(beats.sign)
         digest = await _set_up(control, chair, shirt_port, shirt_key, folder)

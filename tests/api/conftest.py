@@ -166,7 +166,7 @@ def trial(calibrated: Clinic) -> int:
 @pytest.fixture
 def cookies_of(calibrated: Clinic) -> Any:
     """Return a function that signs somebody in, and returns the cookies."""
-    database = calibrated.client.app.state.people.database  # type: ignore[attr-defined]
+    database = calibrated.database
 
     def cookies(name: str, role: str, patients: list[int] | None = None) -> dict[str, str]:
         with database.transaction() as db:

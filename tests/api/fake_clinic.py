@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from app.api.live.screens import Screen
+from app.api.live.screens import Screen, Screens
+from app.api.parts import Parts, parts_of
 from app.calibration.linear_map import LinearMap
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.clock import monotonic
@@ -20,6 +21,9 @@ from app.layout import Channel, Joint, ShirtLayout
 from app.messages import NO_CUE, TICK
 from app.pipeline.commands import STOPPED_BY
 from app.process.command_channel import LinkLost, LinkRefused
+from app.session.open_session import SessionFlow
+from app.settings import Settings
+from app.store.database import Database
 from app.store.tables import LogEntry
 from building import covariance_of_independent
 
@@ -237,22 +241,31 @@ class Clinic:
         url = f"{BASE.replace('http', 'ws')}/api/v1/screen"
         with self.client.websocket_connect(url, headers={"Origin": BASE}) as socket:
             socket.send_json({"screen": word, "visible": True, "silence": 0.0})
-            while self.web.screens.age(Screen(1, word), monotonic()) is None:
+            while self.parts[Screens].age(Screen(1, word), monotonic()) is None:
                 time.sleep(0.002)
             yield socket
 
     @property
-    def web(self) -> Any:
-        return self.client.app.state.web  # type: ignore[attr-defined]
+    def parts(self) -> Parts:
+        """The long-lived parts of the web process."""
+        return parts_of(self.client.app)  # type: ignore[arg-type]
+
+    @property
+    def database(self) -> Database:
+        return self.parts[Database]
+
+    @property
+    def settings(self) -> Settings:
+        return self.parts[Settings]
 
     @property
     def session(self) -> str:
         """The header of a page that shows the open session."""
-        return str(self.web.session.session_id or "none")
+        return str(self.parts[SessionFlow].session_id or "none")
 
     def log(self) -> list[LogEntry]:
         """Return the rows of the log, the newest last."""
-        with self.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+        with self.database.transaction() as db:
             return list(db.query(LogEntry).order_by(LogEntry.id))
 
     def begin_session(self) -> Any:
@@ -261,7 +274,9 @@ class Clinic:
 
     def open_session(self, patient_id: int) -> Any:
         """Open a patient's session, and end the one that is open."""
-        return self.good("POST", "/session", json={"patient_id": patient_id, "ends": self.web.session.session_id})
+        return self.good(
+            "POST", "/session", json={"patient_id": patient_id, "ends": self.parts[SessionFlow].session_id}
+        )
 
     def calibrate(self) -> Any:
         for step in self.good("GET", "/calibration")["steps"][:-1]:

@@ -30,7 +30,7 @@ SHOWS_DELETED = {"GET /backups"}
 def records_of(clinic: Clinic, trial: int) -> dict[str, int]:
     """Make a record of each kind for the patient who is here; return their ids by the names that routes give them."""
     patient, session = clinic.patient["id"], int(clinic.session)
-    with clinic.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with clinic.database.transaction() as db:
         give_consent(db, patient, "sharing", utc_now().date(), "Ada")
         found = {
             "note_id": add_note(db, session, f"{HIDDEN} is tired.", "Ada"),
@@ -39,7 +39,7 @@ def records_of(clinic: Clinic, trial: int) -> dict[str, int]:
         }
     clinic.good("POST", f"/trials/{trial}/comments", json={"t": 1.0, "text": f"{HIDDEN} turned well."})
     clinic.link = clinic.good("POST", f"/patients/{patient}/shares", json={"days": 14})  # type: ignore[attr-defined]
-    with clinic.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with clinic.database.transaction() as db:
         found |= {"comment_id": db.query(MomentComment).one().id, "share_id": db.query(ShareLink).one().id}
     return {
         **found,

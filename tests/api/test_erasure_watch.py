@@ -35,7 +35,7 @@ def until(true: Callable[[], Any]) -> Any:
 
 
 def database_of(clinic: Clinic) -> Database:
-    return clinic.client.app.state.people.database  # type: ignore[attr-defined]
+    return clinic.database
 
 
 def test_a_program_that_runs_erases_who_was_deleted_31_days_ago(settings: Settings) -> None:

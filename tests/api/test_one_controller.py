@@ -9,7 +9,7 @@ from app.store.people import add_person, sign_in
 
 
 def test_only_who_started_a_trial_goes_on_and_ends_it_and_anybody_stops(calibrated: Clinic) -> None:
-    with calibrated.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with calibrated.database.transaction() as db:
         other = sign_in(db, add_person(db, known_clinic(db), "Other", "clinician", None), "test")
     plan = calibrated.good("GET", "/floorplans/apartment")
     where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"]}

@@ -48,7 +48,7 @@ NUMBERS = {
 @pytest.fixture
 def theirs(signed_in: Clinic) -> dict[str, int]:
     """Return the ids of what another clinic has in the same database, by table."""
-    with signed_in.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with signed_in.database.transaction() as db:
         clinic = add_clinic(db, "Another clinic")
         patient = add_patient(db, clinic.id, "P-9", "Otter", "")
         session = start_session(db, clinic.id, patient.id)

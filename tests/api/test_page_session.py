@@ -8,9 +8,11 @@ from api.test_roles import contexts
 from fastapi.routing import APIRoute
 from store.known_people import known_person
 
+from app.api.live.live_picture import ClinicLive
 from app.api.page_session import without_session
 from app.api.who_asks import READS
 from app.refusals import Conflict
+from app.session.open_session import SessionFlow
 from app.session.page_session import PAGE_SESSION, PageSession
 from app.store.people import sign_in
 
@@ -65,7 +67,7 @@ def asked(clinic: Any, route: str, session: str | None) -> Any:
 
 
 def test_every_changing_route_refuses_another_session_and_none_or_is_listed_with_its_reason(in_session: Any) -> None:
-    database = in_session.client.app.state.people.database
+    database = in_session.database
     name = in_session.good("GET", "/auth/me")["name"]
     before = second_patient(in_session)
     routes = changing(in_session)
@@ -115,9 +117,9 @@ def test_a_change_that_waited_while_the_session_changed_does_nothing(in_session:
     async def late(what: str) -> None:
         PAGE_SESSION.set(PageSession(before))
         if what == "undisturbed":
-            async with in_session.web.session.undisturbed("change the controls"):
+            async with in_session.parts[SessionFlow].undisturbed("change the controls"):
                 raise AssertionError("it was done")
-        await in_session.web.session.needed_session(1)
+        await in_session.parts[SessionFlow].needed_session(1)
 
     for what in ("undisturbed", "needed"):
         with pytest.raises(Conflict, match="B-12 was opened"):
@@ -136,7 +138,7 @@ def test_the_dial_goes_down_from_any_page_and_up_from_the_right_one_only(in_sess
 
 
 def test_the_live_picture_names_the_open_session(in_session: Any) -> None:
-    picture = in_session.web.live._picture
+    picture = in_session.parts[ClinicLive]._picture
     assert picture().session == in_session.good("GET", "/session")["session"]["id"]
     before = second_patient(in_session)
     assert picture().session == in_session.good("GET", "/session")["session"]["id"] != int(before)

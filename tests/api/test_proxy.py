@@ -156,7 +156,7 @@ def test_sockets_open_through_the_proxy_only(behind: Clinic) -> None:
 def test_a_real_chair_is_not_armed_through_a_proxy_and_another_screen_gets_the_proxy_s_address(behind: Clinic) -> None:
     asked = HTTPConnection(forwarded(scope_of(("127.0.0.1", 5), list(HEADERS.items())), PROXY))
     assert not is_nearby(asked)
-    settings = behind.client.app.state.people.settings  # type: ignore[attr-defined]
+    settings = behind.settings
     assert own_address(settings, asked) == (f"https://{NAME}/", False)
 
 

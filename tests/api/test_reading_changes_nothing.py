@@ -18,7 +18,7 @@ LOOKED_UP = {"heartbeat", "status"}  # what the control process is told or asked
 
 
 def rows(clinic: Clinic) -> Iterator[tuple[str, list[Any]]]:
-    with clinic.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with clinic.database.transaction() as db:
         for name, table in Table.metadata.tables.items():
             if name not in KEPT_OF_EACH_REQUEST:
                 yield name, [tuple(row) for row in db.execute(select(table))]

@@ -199,7 +199,7 @@ def requested(clinic: Clinic, name: str, view: str = "clinician") -> Any:
 def test_the_matrix_of_roles_and_routes(in_session: Clinic, role: str) -> None:
     """Requests have no content, so that a permitted one is refused for its content only."""
     clinic = in_session
-    database = clinic.client.app.state.people.database  # type: ignore[attr-defined]
+    database = clinic.database
     if role == "patient's screen":
         assert pair(clinic, code_of(clinic)).status_code == 200
         screen = clinic.client.cookies[SCREEN_COOKIE]

@@ -28,7 +28,7 @@ SHOWN, HIDDEN = "SHOWN-1", "HIDDEN-2"
 def reviewed(calibrated: Clinic) -> Clinic:
     """Return a clinic where a patient called HIDDEN is here, with a trial, and one called SHOWN was here."""
     clinic = calibrated
-    with clinic.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with clinic.database.transaction() as db:
         patient = db.get_one(Patient, clinic.patient["id"])
         patient.code, patient.pseudonym = HIDDEN, "Zebra"
     plan = clinic.good("GET", "/floorplans")[0]
@@ -43,7 +43,7 @@ def reviewed(calibrated: Clinic) -> Clinic:
 
 def reviewer(clinic: Clinic, *patients: int) -> dict[str, str]:
     """Return the cookies of a reviewer to whom these patients are shown."""
-    with clinic.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with clinic.database.transaction() as db:
         named = the_clinic(db)
         assert named is not None
         person = add_person(db, named, f"Rita {len(patients)}", "reviewer", None, patients=list(patients))
@@ -137,7 +137,7 @@ def test_a_session_of_a_shown_patient_appears_at_once(reviewed: Clinic) -> None:
 
 def test_what_is_of_a_patient_is_left_out_of_every_query(reviewed: Clinic) -> None:
     """Every table with a way to a patient is restricted, also one that is added later."""
-    database = reviewed.client.app.state.people.database  # type: ignore[attr-defined]
+    database = reviewed.database
     of_patients = {"patient", "session", "patient_screen", "calibration_step", "run", "profile", "parameters", "trial"}
     with database.transaction() as db:
         before = {mapper.class_: db.query(mapper.class_).count() for mapper in Table.registry.mappers}

@@ -75,7 +75,7 @@ def test_every_answer_that_names_the_patient_who_is_here_is_logged(
     """Routes without a patient in their address, too: those of the open session."""
     monkeypatch.setattr(log, "VIEWED_EVERY", timedelta(0))
     code, pseudonym = "P-4711", "Dragonfly"
-    with calibrated.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with calibrated.database.transaction() as db:
         patient = db.get_one(Patient, calibrated.patient["id"])
         patient.code, patient.pseudonym = code, pseudonym
     named, silent = set(), set()

@@ -14,14 +14,14 @@ import uvicorn
 from processes.running_control import tick_with
 
 from app.api.app import create_app
-from app.api.parts import web_parts_of
+from app.api.parts import parts_of
 from app.cli.port import bind
 from app.computing_process import ComputingProcess
 from app.faults import State
 from app.process.supervisor import ControlProcess
 from app.realtime import collect_garbage
 from app.refusals import Refusal
-from app.session.control_link import ScreenSign
+from app.session.control_link import ControlLink, ScreenSign
 from app.settings import Settings
 from building import make_parameters
 
@@ -35,7 +35,7 @@ async def main(given):
         while not server.started:
             await asyncio.sleep(0.01)
         collect_garbage()
-        control = web_parts_of(app).control
+        control = parts_of(app)[ControlLink]
         control.follow_screen(lambda: ScreenSign(0.0))  # a screen that is always in view
         parameters = make_parameters()
         await control.call("shirt", config=given["shirt"])

@@ -7,8 +7,7 @@ from fastapi import APIRouter
 from pydantic import Field
 
 from app.api.computer.measurement import FindingView, MachineView
-from app.api.deps import Owner, PeopleParts
-from app.api.parts import Web
+from app.api.deps import GraphicsPart, MeasurementPart, Owner, SettingsPart
 from app.host.machine_check import screen_finding
 from app.quantities import Document
 from app.settings import Settings
@@ -30,16 +29,18 @@ class ComputerView(Document):
 
 
 @router.post("/measurement")
-async def measure(body: MeasurementRequest, _who: Owner, parts: PeopleParts, web: Web) -> ComputerView:
+async def measure(
+    body: MeasurementRequest, _who: Owner, settings: SettingsPart, graphics: GraphicsPart, measurement: MeasurementPart
+) -> ComputerView:
     """Measure this computer; answered afterwards. Refused while a chair is armed or something is recorded.
 
     For owners: measures for `seconds`, and asks open pages for their pictures a second. 409 also when a chair is armed
     or a recording begins meanwhile, and beside another measurement; 503 when it could not measure.
     """
-    web.measurement.refuse_while_busy()
-    asking = asyncio.create_task(web.graphics.ask())
+    measurement.refuse_while_busy()
+    asking = asyncio.create_task(graphics.ask())
     try:
-        machine = await web.measurement.measure(body.seconds, _own_ports(parts.settings))
+        machine = await measurement.measure(body.seconds, _own_ports(settings))
         answers = await asking
     finally:
         asking.cancel()

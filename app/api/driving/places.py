@@ -3,8 +3,7 @@
 from fastapi import APIRouter, HTTPException
 
 from app.api.answers import Answer
-from app.api.deps import Anyone, PeopleParts, RowId
-from app.api.parts import Web, WebParts, load_plan
+from app.api.deps import Anyone, ComputingPart, Db, PlacesPart, RowId, SpreadPart
 from app.api.routes.source_view import RequestedGroup
 from app.quantities import Document, Name
 from app.refusals import NotFound
@@ -68,12 +67,12 @@ class NextTaskView(Answer):
 
 
 @router.get("/floorplans")
-def list_floorplans(_who: Anyone, web: Web) -> list[FloorPlanView]:
+def list_floorplans(_who: Anyone, places: PlacesPart) -> list[FloorPlanView]:
     """List the floor plans to drive in: scenes by level, then buildings; unreadable ones are left out.
 
     With the `task` of each path: `path`, `follow`, `turn`, `back` or `course`.
     """
-    return [_floorplan_view(offer) for offer in web.places().values()]
+    return [_floorplan_view(offer) for offer in places.all().values()]
 
 
 def _floorplan_view(offer: DrivingPlace) -> FloorPlanView:
@@ -94,12 +93,12 @@ def _floorplan_view(offer: DrivingPlace) -> FloorPlanView:
     )
 
 
-def needed_plan(web: WebParts, name: str) -> FloorPlan:
+def needed_plan(places: PlacesPart, name: str) -> FloorPlan:
     """Return a floor plan; 404 when there is none of this name, 409 when it cannot be read."""
     try:
-        plan = load_plan(web, name)
+        plan = places.plan(name)
     except ValueError as error:
-        reason = str(error).removeprefix(f"{web.own_floorplans / name}.json").lstrip(":, ")
+        reason = str(error).removeprefix(f"{places.own / name}.json").lstrip(":, ")
         raise HTTPException(
             409, f"The floor plan '{name}' cannot be used: {reason}, then save or import it again."
         ) from error
@@ -109,31 +108,39 @@ def needed_plan(web: WebParts, name: str) -> FloorPlan:
 
 
 @router.get("/floorplans/{name}")
-def one_floorplan(name: Name, _who: Anyone, web: Web) -> FloorPlan:
+def one_floorplan(name: Name, _who: Anyone, places: PlacesPart) -> FloorPlan:
     """Return a floor plan."""
-    return needed_plan(web, name)
+    return needed_plan(places, name)
 
 
 @router.get("/patients/{patient_id}/next-task")
-def propose_task(patient_id: RowId, who: Anyone, parts: PeopleParts, web: Web, source: RequestedGroup) -> NextTaskView:
+def propose_task(
+    patient_id: RowId,
+    who: Anyone,
+    database: Db,
+    computing: ComputingPart,
+    spread: SpreadPart,
+    places: PlacesPart,
+    source: RequestedGroup,
+) -> NextTaskView:
     """Return the task that is proposed to a patient; only trials of one source lead to the next level.
 
     The study's corridors for a new patient; else the last task, or the next level of its scene when the last three
     counting trials reached the goal without contact and none is worse than noise.
     """
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         find_patient(db, who.clinic_id, patient_id)
         log_viewing(db, who.name, patient_id)
         trials = [_past(trial) for trial in trials_of(db, who.clinic_id, patient_id) if trial.status == "done"]
 
     def _is_worse(floorplan: str, path: str) -> bool:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             counted = counted_trials(db, who.clinic_id, patient_id, floorplan, path)
-        clinic = web.spread.of_others(Task(who.clinic_id, floorplan, path, source), patient_id)
+        clinic = spread.of_others(Task(who.clinic_id, floorplan, path, source), patient_id)
         rows = [one.row() for one in counted if one.group == source]
-        return web.computing.ask(is_worse_than_noise, rows, clinic)
+        return computing.ask(is_worse_than_noise, rows, clinic)
 
-    return NextTaskView.of(next_task(trials, source, web.places(), _is_worse))
+    return NextTaskView.of(next_task(trials, source, places.all(), _is_worse))
 
 
 def _past(trial: Trial) -> DrivenTask:

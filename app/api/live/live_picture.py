@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from app.api.live.hub import LiveHub
 from app.api.live.message import (
     DriveMoment,
     FaultWords,
@@ -311,3 +312,7 @@ def _number(value: Any, digits: int) -> Number:
     """Return a rounded number, None for None and for one that is not finite, which JSON cannot hold."""
     number = math.nan if value is None else float(value)
     return round(number, digits) if math.isfinite(number) else None
+
+
+class ClinicLive(LiveHub[LiveMessage]):
+    """Sends the live picture to the pages of the people who are signed in."""

@@ -10,8 +10,8 @@ from pydantic import Field, ValidationError
 from starlette.websockets import WebSocketDisconnect
 
 from app.api.computer.graphics import PicturesPerSecond
+from app.api.deps import ControlPart, Db, GraphicsPart, LivePart, SessionFlowPart, SocketsPart
 from app.api.live.hub import Viewer
-from app.api.parts import WebParts
 from app.api.sockets import OpenSockets
 from app.layout import MAX_JOINTS
 from app.quantities import Document, Fraction, Name, Radians
@@ -92,56 +92,62 @@ class PageMessage(Document):
 
 
 @router.websocket("/live")
-async def live(websocket: WebSocket) -> None:
+async def live(
+    websocket: WebSocket,
+    database: Db,
+    sockets: SocketsPart,
+    control: ControlPart,
+    session_flow: SessionFlowPart,
+    live: LivePart,
+    graphics: GraphicsPart,
+) -> None:
     """Send the live picture 20 times a second, and carry out the messages of the page."""
-    people = websocket.app.state.people
-    sockets = people.sockets
     who = await sockets.admit(websocket)
     if who is None:
         return
     await websocket.accept()
-    web: WebParts = websocket.app.state.web
-    viewing = LiveViewing(people.database, sockets, web.session, websocket, who.name)
+    viewing = LiveViewing(database, sockets, session_flow, websocket, who.name)
     viewer = Viewer(websocket, viewing.may_see)
     async with sockets.guarded(websocket, who):
-        web.graphics.opened(websocket, f"The page of {who.name}")
-        sending = asyncio.create_task(web.live.serve(viewer))
+        graphics.opened(websocket, f"The page of {who.name}")
+        sending = asyncio.create_task(live.serve(viewer))
         try:
             while True:
-                await _take(await websocket.receive_text(), websocket, web)
+                await _take(await websocket.receive_text(), websocket, sockets, control, graphics)
         except (WebSocketDisconnect, RuntimeError):
             pass  # disconnected, or closed by us: in both cases the page connects again by itself
         except KeyError:
             await websocket.close(NOT_TEXT)  # otherwise the page would wait for ever
         finally:
-            web.live.forget(viewer)
-            web.graphics.forget(websocket)
+            live.forget(viewer)
+            graphics.forget(websocket)
             sending.cancel()
             await asyncio.gather(sending, return_exceptions=True)
             await viewing.close()
 
 
-async def _take(text: str, websocket: WebSocket, web: WebParts) -> None:
+async def _take(
+    text: str, websocket: WebSocket, sockets: SocketsPart, control: ControlPart, graphics: GraphicsPart
+) -> None:
     """Carry out a message of a page. An invalid message is ignored, but a Stop in it counts; so on a locked page."""
     if len(text) > MESSAGE_LIMIT:
         return
     try:
         content = json.loads(text)
         if isinstance(content, dict) and content.get("stop") is True:
-            await web.control.stop("key" if content.get("by") == "key" else "tablet")
+            await control.stop("key" if content.get("by") == "key" else "tablet")
         message = PageMessage.model_validate(content)
     except (ValidationError, ValueError, RecursionError):
         return
-    sockets = websocket.app.state.people.sockets
     if message.acted:
         await sockets.acted(websocket)
     if sockets.is_locked(websocket):
         return
     if message.pictures is not None:
-        web.graphics.take(websocket, message.pictures)
+        graphics.take(websocket, message.pictures)
     if not sockets.may_drive(websocket):
         return
     if message.move is not None:
-        web.control.move(message.move)
+        control.move(message.move)
     if message.look is not None:
-        web.control.look(message.look.yaw, message.look.pitch, message.look.roll)
+        control.look(message.look.yaw, message.look.pitch, message.look.roll)

@@ -7,9 +7,9 @@ from fastapi import APIRouter, WebSocket
 from pydantic import Field, ValidationError
 from starlette.websockets import WebSocketDisconnect
 
+from app.api.deps import DrivingScreenPart, PicturesPart, SocketsPart
 from app.api.live.screen_pictures import ScreenPicture
 from app.api.live.screens import PageSign, Screen
-from app.api.parts import WebParts
 from app.clock import monotonic
 from app.quantities import Document, Seconds
 
@@ -36,14 +36,14 @@ class ScreenMessage(Document):
 
 
 @router.websocket("/screen")
-async def screen_socket(websocket: WebSocket) -> None:
+async def screen_socket(
+    websocket: WebSocket, sockets: SocketsPart, pictures: PicturesPart, driving_screen: DrivingScreenPart
+) -> None:
     """Receive the reports of one screen; when they end, the chair that was armed from it stops."""
-    sockets = websocket.app.state.people.sockets
     who = await sockets.admit(websocket)
     if who is None:
         return
     await websocket.accept()
-    web: WebParts = websocket.app.state.web
     screen: Screen | None = None
     async with sockets.guarded(websocket, who):
         try:
@@ -52,21 +52,21 @@ async def screen_socket(websocket: WebSocket) -> None:
                 if report is None:
                     continue
                 if screen is not None and screen.word != report.screen:
-                    web.screen_lost(screen, websocket)
+                    driving_screen.lost(screen, websocket)
                 screen = Screen(who.person_id, report.screen)
-                if not web.take_sign(screen, PageSign(monotonic(), report.visible, report.silence, websocket)):
+                if not driving_screen.report(screen, PageSign(monotonic(), report.visible, report.silence, websocket)):
                     await websocket.close(TAKEN)
                     return
                 if report.picture is not None:
-                    web.pictures.of_screen(screen, report.picture, websocket)
+                    pictures.of_screen(screen, report.picture, websocket)
         except (WebSocketDisconnect, RuntimeError):
             pass  # gone, or closed by us
         except KeyError:
             await websocket.close(NOT_TEXT)
         finally:
-            web.pictures.forget(websocket)
+            pictures.forget(websocket)
             if screen is not None:
-                web.screen_lost(screen, websocket)
+                driving_screen.lost(screen, websocket)
 
 
 def _read(text: str) -> ScreenMessage | None:

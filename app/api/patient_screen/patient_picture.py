@@ -2,6 +2,7 @@
 
 from pydantic import ConfigDict, Field
 
+from app.api.live.hub import LiveHub
 from app.api.live.live_picture import LivePicture
 from app.api.live.message import CommonMessage, MessagePart, Number, RunMoment
 from app.calibration.script import movement_instruction
@@ -127,3 +128,7 @@ class PatientPicture:
         if joint is None or layout is None:
             return None
         return next((movement_instruction(known) for known in layout.joints if known.name == joint), None)
+
+
+class PatientLive(LiveHub[PatientMessage]):
+    """Sends the picture of the patient's screens."""

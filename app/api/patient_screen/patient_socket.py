@@ -9,10 +9,9 @@ from fastapi.concurrency import run_in_threadpool
 from pydantic import ValidationError
 
 from app.api.computer.graphics import PicturesPerSecond
-from app.api.deps import People
+from app.api.deps import Db, GraphicsPart, LivePart, PatientLivePart, PatientPicturePart, PicturesPart, SocketsPart
 from app.api.live.hub import Viewer
 from app.api.live.screen_pictures import Picture
-from app.api.parts import WebParts
 from app.api.sockets import cut_off
 from app.clock import monotonic
 from app.quantities import Document
@@ -35,40 +34,49 @@ class PictureReport(Document):
 
 
 @router.websocket("/patient/live")
-async def patient_live(websocket: WebSocket) -> None:
+async def patient_live(
+    websocket: WebSocket,
+    database: Db,
+    sockets: SocketsPart,
+    pictures: PicturesPart,
+    live: LivePart,
+    patient_picture: PatientPicturePart,
+    patient_hub: PatientLivePart,
+    graphics: GraphicsPart,
+) -> None:
     """Send the picture 20 times a second, and receive the screen's reports."""
-    parts: People = websocket.app.state.people
-    web: WebParts = websocket.app.state.web
-    who = await parts.sockets.admit_screen(websocket)
+    who = await sockets.admit_screen(websocket)
     if who is None:
         return
     session_id = who.session_id
 
     def _read() -> None:
-        with parts.database.transaction() as db:
-            web.patient.settings = screen_settings_of(db, session_id)
+        with database.transaction() as db:
+            patient_picture.settings = screen_settings_of(db, session_id)
 
     await run_in_threadpool(_read)
     await websocket.accept()
     viewer = Viewer(websocket)
-    async with parts.sockets.guarded(websocket, who):
-        web.graphics.opened(websocket, "A patient's screen")
-        web.live.tell("screens")
-        sending = asyncio.create_task(web.patient_live.serve(viewer))
+    async with sockets.guarded(websocket, who):
+        graphics.opened(websocket, "A patient's screen")
+        live.tell("screens")
+        sending = asyncio.create_task(patient_hub.serve(viewer))
         try:
-            await _take(websocket, who.screen_id, web)
+            await _take(websocket, who.screen_id, pictures, live, graphics)
         except RuntimeError:
             pass  # closed by us
         finally:
-            web.patient_live.forget(viewer)
-            web.pictures.forget(websocket)
-            web.graphics.forget(websocket)
+            patient_hub.forget(viewer)
+            pictures.forget(websocket)
+            graphics.forget(websocket)
             sending.cancel()
             await asyncio.gather(sending, return_exceptions=True)
-    web.live.tell("screens")
+    live.tell("screens")
 
 
-async def _take(websocket: WebSocket, screen_id: int, web: WebParts) -> None:
+async def _take(
+    websocket: WebSocket, screen_id: int, pictures: PicturesPart, live: LivePart, graphics: GraphicsPart
+) -> None:
     """Receive picture reports until the page leaves, or has sent more than `FLOOD` messages within 10 s.
 
     A page that has reported once must go on: after `SILENCE` its connection is cut off, which halts the trial. A page
@@ -95,12 +103,12 @@ async def _take(websocket: WebSocket, screen_id: int, web: WebParts) -> None:
         if report is None:
             continue
         if report.pictures is not None:
-            web.graphics.take(websocket, report.pictures)
+            graphics.take(websocket, report.pictures)
         if report.picture is None:
             continue
         limit = SILENCE
-        if web.pictures.of_patient(screen_id, report.picture, websocket):
-            web.live.tell("screens")
+        if pictures.of_patient(screen_id, report.picture, websocket):
+            live.tell("screens")
 
 
 def _read(message: Mapping[str, Any]) -> PictureReport | None:

@@ -1,22 +1,39 @@
 """The patient's screen: paired by a code from the clinician's page, looked after and unpaired there."""
 
 import asyncio
+from dataclasses import dataclass
 from typing import Annotated
 
-from fastapi import APIRouter, Request, Response
+from fastapi import APIRouter, Depends, Request, Response
 from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
-from app.api.deps import Clinician, ForEveryone, People, PeopleParts, RowId
-from app.api.live.screen_pictures import Picture
+from app.api.deps import (
+    Clinician,
+    Db,
+    ForEveryone,
+    LivePart,
+    PairingPart,
+    PatientPicturePart,
+    PicturesPart,
+    RowId,
+    SessionFlowPart,
+    SettingsPart,
+    SignInLimitsPart,
+    SocketsPart,
+)
+from app.api.live.screen_pictures import Picture, ScreenPictures
 from app.api.own_address import own_address
-from app.api.parts import Web, WebParts
+from app.api.parts import parts_for
 from app.api.qr import qr_picture
 from app.api.sign_in.cookies import read_cookie, set_cookie
-from app.api.sign_in.identity import SCREEN_COOKIE, SignedInPerson
+from app.api.sign_in.identity import SCREEN_COOKIE
 from app.api.sign_in.sign_in_limits import address_of
+from app.api.sockets import OpenSockets
 from app.quantities import Document
 from app.refusals import Conflict
+from app.session.open_session import SessionFlow
+from app.store.database import Database
 from app.store.patient_screens import (
     PAIRED_FOR,
     ScreenSettings,
@@ -77,45 +94,60 @@ class ScreenStateView(Document):
     state: ScreenState
 
 
-async def _view(parts: People, web: WebParts, who: SignedInPerson) -> ScreensView:
-    session = await web.session.needed_session(who.clinic_id)
-    connected, pictures = parts.sockets.screens(), web.pictures.patients()
+@dataclass(frozen=True, slots=True)
+class PatientScreens:
+    """The patient's screens of the open session."""
 
-    def _read() -> ScreensView:
-        with parts.database.transaction() as db:
-            shown = [
-                ScreenView(
-                    id=screen.id,
-                    number=screen.number,
-                    paired=screen.paired.isoformat(),
-                    connected=screen.id in connected,
-                    picture=pictures.get(screen.id),
-                )
-                for screen in screens_of(db, session.id)
-            ]
-            return ScreensView(screens=shown, settings=screen_settings_of(db, session.id))
+    database: Database
+    sockets: OpenSockets
+    session_flow: SessionFlow
+    pictures: ScreenPictures
 
-    return await run_in_threadpool(_read)
+    async def view(self, clinic_id: int) -> ScreensView:
+        """Return the screens, and what they show; Conflict without a session."""
+        session = await self.session_flow.needed_session(clinic_id)
+        connected, shown_now = self.sockets.screens(), self.pictures.patients()
+
+        def read() -> ScreensView:
+            with self.database.transaction() as db:
+                shown = [
+                    ScreenView(
+                        id=screen.id,
+                        number=screen.number,
+                        paired=screen.paired.isoformat(),
+                        connected=screen.id in connected,
+                        picture=shown_now.get(screen.id),
+                    )
+                    for screen in screens_of(db, session.id)
+                ]
+                return ScreensView(screens=shown, settings=screen_settings_of(db, session.id))
+
+        return await run_in_threadpool(read)
+
+
+PairedScreens = Annotated[PatientScreens, Depends(parts_for(PatientScreens))]
 
 
 @router.get("")
-async def look(who: Clinician, parts: PeopleParts, web: Web) -> ScreensView:
+async def look(who: Clinician, paired: PairedScreens) -> ScreensView:
     """Return the screens of this session; none without a session."""
     try:
-        return await _view(parts, web, who)
+        return await paired.view(who.clinic_id)
     except Conflict:
         return ScreensView(screens=[], settings=ScreenSettings())
 
 
 @router.post("/pairing", status_code=201)
-async def offer(request: Request, who: Clinician, parts: PeopleParts, web: Web) -> OfferView:
+async def offer(
+    request: Request, who: Clinician, settings: SettingsPart, session_flow: SessionFlowPart, pairing: PairingPart
+) -> OfferView:
     """Make a link that pairs one screen within ten minutes; the link before becomes invalid.
 
     `words`: when only this machine can open the link.
     """
-    session: PatientSession = await web.session.needed_session(who.clinic_id)
-    made = web.pairing.offer(session.id, who.name)
-    address = await asyncio.to_thread(own_address, parts.settings, request)
+    session: PatientSession = await session_flow.needed_session(who.clinic_id)
+    made = pairing.offer(session.id, who.name)
+    address = await asyncio.to_thread(own_address, settings, request)
     # The part behind # is not sent to a server, so it appears in no log.
     url = f"{address.base}patient.html#pair={made.code}"
     return OfferView(
@@ -123,73 +155,98 @@ async def offer(request: Request, who: Clinician, parts: PeopleParts, web: Web) 
         url=url,
         qr=qr_picture(url),
         expires=made.expires.isoformat(),
-        words=_words(parts, only_here=address.only_here),
+        words=_words(settings, only_here=address.only_here),
     )
 
 
-def _words(parts: People, *, only_here: bool) -> str:
-    network = parts.settings.network
+def _words(settings: SettingsPart, *, only_here: bool) -> str:
+    network = settings.network
     if network is None:
         return ONLY_HERE if only_here else ""
     return network.first_words
 
 
 @router.post("/pair", dependencies=[ForEveryone])
-async def pair(body: Code, request: Request, response: Response, parts: PeopleParts, web: Web) -> ScreenStateView:
+async def pair(
+    body: Code,
+    request: Request,
+    response: Response,
+    database: Db,
+    sign_in_limits: SignInLimitsPart,
+    sockets: SocketsPart,
+    live: LivePart,
+    pairing: PairingPart,
+) -> ScreenStateView:
     """Pair the browser that asks with the session for which the code was made.
 
     Without sign-in: the cookie `bodydrive_screen` while the session lasts, at most 12 h.
     """
-    attempt = await parts.limits.code(address_of(request))
-    offered = web.pairing.redeem(body.code)
+    attempt = await sign_in_limits.code(address_of(request))
+    offered = pairing.redeem(body.code)
     attempt.take_back()
 
     def _pair() -> str:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             return add_screen(db, offered.session_id, offered.person, read_cookie(request, SCREEN_COOKIE))
 
     token = await run_in_threadpool(_pair)
     set_cookie(request, response, SCREEN_COOKIE, token, max_age=int(PAIRED_FOR.total_seconds()))
-    await parts.sockets.close_ended_screens()
-    web.live.tell("screens")
+    await sockets.close_ended_screens()
+    live.tell("screens")
     return ScreenStateView(state="paired")
 
 
 @router.get("/me", dependencies=[ForEveryone])
-def who_am_i(request: Request, parts: PeopleParts) -> ScreenStateView:
+def who_am_i(request: Request, database: Db) -> ScreenStateView:
     """Tell a page how its pairing stands.
 
     Without sign-in.
     """
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         return ScreenStateView(state=find_screen(db, read_cookie(request, SCREEN_COOKIE) or "")[1])
 
 
 @router.post("/settings")
-async def choose(body: ScreenSettings, who: Clinician, parts: PeopleParts, web: Web) -> ScreensView:
+async def choose(
+    body: ScreenSettings,
+    who: Clinician,
+    paired: PairedScreens,
+    database: Db,
+    session_flow: SessionFlowPart,
+    live: LivePart,
+    patient_picture: PatientPicturePart,
+) -> ScreensView:
     """Choose what the screens of this session show; stored until the session ends."""
-    session = await web.session.needed_session(who.clinic_id)
+    session = await session_flow.needed_session(who.clinic_id)
 
     def _write() -> None:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             set_screen_settings(db, session.id, body)
 
     await run_in_threadpool(_write)
-    web.patient.settings = body
-    web.live.tell("screens")
-    return await _view(parts, web, who)
+    patient_picture.settings = body
+    live.tell("screens")
+    return await paired.view(who.clinic_id)
 
 
 @router.delete("/{screen_id}")
-async def unpair(screen_id: RowId, who: Clinician, parts: PeopleParts, web: Web) -> ScreensView:
+async def unpair(
+    screen_id: RowId,
+    who: Clinician,
+    paired: PairedScreens,
+    database: Db,
+    sockets: SocketsPart,
+    pictures: PicturesPart,
+    live: LivePart,
+) -> ScreensView:
     """Unpair a screen; what it had opened is closed."""
 
     def _unpair() -> None:
-        with parts.database.transaction(closing=True) as db:
+        with database.transaction(closing=True) as db:
             unpair_screen(db, who.clinic_id, screen_id, who.name)
 
     await run_in_threadpool(_unpair)
-    web.pictures.unpair(screen_id)
-    await parts.sockets.close_ended_screens()
-    web.live.tell("screens")
-    return await _view(parts, web, who)
+    pictures.unpair(screen_id)
+    await sockets.close_ended_screens()
+    live.tell("screens")
+    return await paired.view(who.clinic_id)

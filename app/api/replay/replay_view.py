@@ -8,10 +8,18 @@ from typing import Annotated
 from fastapi import APIRouter, Path, Request, Response, WebSocket
 from pydantic import Field
 
-from app.api.deps import Anyone, People, PeopleParts
-from app.api.parts import Web, WebParts, web_parts_of
+from app.api.deps import (
+    Anyone,
+    ComputingPart,
+    Db,
+    DriveFlowPart,
+    ReplaysPart,
+    RunsPart,
+    SettingsPart,
+    SocketsPart,
+    TrialFlowPart,
+)
 from app.api.replay.trial_replay import require_ended
-from app.api.sockets import OpenSockets
 from app.api.view.view_bridge import NO_VIEW, ViewPage, bridge
 from app.quantities import Count, Document
 from app.refusals import Conflict, NotFound
@@ -55,48 +63,66 @@ class ReplayMoment(Document):
 
 
 @router.post("/replays", status_code=201)
-def open_replay(body: NewReplay, who: Anyone, parts: PeopleParts, web: Web) -> ReplayView:
+def open_replay(
+    body: NewReplay,
+    who: Anyone,
+    *,
+    settings: SettingsPart,
+    database: Db,
+    computing: ComputingPart,
+    runs: RunsPart,
+    trial_flow: TrialFlowPart,
+    drive_flow: DriveFlowPart,
+    replays: ReplaysPart,
+) -> ReplayView:
     """Open a trial in 3D, on a server of its own that shows nothing live.
 
     For this person; there are two on the machine, and the one not looked at for longest gives way. 409 while anybody
     drives.
     """
-    refuse_while_driving(web)
-    with parts.database.transaction() as db:
+    refuse_while_driving(trial_flow, drive_flow)
+    with database.transaction() as db:
         trial = find_trial(db, who.clinic_id, body.trial)
     require_ended(trial)
-    word = web.replays.add(who.person_id, lambda: _replay_of(parts, web, trial))
-    with parts.database.transaction(closing=True) as db:  # nothing is shown yet: the word has not been answered
+    word = replays.add(who.person_id, lambda: _replay_of(settings, computing, runs, trial))
+    with database.transaction(closing=True) as db:  # nothing is shown yet: the word has not been answered
         write_log(db, who.name, "trial viewed", trial=trial.id)
     return ReplayView(id=word)
 
 
 @router.post("/replays/{word}/at", status_code=204)
-def show_moment(word: Word, body: ReplayMoment, who: Anyone, web: Web) -> None:
+def show_moment(
+    word: Word,
+    body: ReplayMoment,
+    who: Anyone,
+    trial_flow: TrialFlowPart,
+    drive_flow: DriveFlowPart,
+    replays: ReplaysPart,
+) -> None:
     """Show another moment, or look from somewhere else.
 
     404 when it is closed, 409 while anybody drives.
     """
-    refuse_while_driving(web)
-    web.replays.find(word, who.person_id).show(body.t, body.view)
+    refuse_while_driving(trial_flow, drive_flow)
+    replays.find(word, who.person_id).show(body.t, body.view)
 
 
 @router.delete("/replays/{word}", status_code=204)
-def close_replay(word: Word, who: Anyone, web: Web) -> None:
+def close_replay(word: Word, who: Anyone, replays: ReplaysPart) -> None:
     """Close a replay; do nothing when it is closed already."""
-    web.replays.close(word, who.person_id)
+    replays.close(word, who.person_id)
 
 
-def refuse_while_driving(web: WebParts) -> None:
+def refuse_while_driving(trial_flow: TrialFlowPart, drive_flow: DriveFlowPart) -> None:
     """Refuse while a chair may move: building the place could delay the live picture."""
-    if web.trials.running or web.drives.running:
+    if trial_flow.running or drive_flow.running:
         raise Conflict(BUSY)
 
 
-def _replay_of(parts: People, web: WebParts, trial: Trial) -> Replay:
+def _replay_of(settings: SettingsPart, computing: ComputingPart, runs: RunsPart, trial: Trial) -> Replay:
     try:
-        plan, poses = web.computing.ask(recorded_poses, web.runs.folder_of(trial.run_id), MOMENTS_PER_SECOND)
-        return Replay(plan, trial.path, ReplayPoses(*poses), parts.settings.models)
+        plan, poses = computing.ask(recorded_poses, runs.folder_of(trial.run_id), MOMENTS_PER_SECOND)
+        return Replay(plan, trial.path, ReplayPoses(*poses), settings.models)
     except (ValueError, OSError) as error:
         raise NotFound("There is no picture of this trial: its recording cannot be read, or names no place.") from error
 
@@ -105,17 +131,16 @@ page = ViewPage(client_page(MARK))
 
 
 @page_router.get("/view/replay/{word}/", include_in_schema=False)
-def replay_page(word: Word, who: Anyone, web: Web, request: Request) -> Response:
+def replay_page(word: Word, who: Anyone, replays: ReplaysPart, request: Request) -> Response:
     """Return the page that shows a replay."""
-    web.replays.find(word, who.person_id)
+    replays.find(word, who.person_id)
     return page.answer(request)
 
 
 @page_router.websocket("/view/replay/{word}")
 @page_router.websocket("/view/replay/{word}/")
-async def replay_socket(websocket: WebSocket, word: str) -> None:
+async def replay_socket(websocket: WebSocket, word: str, sockets: SocketsPart, replays: ReplaysPart) -> None:
     """Connect the page of a replay with its server, for the person who opened it."""
-    sockets: OpenSockets = websocket.app.state.people.sockets
     who = await sockets.admit(websocket)
     if who is None:
         return
@@ -123,7 +148,7 @@ async def replay_socket(websocket: WebSocket, word: str) -> None:
         await websocket.close(NO_VIEW)
         return
     try:
-        port = web_parts_of(websocket.app).replays.find(word, who.person_id).port
+        port = replays.find(word, who.person_id).port
     except NotFound:
         await websocket.close(NO_VIEW)
         return

@@ -4,8 +4,7 @@ import gzip
 
 from fastapi import APIRouter, Request, Response
 
-from app.api.deps import Anyone, PeopleParts, RowId
-from app.api.parts import Web
+from app.api.deps import Anyone, Db, RowId, RunsPart, TimelinesPart
 from app.refusals import Conflict, NotFound
 from app.scoring.timeline import Timeline
 from app.store.log import write_log
@@ -22,7 +21,9 @@ def require_ended(trial: Trial) -> None:
 
 
 @router.get("/trials/{trial_id}/timeline", response_model=Timeline)
-def trial_timeline(trial_id: RowId, who: Anyone, parts: PeopleParts, web: Web, request: Request) -> Response:
+def trial_timeline(
+    trial_id: RowId, who: Anyone, database: Db, runs: RunsPart, timelines: TimelinesPart, request: Request
+) -> Response:
     """Return a trial on one time line: pose, commands, gestures, signals and events.
 
     At most 2000 points. `u1`, `u2`, gestures and signals keep every peak: two neighbouring points hold the smallest and
@@ -30,15 +31,15 @@ def trial_timeline(trial_id: RowId, who: Anyone, parts: PeopleParts, web: Web, r
     `state`: 0 disarmed, 1 checking, 2 armed, 3 fault. null: not known then; `along`, `across` empty: the path has no
     length. 404 for an unreadable recording, 409 while the trial runs.
     """
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         trial = find_trial(db, who.clinic_id, trial_id)
     require_ended(trial)
-    folder = web.runs.folder_of(trial.run_id)
+    folder = runs.folder_of(trial.run_id)
     try:
-        packed = web.timelines.of(folder, trial.path_points, trial.end)
+        packed = timelines.of(folder, trial.path_points, trial.end)
     except (ValueError, OSError) as error:
         raise NotFound("The recording of this trial cannot be read: restore it from a backup.") from error
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         write_log(db, who.name, "trial viewed", trial=trial_id)
     headers = {"Cache-Control": "private, no-cache", "Vary": "Accept-Encoding"}
     if "gzip" in request.headers.get("accept-encoding", ""):

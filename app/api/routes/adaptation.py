@@ -1,18 +1,20 @@
 """The adaptation of the map: show a proposal, apply it at a standstill, go back."""
 
 import asyncio
+from dataclasses import dataclass
 from typing import Annotated, Any
 
-from fastapi import APIRouter
+from fastapi import APIRouter, Depends
 from pydantic import Field
 
 from app.api.answers import Answer, MomentText
-from app.api.deps import Anyone, Clinician, PeopleParts, RowId
-from app.api.parts import Web, WebParts
+from app.api.deps import Anyone, Clinician, Db, RowId
+from app.api.parts import parts_for
 from app.calibration.adaptation.proposal_document import JointChange
 from app.quantities import Document
 from app.scoring.trial_forecast import Effect
-from app.session.adaptation import NOT_ASKED, STALE, AdaptationProposal, Mode
+from app.session.adaptation import NOT_ASKED, STALE, AdaptationFlow, AdaptationProposal, Mode
+from app.session.open_session import SessionFlow
 from app.store.adaptation_material import is_current, mode_of
 from app.store.database import Database, Transaction
 from app.store.log import log_viewing
@@ -99,9 +101,8 @@ def _proposal_view(waiting: AdaptationProposal, labels: dict[str, str]) -> Propo
     )
 
 
-def _view(db: Transaction, web: WebParts, patient_id: int) -> AdaptationView:
+def _view(db: Transaction, flow: AdaptationFlow, patient_id: int, *, simulated: bool | None) -> AdaptationView:
     mode: Any = mode_of(db, patient_id)
-    flow = web.adaptation
     view = AdaptationView(
         mode=mode,
         version=None,
@@ -127,7 +128,7 @@ def _view(db: Transaction, web: WebParts, patient_id: int) -> AdaptationView:
         waiting, why = None, STALE
     elif waiting.result.proposal.parameters is None:
         why = waiting.result.proposal.reason
-    practice = flow.practice.practice(db, patient_id, parameters.hash, simulated=web.session.simulated)
+    practice = flow.practice.practice(db, patient_id, parameters.hash, simulated=simulated)
     labels = {joint.name: joint.label for joint in parameters.profile.layout.joints}
     changed = {
         "version": profile.version,
@@ -140,73 +141,85 @@ def _view(db: Transaction, web: WebParts, patient_id: int) -> AdaptationView:
     return view.model_copy(update=changed)
 
 
-async def _look(database: Database, web: WebParts, clinic_id: int) -> AdaptationView:
-    session = await web.session.needed_session(clinic_id)
+@dataclass(frozen=True, slots=True)
+class AdaptationState:
+    """The adaptation of the map of the patient who is here."""
 
-    def _read() -> AdaptationView:
-        with database.transaction() as db:
-            return _view(db, web, session.patient_id)
+    database: Database
+    session_flow: SessionFlow
+    flow: AdaptationFlow
 
-    return await asyncio.to_thread(_read)
+    async def view(self, clinic_id: int) -> AdaptationView:
+        """Return the proposal to adapt the map, or why there is none."""
+        session = await self.session_flow.needed_session(clinic_id)
+
+        def read() -> AdaptationView:
+            with self.database.transaction() as db:
+                return _view(db, self.flow, session.patient_id, simulated=self.session_flow.simulated)
+
+        return await asyncio.to_thread(read)
+
+
+State = Annotated[AdaptationState, Depends(parts_for(AdaptationState))]
 
 
 @router.get("/adaptation")
-async def look(who: Anyone, parts: PeopleParts, web: Web) -> AdaptationView:
+async def look(who: Anyone, state: State) -> AdaptationView:
     """Return the proposal to adapt the map, or why there is none.
 
     `why`: there is no proposal or nothing to apply; `refusal`: nothing may be applied now; `practised`: kept trials
     with exactly this set. In a proposal, null where the movements said nothing; `applied` of a joint means: in what
     would be armed; `words`: why it was not applied by itself.
     """
-    return await _look(parts.database, web, who.clinic_id)
+    return await state.view(who.clinic_id)
 
 
 @router.put("/adaptation")
-async def choose_mode(body: AdaptationModeChoice, who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
+async def choose_mode(body: AdaptationModeChoice, who: Clinician, state: State) -> AdaptationView:
     """Choose whether this patient's map is adapted: off, suggest, or auto (by itself, between trials)."""
-    session = await web.session.needed_session(who.clinic_id)
-    await web.adaptation.set_mode(session, body.mode, who.name)
-    return await _look(parts.database, web, who.clinic_id)
+    session = await state.session_flow.needed_session(who.clinic_id)
+    await state.flow.set_mode(session, body.mode, who.name)
+    return await state.view(who.clinic_id)
 
 
 @router.post("/adaptation/propose")
-async def propose(who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
+async def propose(who: Clinician, state: State) -> AdaptationView:
     """Make a proposal from the last trials now, whatever the mode is."""
-    await web.adaptation.propose(await web.session.needed_session(who.clinic_id))
-    return await _look(parts.database, web, who.clinic_id)
+    await state.flow.propose(await state.session_flow.needed_session(who.clinic_id))
+    return await state.view(who.clinic_id)
 
 
 @router.post("/adaptation/apply")
-async def apply(body: ProposalChoice, who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
+async def apply(body: ProposalChoice, who: Clinician, state: State) -> AdaptationView:
     """Make a proposal the next version of the map; only between trials, and never with a real chair.
 
     409 while anything is driven, armed or moves, with a real chair chosen, or when controls or trials changed since.
     """
-    await web.adaptation.apply(who.clinic_id, body.proposal, who.name)
-    return await _look(parts.database, web, who.clinic_id)
+    await state.flow.apply(who.clinic_id, body.proposal, who.name)
+    return await state.view(who.clinic_id)
 
 
 @router.post("/adaptation/dismiss")
-async def dismiss(body: ProposalChoice, who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
+async def dismiss(body: ProposalChoice, who: Clinician, state: State) -> AdaptationView:
     """Dismiss a proposal; 409 as for `apply`."""
-    await web.adaptation.dismiss(await web.session.needed_session(who.clinic_id), body.proposal)
-    return await _look(parts.database, web, who.clinic_id)
+    await state.flow.dismiss(await state.session_flow.needed_session(who.clinic_id), body.proposal)
+    return await state.view(who.clinic_id)
 
 
 @router.post("/adaptation/back")
-async def back(who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
+async def back(who: Clinician, state: State) -> AdaptationView:
     """Restore the map before, as a new version.
 
     409 as for `apply`. The mode `auto` becomes `suggest`.
     """
-    await web.adaptation.back(who.clinic_id, who.name)
-    return await _look(parts.database, web, who.clinic_id)
+    await state.flow.back(who.clinic_id, who.name)
+    return await state.view(who.clinic_id)
 
 
 @router.get("/patients/{patient_id}/maps")
-def list_maps(patient_id: RowId, who: Anyone, parts: PeopleParts) -> list[MapView]:
+def list_maps(patient_id: RowId, who: Anyone, database: Db) -> list[MapView]:
     """List the versions of a patient's map, the newest first."""
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
         log_viewing(db, who.name, patient_id)
         return [MapView.of(version) for version in versions_of(db, patient_id)]

@@ -7,8 +7,7 @@ from fastapi import APIRouter, Path
 from pydantic import Field
 
 from app.api.calibration_view import CalibrationView, view_of
-from app.api.deps import Clinician, People, PeopleParts
-from app.api.parts import Web, WebParts
+from app.api.deps import CalibrationFlowPart, Clinician, Db, DiscoveriesPart, LivePart, SessionFlowPart
 from app.api.sign_in.identity import SignedInPerson
 from app.calibration.gestures.discovery import Discovery
 from app.calibration.linear_map import MapKind
@@ -48,153 +47,187 @@ class SittingChoice(Document):
     is_right: bool
 
 
-async def _view(web: WebParts, session: PatientSession) -> CalibrationView:
-    return view_of(await web.calibration.progress(session.id))
+async def _view(calibration_flow: CalibrationFlowPart, session: PatientSession) -> CalibrationView:
+    return view_of(await calibration_flow.progress(session.id))
 
 
 @router.get("")
-async def look(who: Clinician, web: Web) -> CalibrationView:
+async def look(who: Clinician, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart) -> CalibrationView:
     """Return the state of the calibration.
 
     All routes of the calibration give this answer. `others`: people known in this shirt, 0 when too few; `earlier`: the
     patient's calibration in this kind of shirt, null once this session's has a result.
     """
-    return await _view(web, await web.session.needed_session(who.clinic_id))
+    return await _view(calibration_flow, await session_flow.needed_session(who.clinic_id))
 
 
 @router.get("/gestures")
-async def gestures(who: Clinician, web: Web) -> Discovery:
+async def gestures(who: Clinician, discoveries: DiscoveriesPart, session_flow: SessionFlowPart) -> Discovery:
     """Return all gestures of the calibration under way, or else of the newest accepted one.
 
     The best first (docs/learning/gestures.md). `weakest`: the number furthest beyond its limit; `effort` in FS; null:
     not measured. `source` `profile`: the recordings are gone. 409 when nothing is calibrated.
     """
-    session = await web.session.needed_session(who.clinic_id)
-    return await asyncio.to_thread(web.discoveries.of_session, session.id)
+    session = await session_flow.needed_session(who.clinic_id)
+    return await asyncio.to_thread(discoveries.of_session, session.id)
 
 
 @router.post("/steps/{step}/start")
-async def start_step(step: StepName, who: Clinician, web: Web) -> CalibrationView:
+async def start_step(
+    step: StepName, who: Clinician, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+) -> CalibrationView:
     """Record a step, for the first time or again."""
-    async with web.session.undisturbed("start a step"):
-        session = await web.session.needed_session(who.clinic_id)
-        await web.calibration.start(session.id, step)
-    return await _view(web, session)
+    async with session_flow.undisturbed("start a step"):
+        session = await session_flow.needed_session(who.clinic_id)
+        await calibration_flow.start(session.id, step)
+    return await _view(calibration_flow, session)
 
 
 @router.post("/steps/{step}/cancel")
-async def cancel_step(step: StepName, who: Clinician, web: Web) -> CalibrationView:
+async def cancel_step(
+    step: StepName, who: Clinician, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+) -> CalibrationView:
     """Stop recording a step."""
-    session = await web.session.needed_session(who.clinic_id)
-    await web.calibration.cancel(session.id, step)
-    return await _view(web, session)
+    session = await session_flow.needed_session(who.clinic_id)
+    await calibration_flow.cancel(session.id, step)
+    return await _view(calibration_flow, session)
 
 
 @router.post("/steps/{step}/skip")
-async def skip_step(step: StepName, who: Clinician, web: Web) -> CalibrationView:
+async def skip_step(
+    step: StepName, who: Clinician, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+) -> CalibrationView:
     """Skip a prompted movement that this patient cannot make."""
-    async with web.session.undisturbed("skip a step"):
-        session = await web.session.needed_session(who.clinic_id)
-        await web.calibration.skip(session.id, step)
-    return await _view(web, session)
+    async with session_flow.undisturbed("skip a step"):
+        session = await session_flow.needed_session(who.clinic_id)
+        await calibration_flow.skip(session.id, step)
+    return await _view(calibration_flow, session)
 
 
 @router.post("/go")
-async def go_to_step(body: StepChoice, who: Clinician, web: Web) -> CalibrationView:
+async def go_to_step(
+    body: StepChoice, who: Clinician, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+) -> CalibrationView:
     """Show another step."""
-    session = await web.session.needed_session(who.clinic_id)
-    await web.calibration.go(session.id, body.step)
-    return await _view(web, session)
+    session = await session_flow.needed_session(who.clinic_id)
+    await calibration_flow.go(session.id, body.step)
+    return await _view(calibration_flow, session)
 
 
 @router.post("/restart")
-async def begin_anew(who: Clinician, web: Web) -> CalibrationView:
+async def begin_anew(
+    who: Clinician, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+) -> CalibrationView:
     """Begin the calibration anew; earlier recordings no longer count."""
-    async with web.session.undisturbed("begin anew"):
-        session = await web.session.needed_session(who.clinic_id)
-        await web.calibration.restart(session.id)
-    return await _view(web, session)
+    async with session_flow.undisturbed("begin anew"):
+        session = await session_flow.needed_session(who.clinic_id)
+        await calibration_flow.restart(session.id)
+    return await _view(calibration_flow, session)
 
 
 @router.post("/map")
-async def choose(body: MapChoice, who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
+async def choose(
+    body: MapChoice,
+    who: Clinician,
+    database: Db,
+    calibration_flow: CalibrationFlowPart,
+    session_flow: SessionFlowPart,
+    live: LivePart,
+) -> CalibrationView:
     """Choose the study's map or the guided map of a joint; the result must then be accepted again.
 
     409 where the map is not offered.
     """
-    async with web.session.undisturbed("choose a calibration"):
-        session = await web.session.needed_session(who.clinic_id)
-        if web.calibration.running:
+    async with session_flow.undisturbed("choose a calibration"):
+        session = await session_flow.needed_session(who.clinic_id)
+        if calibration_flow.running:
             raise Conflict("A step is being recorded, or the calibration is being worked out: wait for its end.")
-        await asyncio.to_thread(choose_map, parts.database, session.id, body.joint, body.map)
-    web.live.tell("calibration")
-    return await _view(web, session)
+        await asyncio.to_thread(choose_map, database, session.id, body.joint, body.map)
+    live.tell("calibration")
+    return await _view(calibration_flow, session)
 
 
 @router.post("/sitting")
-async def say_how_it_sits(body: SittingChoice, who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
+async def say_how_it_sits(
+    body: SittingChoice,
+    who: Clinician,
+    database: Db,
+    calibration_flow: CalibrationFlowPart,
+    session_flow: SessionFlowPart,
+    live: LivePart,
+) -> CalibrationView:
     """Leave a ring of sensors as worn, or take it as it looks; the result must then be accepted again.
 
     `is_right` true: the shirt sits right although a ring looks turned or mirrored; the map is fitted anew. 409 where it
     sits as on other people. A new free movement forgets it.
     """
-    async with web.session.undisturbed("say how the shirt sits"):
-        session = await web.session.needed_session(who.clinic_id)
-        if web.calibration.running:
+    async with session_flow.undisturbed("say how the shirt sits"):
+        session = await session_flow.needed_session(who.clinic_id)
+        if calibration_flow.running:
             raise Conflict("A step is being recorded, or the calibration is being worked out: wait for its end.")
-        await asyncio.to_thread(
-            override_rotation, parts.database, session.id, body.joint, who.name, is_right=body.is_right
-        )
-        await web.calibration.fit_again(session.id)
-    web.live.tell("calibration")
-    return await _view(web, session)
+        await asyncio.to_thread(override_rotation, database, session.id, body.joint, who.name, is_right=body.is_right)
+        await calibration_flow.fit_again(session.id)
+    live.tell("calibration")
+    return await _view(calibration_flow, session)
 
 
 @router.post("/drive-now")
-async def drive_now(who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
+async def drive_now(
+    who: Clinician, database: Db, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart, live: LivePart
+) -> CalibrationView:
     """Fit the map from other people where nothing was prompted yet, and use it at once; what was prompted is learnt.
 
     409 before rest and free movement, or with fewer than four other people.
     """
-    async with web.session.undisturbed("drive now"):
-        session = await web.session.needed_session(who.clinic_id)
-        await web.calibration.fit_from_others(session.id)
-        await _accept(who, parts, web, session)
-        await web.calibration.learn(session.id)
+    async with session_flow.undisturbed("drive now"):
+        session = await session_flow.needed_session(who.clinic_id)
+        await calibration_flow.fit_from_others(session.id)
+        await _accept(who, database, calibration_flow, session_flow, session)
+        await calibration_flow.learn(session.id)
     for event in ("calibration", "controls", "session"):
-        web.live.tell(event)
-    return await _view(web, session)
+        live.tell(event)
+    return await _view(calibration_flow, session)
 
 
 @router.post("/fit-earlier")
-async def fit_earlier(who: Clinician, web: Web) -> CalibrationView:
+async def fit_earlier(
+    who: Clinician, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart, live: LivePart
+) -> CalibrationView:
     """Fit the patient's earlier calibration to the shirt as it sits today, and use it at once.
 
     409 before rest and free movement, without an earlier calibration in this shirt, or with a ring turned since.
     """
-    async with web.session.undisturbed("fit the calibration"):
-        session = await web.session.needed_session(who.clinic_id)
-        await web.calibration.fit_earlier(session.id, who.name)
-        await web.session.try_load_parameters()
+    async with session_flow.undisturbed("fit the calibration"):
+        session = await session_flow.needed_session(who.clinic_id)
+        await calibration_flow.fit_earlier(session.id, who.name)
+        await session_flow.try_load_parameters()
     for event in ("calibration", "controls", "adaptation"):
-        web.live.tell(event)
-    return await _view(web, session)
+        live.tell(event)
+    return await _view(calibration_flow, session)
 
 
 @router.post("/accept")
-async def accept(who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
+async def accept(
+    who: Clinician, database: Db, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart, live: LivePart
+) -> CalibrationView:
     """Save the profile as the patient's newest, and load standard parameters on it."""
-    async with web.session.undisturbed("use this calibration"):
-        session = await web.session.needed_session(who.clinic_id)
-        await _accept(who, parts, web, session)
-        await web.calibration.learn(session.id)
+    async with session_flow.undisturbed("use this calibration"):
+        session = await session_flow.needed_session(who.clinic_id)
+        await _accept(who, database, calibration_flow, session_flow, session)
+        await calibration_flow.learn(session.id)
     for event in ("calibration", "controls", "session"):
-        web.live.tell(event)
-    return await _view(web, session)
+        live.tell(event)
+    return await _view(calibration_flow, session)
 
 
-async def _accept(who: SignedInPerson, parts: People, web: WebParts, session: PatientSession) -> None:
-    progress = await web.calibration.progress(session.id)
+async def _accept(
+    who: SignedInPerson,
+    database: Db,
+    calibration_flow: CalibrationFlowPart,
+    session_flow: SessionFlowPart,
+    session: PatientSession,
+) -> None:
+    progress = await calibration_flow.progress(session.id)
     profile = progress.profile
     if profile is None:
         raise Conflict("There is no result yet: do every step first.")
@@ -202,7 +235,7 @@ async def _accept(who: SignedInPerson, parts: People, web: WebParts, session: Pa
         raise Conflict("This calibration is in use already: go on to the controls, or repeat a step.")
 
     def _save() -> None:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             simulated = is_calibration_simulated(db, session.id)
             row = save_profile(db, session.patient_id, session.id, profile, simulated=simulated)
             save_parameters(db, row, standard_parameters(profile))
@@ -210,4 +243,4 @@ async def _accept(who: SignedInPerson, parts: People, web: WebParts, session: Pa
             write_log(db, who.name, "calibration accepted", patient=session.patient_id, version=row.version)
 
     await asyncio.to_thread(_save)
-    await web.session.try_load_parameters()
+    await session_flow.try_load_parameters()

@@ -5,8 +5,7 @@ import asyncio
 from fastapi import APIRouter
 
 from app.api.answers import Answer, MomentText
-from app.api.deps import Anyone, Clinician, Owner, People, PeopleParts, RowId
-from app.api.parts import Web, WebParts
+from app.api.deps import Anyone, ChairsPart, Clinician, Db, LivePart, Owner, RowId, SessionFlowPart, SettingsPart
 from app.api.qr import qr_picture
 from app.api.sign_in.identity import SignedInPerson
 from app.hardware.addresses import Host
@@ -68,17 +67,17 @@ class PairedView(ChairsView):
     qr: str
 
 
-async def _view(parts: People, web: WebParts, who: SignedInPerson) -> ChairsView:
+async def _view(database: Db, chairs: ChairsPart, who: SignedInPerson) -> ChairsView:
     def _read() -> list[ChairView]:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             return [ChairView.of(chair) for chair in chairs_of(db, own_clinic(db, who))]
 
-    chosen = web.chairs.chosen
+    chosen = chairs.chosen
     return ChairsView(
         chairs=await asyncio.to_thread(_read),
         chosen=None if chosen is None else chosen.id,
-        dynamics=web.chairs.dynamics,
-        words=await web.chairs.state(),
+        dynamics=chairs.dynamics,
+        words=await chairs.state(),
     )
 
 
@@ -88,67 +87,79 @@ def own_clinic(db: Transaction, who: SignedInPerson) -> Clinic:
 
 
 @router.get("")
-async def look(who: Anyone, parts: PeopleParts, web: Web) -> ChairsView:
+async def look(who: Anyone, database: Db, chairs: ChairsPart) -> ChairsView:
     """Return the chairs."""
-    return await _view(parts, web, who)
+    return await _view(database, chairs, who)
 
 
 @router.post("", status_code=201)
-async def pair(body: NewChair, who: Owner, parts: PeopleParts, web: Web) -> PairedView:
+async def pair(
+    body: NewChair, who: Owner, settings: SettingsPart, database: Db, chairs: ChairsPart, live: LivePart
+) -> PairedView:
     """Pair a chair: make its key, store it in a file on this machine, and show it this once.
 
     For owners. `key_line` and `qr` (SVG) are answered this once.
     """
 
     def _pair() -> Key:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             clinic = own_clinic(db, who)
-            keys = parts.settings.keys
+            keys = settings.keys
             chair, key = pair_chair(db, clinic, keys, body.name, body.host, body.port, body.speeds)
             write_log(db, who.name, "chair paired", chair=chair.id, key_id=key.id, host=body.host, port=body.port)
             return key
 
     key = await asyncio.to_thread(_pair)
-    web.live.tell("equipment")
-    view = await _view(parts, web, who)
+    live.tell("equipment")
+    view = await _view(database, chairs, who)
     return PairedView(**view.model_dump(), key_line=key.line, qr=qr_picture(key.line))
 
 
 @router.delete("/{chair_id}")
-async def unpair(chair_id: RowId, who: Owner, parts: PeopleParts, web: Web) -> ChairsView:
+async def unpair(
+    chair_id: RowId,
+    who: Owner,
+    settings: SettingsPart,
+    database: Db,
+    chairs: ChairsPart,
+    session_flow: SessionFlowPart,
+    live: LivePart,
+) -> ChairsView:
     """Unpair a chair and delete its key; if it is in use, the virtual chair is used instead.
 
     For owners.
     """
 
     def _unpair() -> None:
-        with parts.database.transaction(closing=True) as db:
-            chair = unpair_chair(db, own_clinic(db, who), parts.settings.keys, chair_id)
+        with database.transaction(closing=True) as db:
+            chair = unpair_chair(db, own_clinic(db, who), settings.keys, chair_id)
             write_log(db, who.name, "chair unpaired", chair=chair.id, key_id=chair.key_id)
 
-    async with web.session.undisturbed("unpair a chair"):
-        if web.chairs.chosen is not None and web.chairs.chosen.id == chair_id:
-            await web.chairs.choose(None, web.chairs.dynamics)
+    async with session_flow.undisturbed("unpair a chair"):
+        if chairs.chosen is not None and chairs.chosen.id == chair_id:
+            await chairs.choose(None, chairs.dynamics)
         await asyncio.to_thread(_unpair)
-    web.live.tell("equipment")
-    return await _view(parts, web, who)
+    live.tell("equipment")
+    return await _view(database, chairs, who)
 
 
 @router.put("/chosen")
-async def choose(body: Choice, who: Clinician, parts: PeopleParts, web: Web) -> ChairsView:
+async def choose(
+    body: Choice, who: Clinician, database: Db, chairs: ChairsPart, session_flow: SessionFlowPart
+) -> ChairsView:
     """Use another chair."""
-    async with web.session.undisturbed("choose another chair"):
-        chair = None if body.id is None else await asyncio.to_thread(_find, parts, who, body.id)
-        await web.chairs.choose(chair, body.dynamics)
-    await asyncio.to_thread(_note, parts, who, body)
-    return await _view(parts, web, who)
+    async with session_flow.undisturbed("choose another chair"):
+        chair = None if body.id is None else await asyncio.to_thread(_find, database, who, body.id)
+        await chairs.choose(chair, body.dynamics)
+    await asyncio.to_thread(_note, database, who, body)
+    return await _view(database, chairs, who)
 
 
-def _find(parts: People, who: SignedInPerson, chair_id: int) -> PairedChair:
-    with parts.database.transaction() as db:
+def _find(database: Db, who: SignedInPerson, chair_id: int) -> PairedChair:
+    with database.transaction() as db:
         return find_chair(db, own_clinic(db, who), chair_id)
 
 
-def _note(parts: People, who: SignedInPerson, choice: Choice) -> None:
-    with parts.database.transaction() as db:
+def _note(database: Db, who: SignedInPerson, choice: Choice) -> None:
+    with database.transaction() as db:
         write_log(db, who.name, "chair chosen", chair=choice.id, dynamics=choice.dynamics)

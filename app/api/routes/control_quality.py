@@ -4,8 +4,7 @@ from typing import Annotated, Any
 
 from fastapi import APIRouter, Query
 
-from app.api.deps import Anyone, PeopleParts, RowId
-from app.api.parts import Web
+from app.api.deps import Anyone, ComputingPart, Db, QualitiesPart, RowId
 from app.api.routes.source_view import RequestedGroup
 from app.quantities import Document
 from app.scoring.control_warnings import control_warnings
@@ -47,8 +46,9 @@ class QualityView(Document):
 def quality(
     patient_id: RowId,
     who: Anyone,
-    parts: PeopleParts,
-    web: Web,
+    database: Db,
+    computing: ComputingPart,
+    qualities: QualitiesPart,
     source: RequestedGroup,
     floorplan: Annotated[str | None, Query(max_length=64)] = None,
     path: Annotated[str | None, Query(max_length=64)] = None,
@@ -57,13 +57,13 @@ def quality(
 
     `note`: which trends cannot be told yet (docs/learning/quality.md).
     """
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
         trials = trials_of(db, who.clinic_id, patient_id, floorplan, path)
         newest = newest_profile(db, patient_id)
         log_viewing(db, who.name, patient_id)
-    assessments = web.qualities.assessments([trial for trial in trials if trial.run.source.group == source])
-    found = web.computing.ask(control_warnings, assessments, None if newest is None else newest.version)
+    assessments = qualities.assessments([trial for trial in trials if trial.run.source.group == source])
+    found = computing.ask(control_warnings, assessments, None if newest is None else newest.version)
     return QualityView(
         source=source,
         trials=[_row(one) for one in assessments],

@@ -2,13 +2,15 @@
 
 import asyncio
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Annotated, Any
 
-from fastapi import APIRouter, HTTPException
+from fastapi import APIRouter, Depends, HTTPException
 from pydantic import Field, ValidationError
 
-from app.api.deps import Clinician, People, PeopleParts
-from app.api.parts import Web, WebParts
+from app.api.deps import Clinician, SessionFlowPart
+from app.api.live.live_picture import ClinicLive
+from app.api.parts import parts_for
 from app.api.routes.obstacle_view import ObstacleView
 from app.api.sign_in.identity import SignedInPerson
 from app.calibration.gestures.suggestion import SuggestedVocabulary
@@ -16,8 +18,11 @@ from app.calibration.vocabulary import Binding, ControlMode, CruiseTime, DrivePa
 from app.messages import MAX_GESTURES
 from app.quantities import Cutoff, Document, Title
 from app.sentences import one_sentence
+from app.session.calibration.gesture_discovery import GestureDiscoveries
+from app.session.open_session import SessionFlow
+from app.session.real_arming import RealArming
 from app.speeds import Speeds
-from app.store.database import Transaction
+from app.store.database import Database, Transaction
 from app.store.log import write_log
 from app.store.parameters import (
     as_document,
@@ -91,81 +96,96 @@ class ControlsView(Document):
     obstacle: ObstacleView | None  # why this set cannot drive
 
 
-def _view(db: Transaction, web: WebParts, patient_id: int, suggestion: SuggestedVocabulary) -> ControlsView:
-    row, profile = current_parameters(db, patient_id)
-    parameters = as_document(row, profile)
-    before, after = undo_and_redo(db, patient_id)
-    return ControlsView(
-        parameters=parameters,
-        hash=parameters.hash,
-        can_undo=before is not None,
-        can_redo=after is not None,
-        saved=saved_titles(db, patient_id),
-        suggested=ControlsSuggestion(bindings=suggestion.bindings, reason=suggestion.reason),
-        limits=LIMITS,
-        held=web.arming.lowered_speeds(parameters.speeds),
-        obstacle=ObstacleView.of(web.session.obstacle(parameters, simulated=profile.simulated)),
-    )
+Change = Callable[[Transaction, PatientSession, SuggestedVocabulary], ParameterSet]
 
 
-def _suggestion(web: WebParts, patient_id: int) -> SuggestedVocabulary:
-    """Return the vocabulary that the newest map suggests; call outside of a transaction: it reads recordings."""
-    return web.discoveries.of_patient(patient_id).suggestion
+@dataclass(frozen=True, slots=True)
+class PatientControls:
+    """The controls of the patient who is here: read, and changed."""
+
+    database: Database
+    discoveries: GestureDiscoveries
+    arming: RealArming
+    session_flow: SessionFlow
+    live: ClinicLive
+
+    async def view(self, clinic_id: int) -> ControlsView:
+        """Return the current parameter set."""
+        session = await self.session_flow.needed_session(clinic_id)
+
+        def read() -> ControlsView:
+            suggestion = self._suggestion(session.patient_id)
+            with self.database.transaction() as db:
+                return self._view(db, session.patient_id, suggestion)
+
+        return await asyncio.to_thread(read)
+
+    async def change(self, who: SignedInPerson, what: str, change: Change) -> ControlsView:
+        """Change the current set, and load it into the control process."""
+
+        def write(session: PatientSession) -> ControlsView:
+            suggestion = self._suggestion(session.patient_id)
+            with self.database.transaction() as db:
+                row = change(db, session, suggestion)
+                view = self._view(db, session.patient_id, suggestion)
+                write_log(db, who.name, what, patient=session.patient_id, parameters=row.id, hash=view.hash)
+                return view
+
+        async with self.session_flow.undisturbed("change the controls"):
+            view = await asyncio.to_thread(write, await self.session_flow.needed_session(who.clinic_id))
+            await self.session_flow.try_load_parameters()
+        self.live.tell("controls")
+        return view
+
+    def _view(self, db: Transaction, patient_id: int, suggestion: SuggestedVocabulary) -> ControlsView:
+        row, profile = current_parameters(db, patient_id)
+        parameters = as_document(row, profile)
+        before, after = undo_and_redo(db, patient_id)
+        return ControlsView(
+            parameters=parameters,
+            hash=parameters.hash,
+            can_undo=before is not None,
+            can_redo=after is not None,
+            saved=saved_titles(db, patient_id),
+            suggested=ControlsSuggestion(bindings=suggestion.bindings, reason=suggestion.reason),
+            limits=LIMITS,
+            held=self.arming.lowered_speeds(parameters.speeds),
+            obstacle=ObstacleView.of(self.session_flow.obstacle(parameters, simulated=profile.simulated)),
+        )
+
+    def _suggestion(self, patient_id: int) -> SuggestedVocabulary:
+        """Return the vocabulary that the newest map suggests; call outside of a transaction: it reads recordings."""
+        return self.discoveries.of_patient(patient_id).suggestion
+
+
+Controls = Annotated[PatientControls, Depends(parts_for(PatientControls))]
 
 
 @router.get("")
-async def look(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
+async def look(who: Clinician, controls: Controls) -> ControlsView:
     """Return the current parameter set.
 
     `held`: speeds that clinic or chair do not allow, with what holds instead. `obstacle`: why the set cannot drive, and
     the page that mends it (`shirt`, `calibrate`, `controls`). 409 when nothing is calibrated.
     """
-    session = await web.session.needed_session(who.clinic_id)
-
-    def _read() -> ControlsView:
-        suggestion = _suggestion(web, session.patient_id)
-        with parts.database.transaction() as db:
-            return _view(db, web, session.patient_id, suggestion)
-
-    return await asyncio.to_thread(_read)
+    return await controls.view(who.clinic_id)
 
 
 @router.get("/obstacle")
-async def look_at_obstacle(_who: Clinician, web: Web) -> ObstacleView | None:
+async def look_at_obstacle(_who: Clinician, session_flow: SessionFlowPart) -> ObstacleView | None:
     """Return why the current parameter set cannot drive; null when it can, and without a calibration."""
-    return ObstacleView.of(await asyncio.to_thread(web.session.current_obstacle))
-
-
-Change = Callable[[Transaction, PatientSession, SuggestedVocabulary], ParameterSet]
-
-
-async def _change(who: SignedInPerson, parts: People, web: WebParts, what: str, change: Change) -> ControlsView:
-    """Change the current set, and load it into the control process."""
-
-    def _write(session: PatientSession) -> ControlsView:
-        suggestion = _suggestion(web, session.patient_id)
-        with parts.database.transaction() as db:
-            row = change(db, session, suggestion)
-            view = _view(db, web, session.patient_id, suggestion)
-            write_log(db, who.name, what, patient=session.patient_id, parameters=row.id, hash=view.hash)
-            return view
-
-    async with web.session.undisturbed("change the controls"):
-        view = await asyncio.to_thread(_write, await web.session.needed_session(who.clinic_id))
-        await web.session.try_load_parameters()
-    web.live.tell("controls")
-    return view
+    return ObstacleView.of(await asyncio.to_thread(session_flow.current_obstacle))
 
 
 @router.put("")
-async def set_controls(body: ControlSettings, who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
+async def set_controls(body: ControlSettings, who: Clinician, controls: Controls) -> ControlsView:
     """Set the controls; an invalid set changes nothing."""
 
     def _set(db: Transaction, session: PatientSession, _suggestion: SuggestedVocabulary) -> ParameterSet:
         _row, profile = current_parameters(db, session.patient_id)
         return save_parameters(db, profile, _whole(body.model_dump(mode="json"), profile))
 
-    return await _change(who, parts, web, "controls set", _set)
+    return await controls.change(who, "controls set", _set)
 
 
 def _whole(settings: dict[str, Any], profile: Profile) -> DriveParameters:
@@ -176,23 +196,23 @@ def _whole(settings: dict[str, Any], profile: Profile) -> DriveParameters:
 
 
 @router.post("/undo")
-async def undo(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
+async def undo(who: Clinician, controls: Controls) -> ControlsView:
     """Undo: make the set before current."""
-    return await _change(
-        who, parts, web, "controls undone", lambda db, session, _: step_parameters(db, session.patient_id, back=True)
+    return await controls.change(
+        who, "controls undone", lambda db, session, _: step_parameters(db, session.patient_id, back=True)
     )
 
 
 @router.post("/redo")
-async def redo(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
+async def redo(who: Clinician, controls: Controls) -> ControlsView:
     """Redo: make the set that was undone current."""
-    return await _change(
-        who, parts, web, "controls redone", lambda db, session, _: step_parameters(db, session.patient_id, back=False)
+    return await controls.change(
+        who, "controls redone", lambda db, session, _: step_parameters(db, session.patient_id, back=False)
     )
 
 
 @router.post("/suggest")
-async def suggest(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
+async def suggest(who: Clinician, controls: Controls) -> ControlsView:
     """Bind the gestures that the calibration suggests, with its dead-zones and fulls."""
 
     def _suggest(db: Transaction, session: PatientSession, suggestion: SuggestedVocabulary) -> ParameterSet:
@@ -200,12 +220,12 @@ async def suggest(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
         settings = {**row.settings, **suggestion.model_dump(mode="json", include={"gestures", "bindings"})}
         return save_parameters(db, profile_row, _whole(settings, profile_row))
 
-    return await _change(who, parts, web, "controls suggested", _suggest)
+    return await controls.change(who, "controls suggested", _suggest)
 
 
 @router.post("/load")
-async def load(body: TitleChoice, who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
+async def load(body: TitleChoice, who: Clinician, controls: Controls) -> ControlsView:
     """Make a saved set the current one."""
-    return await _change(
-        who, parts, web, "controls loaded", lambda db, session, _: load_titled(db, session.patient_id, body.title)
+    return await controls.change(
+        who, "controls loaded", lambda db, session, _: load_titled(db, session.patient_id, body.title)
     )

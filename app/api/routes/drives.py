@@ -8,12 +8,20 @@ from fastapi.requests import Request
 from pydantic import Field
 
 from app.api.answers import Answer, MomentText
-from app.api.deps import Anyone, Clinician, People, PeopleParts
+from app.api.deps import (
+    Anyone,
+    ArmingPart,
+    ChairsPart,
+    Clinician,
+    Db,
+    DriveFlowPart,
+    ScreensPart,
+    SessionFlowPart,
+)
 from app.api.live.screen_socket import ScreenWord
 from app.api.live.screens import Screen
 from app.api.nearby import require_nearby
-from app.api.one_controller import require_controller
-from app.api.parts import Web
+from app.api.one_controller import Authority
 from app.api.routes.source_view import SourceView
 from app.calibration.vocabulary import ControlMode
 from app.clock import monotonic
@@ -98,13 +106,13 @@ class DriveView(Answer):
 
 
 @router.get("/summary")
-async def summary(who: Anyone, web: Web) -> Summary:
+async def summary(who: Anyone, chairs: ChairsPart, arming: ArmingPart) -> Summary:
     """Return what arming the chosen chair would apply, and the reasons against it.
 
     Differences to the last practised set by `kind`: `field`, `binding` or `gesture`; null: there is none yet.
     """
-    now = await web.arming.summary(who.clinic_id)
-    chair, parameters, last = web.chairs.chosen, now.parameters, now.last_practised
+    now = await arming.summary(who.clinic_id)
+    chair, parameters, last = chairs.chosen, now.parameters, now.last_practised
     return Summary(
         chair=None if chair is None else ChairSummary.of(chair),
         parameters=None if parameters is None else ParametersSummary.of(parameters),
@@ -117,53 +125,64 @@ async def summary(who: Anyone, web: Web) -> Summary:
 
 
 @router.post("", status_code=201)
-async def arm(body: NewDrive, request: Request, who: Clinician, parts: PeopleParts, web: Web) -> DriveView:
+async def arm(
+    body: NewDrive,
+    request: Request,
+    who: Clinician,
+    *,
+    database: Db,
+    drive_flow: DriveFlowPart,
+    chairs: ChairsPart,
+    arming: ArmingPart,
+    session_flow: SessionFlowPart,
+    screens: ScreensPart,
+) -> DriveView:
     """Arm the real chair with the set of the summary; the drive is recorded, and this screen must stay in view.
 
     409 with the first of `refusals`, for a silent screen, or another `hash` than the summary's; 403 from outside the
     building's network.
     """
     require_nearby(request)
-    async with web.session.undisturbed("arm the chair"):
-        now = await web.arming.summary(who.clinic_id)
+    async with session_flow.undisturbed("arm the chair"):
+        now = await arming.summary(who.clinic_id)
         if now.refusals:
             raise Conflict(now.refusals[0])
-        chair = web.chairs.chosen
+        chair = chairs.chosen
         if chair is None or now.session is None or now.parameters is None or now.parameters_id is None:
             raise HTTPException(409, CHANGED)  # unreachable: each of these is among the refusals
         if now.parameters.hash != body.hash:
             raise Conflict(CHANGED)
-        age = web.screens.age(Screen(who.person_id, body.screen), monotonic())
+        age = screens.age(Screen(who.person_id, body.screen), monotonic())
         if age is None or age > HEARD_WITHIN:
             raise Conflict(NOT_IN_VIEW)
-        obstacle = await web.session.load_parameters()
+        obstacle = await session_flow.load_parameters()
         if obstacle is not None:
             raise Conflict(obstacle)
         starter = Starter(who.person_id, who.name, body.screen)
-        drive_id = await web.drives.start(now.session, starter, chair, now.parameters_id, body.hash)
-    return await asyncio.to_thread(_one, parts, who.clinic_id, drive_id)
+        drive_id = await drive_flow.start(now.session, starter, chair, now.parameters_id, body.hash)
+    return await asyncio.to_thread(_one, database, who.clinic_id, drive_id)
 
 
 @router.post("/current/end")
-async def end_drive(who: Clinician, parts: PeopleParts, web: Web) -> DriveView:
+async def end_drive(who: Clinician, authority: Authority, database: Db, drive_flow: DriveFlowPart) -> DriveView:
     """End the drive; answer when its recording is closed."""
-    require_controller(web, who)
-    drive_id = await web.drives.end()
-    return await asyncio.to_thread(_one, parts, who.clinic_id, drive_id)
+    authority.require_controller(who)
+    drive_id = await drive_flow.end()
+    return await asyncio.to_thread(_one, database, who.clinic_id, drive_id)
 
 
 @router.get("")
-def list_drives(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, parts: PeopleParts) -> list[DriveView]:
+def list_drives(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, database: Db) -> list[DriveView]:
     """List a patient's drives, the newest last.
 
     `end`: `by hand` or `fault`; `distance` null: it never moved.
     """
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient)
         log_viewing(db, who.name, patient)
         return [DriveView.of(drive) for drive in drives_of(db, who.clinic_id, patient)]
 
 
-def _one(parts: People, clinic_id: int, drive_id: int) -> DriveView:
-    with parts.database.transaction() as db:
+def _one(database: Db, clinic_id: int, drive_id: int) -> DriveView:
+    with database.transaction() as db:
         return DriveView.of(find_drive(db, clinic_id, drive_id))

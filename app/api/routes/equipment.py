@@ -1,20 +1,40 @@
 """The shirt, what moves inside it, its channels, and the files that people bring."""
 
 import asyncio
+from dataclasses import dataclass
 from typing import Annotated, Any
 
-from fastapi import APIRouter, UploadFile
+from fastapi import APIRouter, Depends, UploadFile
 from pydantic import Field
 
-from app.api.deps import Anyone, Clinician, ForEveryone, PeopleParts
-from app.api.parts import Web, WebParts
+from app.api.deps import (
+    Anyone,
+    Clinician,
+    ComputingPart,
+    ControlPart,
+    Db,
+    EquipmentPart,
+    ForEveryone,
+    HeadPart,
+    LivePart,
+    ReplacedFilesPart,
+    SessionFlowPart,
+    UploadsPart,
+)
+from app.api.parts import parts_for
 from app.api.routes.uploads import FileView, keep_upload, list_files
+from app.computing_process import ComputingProcess
 from app.hardware.configs import KINDS, AnyShirtConfig, BodyConfig, HeadConfig
 from app.hardware.shirt.kind import ShirtKind
 from app.layout import MAX_CHANNELS, ShirtLayout
 from app.quantities import Document, Line, Name
 from app.refusals import Refusal
 from app.session.control_link import ControlLink
+from app.session.equipment.chairs import Chairs
+from app.session.equipment.head import HeadChoice
+from app.session.equipment.shirt import Equipment
+from app.settings import Settings
+from app.store.database import Database
 from app.store.files.disk_watch import disk_room
 from app.store.files.name_conflicts import SameName, log_details
 from app.store.keeping.patient_files import add_patient_file
@@ -111,59 +131,83 @@ class EquipmentView(Document):
     disk: DiskView
 
 
-async def _status(control: ControlLink, web: WebParts) -> tuple[StatusView, HeadTrackerView]:
-    equipment, head = web.equipment, web.head.config
-    try:
-        status = await control.call("status")
-    except Refusal as refusal:
-        return StatusView(
-            words=str(refusal),
-            alive=False,
-            sample_rate=equipment.sample_rate,
-            lost=0,
-            realtime=[],
-            control=control.state,
-        ), HeadTrackerView(config=head, words=str(refusal))
-    shirt = status.get("shirt") or {}
-    view = StatusView(
-        words=equipment.failure or str(shirt.get("words", "")),
-        alive=bool(shirt.get("alive", False)),
-        sample_rate=float(shirt.get("sample_rate") or equipment.sample_rate),
-        lost=int(shirt.get("lost") or 0),
-        realtime=[str(sentence) for sentence in status.get("realtime", [])],
-        control=control.state,
-    )
-    return view, HeadTrackerView(
-        config=head, words=web.head.failure or str((status.get("head") or {}).get("words", ""))
-    )
+@dataclass(frozen=True, slots=True)
+class EquipmentState:
+    """The equipment in use, as the page shows it."""
+
+    settings: Settings
+    database: Database
+    computing: ComputingProcess
+    control: ControlLink
+    equipment: Equipment
+    chairs: Chairs
+    head: HeadChoice
+
+    async def view(self) -> EquipmentView:
+        """Return the equipment in use, and what can be chosen."""
+        equipment = self.equipment
+        status, head = await self._status()
+        room = await asyncio.to_thread(disk_room, self.settings.state)
+        return EquipmentView(
+            shirt=equipment.shirt,
+            simulated=equipment.simulated,
+            body=equipment.body,
+            layout=equipment.layout,
+            unused=equipment.unused,
+            status=status,
+            files=await asyncio.to_thread(list_files, self.settings.files, self.computing),
+            shirt_keys=await asyncio.to_thread(lambda: equipment.key_names),
+            chair=ChairStateView(words=await self.chairs.state()),
+            head=head,
+            disk=DiskView(free=room.free, words=room.message),
+        )
+
+    async def logged_view(self, person: str, what: str, **details: Any) -> EquipmentView:
+        """Log what a person has changed, and return the equipment in use."""
+
+        def write() -> None:
+            with self.database.transaction() as db:
+                write_log(db, person, what, **details)
+
+        await asyncio.to_thread(write)
+        return await self.view()
+
+    async def _status(self) -> tuple[StatusView, HeadTrackerView]:
+        equipment, config = self.equipment, self.head.config
+        try:
+            status = await self.control.call("status")
+        except Refusal as refusal:
+            return StatusView(
+                words=str(refusal),
+                alive=False,
+                sample_rate=equipment.sample_rate,
+                lost=0,
+                realtime=[],
+                control=self.control.state,
+            ), HeadTrackerView(config=config, words=str(refusal))
+        shirt = status.get("shirt") or {}
+        view = StatusView(
+            words=equipment.failure or str(shirt.get("words", "")),
+            alive=bool(shirt.get("alive", False)),
+            sample_rate=float(shirt.get("sample_rate") or equipment.sample_rate),
+            lost=int(shirt.get("lost") or 0),
+            realtime=[str(sentence) for sentence in status.get("realtime", [])],
+            control=self.control.state,
+        )
+        words = self.head.failure or str((status.get("head") or {}).get("words", ""))
+        return view, HeadTrackerView(config=config, words=words)
 
 
-async def _view(parts: PeopleParts, web: WebParts) -> EquipmentView:
-    equipment = web.equipment
-    status, head = await _status(web.control, web)
-    room = await asyncio.to_thread(disk_room, parts.settings.state)
-    return EquipmentView(
-        shirt=equipment.shirt,
-        simulated=equipment.simulated,
-        body=equipment.body,
-        layout=equipment.layout,
-        unused=equipment.unused,
-        status=status,
-        files=await asyncio.to_thread(list_files, parts.settings.files, web.computing),
-        shirt_keys=await asyncio.to_thread(lambda: equipment.key_names),
-        chair=ChairStateView(words=await web.chairs.state()),
-        head=head,
-        disk=DiskView(free=room.free, words=room.message),
-    )
+State = Annotated[EquipmentState, Depends(parts_for(EquipmentState))]
 
 
 @router.get("")
-async def look(_who: Anyone, parts: PeopleParts, web: Web) -> EquipmentView:
+async def look(_who: Anyone, state: State) -> EquipmentView:
     """Return the equipment in use, and what can be chosen.
 
     `shirt` null: none chosen yet. `disk.words` is empty above 2 GB and changes within a second (event `disk`).
     """
-    return await _view(parts, web)
+    return await state.view()
 
 
 @router.get("/shirts")
@@ -183,110 +227,122 @@ def shirt_kind_view(kind: ShirtKind[Any]) -> ShirtKindView:
 
 
 @router.get("/practice", dependencies=[ForEveryone])
-def practice(web: Web) -> PracticeShirt:
+def practice(equipment: EquipmentPart) -> PracticeShirt:
     """Return whether pages have to show the mark "practice only"; also for pages without a sign-in."""
-    return PracticeShirt(kind=web.equipment.practice)
-
-
-async def _logged_view(parts: PeopleParts, web: WebParts, person: str, what: str, **details: Any) -> EquipmentView:
-    def _write() -> None:
-        with parts.database.transaction() as db:
-            write_log(db, person, what, **details)
-
-    await asyncio.to_thread(_write)
-    return await _view(parts, web)
+    return PracticeShirt(kind=equipment.practice)
 
 
 @router.put("/shirt")
-async def choose_shirt(body: AnyShirtConfig, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
+async def choose_shirt(
+    body: AnyShirtConfig, who: Clinician, state: State, equipment: EquipmentPart, session_flow: SessionFlowPart
+) -> EquipmentView:
     """Open another shirt; when it does not open, the one before stays.
 
     `file` is a name from `files` of `GET /equipment`, `key_file` one from `shirt_keys`.
     """
     config = body.model_dump(mode="json")
-    async with web.session.undisturbed("change the shirt"):
+    async with session_flow.undisturbed("change the shirt"):
         try:
-            await web.equipment.use_shirt(config)
+            await equipment.use_shirt(config)
         finally:
-            await web.session.try_load_parameters()
-    return await _logged_view(parts, web, who.name, "shirt chosen", kind=config["kind"])
+            await session_flow.try_load_parameters()
+    return await state.logged_view(who.name, "shirt chosen", kind=config["kind"])
 
 
 @router.get("/sender")
-async def look_at_senders(_who: Anyone, web: Web) -> SendersView:
+async def look_at_senders(_who: Anyone, control: ControlPart) -> SendersView:
     """Return who sends frames to the shirt's port."""
-    status = await web.control.call("status")
+    status = await control.call("status")
     return SendersView.model_validate(status["shirt"].get("senders") or {"shirt": "", "other": "", "others": 0})
 
 
 @router.put("/sender")
-async def choose_sender(body: ChosenSender, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
+async def choose_sender(
+    body: ChosenSender, who: Clinician, state: State, equipment: EquipmentPart, session_flow: SessionFlowPart
+) -> EquipmentView:
     """Take another sender as the shirt; refused while anything is armed, driven or recorded.
 
     It is logged.
     """
-    async with web.session.undisturbed("change the shirt's sender"):
-        await web.equipment.use_sender(body.sender)
-    return await _logged_view(parts, web, who.name, "shirt's sender chosen", sender=body.sender)
+    async with session_flow.undisturbed("change the shirt's sender"):
+        await equipment.use_sender(body.sender)
+    return await state.logged_view(who.name, "shirt's sender chosen", sender=body.sender)
 
 
 @router.put("/body")
-async def choose_body(body: BodyConfig, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
+async def choose_body(
+    body: BodyConfig, who: Clinician, state: State, equipment: EquipmentPart, session_flow: SessionFlowPart
+) -> EquipmentView:
     """Choose another simulated body for the simulated shirt.
 
     `file` is a name from `files` of `GET /equipment`.
     """
     config = body.model_dump(mode="json")
-    async with web.session.undisturbed("change the body"):
-        await web.equipment.use_body(config)
-    return await _logged_view(parts, web, who.name, "body chosen", kind=config["kind"])
+    async with session_flow.undisturbed("change the body"):
+        await equipment.use_body(config)
+    return await state.logged_view(who.name, "body chosen", kind=config["kind"])
 
 
 @router.put("/head")
-async def choose_head(body: HeadTrackerChoice, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
+async def choose_head(
+    body: HeadTrackerChoice, who: Clinician, state: State, head: HeadPart, session_flow: SessionFlowPart
+) -> EquipmentView:
     """Use another head tracker, or none.
 
     `file` is a name from `files` of `GET /equipment`.
     """
     config = None if body.config is None else body.config.model_dump(mode="json")
-    async with web.session.undisturbed("change the head tracker"):
-        await web.head.use(config)
-    return await _logged_view(parts, web, who.name, "head tracker chosen", kind=config["kind"] if config else None)
+    async with session_flow.undisturbed("change the head tracker"):
+        await head.use(config)
+    return await state.logged_view(who.name, "head tracker chosen", kind=config["kind"] if config else None)
 
 
 @router.post("/head/ahead")
-async def look_ahead(_who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
+async def look_ahead(_who: Clinician, state: State, head: HeadPart) -> EquipmentView:
     """Count where the head looks now as straight ahead."""
-    await web.head.set_ahead()
-    return await _view(parts, web)
+    await head.set_ahead()
+    return await state.view()
 
 
 @router.put("/unused")
-async def mark_unused(body: UnusedChannels, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
+async def mark_unused(
+    body: UnusedChannels, who: Clinician, state: State, equipment: EquipmentPart, session_flow: SessionFlowPart
+) -> EquipmentView:
     """Mark channels as unused; the next calibration leaves them out."""
-    async with web.session.undisturbed("change which sensors are used"):
-        await web.equipment.leave_unused(body.channels)
-    return await _logged_view(parts, web, who.name, "channels marked", unused=web.equipment.unused)
+    async with session_flow.undisturbed("change which sensors are used"):
+        await equipment.leave_unused(body.channels)
+    return await state.logged_view(who.name, "channels marked", unused=equipment.unused)
 
 
 @router.post("/files", status_code=201)
 async def bring_file(
-    file: UploadFile, who: Clinician, parts: PeopleParts, web: Web, same_name: SameName = "ask"
+    file: UploadFile,
+    who: Clinician,
+    *,
+    state: State,
+    database: Db,
+    replaced: ReplacedFilesPart,
+    uploads: UploadsPart,
+    computing: ComputingPart,
+    live: LivePart,
+    same_name: SameName = "ask",
 ) -> EquipmentView:
     """Store a file of recorded signals or of a recorded body; `same_name`: what to do when its name is taken.
 
     The multipart field `file`: CSV or Parquet, at most 64 MB and 40 million numbers.
     """
-    kept = await parts.uploads.run(
-        keep_upload, parts.replaced, web.computing, file.filename or "", file.file, same_name
-    )
+    kept = await uploads.run(keep_upload, replaced, computing, file.filename or "", file.file, same_name)
 
     def note_patient() -> None:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             add_patient_file(db, who.clinic_id, kept.name)
 
     await asyncio.to_thread(note_patient)
-    web.live.tell("equipment")
-    return await _logged_view(
-        parts, web, who.name, "file added", kind=kept.kind, size=kept.size, **log_details(same_name)
+    live.tell("equipment")
+    return await state.logged_view(
+        who.name,
+        "file added",
+        kind=kept.kind,
+        size=kept.size,
+        **log_details(same_name),
     )

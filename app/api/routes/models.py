@@ -8,7 +8,7 @@ from typing import Annotated
 
 from fastapi import APIRouter, HTTPException, Query, UploadFile
 
-from app.api.deps import Clinician, People, PeopleParts
+from app.api.deps import Clinician, Db, ReadingsPart, ReplacedFilesPart, SettingsPart
 from app.api.foreign_files import refusal
 from app.api.routes.uploads import harmless_name
 from app.quantities import Document
@@ -73,16 +73,19 @@ def _keep(
 
 
 @router.get("")
-def list_models(_who: Clinician, parts: PeopleParts) -> list[ModelView]:
+def list_models(_who: Clinician, settings: SettingsPart) -> list[ModelView]:
     """List the objects that a box can show."""
-    return _list(parts.settings.models)
+    return _list(settings.models)
 
 
 @router.post("", status_code=201)
 async def bring_model(
     file: UploadFile,
     who: Clinician,
-    parts: PeopleParts,
+    settings: SettingsPart,
+    database: Db,
+    replaced: ReplacedFilesPart,
+    readings: ReadingsPart,
     same_name: SameName = "ask",
     metres_per_unit: Annotated[float | None, Query(ge=1e-6, le=1000, allow_inf_nan=False)] = None,
 ) -> list[ModelView]:
@@ -95,13 +98,13 @@ async def bring_model(
     """
 
     def keep() -> list[ModelView]:
-        name = _keep(parts.settings.models, parts.replaced, file, same_name, metres_per_unit)
-        _log(parts, who.name, name, same_name)
-        return _list(parts.settings.models)
+        name = _keep(settings.models, replaced, file, same_name, metres_per_unit)
+        _log(database, who.name, name, same_name)
+        return _list(settings.models)
 
-    return await parts.readings.run(keep)
+    return await readings.run(keep)
 
 
-def _log(parts: People, person: str, name: str, same_name: SameName) -> None:
-    with parts.database.transaction() as db:
+def _log(database: Db, person: str, name: str, same_name: SameName) -> None:
+    with database.transaction() as db:
         write_log(db, person, "object added", model=name, **log_details(same_name))

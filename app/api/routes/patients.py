@@ -6,10 +6,21 @@ from fastapi import APIRouter
 from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
-from app.api.deps import Anyone, Clinician, PeopleParts, RowId
-from app.api.parts import Web, WebParts, open_view
+from app.api.deps import (
+    Anyone,
+    Clinician,
+    Db,
+    PlacesPart,
+    ReplaysPart,
+    RowId,
+    SessionFlowPart,
+    SettingsPart,
+    SocketsPart,
+    ViewKeeperPart,
+)
 from app.api.routes.obstacle_view import ObstacleView
 from app.api.sign_in.identity import SignedInPerson
+from app.api.view.view_keeper import open_view
 from app.quantities import Count, Document, Line, Name, Note, Title
 from app.store.consent import has_consented
 from app.store.database import Transaction
@@ -112,17 +123,17 @@ def _view_with(patient: Patient, figures: PatientFigures) -> PatientView:
 
 
 @router.get("/patients")
-def list_patients(who: Anyone, parts: PeopleParts) -> list[PatientView]:
+def list_patients(who: Anyone, database: Db) -> list[PatientView]:
     """List the patients, the last seen first."""
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         log_listing(db, who.name)
         return _views(db, all_patients(db, who.clinic_id))
 
 
 @router.post("/patients", status_code=201)
-def new_patient(body: NewPatient, who: Clinician, parts: PeopleParts) -> PatientView:
+def new_patient(body: NewPatient, who: Clinician, database: Db) -> PatientView:
     """Add a patient."""
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         patient = add_patient(db, who.clinic_id, body.code, body.pseudonym, body.note)
         write_log(db, who.name, "patient added", patient=patient.id)
         return _view(db, patient)
@@ -130,7 +141,7 @@ def new_patient(body: NewPatient, who: Clinician, parts: PeopleParts) -> Patient
 
 @router.delete("/patients/{patient_id}")
 def remove_patient(
-    patient_id: RowId, who: Clinician, parts: PeopleParts, web: Web, body: Deletion | None = None
+    patient_id: RowId, who: Clinician, database: Db, replays: ReplaysPart, body: Deletion | None = None
 ) -> PatientView:
     """Delete a patient: everything of the patient is hidden at once, and erased after 30 days; it can be undone.
 
@@ -139,27 +150,27 @@ def remove_patient(
     Afterwards the patient is answered like one who does not exist.
     """
     reason = "" if body is None else body.reason.strip()
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         patient = delete_patient(db, who.clinic_id, patient_id, reason)
         write_log(db, who.name, "patient deleted", patient=patient_id, reason_given=bool(reason))
         view = _view(db, patient)
-    web.replays.close_all()  # an open replay may be one of this patient
+    replays.close_all()  # an open replay may be one of this patient
     return view
 
 
 @router.post("/patients/{patient_id}/restore")
-def undo_removal(patient_id: RowId, who: Clinician, parts: PeopleParts) -> PatientView:
+def undo_removal(patient_id: RowId, who: Clinician, database: Db) -> PatientView:
     """Undo the deletion of a patient."""
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         patient = restore_patient(db, who.clinic_id, patient_id)
         write_log(db, who.name, "patient restored", patient=patient_id)
         return _view(db, patient)
 
 
-def current_session(parts: PeopleParts, web: WebParts, who: SignedInPerson) -> CurrentSession:
+def current_session(database: Db, session_flow: SessionFlowPart, who: SignedInPerson) -> CurrentSession:
     """Return the open session and its patient, whom this person then has seen."""
-    obstacle = ObstacleView.of(web.session.current_obstacle())
-    with parts.database.transaction(closing=True) as db:
+    obstacle = ObstacleView.of(session_flow.current_obstacle())
+    with database.transaction(closing=True) as db:
         session = open_session(db, who.clinic_id)
         if session is None:
             return CurrentSession(
@@ -189,49 +200,60 @@ def current_session(parts: PeopleParts, web: WebParts, who: SignedInPerson) -> C
 
 
 @router.get("/session")
-def who_is_here(who: Anyone, parts: PeopleParts, web: Web) -> CurrentSession:
+def who_is_here(who: Anyone, database: Db, session_flow: SessionFlowPart) -> CurrentSession:
     """Return the patient who is here now, and the open session.
 
     `obstacle`: why no trial would start now, as of `GET /controls`; null when nothing is calibrated.
     """
-    return current_session(parts, web, who)
+    return current_session(database, session_flow, who)
 
 
 @router.post("/session")
-async def begin_session(body: NewSession, who: Clinician, parts: PeopleParts, web: Web) -> CurrentSession:
+async def begin_session(
+    body: NewSession,
+    who: Clinician,
+    settings: SettingsPart,
+    database: Db,
+    sockets: SocketsPart,
+    session_flow: SessionFlowPart,
+    view_keeper: ViewKeeperPart,
+    places: PlacesPart,
+) -> CurrentSession:
     """Open a session of a patient; 507 where the disk has no room to record it.
 
     409 while a session of another patient is open whose id is not in `ends`.
     """
 
     def _open() -> CurrentSession:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             session = start_session(db, who.clinic_id, body.patient_id, who.name, ends=body.ends)
             write_log(db, who.name, "session opened", patient=body.patient_id, session=session.id)
-        return current_session(parts, web, who)
+        return current_session(database, session_flow, who)
 
-    await run_in_threadpool(require_room_to_record, parts.settings.state)
-    async with web.session.undisturbed("open a session"):
+    await run_in_threadpool(require_room_to_record, settings.state)
+    async with session_flow.undisturbed("open a session"):
         answer = await run_in_threadpool(_open)
-        await parts.sockets.close_ended_screens()
-        await web.session.session_changed()
-        await open_view(web)
+        await sockets.close_ended_screens()
+        await session_flow.session_changed()
+        await open_view(view_keeper, places)
     return answer
 
 
 @router.delete("/session")
-async def close_session(who: Clinician, parts: PeopleParts, web: Web) -> CurrentSession:
+async def close_session(
+    who: Clinician, database: Db, sockets: SocketsPart, session_flow: SessionFlowPart, view_keeper: ViewKeeperPart
+) -> CurrentSession:
     """End the session."""
 
     def _end() -> CurrentSession:
-        with parts.database.transaction(closing=True) as db:
+        with database.transaction(closing=True) as db:
             end_session(db, who.clinic_id)
             write_log(db, who.name, "session ended")
-        return current_session(parts, web, who)
+        return current_session(database, session_flow, who)
 
-    async with web.session.undisturbed("end the session"):
+    async with session_flow.undisturbed("end the session"):
         answer = await run_in_threadpool(_end)
-        await parts.sockets.close_ended_screens()
-        await web.view.close()
-        await web.session.session_changed()
+        await sockets.close_ended_screens()
+        await view_keeper.close()
+        await session_flow.session_changed()
     return answer

@@ -7,9 +7,8 @@ from fastapi import APIRouter, Request
 from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
-from app.api.deps import Owner, People, PeopleParts, RowId
+from app.api.deps import Db, Owner, ReplaysPart, RowId, SettingsPart, SocketsPart
 from app.api.own_address import link_words, own_address
-from app.api.parts import Web
 from app.api.qr import qr_picture
 from app.api.sign_in.auth import PersonName
 from app.quantities import Count, Document
@@ -86,71 +85,75 @@ def _view(db: Transaction, person: Person, own_id: int) -> PersonView:
     )
 
 
-async def _link(parts: People, request: Request, person: PersonView, made: MadeInvitation) -> LinkView:
-    address = await asyncio.to_thread(own_address, parts.settings, request)
+async def _link(settings: SettingsPart, request: Request, person: PersonView, made: MadeInvitation) -> LinkView:
+    address = await asyncio.to_thread(own_address, settings, request)
     url = f"{address.base}#invite={made.code}"  # the part behind # is not sent to a server, so it appears in no log
     return LinkView(
         person=person,
         url=url,
         qr=qr_picture(url),
         expires=made.expires.isoformat(),
-        words=link_words(parts.settings, address),
+        words=link_words(settings, address),
     )
 
 
 @router.get("")
-def list_people(who: Owner, parts: PeopleParts) -> list[PersonView]:
+def list_people(who: Owner, database: Db) -> list[PersonView]:
     """List the people of the clinic.
 
     For owners. `patients` null: the person sees all.
     """
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         return [_view(db, person, who.person_id) for person in people_of(db, who.clinic_id)]
 
 
 @router.post("", status_code=201)
-async def invite_person(body: NewPerson, request: Request, who: Owner, parts: PeopleParts) -> LinkView:
+async def invite_person(
+    body: NewPerson, request: Request, who: Owner, settings: SettingsPart, database: Db
+) -> LinkView:
     """Add a person, and make the link by which this person chooses a password within 24 hours.
 
     For owners. The person has no password yet; `qr` of the link is SVG.
     """
 
     def _add() -> tuple[PersonView, MadeInvitation]:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             patients = checked_patients(db, who.clinic_id, body.role, body.patients)
             clinic = db.get_one(Clinic, who.clinic_id)
             person = add_person(db, clinic, body.name, body.role, None, patients=patients, by=who.name)
             made = invite(db, person, who.name)
             return _view(db, person, who.person_id), made
 
-    return await _link(parts, request, *await run_in_threadpool(_add))
+    return await _link(settings, request, *await run_in_threadpool(_add))
 
 
 @router.post("/{person_id}/link", status_code=201)
-async def make_link(person_id: RowId, request: Request, who: Owner, parts: PeopleParts) -> LinkView:
+async def make_link(person_id: RowId, request: Request, who: Owner, settings: SettingsPart, database: Db) -> LinkView:
     """Make a link by which a person chooses a new password; the old one holds until the link is used.
 
     For owners. The earlier link becomes invalid.
     """
 
     def _make() -> tuple[PersonView, MadeInvitation]:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             person = find_person_by_id(db, who.clinic_id, person_id)
             made = invite(db, person, who.name)
             return _view(db, person, who.person_id), made
 
-    return await _link(parts, request, *await run_in_threadpool(_make))
+    return await _link(settings, request, *await run_in_threadpool(_make))
 
 
 @router.put("/{person_id}")
-async def choose_rights(person_id: RowId, body: Rights, who: Owner, parts: PeopleParts, web: Web) -> PersonView:
+async def choose_rights(
+    person_id: RowId, body: Rights, who: Owner, database: Db, sockets: SocketsPart, replays: ReplaysPart
+) -> PersonView:
     """Give a person another role or other patients; when they change, the person has to sign in again.
 
     For owners. 409 for the last owner who can sign in.
     """
 
     def _choose() -> tuple[PersonView, bool]:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             person = find_person_by_id(db, who.clinic_id, person_id)
             before = (person.role, person.patients)
             patients = checked_patients(db, who.clinic_id, body.role, body.patients)
@@ -159,34 +162,36 @@ async def choose_rights(person_id: RowId, body: Rights, who: Owner, parts: Peopl
 
     view, has_changed = await run_in_threadpool(_choose)
     if has_changed:
-        await parts.sockets.close_person(person_id)
-        await asyncio.to_thread(web.replays.close_of, person_id)
+        await sockets.close_person(person_id)
+        await asyncio.to_thread(replays.close_of, person_id)
     return view
 
 
 @router.post("/{person_id}/disable")
-async def disable_person(person_id: RowId, who: Owner, parts: PeopleParts, web: Web) -> PersonView:
+async def disable_person(
+    person_id: RowId, who: Owner, database: Db, sockets: SocketsPart, replays: ReplaysPart
+) -> PersonView:
     """Let a person sign in no longer; every sign-in and socket of this person ends at once.
 
     For owners. No known browser and no link is left. 409 for the last owner who can sign in.
     """
 
     def _disable() -> PersonView:
-        with parts.database.transaction(closing=True) as db:
+        with database.transaction(closing=True) as db:
             person = find_person_by_id(db, who.clinic_id, person_id)
             disable(db, person, who.name)
             return _view(db, person, who.person_id)
 
     view = await run_in_threadpool(_disable)
-    await parts.sockets.close_person(person_id)
-    await asyncio.to_thread(web.replays.close_of, person_id)
+    await sockets.close_person(person_id)
+    await asyncio.to_thread(replays.close_of, person_id)
     return view
 
 
 @router.post("/{person_id}/enable")
-def enable_person(person_id: RowId, who: Owner, parts: PeopleParts) -> PersonView:
+def enable_person(person_id: RowId, who: Owner, database: Db) -> PersonView:
     """Let a disabled person sign in again."""
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         person = find_person_by_id(db, who.clinic_id, person_id)
         enable(db, person, who.name)
         return _view(db, person, who.person_id)

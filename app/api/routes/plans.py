@@ -7,7 +7,7 @@ from fastapi import APIRouter, Form, HTTPException, Query, Request, UploadFile
 from pydantic import ValidationError
 
 from app.api.answers import Answer
-from app.api.deps import Clinician, People, PeopleParts
+from app.api.deps import Clinician, Db, OwnPlansPart, ReadingsPart, ReplacedFilesPart
 from app.api.routes.plan_files import draft_of_uploads
 from app.quantities import Document, Name
 from app.sentences import one_sentence
@@ -81,15 +81,15 @@ def _checked(content: bytes) -> CheckView:
     return CheckView(good=True, sentence="", place=[], at=None)
 
 
-def _log(parts: People, person: str, what: str, **details: Any) -> None:
-    with parts.database.transaction() as db:
+def _log(database: Db, person: str, what: str, **details: Any) -> None:
+    with database.transaction() as db:
         write_log(db, person, what, **details)
 
 
 @router.get("/own-floorplans")
-def list_own(_who: Clinician, parts: PeopleParts) -> list[OwnPlanView]:
+def list_own(_who: Clinician, own_plans: OwnPlansPart) -> list[OwnPlanView]:
     """List the clinic's own floor plans."""
-    return [OwnPlanView.of(plan) for plan in parts.own_plans.listed()]
+    return [OwnPlanView.of(plan) for plan in own_plans.listed()]
 
 
 @router.post("/floorplans/check")
@@ -106,7 +106,7 @@ async def check(request: Request, _who: Clinician) -> CheckView:
 async def import_files(
     files: list[UploadFile],
     _who: Clinician,
-    parts: PeopleParts,
+    readings: ReadingsPart,
     options: Annotated[str, Form(max_length=100_000)] = "{}",
 ) -> DraftView:
     """Propose a floor plan made of a DXF drawing, a picture, or a ROS map (its YAML file and its picture).
@@ -116,17 +116,31 @@ async def import_files(
     The multipart field `files`: one .dxf, .png or .jpg, or a map's .yaml with its picture; 20 MB each. Nothing is
     saved, and the document may have no path yet.
     """
-    return DraftView(**await draft_of_uploads(files, options, parts.readings))
+    return DraftView(**await draft_of_uploads(files, options, readings))
 
 
 @router.post("/floorplans", status_code=201)
-async def save_new(request: Request, who: Clinician, parts: PeopleParts, same_name: SameName = "ask") -> OwnPlanView:
+async def save_new(
+    request: Request,
+    who: Clinician,
+    database: Db,
+    replaced: ReplacedFilesPart,
+    own_plans: OwnPlansPart,
+    same_name: SameName = "ask",
+) -> OwnPlanView:
     """Save a document as a new floor plan of the clinic; `same_name`: what to do when its name is taken."""
     content = await request.body()
 
     def save() -> OwnPlanView:
-        saved = parts.own_plans.add(_parsed(content), same_name, parts.replaced)
-        _log(parts, who.name, "floor plan saved", floorplan=saved.name, version=saved.version, **log_details(same_name))
+        saved = own_plans.add(_parsed(content), same_name, replaced)
+        _log(
+            database,
+            who.name,
+            "floor plan saved",
+            floorplan=saved.name,
+            version=saved.version,
+            **log_details(same_name),
+        )
         return OwnPlanView.of(saved)
 
     return await asyncio.to_thread(save)
@@ -138,7 +152,8 @@ async def save_version(
     version: Annotated[int, Query(ge=1, le=2**31)],
     request: Request,
     who: Clinician,
-    parts: PeopleParts,
+    database: Db,
+    own_plans: OwnPlansPart,
 ) -> OwnPlanView:
     """Save the next version of a floor plan; refused when somebody saved it after `version` was read.
 
@@ -150,24 +165,24 @@ async def save_version(
         plan = _parsed(content)
         if plan.name != name:
             raise HTTPException(422, f"{WHERE}, name: it is not '{name}' as in the address: correct it.")
-        now = parts.own_plans.replace(plan, version)
-        _log(parts, who.name, "floor plan saved", floorplan=name, version=now)
+        now = own_plans.replace(plan, version)
+        _log(database, who.name, "floor plan saved", floorplan=name, version=now)
         return OwnPlanView(name=name, title=plan.title, version=now)
 
     return await asyncio.to_thread(save)
 
 
 @router.delete("/floorplans/{name}")
-def delete(name: Name, who: Clinician, parts: PeopleParts) -> list[OwnPlanView]:
+def delete(name: Name, who: Clinician, database: Db, own_plans: OwnPlansPart) -> list[OwnPlanView]:
     """Take a floor plan out of what is offered; it can be restored."""
-    parts.own_plans.remove(name)
-    _log(parts, who.name, "floor plan deleted", floorplan=name)
-    return list_own(who, parts)
+    own_plans.remove(name)
+    _log(database, who.name, "floor plan deleted", floorplan=name)
+    return list_own(who, own_plans)
 
 
 @router.post("/floorplans/{name}/restore")
-def restore(name: Name, who: Clinician, parts: PeopleParts) -> list[OwnPlanView]:
+def restore(name: Name, who: Clinician, database: Db, own_plans: OwnPlansPart) -> list[OwnPlanView]:
     """Offer a deleted floor plan again."""
-    version = parts.own_plans.restore(name)
-    _log(parts, who.name, "floor plan restored", floorplan=name, version=version)
-    return list_own(who, parts)
+    version = own_plans.restore(name)
+    _log(database, who.name, "floor plan restored", floorplan=name, version=version)
+    return list_own(who, own_plans)

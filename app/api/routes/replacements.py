@@ -7,7 +7,7 @@ from fastapi import APIRouter, HTTPException, Path
 from pydantic import ValidationError
 
 from app.api.answers import Answer, MomentText
-from app.api.deps import Clinician, People, PeopleParts
+from app.api.deps import Clinician, Db, OwnPlansPart, ReplacedFilesPart
 from app.quantities import Document
 from app.store.files.replacements import Kind
 from app.store.log import write_log
@@ -37,31 +37,35 @@ class RestoredView(Document):
 
 
 @router.get("")
-def list_replaced(_who: Clinician, parts: PeopleParts) -> list[ReplacedView]:
+def list_replaced(_who: Clinician, replaced: ReplacedFilesPart) -> list[ReplacedView]:
     """List what was replaced in the last 30 days, newest first."""
-    return [ReplacedView.of(file) for file in parts.replaced.listed()]
+    return [ReplacedView.of(file) for file in replaced.listed()]
 
 
 @router.post("/{kind}/{identity}/restore")
-async def restore(kind: Kind, identity: Identity, who: Clinician, parts: PeopleParts) -> RestoredView:
+async def restore(
+    kind: Kind, identity: Identity, who: Clinician, database: Db, replaced: ReplacedFilesPart, own_plans: OwnPlansPart
+) -> RestoredView:
     """Restore a replaced file, under a free name when its own is taken."""
 
     def put_back() -> RestoredView:
-        name = _restored_plan(parts, identity) if kind == "floorplan" else parts.replaced.restore(kind, identity)
-        with parts.database.transaction() as db:
+        name = (
+            _restored_plan(replaced, own_plans, identity) if kind == "floorplan" else replaced.restore(kind, identity)
+        )
+        with database.transaction() as db:
             write_log(db, who.name, "replaced file restored", kind=kind)
         return RestoredView(kind=kind, name=name)
 
     return await asyncio.to_thread(put_back)
 
 
-def _restored_plan(parts: People, identity: str) -> str:
+def _restored_plan(replaced: ReplacedFilesPart, own_plans: OwnPlansPart, identity: str) -> str:
     """Save a replaced floor plan again, under the name in its document."""
-    found, content = parts.replaced.content("floorplan", identity)
+    found, content = replaced.content("floorplan", identity)
     try:
         plan = FloorPlan.model_validate_json(content)
     except ValidationError as error:
         raise HTTPException(409, "This floor plan can no longer be read: save it again as it was drawn.") from error
-    saved = parts.own_plans.add(plan, "keep-both", parts.replaced)
-    parts.replaced.discard(found)
+    saved = own_plans.add(plan, "keep-both", replaced)
+    replaced.discard(found)
     return saved.name

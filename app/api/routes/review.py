@@ -6,8 +6,7 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Query
 from pydantic import AfterValidator
 
-from app.api.deps import Anyone, PeopleParts, RowId
-from app.api.parts import Web
+from app.api.deps import Anyone, ComputingPart, Db, RowId, RunsPart, SpreadPart, TrajectoriesPart
 from app.api.replay.trajectories import MOST_TRAJECTORIES, TrialLine
 from app.api.routes.source_view import RequestedGroup
 from app.api.sign_in.identity import SignedInPerson
@@ -60,13 +59,15 @@ def learning(
     path: PlaceName,
     source: RequestedGroup,
     who: Anyone,
-    parts: PeopleParts,
-    web: Web,
+    *,
+    database: Db,
+    computing: ComputingPart,
+    spread: SpreadPart,
     measure: Annotated[str | None, AfterValidator(_known_measure)] = None,
 ) -> LearningView:
     """Return the learning curve of a patient on one path; curves and deterioration in one measure or in every one."""
-    every = _counted(parts.database, who, patient_id, floorplan, path)
-    clinic = web.spread.of_others(Task(who.clinic_id, floorplan, path, source), patient_id)
+    every = _counted(database, who, patient_id, floorplan, path)
+    clinic = spread.of_others(Task(who.clinic_id, floorplan, path, source), patient_id)
     counted = [one for one in every if one.group == source]
     rows = [one.row() for one in counted]
     names = list(TRIAL_MEASURES) if measure is None else [measure]
@@ -74,8 +75,8 @@ def learning(
         source=source,
         others=dict(Counter(one.group for one in every if one.group != source)),
         trials=[{**row, "started": one.trial.started.isoformat()} for row, one in zip(rows, counted, strict=True)],
-        curves=web.computing.ask(learning_curves, rows, names, clinic, every_model=True),
-        verdicts=web.computing.ask(task_verdicts, rows, clinic, names),
+        curves=computing.ask(learning_curves, rows, names, clinic, every_model=True),
+        verdicts=computing.ask(task_verdicts, rows, clinic, names),
     )
 
 
@@ -86,17 +87,18 @@ def trajectories(
     path: PlaceName,
     source: RequestedGroup,
     who: Anyone,
-    parts: PeopleParts,
-    web: Web,
+    database: Db,
+    runs: RunsPart,
+    trajectories: TrajectoriesPart,
 ) -> TrajectoriesView:
     """Return the newest trajectories of a patient on one path; recordings that were not read before take a moment.
 
     Of the newest 30 kept trials.
     """
-    every = _counted(parts.database, who, patient_id, floorplan, path)
+    every = _counted(database, who, patient_id, floorplan, path)
     newest = [one.trial for one in every if one.group == source][-MOST_TRAJECTORIES:]
     return TrajectoriesView(
-        trajectories=web.trajectories.lines([(trial.number, web.runs.folder_of(trial.run_id)) for trial in newest]),
+        trajectories=trajectories.lines([(trial.number, runs.folder_of(trial.run_id)) for trial in newest]),
         path=[(x, y) for x, y in newest[-1].path_points] if newest else [],
     )
 
@@ -114,8 +116,9 @@ def _counted(database: Database, who: SignedInPerson, patient_id: int, floorplan
 def verdicts_of_trial(
     trial_id: RowId,
     who: Anyone,
-    parts: PeopleParts,
-    web: Web,
+    database: Db,
+    computing: ComputingPart,
+    spread: SpreadPart,
     against: Annotated[int | None, Query(ge=1, le=2**31)] = None,
 ) -> TrialVerdicts:
     """Tell in which measures a trial is better than noise against another one; by default the one before that counts.
@@ -125,7 +128,7 @@ def verdicts_of_trial(
     `best`: of the compared trials before it; `familiarisation`: those of the two that are among the first three. The
     word `number`: a measure that does not lead in the task, without word and band.
     """
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         trial = find_trial(db, who.clinic_id, trial_id)
         other = trial if against is None else find_trial(db, who.clinic_id, against)
         if _task_of(trial) != _task_of(other):
@@ -133,9 +136,9 @@ def verdicts_of_trial(
         log_viewing(db, who.name, trial.patient_id)
         counted = counted_trials(db, who.clinic_id, trial.patient_id, trial.floorplan, trial.path)
     group = trial.run.source.group
-    clinic = web.spread.of_others(Task(who.clinic_id, trial.floorplan, trial.path, group), trial.patient_id)
+    clinic = spread.of_others(Task(who.clinic_id, trial.floorplan, trial.path, group), trial.patient_id)
     rows = [one.row() for one in counted if one.group == group]
-    return web.computing.ask(trial_verdicts, rows, clinic, trial_id, against)
+    return computing.ask(trial_verdicts, rows, clinic, trial_id, against)
 
 
 def _task_of(trial: Trial) -> tuple[int, str, str, SourceGroup]:

@@ -5,7 +5,7 @@ from typing import Annotated, Any
 from fastapi import Depends, Query
 from pydantic import model_validator
 
-from app.api.deps import PeopleParts
+from app.api.deps import SettingsPart
 from app.source import Source, SourceGroup, source_words
 
 
@@ -22,11 +22,11 @@ class SourceView(Source):
         return source
 
 
-def requested_group(parts: PeopleParts, source: Annotated[SourceGroup | None, Query()] = None) -> SourceGroup:
+def requested_group(settings: SettingsPart, source: Annotated[SourceGroup | None, Query()] = None) -> SourceGroup:
     """Return the requested group of trials; by default worn ones, in a demonstration simulated ones."""
     if source is not None:
         return source
-    return "simulated" if parts.settings.demo else "worn"
+    return "simulated" if settings.demo else "worn"
 
 
 RequestedGroup = Annotated[SourceGroup, Depends(requested_group)]

@@ -3,9 +3,8 @@
 from fastapi import APIRouter
 from fastapi.requests import Request
 
-from app.api.deps import ForEveryone, PeopleParts
+from app.api.deps import Db, EquipmentPart, ForEveryone, SessionFlowPart, SettingsPart
 from app.api.nearby import is_nearby
-from app.api.parts import Web
 from app.api.routes.patients import CurrentSession, current_session
 from app.api.sign_in.auth import Me, me_view
 from app.api.who_asks import WhoAsks
@@ -24,15 +23,22 @@ class StartView(Document):
 
 
 @router.get("/start", dependencies=[ForEveryone])
-def start(request: Request, who: WhoAsks, parts: PeopleParts, web: Web) -> StartView:
+def start(
+    request: Request,
+    who: WhoAsks,
+    settings: SettingsPart,
+    database: Db,
+    equipment: EquipmentPart,
+    session_flow: SessionFlowPart,
+) -> StartView:
     """Return what a page needs before it can show anything.
 
     Without sign-in: `me` as of `GET /auth/me`, `practice` as of `GET /equipment/practice`, `session` as of `GET
     /session` (null unless signed in).
     """
     return StartView(
-        me=me_view(parts, who),
+        me=me_view(settings, database, who),
         is_nearby=is_nearby(request),
-        practice=web.equipment.practice,
-        session=None if who is None or who.locked else current_session(parts, web, who),
+        practice=equipment.practice,
+        session=None if who is None or who.locked else current_session(database, session_flow, who),
     )

@@ -7,10 +7,15 @@ from fastapi import APIRouter, BackgroundTasks
 from fastapi.requests import Request
 from pydantic import Field
 
-from app.api.deps import Clinician, ForEveryone, People, PeopleParts
-from app.api.one_controller import require_hand_on_chair, require_picture
+from app.api.deps import (
+    Clinician,
+    ControlPart,
+    Db,
+    FaultLogPart,
+    ForEveryone,
+)
+from app.api.one_controller import Authority
 from app.api.page_session import require_named
-from app.api.parts import Web, WebParts
 from app.api.sign_in.cookies import read_cookie
 from app.api.sign_in.identity import COOKIE, find_sign_in
 from app.faults import Fault, State
@@ -53,56 +58,71 @@ def _view(control: ControlLink) -> ControlView:
 
 
 @router.post("/stop", dependencies=[ForEveryone])
-async def stop(request: Request, afterwards: BackgroundTasks, parts: PeopleParts, web: Web) -> ControlView:
+async def stop(
+    request: Request, afterwards: BackgroundTasks, database: Db, control: ControlPart, fault_log: FaultLogPart
+) -> ControlView:
     """Stop the chair: latched, overrides every motion; for anyone, signed in or not. `by=key`: by the keyboard.
 
     Who asked is found and logged after the answer: a stop waits for no database.
     """
-    afterwards.add_task(_note_who, request, parts, web)
+    afterwards.add_task(_note_who, request, database, fault_log)
     is_key = request.query_params.get("by") == "key"  # whatever else the address says, the chair is stopped
-    if await web.control.stop("key" if is_key else "tablet"):
+    if await control.stop("key" if is_key else "tablet"):
         return ControlView(state="fault", fault=(Fault.STOP_KEY if is_key else Fault.STOP_TABLET).name.lower())
     return ControlView(state="fault", fault=Fault.CONTROL_LOST.name.lower())  # it has ended, or is being replaced
 
 
-async def _note_who(request: Request, parts: People, web: WebParts) -> None:
+async def _note_who(request: Request, database: Db, fault_log: FaultLogPart) -> None:
     if read_cookie(request, COOKIE):
-        who = await asyncio.to_thread(find_sign_in, parts.database, request)
+        who = await asyncio.to_thread(find_sign_in, database, request)
         if who is not None:
-            await web.faults.stop_requested(who.name)
+            await fault_log.stop_requested(who.name)
 
 
 @router.post("/clear")
-async def clear(body: StopCount, request: Request, who: Clinician, web: Web) -> ControlView:
+async def clear(
+    body: StopCount,
+    request: Request,
+    who: Clinician,
+    authority: Authority,
+    control: ControlPart,
+) -> ControlView:
     """Clear the latched stop or fault that the person has seen; in a trial or drive a new neutral check follows.
 
     Without the control process `fault` is `control_lost`, and that process is replaced.
     """
-    require_hand_on_chair(web, who, request)
-    require_picture(web)
-    before = web.control.newest()
-    await web.control.call("clear", stops=body.stops)
+    authority.require_hand_on_chair(who, request)
+    authority.require_picture()
+    before = control.newest()
+    await control.call("clear", stops=body.stops)
     for _ in range(NEXT_TICK_LOOKS):
-        now = web.control.newest()
+        now = control.newest()
         if before is None or now is None or int(now["number"]) > int(before["number"]) + 1:
             break
         await asyncio.sleep(0.01)
-    return _view(web.control)
+    return _view(control)
 
 
 @router.post("/dial")
-async def turn_dial(body: DialShare, request: Request, who: Clinician, parts: PeopleParts, web: Web) -> DialShare:
+async def turn_dial(
+    body: DialShare,
+    request: Request,
+    who: Clinician,
+    authority: Authority,
+    database: Db,
+    control: ControlPart,
+) -> DialShare:
     """Turn the speed dial: down at once, up only while the chair stands and the patient is at rest."""
-    require_hand_on_chair(web, who, request)
-    tick = web.control.newest()
+    authority.require_hand_on_chair(who, request)
+    tick = control.newest()
     if tick is not None and body.share > float(tick["dial"]):
-        await require_named(request, parts)
-    answer = await web.control.load("dial", share=body.share)
+        await require_named(request, database)
+    answer = await control.load("dial", share=body.share)
     share = float(answer.get("share", body.share))
-    await asyncio.to_thread(_note, parts, who.name, share)
+    await asyncio.to_thread(_note, database, who.name, share)
     return DialShare(share=share)
 
 
-def _note(parts: People, person: str, share: float) -> None:
-    with parts.database.transaction(closing=True) as db:
+def _note(database: Db, person: str, share: float) -> None:
+    with database.transaction(closing=True) as db:
         write_log(db, person, "dial turned", share=share)

@@ -2,7 +2,7 @@
 
 from fastapi import APIRouter, HTTPException, Response
 
-from app.api.deps import Anyone, ForEveryone, PeopleParts
+from app.api.deps import Anyone, ForEveryone, SettingsPart
 from app.api.qr import qr_picture
 from app.quantities import Document
 
@@ -29,9 +29,9 @@ class TabletsView(Document):
 
 
 @router.get("/trust", dependencies=[ForEveryone])
-def trust(response: Response, parts: PeopleParts) -> TrustView:
+def trust(response: Response, settings: SettingsPart) -> TrustView:
     """Answer a tablet that tries whether it trusts this machine."""
-    network = parts.settings.network
+    network = settings.network
     if network is None:
         raise HTTPException(404, THIS_MACHINE_ONLY)
     response.headers.update(FOR_OTHER_ORIGINS)
@@ -39,9 +39,9 @@ def trust(response: Response, parts: PeopleParts) -> TrustView:
 
 
 @router.get("/tablets")
-def tablets(_who: Anyone, parts: PeopleParts) -> TabletsView:
+def tablets(_who: Anyone, settings: SettingsPart) -> TabletsView:
     """Return the link for further tablets."""
-    network = parts.settings.network
+    network = settings.network
     if network is None:
         return TabletsView(url=None, qr="", pages="", words=THIS_MACHINE_ONLY)
     url = network.page_link()

@@ -4,8 +4,7 @@ from typing import Annotated
 
 from fastapi import APIRouter, Depends
 
-from app.api.deps import viewer
-from app.api.parts import Web
+from app.api.deps import SessionFlowPart, TrialFlowPart, viewer
 from app.api.sign_in.identity import PairedScreen, SignedInPerson
 from app.quantities import Document, Name
 from app.world.floorplan import FloorPlan
@@ -22,12 +21,16 @@ class TrialPlan(Document):
 
 
 @router.get("/view/{role}/plan")
-def shown_plan(who: Annotated[SignedInPerson | PairedScreen, Depends(viewer)], web: Web) -> TrialPlan | None:
+def shown_plan(
+    who: Annotated[SignedInPerson | PairedScreen, Depends(viewer)],
+    trial_flow: TrialFlowPart,
+    session_flow: SessionFlowPart,
+) -> TrialPlan | None:
     """Return the floor plan and the path of the running trial; null while there is none.
 
     The patient's is for the patient's screens, too.
     """
-    trial = web.trials.current
-    if trial is None or not who.sees(web.session.patient_id):
+    trial = trial_flow.current
+    if trial is None or not who.sees(session_flow.patient_id):
         return None
     return TrialPlan(trial=trial.id, floorplan=trial.plan, path=trial.path.name)

@@ -8,13 +8,28 @@ from fastapi import APIRouter, Query
 from pydantic import Field
 
 from app.api.answers import Answer, MomentText
-from app.api.deps import Anyone, Clinician, People, PeopleParts, RowId
+from app.api.deps import (
+    Anyone,
+    ChairsPart,
+    Clinician,
+    ControlPart,
+    Db,
+    LivePart,
+    PicturesPart,
+    PlacesPart,
+    QualitiesPart,
+    RowId,
+    RunsPart,
+    SessionFlowPart,
+    TrajectoriesPart,
+    TrialFlowPart,
+    ViewKeeperPart,
+)
 from app.api.driving.places import needed_plan
 from app.api.live.screen_pictures import NO_PICTURE, Picture
 from app.api.live.screen_socket import ScreenWord
 from app.api.live.screens import Screen
-from app.api.one_controller import require_controller
-from app.api.parts import Web, WebParts
+from app.api.one_controller import Authority
 from app.api.routes.origin_view import OriginView
 from app.api.routes.source_view import SourceView
 from app.api.sign_in.identity import SignedInPerson
@@ -116,37 +131,48 @@ class TrialDetail(Document):
 
 
 @router.post("/trials", status_code=201)
-async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, web: Web) -> TrialView:
+async def start_trial(
+    body: NewTrial,
+    who: Clinician,
+    *,
+    database: Db,
+    trial_flow: TrialFlowPart,
+    chairs: ChairsPart,
+    session_flow: SessionFlowPart,
+    pictures: PicturesPart,
+    view_keeper: ViewKeeperPart,
+    places: PlacesPart,
+) -> TrialView:
     """Start a trial: the chair is put on the start, the recording begins, and the chair is armed.
 
     `screen`: the random word of the page on the screen socket; `picture`: what it shows to drive by (null: not said),
     kept in `meta`. 409 with a real chair chosen, for `none`, and while this screen or one of the patient's has no
     picture.
     """
-    async with web.session.undisturbed("start a trial"):
-        session = await web.session.needed_session(who.clinic_id)
-        if web.chairs.chosen is not None:
+    async with session_flow.undisturbed("start a trial"):
+        session = await session_flow.needed_session(who.clinic_id)
+        if chairs.chosen is not None:
             raise Conflict("A real chair is chosen: choose the virtual one for a trial.")
-        refusal = NO_PICTURE if body.picture == "none" else web.pictures.refusal(Screen(who.person_id, body.screen))
+        refusal = NO_PICTURE if body.picture == "none" else pictures.refusal(Screen(who.person_id, body.screen))
         if refusal:
             raise Conflict(refusal)
-        plan = await asyncio.to_thread(needed_plan, web, body.floorplan)
+        plan = await asyncio.to_thread(needed_plan, places, body.floorplan)
         try:
             path = plan.path_named(body.path)
         except ValueError as error:
             raise NotFound(f"This floor plan has no path '{body.path}': choose one of the list.") from error
-        obstacle = await web.session.load_parameters()
+        obstacle = await session_flow.load_parameters()
         if obstacle is not None:
             raise Conflict(obstacle)
-        await web.view.show(plan, path.name)
-        trial_id = await web.trials.start(
+        await view_keeper.show(plan, path.name)
+        trial_id = await trial_flow.start(
             session, Starter(who.person_id, who.name, body.screen, body.picture), plan, path
         )
-    return await asyncio.to_thread(_one, parts, who.clinic_id, trial_id)
+    return await asyncio.to_thread(_one, database, who.clinic_id, trial_id)
 
 
-def _one(parts: PeopleParts, clinic_id: int, trial_id: int) -> TrialView:
-    with parts.database.transaction() as db:
+def _one(database: Db, clinic_id: int, trial_id: int) -> TrialView:
+    with database.transaction() as db:
         return _view(db, find_trial(db, clinic_id, trial_id))
 
 
@@ -159,26 +185,33 @@ def _from(origin: PatientImport | Origin | None, view: TrialView) -> TrialView:
 
 
 @router.post("/trials/current/end")
-async def end_trial(body: EndTrial, who: Clinician, parts: PeopleParts, web: Web) -> TrialView:
+async def end_trial(
+    body: EndTrial,
+    who: Clinician,
+    authority: Authority,
+    database: Db,
+    control: ControlPart,
+    trial_flow: TrialFlowPart,
+) -> TrialView:
     """End the trial by hand; answered when it has been measured."""
-    require_controller(web, who)
-    trial_id = await web.trials.end()
+    authority.require_controller(who)
+    trial_id = await trial_flow.end()
     if body.stops is not None:
         # After the run: within it, clearing a stop would begin the check for rest. A stop that stays is in the picture.
         with suppress(Conflict, Unavailable):
-            await web.control.call("clear", stops=body.stops)
-    return await asyncio.to_thread(_one, parts, who.clinic_id, trial_id)
+            await control.call("clear", stops=body.stops)
+    return await asyncio.to_thread(_one, database, who.clinic_id, trial_id)
 
 
 @router.get("/trials")
-def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, parts: PeopleParts) -> list[ListedTrial]:
+def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, database: Db) -> list[ListedTrial]:
     """List a patient's trials, the newest last.
 
     `status` is `running` or `done`, `end` is `goal`, `time-out`, `by hand` or `fault`. `compared_in`: id of the trial's
     session, null where no verdict compares it (discarded, not measured, one of the first three of its task and kind of
     source).
     """
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient)
         log_viewing(db, who.name, patient)
         origins = origins_of(db, patient)
@@ -192,15 +225,17 @@ def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, par
 
 
 @router.get("/trials/{trial_id}")
-def one_trial(trial_id: RowId, who: Anyone, parts: PeopleParts, web: Web) -> TrialDetail:
+def one_trial(
+    trial_id: RowId, who: Anyone, database: Db, runs: RunsPart, trajectories: TrajectoriesPart, qualities: QualitiesPart
+) -> TrialDetail:
     """Return a trial with its trajectory over its path."""
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         trial = find_trial(db, who.clinic_id, trial_id)
         write_log(db, who.name, "trial viewed", trial=trial_id)
         view = _view(db, trial)
         code = find_patient(db, who.clinic_id, trial.patient_id).code
         session_number = db.get_one(PatientSession, trial.session_id).number
-    found = web.trajectories.of(web.runs.folder_of(trial.run_id)) if trial.status == "done" else None
+    found = trajectories.of(runs.folder_of(trial.run_id)) if trial.status == "done" else None
     shown = view.model_dump(exclude={"path"})
     return TrialDetail(
         **shown,
@@ -209,29 +244,29 @@ def one_trial(trial_id: RowId, who: Anyone, parts: PeopleParts, web: Web) -> Tri
         path=[(x, y) for x, y in trial.path_points],
         path_name=trial.path,
         trajectory=None if found is None else TrajectoryView.of(found),
-        quality=web.qualities.of(trial),
+        quality=qualities.of(trial),
     )
 
 
 @router.post("/trials/{trial_id}/discard")
-async def discard_trial(trial_id: RowId, body: Discard, who: Clinician, parts: PeopleParts, web: Web) -> TrialView:
+async def discard_trial(trial_id: RowId, body: Discard, who: Clinician, database: Db, live: LivePart) -> TrialView:
     """Discard a trial: it counts in no curve or figure; it can be kept again."""
-    return await _keep(parts, web, who, trial_id, body.reason)
+    return await _keep(database, live, who, trial_id, body.reason)
 
 
 @router.post("/trials/{trial_id}/keep")
-async def keep_again(trial_id: RowId, who: Clinician, parts: PeopleParts, web: Web) -> TrialView:
+async def keep_again(trial_id: RowId, who: Clinician, database: Db, live: LivePart) -> TrialView:
     """Let a discarded trial count again."""
-    return await _keep(parts, web, who, trial_id, None)
+    return await _keep(database, live, who, trial_id, None)
 
 
-async def _keep(parts: People, web: WebParts, who: SignedInPerson, trial_id: int, reason: str | None) -> TrialView:
+async def _keep(database: Db, live: LivePart, who: SignedInPerson, trial_id: int, reason: str | None) -> TrialView:
     def _write() -> TrialView:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             trial = keep_trial(db, who.clinic_id, trial_id, reason)
             write_log(db, who.name, "trial kept" if reason is None else "trial discarded", trial=trial_id)
             return _view(db, trial)
 
     kept = await asyncio.to_thread(_write)
-    web.live.tell("trial")
+    live.tell("trial")
     return kept

@@ -3,9 +3,9 @@
 from fastapi import APIRouter, HTTPException, Request, Response
 from fastapi.concurrency import run_in_threadpool
 
-from app.api.deps import ForEveryone, People, PeopleParts
+from app.api.deps import Db, ForEveryone, SettingsPart, SignInLimitsPart, SocketsPart
 from app.api.sign_in.auth import Code, Me, Password, let_in
-from app.api.sign_in.passwords import hash_of, weakness
+from app.api.sign_in.passwords import Passwords, weakness
 from app.api.sign_in.sign_in_limits import address_of
 from app.quantities import Document
 from app.store.access.invitations import accept_invitation, find_invited
@@ -41,18 +41,18 @@ class _Invited(Document):
     view: InvitedView
 
 
-async def _require_invited(parts: People, request: Request, code: str) -> _Invited:
+async def _require_invited(database: Db, sign_in_limits: SignInLimitsPart, request: Request, code: str) -> _Invited:
     """Return for whom a code is valid; 401 for a wrong one, which is counted by address."""
-    attempt = await parts.limits.code(address_of(request))
-    found = await run_in_threadpool(_look_up, parts, code)
+    attempt = await sign_in_limits.code(address_of(request))
+    found = await run_in_threadpool(_look_up, database, code)
     if found is None:
         raise HTTPException(401, WRONG)
     attempt.take_back()
     return found
 
 
-def _look_up(parts: People, code: str) -> _Invited | None:
-    with parts.database.transaction() as db:
+def _look_up(database: Db, code: str) -> _Invited | None:
+    with database.transaction() as db:
         person = find_invited(db, code)
         if person is None:
             return None
@@ -61,32 +61,41 @@ def _look_up(parts: People, code: str) -> _Invited | None:
 
 
 @router.post("")
-async def look(body: InvitationCode, request: Request, parts: PeopleParts) -> InvitedView:
+async def look(body: InvitationCode, request: Request, database: Db, sign_in_limits: SignInLimitsPart) -> InvitedView:
     """Tell for whom an invitation is; it stays valid.
 
     Without sign-in. The code stands behind `#invite=` of the link, is valid once and for 24 hours, and is stored as
     SHA-256; 401 for any other.
     """
-    return (await _require_invited(parts, request, body.code)).view
+    return (await _require_invited(database, sign_in_limits, request, body.code)).view
 
 
 @router.post("/accept")
-async def accept(body: AcceptedInvitation, request: Request, response: Response, parts: PeopleParts) -> Me:
+async def accept(
+    body: AcceptedInvitation,
+    request: Request,
+    response: Response,
+    passwords: Passwords,
+    settings: SettingsPart,
+    database: Db,
+    sign_in_limits: SignInLimitsPart,
+    sockets: SocketsPart,
+) -> Me:
     """Give the invited person the password and sign them in; other sign-ins of the person end."""
-    invited = await _require_invited(parts, request, body.code)
+    invited = await _require_invited(database, sign_in_limits, request, body.code)
     weak = weakness(invited.view.name, body.password)
     if weak is not None:
         raise HTTPException(422, weak)
-    password_hash = await hash_of(parts, body.password)
+    password_hash = await passwords.hash_of(body.password)
 
     def _accept() -> Me:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             person = find_invited(db, body.code)
             if person is None:  # used by somebody else while the password was being hashed
                 raise HTTPException(401, WRONG)
             accept_invitation(db, person, password_hash)
-        return let_in(parts, request, response, invited.view.name, "invitation")
+        return let_in(settings, database, request, response, invited.view.name, "invitation")
 
     me = await run_in_threadpool(_accept)
-    await parts.sockets.close_person(invited.person_id)
+    await sockets.close_person(invited.person_id)
     return me

@@ -8,17 +8,10 @@ from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
 from app import __version__
-from app.api.deps import NOBODY, ForEveryone, People, PeopleParts
+from app.api.deps import NOBODY, Db, ForEveryone, SettingsPart, SetUpPart, SignInLimitsPart, SocketsPart
 from app.api.sign_in.cookies import delete_cookie, read_cookie, set_cookie
 from app.api.sign_in.identity import COOKIE, SignedInPerson
-from app.api.sign_in.passwords import (
-    BROWSER_COOKIE,
-    BROWSER_PATH,
-    hash_of,
-    require_own_password,
-    require_password,
-    weakness,
-)
+from app.api.sign_in.passwords import BROWSER_COOKIE, BROWSER_PATH, Passwords, weakness
 from app.api.sign_in.sign_in_limits import address_of
 from app.api.who_asks import WhoAsks
 from app.quantities import Document, Line
@@ -85,14 +78,18 @@ class OwnPassword(Document):
     password: Password
 
 
-def me_view(parts: PeopleParts, who: SignedInPerson | None) -> Me:
+def me_view(settings: SettingsPart, database: Db, who: SignedInPerson | None) -> Me:
     """Return the view of who is signed in, None for nobody."""
-    return _me(parts, None, None) if who is None else _me(parts, who.name, who.role, locked=who.locked)
+    return (
+        _me(settings, database, None, None)
+        if who is None
+        else _me(settings, database, who.name, who.role, locked=who.locked)
+    )
 
 
-def _me(parts: PeopleParts, name: str | None, role: str | None, *, locked: bool = False) -> Me:
-    with parts.database.transaction() as db:
-        needs_setup = not parts.settings.demo and count_people(db) == 0
+def _me(settings: SettingsPart, database: Db, name: str | None, role: str | None, *, locked: bool = False) -> Me:
+    with database.transaction() as db:
+        needs_setup = not settings.demo and count_people(db) == 0
         person = None if name is None else find_person(db, name)
         introduced = person is not None and person.introduced
     return Me(
@@ -101,15 +98,15 @@ def _me(parts: PeopleParts, name: str | None, role: str | None, *, locked: bool 
         name=name,
         role=role,
         introduced=introduced,
-        demo=parts.settings.demo,
+        demo=settings.demo,
         needs_setup=needs_setup,
         version=__version__,
     )
 
 
-def let_in(parts: People, request: Request, response: Response, name: str, how: str) -> Me:
+def let_in(settings: SettingsPart, database: Db, request: Request, response: Response, name: str, how: str) -> Me:
     """Open a sign-in, end the one that this browser had, and make the browser a known one of this person."""
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         old = read_cookie(request, COOKIE)
         if old:
             sign_out(db, old)
@@ -124,55 +121,71 @@ def let_in(parts: People, request: Request, response: Response, name: str, how: 
     if browser is not None:
         lifetime = int(KNOWN_FOR.total_seconds())
         set_cookie(request, response, cookie, browser, BROWSER_PATH, max_age=lifetime, samesite="strict")
-    return _me(parts, name, role)
+    return _me(settings, database, name, role)
 
 
 @router.post("/demo")
-async def enter_demonstration(body: DemoCode, request: Request, response: Response, parts: PeopleParts) -> Me:
+async def enter_demonstration(
+    body: DemoCode,
+    request: Request,
+    response: Response,
+    settings: SettingsPart,
+    database: Db,
+    sign_in_limits: SignInLimitsPart,
+) -> Me:
     """Sign in to the demonstration with the code of its link.
 
     The code stands behind `#demo=` of the printed link.
     """
-    code = parts.settings.demo_code
+    code = settings.demo_code
     if code is None:
         raise HTTPException(404, "This is not a demonstration: sign in with your name and password.")
-    attempt = await parts.limits.code(address_of(request))
+    attempt = await sign_in_limits.code(address_of(request))
     if not secrets.compare_digest(code.encode(), body.code.encode()):
         raise HTTPException(401, "This link belongs to another demonstration: open the link that was printed last.")
     attempt.take_back()
 
     def _enter() -> Me:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             clinic = the_clinic(db)
             if clinic is not None and find_person(db, DEMO_PERSON) is None:
                 add_person(db, clinic, DEMO_PERSON, "owner", None)
-        return let_in(parts, request, response, DEMO_PERSON, "demonstration")
+        return let_in(settings, database, request, response, DEMO_PERSON, "demonstration")
 
     return await run_in_threadpool(_enter)
 
 
 @router.post("/setup")
-async def make_first_owner(body: FirstOwner, request: Request, response: Response, parts: PeopleParts) -> Me:
+async def make_first_owner(
+    body: FirstOwner,
+    request: Request,
+    response: Response,
+    passwords: Passwords,
+    settings: SettingsPart,
+    database: Db,
+    sign_in_limits: SignInLimitsPart,
+    set_up: SetUpPart,
+) -> Me:
     """Make the first owner with the code from the console, and sign in."""
 
     def _require_no_owner(db: Transaction) -> None:
-        if parts.settings.demo or count_people(db):
+        if settings.demo or count_people(db):
             raise Conflict("This clinic is set up already: sign in with your name and password.")
 
     def _check() -> None:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             _require_no_owner(db)
 
     def _make(password_hash: str) -> Me:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             _require_no_owner(db)
             add_person(db, the_clinic(db) or add_clinic(db, "Clinic"), body.name, "owner", password_hash)
-        parts.set_up.used()
-        return let_in(parts, request, response, body.name, "set-up")
+        set_up.used()
+        return let_in(settings, database, request, response, body.name, "set-up")
 
     await run_in_threadpool(_check)
-    attempt = await parts.limits.code(address_of(request))
-    if not parts.set_up.opens(body.code):
+    attempt = await sign_in_limits.code(address_of(request))
+    if not set_up.opens(body.code):
         raise HTTPException(
             401, "This code is wrong, used or older than 30 minutes: restart the program for a new one."
         )
@@ -180,57 +193,74 @@ async def make_first_owner(body: FirstOwner, request: Request, response: Respons
     weak = weakness(body.name, body.password)
     if weak is not None:
         raise HTTPException(422, weak)
-    return await run_in_threadpool(_make, await hash_of(parts, body.password))
+    return await run_in_threadpool(_make, await passwords.hash_of(body.password))
 
 
 @router.post("/sign-in")
-async def sign_in_by_password(body: Credentials, request: Request, response: Response, parts: PeopleParts) -> Me:
+async def sign_in_by_password(
+    body: Credentials,
+    request: Request,
+    response: Response,
+    passwords: Passwords,
+    settings: SettingsPart,
+    database: Db,
+) -> Me:
     """Sign in with name and password.
 
     429 after too many wrong passwords, 503 while eight sign-ins are under way. Wrong codes of a demonstration, of the
     set-up, of an invitation and of a patient's screen count together: 429 after 10 a minute from one address.
     """
-    await require_password(parts, request, body.name, body.password)
-    return await run_in_threadpool(let_in, parts, request, response, body.name, "password")
+    await passwords.require(request, body.name, body.password)
+    return await run_in_threadpool(let_in, settings, database, request, response, body.name, "password")
 
 
 @router.post("/sign-out")
-async def sign_out_here(request: Request, response: Response, parts: PeopleParts) -> Me:
+async def sign_out_here(
+    request: Request, response: Response, settings: SettingsPart, database: Db, sockets: SocketsPart
+) -> Me:
     """End this sign-in, and close every socket that it opened."""
 
     def _end() -> tuple[int | None, Me]:
-        with parts.database.transaction(closing=True) as db:
+        with database.transaction(closing=True) as db:
             ended = sign_out(db, read_cookie(request, COOKIE) or "")
-        return ended, me_view(parts, None)
+        return ended, me_view(settings, database, None)
 
     ended, me = await run_in_threadpool(_end)
     if ended is not None:
-        await parts.sockets.close_sign_in(ended)
+        await sockets.close_sign_in(ended)
     delete_cookie(request, response, COOKIE)
     return me
 
 
 @router.post("/unlock")
-async def unlock_here(body: OwnPassword, request: Request, who: WhoAsks, parts: PeopleParts) -> Me:
+async def unlock_here(
+    body: OwnPassword,
+    request: Request,
+    who: WhoAsks,
+    passwords: Passwords,
+    settings: SettingsPart,
+    database: Db,
+    sockets: SocketsPart,
+) -> Me:
     """Unlock the page with the password of the person who is signed in on it."""
     if who is None:
         raise HTTPException(401, NOBODY)
     if who.locked:
-        await require_own_password(parts, request, who.name, body.password)
-        await run_in_threadpool(_unlock, parts, who.sign_in_id)
-        await parts.sockets.look_again(who.sign_in_id)
-    return await run_in_threadpool(_me, parts, who.name, who.role)
+        await passwords.require_own(request, who.name, body.password)
+        await run_in_threadpool(_unlock, database, who.sign_in_id)
+        await sockets.look_again(who.sign_in_id)
+    return await run_in_threadpool(_me, settings, database, who.name, who.role)
 
 
-def _unlock(parts: People, sign_in_id: int) -> None:
-    with parts.database.transaction(closing=True) as db:
+def _unlock(database: Db, sign_in_id: int) -> None:
+    with database.transaction(closing=True) as db:
         unlock(db, sign_in_id)
 
 
 @router.get("/me")
-def who_am_i(who: WhoAsks, parts: PeopleParts) -> Me:
+def who_am_i(who: WhoAsks, settings: SettingsPart, database: Db) -> Me:
     """Tell who is signed in on this screen.
 
     `introduced`: the person has put the sentences for a first time away.
     """
-    return me_view(parts, who)
+    return me_view(settings, database, who)

@@ -2,14 +2,14 @@
 
 from fastapi import APIRouter
 
-from app.api.deps import Anyone, PeopleParts
+from app.api.deps import Anyone, Db
 from app.store.access.rights import find_person_by_id
 
 router = APIRouter(prefix="/auth", tags=["sign-in"])
 
 
 @router.post("/introduction", status_code=204)
-def put_away(who: Anyone, parts: PeopleParts) -> None:
+def put_away(who: Anyone, database: Db) -> None:
     """Store that the person who is signed in has read or skipped the sentences."""
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         find_person_by_id(db, who.clinic_id, who.person_id).introduced = True

@@ -3,9 +3,9 @@
 from fastapi import APIRouter, HTTPException, Request
 from fastapi.concurrency import run_in_threadpool
 
-from app.api.deps import Anyone, PeopleParts
+from app.api.deps import Anyone, Db, SocketsPart
 from app.api.sign_in.auth import Password
-from app.api.sign_in.passwords import hash_of, require_own_password, weakness
+from app.api.sign_in.passwords import Passwords, weakness
 from app.quantities import Document
 from app.store.access.rights import end_sign_ins, find_person_by_id
 from app.store.log import write_log
@@ -21,20 +21,27 @@ class PasswordChange(Document):
 
 
 @router.put("/password", status_code=204)
-async def change_password(body: PasswordChange, request: Request, who: Anyone, parts: PeopleParts) -> None:
+async def change_password(
+    body: PasswordChange,
+    request: Request,
+    who: Anyone,
+    passwords: Passwords,
+    database: Db,
+    sockets: SocketsPart,
+) -> None:
     """Change the own password: every other sign-in of this person ends, and known browsers are forgotten."""
     weak = weakness(who.name, body.new)
     if weak is not None:
         raise HTTPException(422, weak)
-    await require_own_password(parts, request, who.name, body.old)
-    password_hash = await hash_of(parts, body.new)
+    await passwords.require_own(request, who.name, body.old)
+    password_hash = await passwords.hash_of(body.new)
 
     def _change() -> None:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             person = find_person_by_id(db, who.clinic_id, who.person_id)
             person.password_hash = password_hash
             end_sign_ins(db, person, but=who.sign_in_id)
             write_log(db, who.name, "password changed", person=person.id)
 
     await run_in_threadpool(_change)
-    await parts.sockets.close_person(who.person_id, but=who.sign_in_id)
+    await sockets.close_person(who.person_id, but=who.sign_in_id)

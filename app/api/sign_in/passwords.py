@@ -1,15 +1,17 @@
 """The rules for new passwords, and the check of the password of a person."""
 
-from typing import NamedTuple
+from dataclasses import dataclass
+from typing import Annotated, NamedTuple
 
-from fastapi import HTTPException, Request
+from fastapi import Depends, HTTPException, Request
 from fastapi.concurrency import run_in_threadpool
 
-from app.api.deps import People
+from app.api.parts import parts_for
 from app.api.sign_in.cookies import cookie_name, read_cookie
-from app.api.sign_in.hashing import Busy
-from app.api.sign_in.sign_in_limits import address_of
+from app.api.sign_in.hashing import Busy, Hashing
+from app.api.sign_in.sign_in_limits import SignInLimits, address_of
 from app.store.browsers import find_browser
+from app.store.database import Database
 from app.store.log import write_log
 from app.store.people import find_person
 
@@ -39,59 +41,66 @@ def weakness(name: str, password: str) -> str | None:
     return None
 
 
-async def hash_of(parts: People, password: str) -> str:
-    """Return the hash of a new password; 503 when too many passwords are being hashed."""
-    try:
-        async with parts.hashing.slot():
-            return await parts.hashing.hash(password)
-    except Busy:
-        await parts.limits.refuse(503, BUSY, BUSY_FOR)
-
-
-async def require_own_password(parts: People, request: Request, name: str, password: str) -> None:
-    """Do as `require_password` for somebody who is signed in, whose name is right: only the password can be wrong."""
-    await require_password(parts, request, name, password, NOT_OWN.format(name=name))
-
-
-async def require_password(parts: People, request: Request, name: str, password: str, wrong: str = WRONG) -> None:
-    """Refuse a wrong password (401), too many tries (429), and more tries at once than can be checked (503).
-
-    The try is counted before anything is looked up or hashed, so that concurrent tries all count.
-    """
-    attempt = parts.limits.password(name, address_of(request))
-    known = cookie_name(request, BROWSER_COOKIE, BROWSER_PATH)
-    if not any(cookie.startswith(known) for cookie in request.cookies):
-        await parts.limits.require(attempt)
-    try:
-        async with parts.hashing.slot():
-            found = await run_in_threadpool(_look_up, parts, request, name)
-            if attempt.wait and found.browser is not None:
-                attempt = parts.limits.password_in(found.browser)
-            is_right = not attempt.wait and await parts.hashing.matches(found.stored, password)
-    except Busy:
-        attempt.take_back()
-        await parts.limits.refuse(503, BUSY, BUSY_FOR)
-    await parts.limits.require(attempt)
-    if not is_right:
-        await run_in_threadpool(_note_refusal, parts)
-        raise HTTPException(401, wrong)
-    attempt.take_back()
-
-
 class _StoredCredentials(NamedTuple):
     stored: str | None  # the hash of the password
     browser: int | None  # id of the known browser that sends the request
 
 
-def _look_up(parts: People, request: Request, name: str) -> _StoredCredentials:
-    with parts.database.transaction() as db:
-        person = find_person(db, name)
-        if person is None or person.disabled is not None:
-            return _StoredCredentials(None, None)
-        browser = find_browser(db, person, read_cookie(request, f"{BROWSER_COOKIE}{person.id}", BROWSER_PATH))
-        return _StoredCredentials(person.password_hash, None if browser is None else browser.id)
+@dataclass(frozen=True, slots=True)
+class PasswordCheck:
+    """Hashes new passwords, and checks given ones within the limits of tries."""
+
+    database: Database
+    hashing: Hashing
+    limits: SignInLimits
+
+    async def hash_of(self, password: str) -> str:
+        """Return the hash of a new password; 503 when too many passwords are being hashed."""
+        try:
+            async with self.hashing.slot():
+                return await self.hashing.hash(password)
+        except Busy:
+            await self.limits.refuse(503, BUSY, BUSY_FOR)
+
+    async def require_own(self, request: Request, name: str, password: str) -> None:
+        """Do as `require` for somebody who is signed in, whose name is right: only the password can be wrong."""
+        await self.require(request, name, password, NOT_OWN.format(name=name))
+
+    async def require(self, request: Request, name: str, password: str, wrong: str = WRONG) -> None:
+        """Refuse a wrong password (401), too many tries (429), and more tries at once than can be checked (503).
+
+        The try is counted before anything is looked up or hashed, so that concurrent tries all count.
+        """
+        attempt = self.limits.password(name, address_of(request))
+        known = cookie_name(request, BROWSER_COOKIE, BROWSER_PATH)
+        if not any(cookie.startswith(known) for cookie in request.cookies):
+            await self.limits.require(attempt)
+        try:
+            async with self.hashing.slot():
+                found = await run_in_threadpool(self._look_up, request, name)
+                if attempt.wait and found.browser is not None:
+                    attempt = self.limits.password_in(found.browser)
+                is_right = not attempt.wait and await self.hashing.matches(found.stored, password)
+        except Busy:
+            attempt.take_back()
+            await self.limits.refuse(503, BUSY, BUSY_FOR)
+        await self.limits.require(attempt)
+        if not is_right:
+            await run_in_threadpool(self._note_refusal)
+            raise HTTPException(401, wrong)
+        attempt.take_back()
+
+    def _look_up(self, request: Request, name: str) -> _StoredCredentials:
+        with self.database.transaction() as db:
+            person = find_person(db, name)
+            if person is None or person.disabled is not None:
+                return _StoredCredentials(None, None)
+            browser = find_browser(db, person, read_cookie(request, f"{BROWSER_COOKIE}{person.id}", BROWSER_PATH))
+            return _StoredCredentials(person.password_hash, None if browser is None else browser.id)
+
+    def _note_refusal(self) -> None:
+        with self.database.transaction(closing=True) as db:
+            write_log(db, None, "sign-in refused")
 
 
-def _note_refusal(parts: People) -> None:
-    with parts.database.transaction(closing=True) as db:
-        write_log(db, None, "sign-in refused")
+Passwords = Annotated[PasswordCheck, Depends(parts_for(PasswordCheck))]

@@ -9,11 +9,14 @@ from typing import Protocol
 import numpy as np
 from fastapi import WebSocket
 
+from app.api.driving.clinic_places import ClinicPlaces
+from app.api.parts import parts_of
 from app.api.sockets import NOT_VISIBLE, OpenSockets
 from app.realtime import return_memory
 from app.scene.role_servers import Role, RoleServers
 from app.scene.scene_thread import SceneThread, start_scene
 from app.scene.session_scene import LiveScene
+from app.session.open_session import SessionFlow
 from app.world.floorplan import FloorPlan
 
 ReadNewest = Callable[[], "np.void | None"]
@@ -132,14 +135,19 @@ def _end(ending: list[SessionScene]) -> None:
     return_memory()
 
 
+async def open_view(keeper: ViewKeeper, places: ClinicPlaces) -> None:
+    """Open a 3D view for the session that began."""
+    await keeper.open(*await asyncio.to_thread(places.first))
+
+
 @asynccontextmanager
 async def may_view(websocket: WebSocket, role: Role) -> AsyncIterator[bool]:
     """Admit a websocket of the 3D view by origin and sign-in (the patient's view: or pairing) until that ends.
 
     Who may not see the patient of the open session is answered as when there is no session.
     """
-    sockets: OpenSockets = websocket.app.state.people.sockets
-    session = websocket.app.state.web.session
+    parts = parts_of(websocket.app)
+    sockets, session = parts[OpenSockets], parts[SessionFlow]
     who = await (sockets.admit_viewer if role == "patient" else sockets.admit)(websocket)
     if who is None:
         yield False

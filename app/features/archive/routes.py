@@ -5,16 +5,16 @@ from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from functools import partial
 from pathlib import Path
-from typing import BinaryIO, Literal
+from typing import Annotated, BinaryIO, Literal
 
-from fastapi import APIRouter, Request
+from fastapi import APIRouter, Depends, Request
 from fastapi.concurrency import contextmanager_in_threadpool
 from fastapi.responses import StreamingResponse
 
-from app.api.deps import Exporter, Owner, People, PeopleParts, RowId
+from app.api.deps import Db, Exporter, Owner, RowId, SettingsPart, SpreadPart
 from app.api.foreign_files import refusal
-from app.api.package_download import CourseWord, sent
-from app.api.parts import Web
+from app.api.package_download import CourseWord, Download
+from app.api.parts import part
 from app.api.sign_in.identity import SignedInPerson
 from app.computing_process import ComputingProcess
 from app.disk_room import ROOM_TO_RECORD
@@ -23,6 +23,7 @@ from app.features.archive.service import archive_material, archive_room
 from app.features.registration import report_for_archive
 from app.quantities import Document
 from app.refusals import NO_ROOM, DiskFull
+from app.settings import Settings
 from app.store.files.disk_watch import disk_room
 from app.store.files.temporary_folders import bytes_in, temporary_folder
 
@@ -91,7 +92,13 @@ class ArchiveRoomView(Document):
 
 @router.get("/patients/{patient_id}/archive", response_class=StreamingResponse)
 def archive(
-    patient_id: RowId, who: Exporter, parts: PeopleParts, web: Web, course: CourseWord | None = None
+    patient_id: RowId,
+    who: Exporter,
+    download: Download,
+    settings: SettingsPart,
+    database: Db,
+    spread: SpreadPart,
+    course: CourseWord | None = None,
 ) -> StreamingResponse:
     """Return everything of a patient as one zip file, which another clinic can import; with the report of the course.
 
@@ -100,20 +107,20 @@ def archive(
 
     For owners and clinicians.
     """
-    settings = parts.settings
-    material = archive_material(parts.database, who.clinic_id, patient_id, who.name, settings.runs, settings.state)
-    spreads_of = web.spread.for_patient(who.clinic_id, patient_id)
-    make_report = report_for_archive(parts.database, settings, who.clinic_id, patient_id, spreads_of)
-    return sent(material.steps(make_report), len(material.folders), "archive", parts, who, course)
+    material = archive_material(database, who.clinic_id, patient_id, who.name, settings.runs, settings.state)
+    spreads_of = spread.for_patient(who.clinic_id, patient_id)
+    make_report = report_for_archive(database, settings, who.clinic_id, patient_id, spreads_of)
+    return download.sent(material.steps(make_report), len(material.folders), "archive", who, course)
 
 
 @router.get("/patients/{patient_id}/archive/room")
-def room(patient_id: RowId, who: Exporter, parts: PeopleParts) -> ArchiveRoomView:
+def room(patient_id: RowId, who: Exporter, settings: SettingsPart, database: Db) -> ArchiveRoomView:
     """Return how large the recordings of a patient's archive are, and whether the clinic's disk has room for them."""
-    settings = parts.settings
-    found = archive_room(parts.database, who.clinic_id, patient_id, settings.runs, settings.state)
+    found = archive_room(database, who.clinic_id, patient_id, settings.runs, settings.state)
     return ArchiveRoomView(**found._asdict())
 
+
+ImportsPart = Annotated[ImportCourses, Depends(part(ImportCourses))]
 
 PIECE = 1 << 20  # bytes
 ZIP = {"requestBody": {"required": True, "content": {"application/zip": {"schema": {"type": "string"}}}}}
@@ -139,9 +146,9 @@ class ImportCourseView(Document):
 
 
 @router.get("/archives")
-def import_course(who: Owner, web: Web) -> ImportCourseView | None:
+def import_course(who: Owner, imports: ImportsPart) -> ImportCourseView | None:
     """Return how far the import is that the person who asks has begun, null when there is none."""
-    course = web.of_feature(ImportCourses, ImportCourses).of(who.person_id)
+    course = imports.of(who.person_id)
     if course is None:
         return None
     done, total = course.bytes()
@@ -150,7 +157,7 @@ def import_course(who: Owner, web: Web) -> ImportCourseView | None:
 
 @router.post("/archives", openapi_extra=ZIP)
 async def bring_archive(
-    request: Request, who: Owner, parts: PeopleParts, web: Web, replace: bool = False
+    request: Request, who: Owner, settings: SettingsPart, imports: ImportsPart, replace: bool = False
 ) -> ImportedView:
     """Import the archive of a patient, the body of the request; a wrong one changes nothing.
 
@@ -161,10 +168,10 @@ async def bring_archive(
 
     For owners: a file of at most 8 GB. 422: no archive, damaged, or other rows.
     """
-    async with contextmanager_in_threadpool(temporary_folder(parts.settings.state, "import")) as folder:
+    async with contextmanager_in_threadpool(temporary_folder(settings.state, "import")) as folder:
         announced = request.headers.get("content-length", "")
         total = int(announced) if announced.isdecimal() else 0
-        with web.of_feature(ImportCourses, ImportCourses).begun(who.person_id, folder, total) as course:
+        with imports.begun(who.person_id, folder, total) as course:
             with course.file.open("xb") as opened:
                 waiting = bytearray()
                 async for piece in request.stream():
@@ -174,7 +181,7 @@ async def bring_archive(
                         waiting = bytearray()
                 await asyncio.to_thread(_write, opened, waiting, folder)
             course.begin_to_unpack()
-            imported = await asyncio.to_thread(_import, course, who, parts, replace)
+            imported = await asyncio.to_thread(_import, course, who, settings, replace)
     return ImportedView(**imported._asdict())
 
 
@@ -184,9 +191,8 @@ def _write(opened: BinaryIO, content: bytearray, folder: Path) -> None:
     opened.write(content)
 
 
-def _import(course: ImportCourse, who: SignedInPerson, parts: People, replace: bool) -> Imported:
+def _import(course: ImportCourse, who: SignedInPerson, settings: Settings, replace: bool) -> Imported:
     """Import a file; it may take as long as it goes on unpacking recordings."""
-    settings = parts.settings
     given = settings.database, who.clinic_id, course.file, who.name, settings.runs, course.recordings
     shelf = settings.replaced if replace else None
     try:

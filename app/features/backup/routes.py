@@ -8,8 +8,8 @@ from fastapi import APIRouter, Depends
 from pydantic import Field, SecretStr
 
 from app.api.answers import Answer, MomentText
-from app.api.deps import Owner, People, PeopleParts, RowId
-from app.api.parts import Web, WebParts
+from app.api.deps import ComputingPart, Db, Owner, RowId, SettingsPart
+from app.api.parts import part
 from app.features.backup.contents import clinic_mark
 from app.features.backup.made_backups import backup_warning, last_good_backup, newest_backups
 from app.features.backup.night_backups import NightBackups
@@ -31,13 +31,7 @@ NOT_ABSOLUTE = "Give the whole path of the folder, beginning with /."
 INSIDE = "This folder lies in the clinic's own folder, or holds it: choose one on another disk."
 
 
-async def night_backups(web: Web) -> NightBackups:
-    """Return what makes the backups."""
-    found: NightBackups = web.of_features[NightBackups]
-    return found
-
-
-Backups = Annotated[NightBackups, Depends(night_backups)]
+Backups = Annotated[NightBackups, Depends(part(NightBackups))]
 
 
 class BackupSettings(Document):
@@ -127,8 +121,8 @@ class BackupsView(Document):
     fingerprint: str  # of the public key that signs archives; empty before the first one
 
 
-def _view(parts: People, backups: NightBackups, clinic_id: int) -> BackupsView:
-    with parts.database.transaction() as db:
+def _view(own: SettingsPart, database: Db, backups: NightBackups, clinic_id: int) -> BackupsView:
+    with database.transaction() as db:
         kept, good = record_keeping(db, clinic_id), last_good_backup(db)
         folder_is_there = kept.folder is not None and Path(kept.folder).is_dir()
         course = backups.course
@@ -136,7 +130,7 @@ def _view(parts: People, backups: NightBackups, clinic_id: int) -> BackupsView:
             folder=kept.folder,
             hour=kept.hour,
             with_keys=kept.with_keys,
-            encrypted=read_secret(parts.settings.backup) is not None,
+            encrypted=read_secret(own.backup) is not None,
             years=kept.years,
             warning=backup_warning(
                 None if good is None else good.at, has_folder=kept.folder is not None, folder_is_there=folder_is_there
@@ -158,40 +152,47 @@ def _view(parts: People, backups: NightBackups, clinic_id: int) -> BackupsView:
                 )
                 for one, patients in all_incidents(db, clinic_id)
             ],
-            fingerprint=clinic_fingerprint(parts.settings.signing),
+            fingerprint=clinic_fingerprint(own.signing),
         )
 
 
 @router.get("/backups")
-def look(who: Owner, parts: PeopleParts, backups: Backups) -> BackupsView:
+def look(who: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
     """Return the settings, the newest backups, how far one is that is being made, deleted patients, incidents.
 
     For owners. The other routes of the page give this answer, too.
     """
-    return _view(parts, backups, who.clinic_id)
+    return _view(own, database, backups, who.clinic_id)
 
 
 @router.post("/backups", status_code=202)
-async def begin(who: Owner, parts: PeopleParts, backups: Backups) -> BackupsView:
+async def begin(who: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
     """Begin a backup now; it goes on by itself. 409 without a folder, and while one is being made."""
     await backups.begin(who.name)
-    return await asyncio.to_thread(_view, parts, backups, who.clinic_id)
+    return await asyncio.to_thread(_view, own, database, backups, who.clinic_id)
 
 
 @router.put("/backups/settings")
-async def choose(body: BackupSettings, who: Owner, parts: PeopleParts, web: Web, backups: Backups) -> BackupsView:
+async def choose(
+    body: BackupSettings, who: Owner, own: SettingsPart, database: Db, computing: ComputingPart, backups: Backups
+) -> BackupsView:
     """Choose the folder, the hour and the passphrase; 409 in one sentence when the folder cannot be used.
 
     For owners. `passphrase` null keeps the one that is set.
     """
-    await asyncio.to_thread(_choose, body, who.name, who.clinic_id, parts, web, backups)
-    return await asyncio.to_thread(_view, parts, backups, who.clinic_id)
+    await asyncio.to_thread(_choose, body, who.name, who.clinic_id, own, database, computing, backups)
+    return await asyncio.to_thread(_view, own, database, backups, who.clinic_id)
 
 
 def _choose(
-    body: BackupSettings, person: str, clinic_id: int, parts: People, web: WebParts, backups: NightBackups
+    body: BackupSettings,
+    person: str,
+    clinic_id: int,
+    own: SettingsPart,
+    database: Db,
+    computing: ComputingPart,
+    backups: NightBackups,
 ) -> None:
-    own = parts.settings
     if backups.course is not None:
         raise Conflict("A backup is being made: wait until it is done.")
     passphrase = "" if body.passphrase is None else body.passphrase.get_secret_value()
@@ -206,12 +207,12 @@ def _choose(
         if place.is_relative_to(own.state.resolve()) or own.state.resolve().is_relative_to(place):
             raise Conflict(INSIDE)
         given = passphrase if body.encrypted else ""
-        secret, why_not = web.computing.ask(opened_folder, folder, given, kept, clinic_mark(own))
+        secret, why_not = computing.ask(opened_folder, folder, given, kept, clinic_mark(own))
         if why_not:
             raise Conflict(why_not)
         own.backup.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
         keep_secret(own.backup, secret)
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         settings = record_keeping(db, clinic_id)
         settings.folder, settings.hour, settings.with_keys = body.folder, body.hour, body.with_keys
         details = {"hour": body.hour, "with_keys": body.with_keys, "encrypted": body.encrypted}
@@ -219,33 +220,35 @@ def _choose(
 
 
 @router.put("/record-keeping")
-def keep_records(body: RecordTime, who: Owner, parts: PeopleParts, backups: Backups) -> BackupsView:
+def keep_records(body: RecordTime, who: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
     """Set for how many years after the last session records must be kept.
 
     For owners.
     """
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         record_keeping(db, who.clinic_id).years = body.years
         write_log(db, who.name, "record time changed", years=body.years)
-    return _view(parts, backups, who.clinic_id)
+    return _view(own, database, backups, who.clinic_id)
 
 
 @router.post("/deleted-patients/{patient_id}/erasure")
-def erase(patient_id: RowId, who: Owner, parts: PeopleParts, backups: Backups) -> BackupsView:
+def erase(patient_id: RowId, who: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
     """Erase a deleted patient for good, now; 409 with the reason when something stands against it.
 
     For owners. An incident, or the time for which records must be kept, can stand against it.
     """
-    erase_patient(parts.database, parts.settings, who.clinic_id, patient_id, who.name)
-    return _view(parts, backups, who.clinic_id)
+    erase_patient(database, own, who.clinic_id, patient_id, who.name)
+    return _view(own, database, backups, who.clinic_id)
 
 
 @router.post("/incidents/{incident_id}/lifting")
-def lift(incident_id: RowId, body: Lifting, who: Owner, parts: PeopleParts, backups: Backups) -> BackupsView:
+def lift(
+    incident_id: RowId, body: Lifting, who: Owner, own: SettingsPart, database: Db, backups: Backups
+) -> BackupsView:
     """Lift the mark of an incident, so that its patients can be erased.
 
     For owners.
     """
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         lift_incident(db, who.clinic_id, incident_id, body.reason, who.name)
-    return _view(parts, backups, who.clinic_id)
+    return _view(own, database, backups, who.clinic_id)

@@ -6,8 +6,7 @@ from fastapi import APIRouter, Query
 from pydantic import Field
 
 from app.api.answers import Answer, MomentText
-from app.api.deps import Anyone, PeopleParts, RowId
-from app.api.parts import Web
+from app.api.deps import Anyone, Db, LivePart, RowId
 from app.api.sign_in.identity import SignedInPerson
 from app.features.comments.service import (
     Comment,
@@ -69,10 +68,10 @@ class CommentView(Document):
 
 @router.get("/comments")
 def unread_comments(
-    who: Anyone, parts: PeopleParts, patient: Annotated[int | None, Query(ge=1, le=2**31)] = None
+    who: Anyone, database: Db, patient: Annotated[int | None, Query(ge=1, le=2**31)] = None
 ) -> list[CommentView]:
     """List the comments that the person who asks has not read, of all patients or of one."""
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         if patient is not None:
             find_patient(db, who.clinic_id, patient)
         found = comments_of(db, clinic_id=who.clinic_id, patient_id=patient, not_read_by=who.person_id)
@@ -82,61 +81,61 @@ def unread_comments(
 
 
 @router.get("/trials/{trial_id}/comments")
-def list_comments(trial_id: RowId, who: Anyone, parts: PeopleParts) -> list[CommentView]:
+def list_comments(trial_id: RowId, who: Anyone, database: Db) -> list[CommentView]:
     """List the comments of a trial by their moments."""
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         trial = _trial(db, who, trial_id)
         log_viewing(db, who.name, trial.patient_id)
         return _views(db, trial, who)
 
 
 @router.post("/trials/{trial_id}/comments", status_code=201)
-def new_comment(trial_id: RowId, body: NewComment, who: Anyone, parts: PeopleParts, web: Web) -> list[CommentView]:
+def new_comment(trial_id: RowId, body: NewComment, who: Anyone, database: Db, live: LivePart) -> list[CommentView]:
     """Write a comment on a moment of a trial.
 
     `t` is negative before motion was permitted.
     """
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         trial = _trial(db, who, trial_id)
         comment = add_comment(db, trial, who.person_id, body.t, body.text)
         write_log(db, who.name, "comment added", patient=trial.patient_id, trial=trial_id, comment=comment.id)
         answer = _views(db, trial, who)
-    web.live.tell("record")
+    live.tell("record")
     return answer
 
 
 @router.post("/trials/{trial_id}/comments/read", status_code=204)
-def read_comments(trial_id: RowId, who: Anyone, parts: PeopleParts) -> None:
+def read_comments(trial_id: RowId, who: Anyone, database: Db) -> None:
     """Store that the person who asks has read the comments of a trial."""
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         mark_read(db, _trial(db, who, trial_id).id, who.person_id)
 
 
 @router.put("/comments/{comment_id}")
 def new_comment_text(
-    comment_id: RowId, body: RevisedComment, who: Anyone, parts: PeopleParts, web: Web
+    comment_id: RowId, body: RevisedComment, who: Anyone, database: Db, live: LivePart
 ) -> list[CommentView]:
     """Give a comment of one's own another text; the text before stays in its history."""
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         comment = find_comment(db, who.clinic_id, comment_id)
         trial = db.get_one(Trial, comment.trial_id)
         if revise_comment(db, comment, who.person_id, body.text):
             write_log(db, who.name, "comment revised", patient=trial.patient_id, trial=trial.id, comment=comment_id)
         answer = _views(db, trial, who)
-    web.live.tell("record")
+    live.tell("record")
     return answer
 
 
 @router.delete("/comments/{comment_id}")
-def no_comment(comment_id: RowId, who: Anyone, parts: PeopleParts, web: Web) -> list[CommentView]:
+def no_comment(comment_id: RowId, who: Anyone, database: Db, live: LivePart) -> list[CommentView]:
     """Withdraw a comment of one's own; its history stays."""
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         comment = find_comment(db, who.clinic_id, comment_id)
         trial = db.get_one(Trial, comment.trial_id)
         withdraw_comment(db, comment, who.person_id)
         write_log(db, who.name, "comment withdrawn", patient=trial.patient_id, trial=trial.id, comment=comment_id)
         answer = _views(db, trial, who)
-    web.live.tell("record")
+    live.tell("record")
     return answer
 
 

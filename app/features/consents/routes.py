@@ -5,8 +5,7 @@ from datetime import date
 from fastapi import APIRouter
 
 from app.api.answers import Answer, MomentText
-from app.api.deps import Anyone, Clinician, PeopleParts, RowId
-from app.api.parts import Web
+from app.api.deps import Anyone, Clinician, Db, LivePart, RowId
 from app.features.consents.service import consent_history, give_consent, withdraw_consent
 from app.features.registration import features
 from app.quantities import Document
@@ -51,9 +50,9 @@ class ConsentsView(Document):
 
 
 @router.get("/patients/{patient_id}/consents")
-def consents(patient_id: RowId, who: Anyone, parts: PeopleParts) -> ConsentsView:
+def consents(patient_id: RowId, who: Anyone, database: Db) -> ConsentsView:
     """Return the consents of a patient."""
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
         log_viewing(db, who.name, patient_id)
         return _view(db, who.clinic_id, patient_id)
@@ -61,33 +60,33 @@ def consents(patient_id: RowId, who: Anyone, parts: PeopleParts) -> ConsentsView
 
 @router.put("/patients/{patient_id}/consents/{consent}")
 def give(
-    patient_id: RowId, consent: Consent, body: GivenConsent, who: Clinician, parts: PeopleParts, web: Web
+    patient_id: RowId, consent: Consent, body: GivenConsent, who: Clinician, database: Db, live: LivePart
 ) -> ConsentsView:
     """Enter the day on which a patient consented; another day replaces the one before.
 
     Without consent to `recording`, each run in a worn shirt is refused with 409.
     """
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         find_patient(db, who.clinic_id, patient_id)
         if give_consent(db, patient_id, consent, body.given, who.name):
             given = body.given.isoformat()
             write_log(db, who.name, "consent given", patient=patient_id, consent=consent, given=given)
         answer = _view(db, who.clinic_id, patient_id)
-    web.live.tell("session")
+    live.tell("session")
     return answer
 
 
 @router.delete("/patients/{patient_id}/consents/{consent}")
-def withdraw(patient_id: RowId, consent: Consent, who: Clinician, parts: PeopleParts, web: Web) -> ConsentsView:
+def withdraw(patient_id: RowId, consent: Consent, who: Clinician, database: Db, live: LivePart) -> ConsentsView:
     """Enter that a patient has withdrawn a consent."""
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         find_patient(db, who.clinic_id, patient_id)
         if withdraw_consent(db, patient_id, consent, who.name):
             write_log(db, who.name, "consent withdrawn", patient=patient_id, consent=consent)
         for feature in features().values():
             feature.consent_withdrawn(db, patient_id, consent)
         answer = _view(db, who.clinic_id, patient_id)
-    web.live.tell("session")
+    live.tell("session")
     return answer
 
 

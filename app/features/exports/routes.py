@@ -5,9 +5,8 @@ from typing import Annotated
 from fastapi import APIRouter, Query
 from fastapi.responses import StreamingResponse
 
-from app.api.deps import Exporter, PeopleParts, RowId
-from app.api.package_download import CourseWord, sent
-from app.api.parts import Web
+from app.api.deps import Db, Exporter, RowId, SettingsPart, SpreadPart
+from app.api.package_download import CourseWord, Download
 from app.features.exports.export_material import exported_material
 from app.features.exports.forms import Form
 from app.features.exports.service import export_steps
@@ -19,8 +18,11 @@ router = APIRouter(tags=["exports"])
 def export(
     patient_id: RowId,
     who: Exporter,
-    parts: PeopleParts,
-    web: Web,
+    download: Download,
+    settings: SettingsPart,
+    database: Db,
+    spread: SpreadPart,
+    *,
     form: Form,
     session: Annotated[int | None, Query(ge=1, le=2**31)] = None,
     course: CourseWord | None = None,
@@ -35,17 +37,16 @@ def export(
     For owners and clinicians. Each export is a row of the log: patient, session, form, number of runs. Without a new
     byte for 120 s it fails; a download that ends early has no zip directory and cannot be opened.
     """
-    settings, spreads_of = parts.settings, web.spread.for_patient(who.clinic_id, patient_id)
     material = exported_material(
-        parts.database,
+        database,
         who.clinic_id,
         patient_id,
         session,
         form,
         who.name,
         settings.runs,
-        spreads_of,
+        spread.for_patient(who.clinic_id, patient_id),
         place=settings.state,
     )
     recordings = 0 if form == "fhir" else len(material.runs)
-    return sent(export_steps(material, form), recordings, form, parts, who, course)
+    return download.sent(export_steps(material, form), recordings, form, who, course)

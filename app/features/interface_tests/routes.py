@@ -5,10 +5,10 @@ from typing import Annotated
 
 from fastapi import APIRouter, Depends, Query
 
-from app.api.deps import Anyone, Clinician, PeopleParts, RowId
+from app.api.deps import Anyone, Clinician, ComputingPart, Db, LivePart, RowId, SessionFlowPart
 from app.api.interface_test_view import InterfaceTestView
 from app.api.live.screen_socket import ScreenWord
-from app.api.parts import Web
+from app.api.parts import part
 from app.features.interface_tests.flow import InterfaceTestFlow
 from app.features.interface_tests.service import find_interface_test, save_workload
 from app.quantities import Document
@@ -27,13 +27,7 @@ from app.store.tables import InterfaceTest, PatientSession
 router = APIRouter(prefix="/interface-tests", tags=["interface tests"])
 
 
-async def test_flow(web: Web) -> InterfaceTestFlow:
-    """Return what starts the tests."""
-    found: InterfaceTestFlow = web.of_features[InterfaceTestFlow]
-    return found
-
-
-Tests = Annotated[InterfaceTestFlow, Depends(test_flow)]
+Tests = Annotated[InterfaceTestFlow, Depends(part(InterfaceTestFlow))]
 
 
 class NewTest(Document):
@@ -52,40 +46,40 @@ class InterfaceTestsView(Document):
 
 @router.post("", status_code=201)
 async def start_interface_test(
-    body: NewTest, who: Clinician, parts: PeopleParts, web: Web, tests: Tests
+    body: NewTest, who: Clinician, database: Db, session_flow: SessionFlowPart, tests: Tests
 ) -> InterfaceTestView:
     """Start the two-minute test; the chair is disarmed and stays where it is.
 
     409 with a stop in force, while anything is recorded, or without controls that fit the shirt.
     """
-    async with web.session.undisturbed("start the two-minute test"):
-        session = await web.session.needed_session(who.clinic_id)
-        obstacle = await web.session.load_parameters()
+    async with session_flow.undisturbed("start the two-minute test"):
+        session = await session_flow.needed_session(who.clinic_id)
+        obstacle = await session_flow.load_parameters()
         if obstacle is not None:
             raise Conflict(obstacle)
         test_id = await tests.start(session, Starter(who.person_id, who.name, body.screen))
-    return await asyncio.to_thread(_one, parts, who.clinic_id, test_id)
+    return await asyncio.to_thread(_one, database, who.clinic_id, test_id)
 
 
 @router.post("/current/end")
-async def end_interface_test(who: Clinician, parts: PeopleParts, tests: Tests) -> InterfaceTestView:
+async def end_interface_test(who: Clinician, database: Db, tests: Tests) -> InterfaceTestView:
     """End the test by hand, so that it does not count; for every clinician, because nothing moves."""
-    return await asyncio.to_thread(_one, parts, who.clinic_id, await tests.end())
+    return await asyncio.to_thread(_one, database, who.clinic_id, await tests.end())
 
 
 @router.get("")
 def list_interface_tests(
     patient: Annotated[int, Query(ge=1, le=2**31)],
     who: Anyone,
-    parts: PeopleParts,
-    web: Web,
+    database: Db,
+    computing: ComputingPart,
     source: SourceGroup | None = None,
 ) -> InterfaceTestsView:
     """List a patient's interface tests; the course is of one kind of source, that of the newest when none is named.
 
     The course is of the complete ones with the plan of the newest.
     """
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient)
         log_viewing(db, who.name, patient)
         rows = interface_tests_of(db, who.clinic_id, patient)
@@ -95,13 +89,13 @@ def list_interface_tests(
         [StoredTest(test.number, test.end, test.plan, test.measures) for test, _ in rows if test.source.group == group]
     )
     # Few tests need no curve and no large library: a first page does not wait for the computing process.
-    course = interface_course(counted) if len(counted) < FEWEST else web.computing.ask(interface_course, counted)
+    course = interface_course(counted) if len(counted) < FEWEST else computing.ask(interface_course, counted)
     return InterfaceTestsView(tests=tests, source=group, course=course)
 
 
 @router.put("/{test_id}/workload")
 async def put_workload(
-    test_id: RowId, body: Workload, who: Clinician, parts: PeopleParts, web: Web
+    test_id: RowId, body: Workload, who: Clinician, database: Db, live: LivePart
 ) -> InterfaceTestView:
     """Store how demanding the test felt; without any answer, what was stored is removed.
 
@@ -109,18 +103,18 @@ async def put_workload(
     """
 
     def _write() -> InterfaceTestView:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             test = save_workload(db, who.clinic_id, test_id, body.model_dump() if body.answers else None)
             write_log(db, who.name, "workload answered", test=test_id, answers=len(body.answers))
             return _view(db, test)
 
     saved = await asyncio.to_thread(_write)
-    web.live.tell("test")
+    live.tell("test")
     return saved
 
 
-def _one(parts: PeopleParts, clinic_id: int, test_id: int) -> InterfaceTestView:
-    with parts.database.transaction() as db:
+def _one(database: Db, clinic_id: int, test_id: int) -> InterfaceTestView:
+    with database.transaction() as db:
         return _view(db, find_interface_test(db, clinic_id, test_id))
 
 

@@ -7,7 +7,7 @@ from fastapi.responses import StreamingResponse
 from pydantic import Field
 
 from app.api.answers import Answer, MomentText
-from app.api.deps import Owner, PeopleParts
+from app.api.deps import Db, Owner, SettingsPart
 from app.clock import utc_now
 from app.features.log.service import exported_lines, people_in_log, read_log
 from app.quantities import Document
@@ -52,7 +52,7 @@ class LogView(Document):
 @router.get("")
 def look(
     who: Owner,
-    parts: PeopleParts,
+    database: Db,
     person: Annotated[str | None, Query(max_length=80)] = None,
     patient: Annotated[int | None, Query(ge=1, le=2**31)] = None,
     before: Annotated[RowNumber | None, Query()] = None,
@@ -62,7 +62,7 @@ def look(
     For owners: the newest 100 first. A row belongs to a patient when it names the patient, or a session, trial, drive
     or screen of the patient.
     """
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         if patient is not None:
             find_patient(db, who.clinic_id, patient, deleted=True)
         found = read_log(db, PAGE + 1, person=person, patient=patient, before=before)
@@ -74,20 +74,20 @@ def look(
 
 
 @router.get("/export", response_class=StreamingResponse)
-def export(form: Literal["csv", "jsonl"], who: Owner, parts: PeopleParts) -> StreamingResponse:
+def export(form: Literal["csv", "jsonl"], who: Owner, database: Db) -> StreamingResponse:
     """Return the whole log as a file: CSV for a spreadsheet, or JSON lines, from which the chain can be computed.
 
     For owners: all rows with their hashes, oldest first.
     """
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         write_log(db, who.name, "log exported", form=form)
     name = f"bodydrive-log-{utc_now():%Y%m%dT%H%M%SZ}.{form}"
-    lines = exported_lines(parts.database, as_csv=form == "csv")
+    lines = exported_lines(database, as_csv=form == "csv")
     headers = {"Content-Disposition": f'attachment; filename="{name}"'}
     return StreamingResponse(lines, media_type=MEDIA_TYPES[form], headers=headers)
 
 
 @router.get("/check")
-def check_log(_who: Owner, parts: PeopleParts) -> LogCheckView:
+def check_log(_who: Owner, settings: SettingsPart) -> LogCheckView:
     """Check every row of the log, and its newest rows against its head."""
-    return LogCheckView.of(verify_log(parts.settings.database))
+    return LogCheckView.of(verify_log(settings.database))

@@ -2,8 +2,7 @@
 
 from fastapi import APIRouter
 
-from app.api.deps import Anyone, Owner, PeopleParts
-from app.api.parts import Web, WebParts
+from app.api.deps import Anyone, Db, EquipmentPart, LivePart, Owner
 from app.calibration.prior.documents import FEWEST_PEOPLE
 from app.features.prior.entries import count_entries, is_prior_on, switch_prior
 from app.quantities import Document
@@ -29,25 +28,25 @@ class PriorView(Document):
 
 
 @router.get("")
-def look(who: Anyone, parts: PeopleParts, web: Web) -> PriorView:
+def look(who: Anyone, database: Db, equipment: EquipmentPart) -> PriorView:
     """Return the switch, and how many people are known in the shirt in use."""
-    with parts.database.transaction() as db:
-        return _view(db, who.clinic_id, web)
+    with database.transaction() as db:
+        return _view(db, who.clinic_id, equipment)
 
 
 @router.put("")
-def choose(body: PriorChoice, who: Owner, parts: PeopleParts, web: Web) -> PriorView:
+def choose(body: PriorChoice, who: Owner, database: Db, equipment: EquipmentPart, live: LivePart) -> PriorView:
     """Switch it on or off; what was learnt before stays, and helps again when it is switched on."""
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         if switch_prior(db, who.clinic_id, on=body.on):
             write_log(db, who.name, "prior switched", on=body.on)
-        answer = _view(db, who.clinic_id, web)
-    web.live.tell("calibration")
+        answer = _view(db, who.clinic_id, equipment)
+    live.tell("calibration")
     return answer
 
 
-def _view(db: Transaction, clinic_id: int, web: WebParts) -> PriorView:
-    layout = web.equipment.layout
-    shirt = None if layout is None else garment(layout, web.equipment)
+def _view(db: Transaction, clinic_id: int, equipment: EquipmentPart) -> PriorView:
+    layout = equipment.layout
+    shirt = None if layout is None else garment(layout, equipment)
     people = 0 if shirt is None else count_entries(db, clinic_id, shirt.hash, simulated=shirt.simulated)
     return PriorView(on=is_prior_on(db, clinic_id), people=people, needed=FEWEST_PEOPLE)

@@ -7,8 +7,7 @@ from typing import Annotated, Any
 from fastapi import APIRouter
 from pydantic import Field
 
-from app.api.deps import Anyone, Clinician, PeopleParts, RowId
-from app.api.parts import Web
+from app.api.deps import Anyone, Clinician, Db, LivePart, RowId
 from app.api.routes.origin_view import OriginView
 from app.api.sign_in.identity import SignedInPerson
 from app.features.records.service import add_note, add_scale, remove_scale, revise_note, write_goal
@@ -45,12 +44,12 @@ class NewScale(Document):
 
 
 @router.get("/patients/{patient_id}/sessions")
-def list_sessions(patient_id: RowId, who: Anyone, parts: PeopleParts) -> list[SessionRow]:
+def list_sessions(patient_id: RowId, who: Anyone, database: Db) -> list[SessionRow]:
     """List a patient's sessions, the newest first.
 
     `trials` is their count; `origin`: from which archive a session came, null: held here.
     """
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
         log_viewing(db, who.name, patient_id)
         counted, signed = counted_by_session(db, patient_id), sign_offs_of(db, patient_id)
@@ -70,85 +69,90 @@ def list_sessions(patient_id: RowId, who: Anyone, parts: PeopleParts) -> list[Se
 
 
 @router.get("/sessions/{session_id}")
-def one_session(session_id: RowId, who: Anyone, parts: PeopleParts) -> SessionRecordView:
+def one_session(session_id: RowId, who: Anyone, database: Db) -> SessionRecordView:
     """Return the record of a session, and what was done in it.
 
     Reading is logged. The newest revision of a note comes first. Each change of the record gives this answer; after the
     sign-off it is refused with 409, as is keeping or discarding the session's trials.
     """
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         session = find_session(db, who.clinic_id, session_id)
         write_log(db, who.name, "session viewed", patient=session.patient_id, session=session_id)
         return record_view(db, session)
 
 
 @router.put("/sessions/{session_id}/goal")
-def put_goal(session_id: RowId, body: Goal, who: Clinician, parts: PeopleParts, web: Web) -> SessionRecordView:
+def put_goal(session_id: RowId, body: Goal, who: Clinician, database: Db, live: LivePart) -> SessionRecordView:
     """Write the goal of a session, in the patient's words."""
 
     def write(db: Transaction) -> dict[str, Any]:
         write_goal(db, session_id, body.goal)
         return {}
 
-    return _changed(parts, web, who, session_id, "goal written", write)
+    return _changed(database, live, who, session_id, "goal written", write)
 
 
 @router.post("/sessions/{session_id}/notes", status_code=201)
-def new_note(session_id: RowId, body: NoteText, who: Clinician, parts: PeopleParts, web: Web) -> SessionRecordView:
+def new_note(session_id: RowId, body: NoteText, who: Clinician, database: Db, live: LivePart) -> SessionRecordView:
     """Add a note to a session."""
     return _changed(
-        parts, web, who, session_id, "note added", lambda db: {"note": add_note(db, session_id, body.text, who.name)}
+        database,
+        live,
+        who,
+        session_id,
+        "note added",
+        lambda db: {"note": add_note(db, session_id, body.text, who.name)},
     )
 
 
 @router.put("/sessions/{session_id}/notes/{note_id}")
 def new_revision(
-    session_id: RowId, note_id: RowId, body: NoteText, who: Clinician, parts: PeopleParts, web: Web
+    session_id: RowId, note_id: RowId, body: NoteText, who: Clinician, database: Db, live: LivePart
 ) -> SessionRecordView:
     """Give a note another text; the text before stays in its history."""
 
     def write(db: Transaction) -> dict[str, Any] | None:
         return {"note": note_id} if revise_note(db, session_id, note_id, body.text, who.name) else None
 
-    return _changed(parts, web, who, session_id, "note revised", write)
+    return _changed(database, live, who, session_id, "note revised", write)
 
 
 @router.post("/sessions/{session_id}/scales", status_code=201)
-def new_scale(session_id: RowId, body: NewScale, who: Clinician, parts: PeopleParts, web: Web) -> SessionRecordView:
+def new_scale(session_id: RowId, body: NewScale, who: Clinician, database: Db, live: LivePart) -> SessionRecordView:
     """Add the total of an outcome scale."""
 
     def write(db: Transaction) -> dict[str, Any]:
         return {"scale": add_scale(db, session_id, body.name, body.total, body.day)}
 
-    return _changed(parts, web, who, session_id, "scale added", write)
+    return _changed(database, live, who, session_id, "scale added", write)
 
 
 @router.delete("/sessions/{session_id}/scales/{scale_id}")
-def no_scale(session_id: RowId, scale_id: RowId, who: Clinician, parts: PeopleParts, web: Web) -> SessionRecordView:
+def no_scale(session_id: RowId, scale_id: RowId, who: Clinician, database: Db, live: LivePart) -> SessionRecordView:
     """Remove a scale; the log keeps who added it and who removed it, not what it was: a patient can be erased."""
 
     def write(db: Transaction) -> dict[str, Any]:
         remove_scale(db, session_id, scale_id)
         return {"scale": scale_id}
 
-    return _changed(parts, web, who, session_id, "scale removed", write)
+    return _changed(database, live, who, session_id, "scale removed", write)
 
 
 def _changed(
-    parts: PeopleParts,
-    web: Web,
+    database: Db,
+    live: LivePart,
     who: SignedInPerson,
     session_id: int,
     what: str,
     write: Callable[[Transaction], dict[str, Any] | None],
 ) -> SessionRecordView:
     """Change a session by `write`, log it with the details that it returns (None: nothing changed), and answer it."""
-    with parts.database.transaction() as db:
+    with database.transaction() as db:
         session = find_session(db, who.clinic_id, session_id)
         require_unsigned(db, session_id)
         details = write(db)
         if details is not None:
             write_log(db, who.name, what, patient=session.patient_id, session=session_id, **details)
         answer = record_view(db, session)
-    web.live.tell("record")
+    live.tell("record")
     return answer

@@ -5,8 +5,7 @@ from typing import Annotated
 
 from fastapi import APIRouter, Query
 
-from app.api.deps import Anyone, PeopleParts, RowId
-from app.api.parts import Web
+from app.api.deps import Anyone, ComputingPart, Db, PlacesPart, RowId, SpreadPart
 from app.features.records.compared_tests import ComparedTests, pairs_of_tests, verdicts_on
 from app.features.records.session_views import SessionRecordView, UsedSetView, record_view
 from app.quantities import Document
@@ -56,13 +55,19 @@ class SessionComparison(Document):
 
 @router.get("/sessions/{session_id}/comparison")
 def compare_two(
-    session_id: RowId, other: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, parts: PeopleParts, web: Web
+    session_id: RowId,
+    other: Annotated[int, Query(ge=1, le=2**31)],
+    who: Anyone,
+    database: Db,
+    computing: ComputingPart,
+    spread: SpreadPart,
+    places: PlacesPart,
 ) -> SessionComparison:
     """Compare two sessions of one patient; 409 for sessions of two patients, or one session twice.
 
     Differences of the last parameter sets are null when one session has none.
     """
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         pair = [find_session(db, who.clinic_id, one) for one in (session_id, other)]
         if pair[0].id == pair[1].id:
             raise Conflict(SAME_SESSION)
@@ -81,15 +86,15 @@ def compare_two(
         views = record_view(db, earlier), record_view(db, later)
         sets = [_last_set(db, one) for one in (earlier, later)]
         changes = _changes(db, sets[0], sets[1])
-    spreads = [web.spread.of_others(task, earlier.patient_id) for task in rows]
+    spreads = [spread.of_others(task, earlier.patient_id) for task in rows]
     given = list(zip(rows.values(), spreads, strict=True))
-    measures = web.computing.ask(compare_tasks, given, earlier.number, later.number) if given else []
+    measures = computing.ask(compare_tasks, given, earlier.number, later.number) if given else []
     compared = [
         TaskComparison(
             floorplan=task.floorplan,
             floorplan_title=titles[task],
             path=task.path,
-            path_title=path_title(web.own_floorplans, task.floorplan, task.path),
+            path_title=path_title(places.own, task.floorplan, task.path),
             source=task.group,
             trials=(driven[0][task], driven[1][task]),
             counted=(_of_session(own, earlier), _of_session(own, later)),
@@ -102,7 +107,7 @@ def compare_two(
         earlier=views[0],
         later=views[1],
         tasks=compared,
-        tests=[verdicts_on(pair, web.computing) for pair in pairs],
+        tests=[verdicts_on(pair, computing) for pair in pairs],
         sets=(shown[0], shown[1]),
         changes=changes,
     )

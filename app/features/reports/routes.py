@@ -4,8 +4,7 @@ from typing import Annotated
 
 from fastapi import APIRouter, Query, Response
 
-from app.api.deps import Exporter, PeopleParts, RowId
-from app.api.parts import Web
+from app.api.deps import ComputingPart, Db, Exporter, RowId, SettingsPart, SpreadPart
 from app.features.reports.composition import file_name, report_file
 from app.features.reports.document import Form
 from app.features.reports.rendering import MEDIA_TYPES
@@ -18,8 +17,11 @@ router = APIRouter(tags=["reports"])
 def report(
     patient_id: RowId,
     who: Exporter,
-    parts: PeopleParts,
-    web: Web,
+    *,
+    settings: SettingsPart,
+    database: Db,
+    computing: ComputingPart,
+    spread: SpreadPart,
     form: Form = "pdf",
     session: Annotated[int | None, Query(ge=1, le=2**31)] = None,
     letter: bool = False,
@@ -32,11 +34,9 @@ def report(
     For owners and clinicians. The file's name holds the patient's id only. The report prints the head of the log with
     its own row, `report exported`.
     """
-    spreads_of = web.spread.for_patient(who.clinic_id, patient_id)
+    spreads_of = spread.for_patient(who.clinic_id, patient_id)
     subject = Subject(who.clinic_id, patient_id, session)
-    material = exported_material(
-        parts.database, parts.settings, subject, form, who.name, spreads_of, for_patient=for_patient
-    )
-    content = web.computing.ask(report_file, material, form, "us-letter" if letter else "a4")
+    material = exported_material(database, settings, subject, form, who.name, spreads_of, for_patient=for_patient)
+    content = computing.ask(report_file, material, form, "us-letter" if letter else "a4")
     disposition = f'attachment; filename="{file_name(material, form)}"'
     return Response(content, media_type=MEDIA_TYPES[form], headers={"Content-Disposition": disposition})

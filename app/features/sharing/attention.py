@@ -3,14 +3,15 @@
 from collections import defaultdict
 from collections.abc import Sequence
 from datetime import timedelta
+from typing import Annotated
 
-from fastapi import APIRouter
+from fastapi import APIRouter, Depends
 from sqlalchemy import func, select, text
 from sqlalchemy.orm import Session
 
 from app.api.answers import Answer
-from app.api.deps import Anyone, PeopleParts
-from app.api.parts import Web
+from app.api.deps import Anyone, Db
+from app.api.parts import part
 from app.clock import utc_now
 from app.features.registration import Attention, Reason, features
 from app.features.sharing.deteriorations import CountedTask, Deteriorations
@@ -19,6 +20,8 @@ from app.source import SourceGroup
 from app.store.log import write_log
 from app.store.patients import all_patients
 from app.store.tables import COUNTED, Drive, Patient, PatientSession, Run, Trial
+
+DeteriorationsPart = Annotated[Deteriorations, Depends(part(Deteriorations))]
 
 router = APIRouter(tags=["review"])
 
@@ -115,18 +118,17 @@ class PatientAttention(Document):
 
 
 @router.get("/attention")
-def attention(who: Anyone, parts: PeopleParts, web: Web) -> list[PatientAttention]:
+def attention(who: Anyone, database: Db, deteriorations: DeteriorationsPart) -> list[PatientAttention]:
     """List the patients that the person who asks may see, those who need attention first.
 
     Reasons: drives of a real chair that a fault stopped, deterioration, halted trials, unread comments, unsigned
     sessions, no session for 28 days. Deteriorations are computed in the background; until then `pending` is true, and a
     page asks again after some seconds.
     """
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         found = patients_and_reasons(db, who.clinic_id, who.person_id)
         tasks = counted_tasks(db, who.clinic_id)
         write_log(db, who.name, "patients viewed by attention")
-    deteriorations = web.of_feature(Deteriorations, lambda: Deteriorations(parts.database, web.computing, web.spread))
     known = deteriorations.known(who.clinic_id, tasks)
     pending = {task.patient_id for task in tasks if task not in known}
     worse: dict[int, list[Attention]] = defaultdict(list)

@@ -8,11 +8,10 @@ from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
 from app.api.answers import Answer, MomentText
-from app.api.deps import Clinician, People, PeopleParts, RowId
+from app.api.deps import Clinician, Db, LivePart, RowId, SettingsPart
 from app.api.own_address import first_words, own_address, reach_words
-from app.api.parts import Web
 from app.api.sign_in.identity import SignedInPerson
-from app.api.sign_in.passwords import hash_of
+from app.api.sign_in.passwords import Passwords
 from app.features.sharing.service import (
     MOST_DAYS,
     ShareState,
@@ -72,12 +71,12 @@ class MadeShare(SharesView):
 
 
 @router.get("/patients/{patient_id}/shares")
-def list_shares(patient_id: RowId, who: Clinician, parts: PeopleParts) -> SharesView:
+def list_shares(patient_id: RowId, who: Clinician, database: Db) -> SharesView:
     """List the share links of a patient.
 
     For owners and clinicians: with the count and last time of openings (event `shares`; visitors have no names).
     """
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
         log_viewing(db, who.name, patient_id)
         return SharesView(patient_id=patient_id, shares=_rows(db, patient_id))
@@ -85,45 +84,61 @@ def list_shares(patient_id: RowId, who: Clinician, parts: PeopleParts) -> Shares
 
 @router.post("/patients/{patient_id}/shares", status_code=201)
 async def share_course(
-    patient_id: RowId, body: NewShare, request: Request, who: Clinician, parts: PeopleParts, web: Web
+    patient_id: RowId,
+    body: NewShare,
+    request: Request,
+    who: Clinician,
+    passwords: Passwords,
+    settings: SettingsPart,
+    database: Db,
+    live: LivePart,
 ) -> MadeShare:
     """Make a link to all sessions of a patient, who consents to sharing.
 
     For owners and clinicians. `days` 1 to 14; link and PIN are answered once, with `words` where the link does not
     work.
     """
-    made = await _make(parts, request, who, body.days, patient_id=patient_id)
-    web.live.tell(CHANGED)
+    made = await _make(passwords, settings, database, request, who, body.days, patient_id=patient_id)
+    live.tell(CHANGED)
     return made
 
 
 @router.post("/sessions/{session_id}/shares", status_code=201)
 async def share_session(
-    session_id: RowId, body: NewShare, request: Request, who: Clinician, parts: PeopleParts, web: Web
+    session_id: RowId,
+    body: NewShare,
+    request: Request,
+    who: Clinician,
+    passwords: Passwords,
+    settings: SettingsPart,
+    database: Db,
+    live: LivePart,
 ) -> MadeShare:
     """Make a link to one session of a patient, who consents to sharing.
 
     As for all sessions of a patient.
     """
-    made = await _make(parts, request, who, body.days, session_id=session_id)
-    web.live.tell(CHANGED)
+    made = await _make(passwords, settings, database, request, who, body.days, session_id=session_id)
+    live.tell(CHANGED)
     return made
 
 
 @router.delete("/shares/{share_id}")
-def no_share(share_id: RowId, who: Clinician, parts: PeopleParts, web: Web) -> SharesView:
+def no_share(share_id: RowId, who: Clinician, database: Db, live: LivePart) -> SharesView:
     """Revoke a share link: nobody reads by it any more."""
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         link = find_share(db, who.clinic_id, share_id)
         revoke_share(db, link)
         write_log(db, who.name, "share link revoked", patient=link.patient_id, share=share_id)
         answer = SharesView(patient_id=link.patient_id, shares=_rows(db, link.patient_id))
-    web.live.tell(CHANGED)
+    live.tell(CHANGED)
     return answer
 
 
 async def _make(
-    parts: People,
+    passwords: Passwords,
+    settings: SettingsPart,
+    database: Db,
     request: Request,
     who: SignedInPerson,
     days: int,
@@ -138,11 +153,11 @@ async def _make(
         return found
 
     def check() -> None:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             whose(db)
 
     def make(pin_hash: str) -> MadeShare:
-        with parts.database.transaction() as db:
+        with database.transaction() as db:
             patient = whose(db)
             link, token = add_share(db, who.clinic_id, patient, session_id, pin_hash, days, who.name)
             details = {"patient": patient, "session": session_id, "share": link.id, "days": days}
@@ -152,13 +167,13 @@ async def _make(
                 shares=_rows(db, patient),
                 url=f"{address.base}{PAGE}{token}",
                 pin=pin,
-                words=" ".join(filter(None, (reach_words(parts.settings, address), first_words(parts.settings)))),
+                words=" ".join(filter(None, (reach_words(settings, address), first_words(settings)))),
             )
 
     await run_in_threadpool(check)  # before the PIN is hashed, which takes long
-    address = await asyncio.to_thread(own_address, parts.settings, request)
+    address = await asyncio.to_thread(own_address, settings, request)
     pin = new_pin()
-    return await run_in_threadpool(make, await hash_of(parts, pin))
+    return await run_in_threadpool(make, await passwords.hash_of(pin))
 
 
 def _rows(db: Transaction, patient_id: int) -> list[ShareRow]:

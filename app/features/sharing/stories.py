@@ -8,7 +8,7 @@ from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
 from app.api.answers import Answer, MomentText
-from app.api.deps import Anyone, PeopleParts, RowId
+from app.api.deps import Anyone, Db, RowId
 from app.api.routes.origin_view import OriginView
 from app.features.records.service import session_record
 from app.features.registration import EventKind, StoryEvent, features
@@ -141,9 +141,9 @@ def story_view(db: Transaction, session: PatientSession) -> StoryView:
 
 
 @router.get("/sessions/{session_id}/story")
-def story(session_id: RowId, who: Anyone, parts: PeopleParts) -> StoryView:
+def story(session_id: RowId, who: Anyone, database: Db) -> StoryView:
     """Return what was done, changed and said in a session, in time order."""
-    with parts.database.transaction(closing=True) as db:
+    with database.transaction(closing=True) as db:
         session = find_session(db, who.clinic_id, session_id)
         write_log(db, who.name, "session viewed", patient=session.patient_id, session=session_id)
         return story_view(db, session)

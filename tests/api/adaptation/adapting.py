@@ -6,6 +6,7 @@ from typing import Any
 from app.calibration.adaptation.proposal_document import JointChange, Proposal
 from app.calibration.vocabulary import DriveParameters
 from app.scoring.trial_forecast import Effect
+from app.session.adaptation import AdaptationFlow
 from app.session.adaptation_reading import AdaptationResult
 from app.speeds import Speeds
 
@@ -77,7 +78,7 @@ def choose(clinic: Any, mode: str) -> Any:
 
 def settled(clinic: Any) -> Any:
     """Wait until no proposal is being made, and return the state of the adaptation."""
-    while clinic.web.adaptation._tasks:
+    while clinic.parts[AdaptationFlow]._tasks:
         time.sleep(0.005)
     return clinic.good("GET", "/adaptation")
 

@@ -12,6 +12,7 @@ from store.known_people import known_clinic
 from app.calibration.adaptation.proposal_document import Proposal
 from app.calibration.vocabulary import DriveParameters
 from app.faults import Fault, State
+from app.session.adaptation import AdaptationFlow
 from app.session.adaptation_reading import AdaptationResult
 from app.store.people import add_person, sign_in
 
@@ -89,7 +90,7 @@ def test_nothing_is_adapted_while_the_real_chair_is_armed(ready: Any) -> None:
             answer = ready("POST", f"/adaptation/{path}", json={"proposal": view["proposal"]["id"]})
             assert answer.status_code == 409, path
         ready.process.loop.call_soon_threadsafe(
-            ready.web.adaptation.trial_over, 1
+            ready.parts[AdaptationFlow].trial_over, 1
         )  # even if a trial's end were told only now
         settled(ready)
         assert ready.process.parameters is loaded
@@ -173,7 +174,7 @@ def test_it_is_applied_at_a_disarmed_standstill_only(ready: Any) -> None:
 def test_a_reviewer_looks_and_changes_nothing(ready: Any) -> None:
     drive(ready)
     view = proposed(ready)
-    database = ready.client.app.state.people.database
+    database = ready.database
     with database.transaction() as db:
         person = add_person(db, known_clinic(db), "Rita", "reviewer", None)
         token = sign_in(db, person, "test")

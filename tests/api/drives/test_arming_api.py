@@ -8,6 +8,7 @@ from api.fake_clinic import WORD, Clinic
 
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.hardware.shirt.kind import NO_KEY
+from app.session.equipment.shirt import Equipment
 from app.speeds import Speeds
 from app.store.tables import ParameterSet
 
@@ -60,7 +61,7 @@ def test_what_was_not_practised_is_not_armed_and_the_differences_are_named(ready
 
 
 def test_a_hash_that_was_stored_by_an_older_program_counts_as_it_is_reckoned_now(ready: Any) -> None:
-    with ready.client.app.state.people.database.transaction() as db:
+    with ready.database.transaction() as db:
         for row in db.query(ParameterSet):
             row.hash = "0" * 64
             row.settings = {name: value for name, value in row.settings.items() if name != "cruise_time"}
@@ -110,7 +111,7 @@ def test_acceleration_mode_needs_the_stop_switch(calibrated: Any) -> None:
 
 def test_a_shirt_that_cannot_be_trusted_arms_no_real_chair_and_the_page_says_why(ready: Any) -> None:
     """Safety S29: in a demonstration, too."""
-    ready.web.equipment.mistrust = NO_KEY
+    ready.parts[Equipment].mistrust = NO_KEY
     assert ready.good("GET", "/drives/summary")["refusals"] == [NO_KEY]
     with ready.screen():
         answer = arm(ready)

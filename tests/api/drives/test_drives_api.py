@@ -8,8 +8,10 @@ from api.drives.chair_drives import arm
 from api.fake_clinic import WORD
 from store.known_people import known_clinic
 
+from app.api.live.live_picture import ClinicLive
 from app.faults import Fault, State
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
+from app.session.real_drive import RealDriveFlow
 from app.store.people import add_person, sign_in
 
 ARMED, FAULT = 2, 3  # of a chair's telemetry
@@ -44,7 +46,7 @@ def test_an_arming_that_the_control_process_refuses_leaves_no_drive(ready: Any) 
     assert (answer.status_code, answer.json()["detail"]) == (409, "The chair does not answer.")
     assert ready.process.run == 0
     assert ready.good("GET", f"/drives?patient={ready.patient['id']}") == []
-    assert not ready.web.drives.running
+    assert not ready.parts[RealDriveFlow].running
 
 
 def test_a_fault_that_nobody_clears_ends_the_drive_and_is_in_the_log(
@@ -70,7 +72,7 @@ def test_a_control_process_that_dies_ends_the_drive(ready: Any) -> None:
 
 
 def test_only_who_armed_goes_on_and_ends_and_anybody_stops(ready: Any) -> None:
-    database = ready.client.app.state.people.database
+    database = ready.database
     with database.transaction() as db:
         other = sign_in(db, add_person(db, known_clinic(db), "Other", "clinician", None), "test")
     with ready.screen():
@@ -106,7 +108,7 @@ def test_the_live_picture_shows_what_the_chair_says(ready: Any) -> None:
         "driven_omega": -0.1,
         "stop_input": 0,
     }
-    picture = ready.web.live._picture().model_dump()
+    picture = ready.parts[ClinicLive]._picture().model_dump()
     assert picture["chair"] == {
         "kind": "udp",
         "state": "armed",
@@ -120,10 +122,10 @@ def test_the_live_picture_shows_what_the_chair_says(ready: Any) -> None:
     assert picture["drive"] is None
     with ready.screen():
         drive = arm(ready).json()
-        while not (shown := ready.web.live._picture().drive) or shown.t == 0.0:
+        while not (shown := ready.parts[ClinicLive]._picture().drive) or shown.t == 0.0:
             time.sleep(0.01)
         assert shown.id == drive["id"]
     ready.process.says = {"chair_state": FAULT, "chair_fault": Reason.STOP_INPUT}
-    assert ready.web.live._picture().chair.words == DESCRIPTIONS[Reason.STOP_INPUT]
+    assert ready.parts[ClinicLive]._picture().chair.words == DESCRIPTIONS[Reason.STOP_INPUT]
     ready.process.chair = "virtual"
-    assert ready.web.live._picture().chair.words == "Blue is not open: choose it again."
+    assert ready.parts[ClinicLive]._picture().chair.words == "Blue is not open: choose it again."

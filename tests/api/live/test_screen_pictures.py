@@ -7,8 +7,11 @@ import pytest
 from api.fake_clinic import BASE, WORD
 from api.pairing import code_of, pair
 
+from app.api.live.driving_screen import DrivingScreen
+from app.api.live.screen_pictures import ScreenPictures
 from app.api.live.screens import Screen
 from app.api.patient_screen import patient_socket
+from app.session.trial import TrialFlow
 from app.world.scene import find_place
 
 LIVE = f"{BASE.replace('http', 'ws')}/api/v1/patient/live"
@@ -36,7 +39,7 @@ def says(socket: Any, picture: str) -> None:
 
 def until_said(clinic: Any, refused: bool) -> None:
     """Wait until the server has received the reports of the screens."""
-    while any(picture == "none" for _, picture in clinic.web.pictures._screens.values()) is not refused:
+    while any(picture == "none" for _, picture in clinic.parts[ScreenPictures]._screens.values()) is not refused:
         time.sleep(0.002)
 
 
@@ -58,7 +61,7 @@ def test_a_screen_without_a_picture_starts_no_trial(ready: Any) -> None:
 
 
 def test_what_a_dead_socket_said_last_does_not_count_when_another_speaks_for_the_screen(ready: Any) -> None:
-    pictures = ready.web.pictures
+    pictures = ready.parts[ScreenPictures]
     screen = Screen(1, WORD)
     ready.client.portal.call(pictures.of_screen, screen, "none", "dead")
     assert pictures.refusal(screen)
@@ -86,8 +89,8 @@ def test_a_picture_lost_in_a_trial_halts_it_until_there_is_one_again(ready: Any)
         stops = ready.process.stops
         says(socket, "none")
         says(socket, "plan")
-        trial = ready.web.trials.current
-        while ready.web.pictures.refusal(Screen(trial.person_id, trial.screen)):
+        trial = ready.parts[TrialFlow].current
+        while ready.parts[ScreenPictures].refusal(Screen(trial.person_id, trial.screen)):
             time.sleep(0.002)
         assert ready.process.stops == stops  # what stands is not stopped again
         assert ready.good("POST", "/control/clear", json={"stops": stops})["state"] == "armed"
@@ -97,21 +100,21 @@ def test_a_late_picture_halts_nothing_and_is_told_as_a_slow_screen(ready: Any) -
     with ready.screen() as socket:
         says(socket, "view")
         ready.good("POST", "/trials", json=ready.where)
-        assert ready.web.driving_sign().view == "in view"
+        assert ready.parts[DrivingScreen].sign().view == "in view"
         says(socket, "late")
-        while ready.web.driving_sign().view != "slow":
+        while ready.parts[DrivingScreen].sign().view != "slow":
             time.sleep(0.002)
         assert ready.process.state.name == "ARMED"  # the control process pauses it
         ready.good("POST", "/control/stop")
         refused = ready("POST", "/control/clear", json={"stops": ready.process.stops})
         assert (refused.status_code, "no picture" in refused.json()["detail"]) == (409, True)
         says(socket, "view")
-        while ready.web.driving_sign().view != "in view":
+        while ready.parts[DrivingScreen].sign().view != "in view":
             time.sleep(0.002)
         assert ready.good("POST", "/control/clear", json={"stops": ready.process.stops})["state"] == "armed"
         ready.good("POST", "/trials/current/end", json={"reason": "by hand"})
         says(socket, "late")
-        while not ready.web.pictures.is_late(Screen(1, WORD)):
+        while not ready.parts[ScreenPictures].is_late(Screen(1, WORD)):
             time.sleep(0.002)
         assert ready("POST", "/trials", json=ready.where).status_code == 409
 
@@ -167,7 +170,7 @@ def test_a_screen_that_was_unpaired_or_left_in_an_earlier_trial_holds_nothing(re
         ready.good("POST", "/trials", json=ready.where)
         with ready.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
             socket.send_json({"picture": "view"})
-            while ready.web.pictures.patients() != {screen: "view"}:
+            while ready.parts[ScreenPictures].patients() != {screen: "view"}:
                 time.sleep(0.002)
         assert until_state(ready, "fault") == "PICTURE_LOST"
         return {"stops": ready.process.stops}

@@ -9,7 +9,9 @@ from starlette.websockets import WebSocketDisconnect
 
 from app.api.live import screens
 from app.api.live.screens import VIRTUAL_SILENCE_LIMIT
-from app.session.control_link import ScreenSign
+from app.session.control_link import ControlLink, ScreenSign
+from app.session.real_drive import RealDriveFlow
+from app.session.trial import TrialFlow
 
 URL = f"{BASE.replace('http', 'ws')}/api/v1/screen"
 ORIGIN = {"Origin": BASE}
@@ -78,7 +80,7 @@ def test_hiding_standing_still_and_closing_are_told_apart_with_the_very_message(
 
     with driving.screen() as socket:
         driving.start()
-        monkeypatch.setattr(driving.web.control, "beat", lambda: beats.append("now"))
+        monkeypatch.setattr(driving.parts[ControlLink], "beat", lambda: beats.append("now"))
         for _ in range(2):
             socket.send_json(saying(visible=False))
         tells_at_once("hidden")
@@ -97,9 +99,12 @@ def test_a_page_that_stands_still_counts_less_long_on_a_real_chair(driving: Any)
         driving.start()
         socket.send_json(saying(silence=1.1))
         until_told(driving, "in view")
-        driving.web.drives.current, driving.web.trials.current = driving.web.trials.current, None
+        driving.parts[RealDriveFlow].current, driving.parts[TrialFlow].current = driving.parts[TrialFlow].current, None
         until_told(driving, "slow")
-        driving.web.trials.current, driving.web.drives.current = driving.web.drives.current, None
+        driving.parts[TrialFlow].current, driving.parts[RealDriveFlow].current = (
+            driving.parts[RealDriveFlow].current,
+            None,
+        )
 
 
 def test_a_second_socket_with_the_same_word_does_not_keep_the_chair_driving(driving: Any) -> None:
@@ -139,8 +144,8 @@ def test_a_socket_that_is_dead_but_open_gives_way_long_after_the_chair_stopped(
 
 
 def test_a_beat_out_of_turn_reaches_the_control_process(driving: Any) -> None:
-    driving.web.control.follow_screen(lambda: ScreenSign(0.125, "hidden"))
-    driving.web.control.beat()
+    driving.parts[ControlLink].follow_screen(lambda: ScreenSign(0.125, "hidden"))
+    driving.parts[ControlLink].beat()
     assert (0.125, "hidden") in next_beats(driving)
 
 

@@ -85,7 +85,7 @@ def failures(clinic: Clinic, role: str, count: int, seed: int) -> tuple[list[str
     document: dict[str, Any] = clinic.client.app.openapi()  # type: ignore[attr-defined]
     every = list(operations(document))
     dice = random.Random(seed)
-    database = clinic.client.app.state.people.database  # type: ignore[attr-defined]
+    database = clinic.database
     wrong: list[str] = []
     codes: Counter[int] = Counter()
     with database.transaction() as db:

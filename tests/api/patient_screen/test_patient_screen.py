@@ -39,7 +39,7 @@ def test_a_code_pairs_one_screen_with_a_cookie_of_its_own(in_session: Clinic) ->
     (shown,) = in_session.good("GET", "/patient-screen")["screens"]
     assert (shown["number"], shown["connected"]) == (1, False)
     token = answer.cookies["bodydrive_screen"]
-    for file in in_session.client.app.state.people.settings.state.glob("bodydrive.sqlite*"):  # type: ignore[attr-defined]
+    for file in in_session.settings.state.glob("bodydrive.sqlite*"):
         assert token.encode() not in file.read_bytes()
     entry = in_session.log()[-1]
     assert (entry.person, entry.what) == ("Demo clinician", "patient's screen paired")
@@ -165,7 +165,7 @@ def test_a_pairing_that_ends_behind_its_back_closes_its_socket(screen: Clinic, m
     monkeypatch.setattr(sockets, "CHECK_EVERY", 0.05)
     with screen.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         socket.receive_json()
-        with screen.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+        with screen.database.transaction() as db:
             db.get_one(PatientScreen, 1).unpaired = utc_now()
         assert closing(socket) == 4401
 
@@ -194,7 +194,7 @@ def test_there_is_an_end_to_screens(paired: Clinic) -> None:
 
 
 def test_a_reviewer_pairs_nothing(paired: Clinic) -> None:
-    database = paired.client.app.state.people.database  # type: ignore[attr-defined]
+    database = paired.database
     with database.transaction() as db:
         person = known_person(db, "Demo clinician")
         person.role = "reviewer"

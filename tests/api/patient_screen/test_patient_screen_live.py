@@ -6,7 +6,9 @@ import pytest
 from api.fake_clinic import BASE, WORD, Clinic
 from api.pairing import closing
 
+from app.api.live.screens import Screens
 from app.api.patient_screen import patient_socket
+from app.api.patient_screen.patient_picture import PatientPicture
 from app.store.patient_screens import ScreenSettings
 
 ORIGIN = {"Origin": BASE}
@@ -86,7 +88,7 @@ def test_what_the_clinician_asks_for_is_shown_and_kept_for_the_session(paired: C
         assert paired.good("POST", "/patient-screen/settings", json=wishes)["settings"] == wishes
         while socket.receive_json()["asks"] != wishes:
             pass
-    paired.web.patient.settings = ScreenSettings()  # as after a restart
+    paired.parts[PatientPicture].settings = ScreenSettings()  # as after a restart
     with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         assert socket.receive_json()["asks"] == wishes
     assert paired("POST", "/patient-screen/settings", json={"arrow": "yes"}).status_code == 422
@@ -122,4 +124,4 @@ def test_it_is_not_the_screen_that_must_stay_in_view(screen: Clinic) -> None:
     with screen.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         socket.send_json({"screen": WORD, "visible": True, "silence": 0.0})
         socket.receive_json()
-        assert screen.web.screens._signs == {}
+        assert screen.parts[Screens]._signs == {}

@@ -7,6 +7,8 @@ from api.fake_clinic import BASE, WORD
 from recorded_trial import record_trial
 from starlette.websockets import WebSocketDisconnect
 
+from app.api.replay.replays import Replays
+from app.session.trial import TrialFlow
 from app.world.scene import find_place
 from building import make_parameters
 
@@ -18,7 +20,7 @@ def driven(calibrated: Any) -> Any:
     where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
     with calibrated.screen():
         calibrated.trial = calibrated.good("POST", "/trials", json=where)
-        run = calibrated.web.trials.current.run
+        run = calibrated.parts[TrialFlow].current.run
         assert calibrated("GET", f"/trials/{calibrated.trial['id']}/timeline").status_code == 409
         calibrated.good("POST", "/trials/current/end", json={"reason": "by hand"})
     calibrated.folder = run.folder
@@ -66,7 +68,7 @@ def test_a_trial_is_shown_in_3d_at_a_moment_and_closed(driven: Any) -> None:
     assert 'content: "Replay"' in page.text
     assert "connect-src" in page.headers["content-security-policy"]
     assert driven("POST", f"/replays/{word}/at", json={"t": 1.5, "view": "top"}).status_code == 204
-    assert driven.web.replays.find(word, 1)._t == 1.5
+    assert driven.parts[Replays].find(word, 1)._t == 1.5
     for bad in ({"t": "1"}, {"t": 1e9}, {"t": 1.0, "view": "free fall"}):
         assert driven("POST", f"/replays/{word}/at", json=bad).status_code == 422
     address = f"{BASE.replace('http', 'ws')}/view/replay/{word}"
@@ -78,7 +80,7 @@ def test_a_trial_is_shown_in_3d_at_a_moment_and_closed(driven: Any) -> None:
     with pytest.raises(WebSocketDisconnect), driven.client.websocket_connect(address, headers=foreign):
         pass
     with pytest.raises(Exception, match="closed"):
-        driven.web.replays.find(word, 2)
+        driven.parts[Replays].find(word, 2)
     assert driven("DELETE", f"/replays/{word}").status_code == 204
     assert driven("DELETE", f"/replays/{word}").status_code == 204
     assert page_of(driven, word) == 404

@@ -11,6 +11,8 @@ from api.running_app import running
 
 from app.calibration.script import calibration_script
 from app.session.calibration import calibration_flow
+from app.session.calibration.calibration_flow import CalibrationFlow
+from app.session.equipment.shirt import Equipment
 from app.settings import Settings
 from app.store.tables import CalibrationStep, PatientSession
 
@@ -31,7 +33,7 @@ def test_without_a_patient_there_is_nothing_to_calibrate(signed_in: Any) -> None
 
 def test_to_look_at_the_calibration_begins_none(in_session: Any) -> None:
     """GET wrote the script of a session and a row for each step."""
-    database = in_session.client.app.state.people.database
+    database = in_session.database
     session_id = in_session.good("GET", "/session")["session"]["id"]
 
     def stored() -> Any:
@@ -211,7 +213,7 @@ def test_a_step_that_ends_while_it_is_looked_at_is_shown_as_running_or_as_ended(
         is_first = not calls
         calls.append(layout)
         signed_in.process.run_t = 1000.0
-        while is_first and signed_in.web.calibration.running:
+        while is_first and signed_in.parts[CalibrationFlow].running:
             time.sleep(0.01)
         return script(layout)
 
@@ -277,7 +279,7 @@ def test_a_restart_of_the_web_process_comes_back_to_the_same_step(settings: Sett
 def test_another_shirt_does_not_drive_with_this_calibration(signed_in: Clinic) -> None:
     signed_in.begin_session()
     signed_in.calibrate()
-    worn = signed_in.client.app.state.web.equipment  # type: ignore[attr-defined]
+    worn = signed_in.parts[Equipment]
     worn.sample_rate = 250.0
     obstacle = signed_in.good("GET", "/controls")["obstacle"]
     assert ("calibrate again" in obstacle["words"], obstacle["page"]) == (True, "calibrate")

@@ -37,7 +37,7 @@ def states(wizard: Any) -> list[str]:
 
 
 def runs(clinic: Clinic) -> list[tuple[str, str]]:
-    with clinic.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with clinic.database.transaction() as db:
         return [(run.id, run.kind) for run in db.query(Run).order_by(Run.started)]
 
 

@@ -20,7 +20,7 @@ def test_the_next_level_waits_while_a_trial_is_worse_than_noise(signed_in: Any, 
     plan = find_place("door.easy")
     assert isinstance(plan, FloorPlan)
     good = {"time": 60.0, "path_length": 5.0, "reached": True, "collisions": 0}
-    with signed_in.client.app.state.people.database.transaction() as db:
+    with signed_in.database.transaction() as db:
         clinic = the_clinic(db)
         assert clinic is not None
         patient = add_patient(db, clinic.id, "P-1", "Heron", "")

@@ -4,6 +4,7 @@ from typing import Any
 
 from sqlalchemy import select
 
+from app.session.open_session import SessionFlow
 from app.store.tables import ParameterSet
 
 WITH_A_JOINER = "\U0001f469\u200d\U0001f9bd slow"  # a woman in a wheelchair: names of before could hold any character
@@ -11,7 +12,7 @@ WITH_A_JOINER = "\U0001f469\u200d\U0001f9bd slow"  # a woman in a wheelchair: na
 
 def change_saved(clinic: Any, **settings: Any) -> None:
     clinic.good("GET", "/controls")
-    with clinic.client.app.state.people.database.transaction() as db:
+    with clinic.database.transaction() as db:
         for row in db.scalars(select(ParameterSet)):
             row.settings = {**row.settings, **settings}
 
@@ -28,6 +29,6 @@ def test_a_set_that_cannot_be_read_is_a_sentence_and_keeps_nobody_from_anything_
     refused = calibrated("GET", "/controls")
     assert (refused.status_code, "another version" in refused.json()["detail"]) == (409, True)
     calibrated.good("PUT", "/equipment/unused", json={"channels": []})
-    web = calibrated.client.app.state.web
-    calibrated.client.portal.call(web.session.session_changed)  # as at the start of the program
-    assert web.session.loaded is None
+    session = calibrated.parts[SessionFlow]
+    calibrated.client.portal.call(session.session_changed)  # as at the start of the program
+    assert session.loaded is None

@@ -2,6 +2,8 @@
 
 from api.fake_clinic import Clinic
 
+from app.session.equipment.shirt import Equipment
+
 FORGER = "10.0.0.9:4000"
 SENDERS = {"shirt": "10.0.0.2:4000", "other": FORGER, "others": 3}
 
@@ -27,7 +29,7 @@ def test_what_the_control_process_refuses_is_said(signed_in: Clinic) -> None:
 
 
 def test_a_key_is_chosen_by_its_name_among_those_of_shirts(signed_in: Clinic) -> None:
-    keys = signed_in.web.equipment._keys
+    keys = signed_in.parts[Equipment]._keys
     keys.mkdir(parents=True)
     for name in ("shirt-1.key", "1.key"):
         (keys / name).touch()

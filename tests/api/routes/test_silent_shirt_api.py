@@ -6,6 +6,7 @@ import pytest
 from api.fake_clinic import BASE, WORD, Clinic
 
 from app.session.equipment import shirt_watch
+from app.session.equipment.shirt import Equipment
 
 LIVE = f"{BASE.replace('http', 'ws')}/api/v1/live"
 NO_FRAMES = "No frames from a shirt on 127.0.0.1:5252 (the shirt sends 40 sensors, its layout has 52)."
@@ -53,5 +54,5 @@ def test_nothing_is_started_while_the_shirt_is_silent_and_the_pages_know_why(cal
 def test_the_state_of_another_shirt_is_known_as_soon_as_it_is_chosen(calibrated: Clinic) -> None:
     calibrated.process.shirt_words = "Another one."
     calibrated.good("PUT", "/equipment/shirt", json={"kind": "simulator", "seed": 2})
-    assert calibrated.web.equipment.state == "Another one."
+    assert calibrated.parts[Equipment].state == "Another one."
     assert start(calibrated).status_code == 201

@@ -8,6 +8,8 @@ import pytest
 from api.fake_clinic import WORD, Clinic
 from api.running_app import running
 
+from app.api.live.live_picture import ClinicLive
+from app.api.patient_screen.patient_picture import PatientPicture
 from app.settings import Settings
 from app.store.calibrations import MIXED
 from app.store.tables import Run, Trial
@@ -50,7 +52,7 @@ def test_a_real_clinic_begins_without_a_shirt_and_keeps_the_one_that_was_chosen(
     assert equipment["status"]["words"] == "No shirt yet: choose one on the Shirt page."
     assert {one["kind"]: one["simulated"] for one in clinic.good("GET", "/equipment/shirts")}["simulator"] is True
     assert "shirt" not in [do for do, _ in clinic.process.calls]
-    assert clinic.web.live._picture().shirt.chosen is False
+    assert clinic.parts[ClinicLive]._picture().shirt.chosen is False
     clinic.begin_session()
     refused = clinic("POST", "/calibration/steps/rest/start")
     assert refused.status_code in {404, 409}
@@ -77,7 +79,7 @@ def test_anybody_may_ask_whether_a_page_is_to_be_marked(clinic_for_real: Clinic)
         if config is not None:
             clinic.good("PUT", "/equipment/shirt", json=config)
         assert clinic.good("GET", "/equipment/practice") == {"kind": kind}
-        assert clinic.web.live._picture().practice == clinic.web.patient.picture().practice == kind
+        assert clinic.parts[ClinicLive]._picture().practice == clinic.parts[PatientPicture].picture().practice == kind
     clinic.client.cookies.clear()
     assert clinic.good("GET", "/equipment/practice") == {"kind": None}
 
@@ -119,7 +121,7 @@ def test_trials_say_their_source_and_worn_and_simulated_ones_are_never_mixed(cli
     # Practice with this very set: two worn trials, whatever was simulated in between.
     assert clinic.good("GET", "/drives/summary")["practised"]["trials"] == 2
     assert clinic.good("GET", "/adaptation")["practised"] == 2
-    with clinic.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with clinic.database.transaction() as db:
         runs = {trial.id: db.get_one(Run, trial.run_id).source.shirt for trial in db.query(Trial)}
     assert runs == {**dict.fromkeys(made["udp"], "udp"), **dict.fromkeys(made["simulator"], "simulator")}
 

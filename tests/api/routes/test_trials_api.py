@@ -9,6 +9,8 @@ import anyio.to_thread
 import pytest
 from api.fake_clinic import WORD
 
+from app.session.trial import TrialFlow
+
 
 @pytest.fixture
 def ready(calibrated: Any) -> Any:
@@ -42,7 +44,7 @@ def test_a_trial_ends_at_the_goal_and_is_measured(ready: Any) -> None:
     assert ready("POST", "/trials", json=ready.where).status_code == 409
     assert ready("PUT", "/equipment/unused", json={"channels": []}).status_code == 409
 
-    trials = ready.client.app.state.web.trials
+    trials = ready.parts[TrialFlow]
     line, s = trials.current.path.line, 0.0
     while (trial_now := trials.current) is not None:
         # The chair goes on once the watch has seen where it is.

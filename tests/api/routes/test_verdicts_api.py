@@ -32,7 +32,7 @@ def course(signed_in: Clinic) -> Clinic:
     plan = find_place(PLAN)
     assert isinstance(plan, FloorPlan)
     clinic = signed_in
-    with clinic.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with clinic.database.transaction() as db:
         named = known_clinic(db)
         assert named is not None
         for number in range(5):
@@ -115,7 +115,7 @@ def test_trials_of_different_people_or_sources_are_refused_in_one_sentence(cours
 
 def test_a_reviewer_of_this_patient_alone_reads_the_same_verdicts(course: Any) -> None:
     owner = task(course)["verdicts"]
-    with course.client.app.state.people.database.transaction() as db:
+    with course.database.transaction() as db:
         person = add_person(db, known_clinic(db), "Rita", "reviewer", None, patients=[course.heron])
         cookies = {"bodydrive_sign_in": sign_in(db, person, "test")}
     with as_person(course, cookies):

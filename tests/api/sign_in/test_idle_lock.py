@@ -13,6 +13,7 @@ from starlette.websockets import WebSocketDisconnect
 
 from app.api import sockets
 from app.clock import utc_now
+from app.session.open_session import SessionFlow
 from app.store import people
 
 ORIGIN = {"Origin": BASE}
@@ -163,14 +164,14 @@ def test_a_touch_of_the_page_counts_as_an_action(owned: Clinic, later: Later) ->
 
 
 def test_armed_or_recording_is_not_idle(owned: Clinic, later: Later, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(type(owned.web.session), "recording", property(lambda _self: True))
+    monkeypatch.setattr(type(owned.parts[SessionFlow]), "recording", property(lambda _self: True))
     with owned.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         for _ in range(3):
             later(6)
             number = socket.receive_json()["tick"]
             next_that(socket, beyond(number + 4))
         assert owned("GET", "/patients").status_code == 200
-        monkeypatch.setattr(type(owned.web.session), "recording", property(lambda _self: False))
+        monkeypatch.setattr(type(owned.parts[SessionFlow]), "recording", property(lambda _self: False))
         later(10.5)
         next_that(socket, lambda m: m["hidden"])
 

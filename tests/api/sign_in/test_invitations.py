@@ -10,6 +10,7 @@ from api.people_of_clinic import PASSWORD, accepted, as_person, code_of, invited
 
 from app.clock import utc_now
 from app.network import CertificateTrust, NetworkService
+from app.settings import Settings
 from app.store.access import invitations
 from app.store.access.person_tables import Invitation
 
@@ -19,7 +20,7 @@ def test_whoever_opens_the_link_chooses_the_password_and_is_signed_in(owned: Cli
     assert link["qr"].startswith("<svg")
     assert (link["person"]["state"], link["person"]["role"]) == ("invited", "clinician")
     code = code_of(link)
-    with owned.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with owned.database.transaction() as db:
         (stored,) = db.query(Invitation).all()
         assert stored.code_hash == hashlib.sha256(code.encode()).hexdigest()
         assert stored.expires - stored.created == timedelta(hours=24)
@@ -96,10 +97,9 @@ def test_an_invitation_that_cannot_be_made_adds_nobody(
 
 
 def test_an_invitation_names_the_page_that_a_new_device_opens_first(owned: Clinic) -> None:
-    parts = owned.client.app.state.people  # type: ignore[attr-defined]
     now = utc_now()
     network = NetworkService(8443, 8081, CertificateTrust((), ("10.1.2.3",), now, now, "00", b"root"))
-    owned.client.app.state.people = replace(parts, settings=replace(parts.settings, network=network))  # type: ignore[attr-defined]
+    owned.parts._by_class[Settings] = replace(owned.settings, network=network)
     link = invited(owned, "Ben", "clinician")
     assert link["url"].startswith("https://10.1.2.3:8443/#invite=")
     assert "http://10.1.2.3:8081/ first" in link["words"]

@@ -37,7 +37,7 @@ def test_disabling_ends_sign_ins_and_sockets_at_once_and_forgets_browsers(
             socket.receive_json()
         assert owned.good("POST", f"/people/{person}/disable")["state"] == "disabled"
         assert closing(socket) == 4401
-    with owned.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with owned.database.transaction() as db:
         assert db.query(KnownBrowser).filter_by(person_id=person).count() == 0
     with as_person(owned, ben):
         assert owned("GET", "/patients").status_code == 401
@@ -56,7 +56,7 @@ def test_disabling_ends_sign_ins_and_sockets_at_once_and_forgets_browsers(
 def test_somebody_disabled_by_another_program_is_out_within_five_seconds(owned: Clinic, ben: dict[str, str]) -> None:
     """The command line writes to the database only: the check of open sockets (every 2 s) notices it."""
     assert sockets.CHECK_EVERY <= 2.5  # an open socket ends within twice this time
-    state = owned.client.app.state.people.settings.state  # type: ignore[attr-defined]
+    state = owned.settings.state
     with as_person(owned, ben), owned.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         socket.receive_json()
         command = [sys.executable, "-c", "from app.cli.main import main; main()", "people", "disable", "Ben"]

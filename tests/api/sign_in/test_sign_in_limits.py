@@ -12,6 +12,7 @@ from api.fake_clinic import BASE, Clinic
 from api.running_app import running
 
 from app.api.sign_in.hashing import MOST_AT_ONCE, Hashing
+from app.api.sign_in.set_up import SetUp
 from app.settings import Settings
 
 RIGHT = "correct horse battery"
@@ -100,7 +101,7 @@ def test_beyond_a_few_at_once_nobody_waits_and_no_try_is_lost(real: Clinic, monk
     monkeypatch.setattr(Hashing, "matches", slowly)
     with ThreadPoolExecutor(MOST_AT_ONCE) as browsers:
         under_way = [browsers.submit(attempt, real, f"name {i}", "wrong password") for i in range(MOST_AT_ONCE)]
-        while real.client.app.state.people.hashing._free_slots:  # type: ignore[attr-defined]
+        while real.parts[Hashing]._free_slots:
             pass
         refused = [attempt(real, "Ada", RIGHT) for _ in range(6)]
         assert {answer.status_code for answer in refused} == {503}
@@ -121,7 +122,7 @@ def test_wrong_codes_are_counted_and_make_no_code_worthless(tmp_path: Path, path
         late = clinic("POST", path, json=body)
         assert late.status_code == 429
         assert f"wait {late.headers['retry-after']} seconds" in late.json()["detail"]
-        assert clinic.client.app.state.people.set_up.opens("set-up-code")  # type: ignore[attr-defined]
+        assert clinic.parts[SetUp].opens("set-up-code")
 
 
 def test_wrong_codes_of_a_demonstration_are_counted(clinic: Clinic) -> None:

@@ -18,13 +18,15 @@ from processes.served_demo import SessionClient
 from sqlalchemy import delete
 from stored_interface_test import store_interface_test
 
+from app.api.live.live_picture import ClinicLive
 from app.api.live.message import LiveMessage
-from app.api.patient_screen.patient_picture import PatientMessage
+from app.api.patient_screen.patient_picture import PatientLive, PatientMessage, PatientPicture
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import standard_parameters
 from app.faults import Fault, State
 from app.features.comments.service import add_comment
 from app.hardware.shirt.standard import standard_layout
+from app.session.calibration.calibration_flow import CalibrationFlow
 from app.settings import Settings
 from app.store.calibrations import calibration_steps
 from app.store.database import Database
@@ -126,13 +128,14 @@ class EyesClinic(ServedClinic):
 
     def _change_pictures(self) -> None:
         """Let `shown` and `shown_to_patient` replace fields of what the live sockets send."""
-        web = self.app.state.web
-        true, patients = web.live._picture, web.patient.picture
-        web.live._picture = lambda: LiveMessage.model_validate({**true().model_dump(), **self.shown})
-        quality = web.live._quality
-        web.live._quality = lambda: self._with_lamps(quality())
-        web.patient._live = SimpleNamespace(picture=web.live._picture)
-        web.patient_live._picture = lambda: PatientMessage.model_validate(
+        parts = self.app.state.parts
+        live, patient = parts[ClinicLive], parts[PatientPicture]
+        true, patients = live._picture, patient.picture
+        live._picture = lambda: LiveMessage.model_validate({**true().model_dump(), **self.shown})
+        quality = live._quality
+        live._quality = lambda: self._with_lamps(quality())
+        patient._live = SimpleNamespace(picture=live._picture)
+        parts[PatientLive]._picture = lambda: PatientMessage.model_validate(
             {**patients().model_dump(), **self.shown_to_patient}
         )
 
@@ -192,7 +195,7 @@ class EyesClinic(ServedClinic):
         session_id = self.good("GET", "/session")["session"]["id"]
         database = Database(self._settings.database)
         with database.transaction() as db:
-            self.app.state.web.calibration._begin_new(db, session_id)
+            self.app.state.parts[CalibrationFlow]._begin_new(db, session_id)
             session = db.get_one(PatientSession, session_id)
             session.current_step, session.accepted = step, False
             for row in calibration_steps(db, session_id).values():

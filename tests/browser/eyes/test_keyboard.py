@@ -10,6 +10,7 @@ from browser.eyes.opening import go
 from browser.eyes.places import PLACES, put_back
 from playwright.sync_api import expect
 
+from app.api.live.live_picture import ClinicLive
 from app.session.calibration import calibration_flow
 
 pytestmark = [pytest.mark.browser]
@@ -91,7 +92,7 @@ def draw_again(page, clinic, others):
     answer = {**clinic.good("GET", "/calibration"), "others": others}
     page.route("**/api/v1/calibration", lambda route: route.fulfill(json=answer))
     page.locator("main h1").evaluate("(one) => one.setAttribute('data-before', '')")
-    clinic.app.state.web.live.tell("calibration")
+    clinic.app.state.parts[ClinicLive].tell("calibration")
     expect(page.locator("main h1:not([data-before])")).to_be_attached()
     page.unroute_all()
 

@@ -7,6 +7,7 @@ from browser.served.review_app import ReviewApp
 from browser.tablets import put_first_sentences_away
 from playwright.sync_api import expect
 
+from app.store.database import Database
 from app.store.people import add_person, sign_in, the_clinic
 from folders import SCREENSHOTS
 
@@ -29,7 +30,7 @@ def app(tmp_path_factory):
 @pytest.fixture(scope="module")
 def token(app):
     """Sign a reviewer in; return what the cookie holds."""
-    with app.app.state.people.database.transaction() as db:
+    with app.app.state.parts[Database].transaction() as db:
         return sign_in(db, add_person(db, the_clinic(db), "Rhea", "reviewer", None), "test")
 
 

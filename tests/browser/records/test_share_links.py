@@ -4,6 +4,7 @@ import pytest
 from browser.served.review_app import ReviewApp
 from playwright.sync_api import expect
 
+from app.store.database import Database
 from app.store.people import add_person, sign_in, the_clinic
 
 pytestmark = [pytest.mark.browser]
@@ -131,7 +132,7 @@ def test_a_refusal_of_the_server_is_said_and_the_form_stays(app, page, card):
 
 
 def test_a_reviewer_has_no_share_links_and_asks_for_none(app, page, card):
-    with app.app.state.people.database.transaction() as db:
+    with app.app.state.parts[Database].transaction() as db:
         token = sign_in(db, add_person(db, the_clinic(db), "Rhea", "reviewer", None), "test")
     address = page.url
     page.goto("about:blank")  # what the owner's page still asks for is not the reviewer's, and needs the owner's cookie

@@ -3,6 +3,7 @@
 import pytest
 from browser.served.review_app import ReviewApp
 
+from app.store.database import Database
 from app.store.people import add_person, sign_in, the_clinic
 
 
@@ -21,7 +22,7 @@ def open_for(browser, page_log, app):
     opened = []
 
     def open_page(name, role, where, size=(1280, 800)):
-        with app.app.state.people.database.transaction() as db:
+        with app.app.state.parts[Database].transaction() as db:
             token = sign_in(db, add_person(db, the_clinic(db), name, role, None), "test")
         context = browser.new_context(viewport={"width": size[0], "height": size[1]})
         context.add_cookies([{"name": "bodydrive_sign_in", "value": token, "url": app.address}])

@@ -6,6 +6,7 @@ import pytest
 from playwright.sync_api import expect
 
 from app.features.comments.service import add_comment
+from app.store.database import Database
 from app.store.people import add_person, the_clinic
 from app.store.runs import find_trial
 from folders import SCREENSHOTS
@@ -20,7 +21,7 @@ def steps(page):
 
 
 def test_a_reviewer_begins_with_who_needs_attention(app, open_for):
-    with app.app.state.people.database.transaction() as db:
+    with app.app.state.parts[Database].transaction() as db:
         author = add_person(db, the_clinic(db), "Ben", "clinician", None)
         add_comment(db, find_trial(db, 1, app.trials[0]), author.id, 2.0, "Here the turn is late.")
     page = open_for("Rhea", "reviewer", "", (390, 844))

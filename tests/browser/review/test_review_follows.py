@@ -4,6 +4,7 @@ import pytest
 from browser.served.clinic_app import assert_quiet, go
 from playwright.sync_api import expect
 
+from app.store.database import Database
 from app.store.people import add_person, sign_in, the_clinic
 
 pytestmark = [pytest.mark.browser]
@@ -21,7 +22,7 @@ def served(served):
 @pytest.fixture
 def reviewer(browser, page_log, served):
     """Yield the page of a reviewer who is signed in."""
-    with served.app.state.people.database.transaction() as db:
+    with served.app.state.parts[Database].transaction() as db:
         cookie = sign_in(db, add_person(db, the_clinic(db), "Rita", "reviewer", None), "test")
     context = browser.new_context(viewport={"width": 1280, "height": 800})
     context.add_cookies([{"name": "bodydrive_sign_in", "value": cookie, "url": served.address}])

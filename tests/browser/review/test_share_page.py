@@ -12,6 +12,7 @@ from app.api.sign_in.hashing import Hashing
 from app.clock import utc_now
 from app.features.consents.service import give_consent
 from app.features.sharing.service import add_share
+from app.store.database import Database
 from app.store.tables import Patient, Trial
 from folders import SCREENSHOTS
 
@@ -29,10 +30,9 @@ def link(tmp_path):
     """Serve a clinic and make a link whose PIN is known; yield its address."""
     app = ReviewApp(tmp_path / "clinic")
     app.start()
-    parts = app.app.state.people
     with ThreadPoolExecutor(1) as pool:  # the browser has an event loop in this thread
         pin_hash = pool.submit(lambda: asyncio.run(_hash(PIN))).result()
-    with parts.database.transaction() as db:
+    with app.app.state.parts[Database].transaction() as db:
         patient = db.query(Patient).one()
         for trial in db.query(Trial):
             trial.measures = {**trial.measures, "reached": True}

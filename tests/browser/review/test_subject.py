@@ -5,6 +5,7 @@ import re
 import pytest
 from playwright.sync_api import expect
 
+from app.store.database import Database
 from app.store.patients import add_patient, end_session, start_session
 from app.store.people import the_clinic
 from folders import SCREENSHOTS
@@ -30,7 +31,7 @@ IS_WHOLE = """(one) => {
 @pytest.fixture
 def other_session(app):
     """Open the session of another patient, who has a long code."""
-    with app.app.state.people.database.transaction() as db:
+    with app.app.state.parts[Database].transaction() as db:
         clinic = the_clinic(db)
         end_session(db, clinic.id)
         start_session(db, clinic.id, add_patient(db, clinic.id, "STUDY-2027-0042", "Otter", "").id, "Ada")

@@ -41,8 +41,8 @@ def brought(clinic: Any, content: bytes | Path) -> Any:
 
 def state_of(clinic: Any) -> tuple[list[str], list[str]]:
     """Return the patients, and the files of recordings, also of half imports."""
-    settings = clinic.client.app.state.people.settings
-    with clinic.client.app.state.people.database.transaction() as db:
+    settings = clinic.settings
+    with clinic.database.transaction() as db:
         codes = [patient.code for patient in db.query(Patient)]
     kept = [*settings.runs.glob("*"), *settings.state.glob(".import-*")]
     return codes, sorted(str(file) for file in kept)
@@ -64,7 +64,7 @@ def test_an_archive_goes_to_another_clinic_and_leaves_it_with_the_same_hash(
     }
     (row,) = [row for row in signed_in.log() if row.what == "archive imported"]
     assert (row.person, row.details["patient"]) == ("Demo clinician", patient)
-    runs = signed_in.client.app.state.people.settings.runs
+    runs = signed_in.settings.runs
     assert read_run(runs / RUN).damage == ""
     before = state_of(signed_in)
     answer = {"patient_id": patient, "code": CODE, "is_new": False, "sessions": 0, "trials": 0, "kept": ""}
@@ -97,7 +97,7 @@ def test_an_archive_is_made_with_consent_and_without_an_open_session_only(calibr
     address = f"/patients/{patient}/archive"
     refused = calibrated("GET", address)
     assert (refused.status_code, "has not consented" in refused.json()["detail"]) == (409, True)
-    with calibrated.client.app.state.people.database.transaction() as db:
+    with calibrated.database.transaction() as db:
         give_consent(db, patient, "sharing", date(2025, 1, 1), "Ana")
     refused = calibrated("GET", address)
     assert (refused.status_code, "end it first" in refused.json()["detail"]) == (409, True)
@@ -112,7 +112,7 @@ def test_an_archive_is_made_with_consent_and_without_an_open_session_only(calibr
         assert b"Course of 1 session" in opened.read(REPORT)
     (row,) = [row for row in calibrated.log() if row.what == "export"]
     assert (row.details["patient"], row.details["form"]) == (patient, "archive")
-    assert list(calibrated.client.app.state.people.settings.state.glob(".export-*")) == []
+    assert list(calibrated.settings.state.glob(".export-*")) == []
 
 
 def test_an_archive_without_room_on_the_disk_is_refused_before_anything_is_made(
@@ -120,7 +120,7 @@ def test_an_archive_without_room_on_the_disk_is_refused_before_anything_is_made(
 ) -> None:
     patient = brought(signed_in, package).json()["patient_id"]
     room = signed_in.good("GET", f"/patients/{patient}/archive/room")
-    settings = signed_in.client.app.state.people.settings
+    settings = signed_in.settings
     assert room == {"bytes": sum(file.stat().st_size for file in (settings.runs / RUN).iterdir()), "words": ""}
     needed = room["bytes"] + ROOM_TO_RECORD
     monkeypatch.setattr(room_for_files, "disk_room", lambda _: DiskRoom(needed - 1, ""))
@@ -191,7 +191,7 @@ def test_a_number_that_no_database_holds_is_refused(signed_in: Any, package: Pat
 
 def test_what_is_in_the_clinic_already_is_refused(signed_in: Any, package: Path) -> None:
     signed_in.good("POST", "/patients", json={"code": "P-1", "pseudonym": "Heron"})
-    with signed_in.client.app.state.people.database.transaction() as db:
+    with signed_in.database.transaction() as db:
         db.query(Patient).one().code = CODE
     before = state_of(signed_in)
     answer = brought(signed_in, package)
@@ -217,7 +217,7 @@ def test_a_patient_who_is_here_is_replaced_when_the_person_asks_for_that(
     assert (replaced["code"], replaced["is_new"], replaced["sessions"]) == (CODE, False, 1)
     assert replaced["patient_id"] != patient
     assert [one["note"] for one in signed_in.good("GET", "/patients") if one["code"] == CODE] == ["Another note"]
-    settings = signed_in.client.app.state.people.settings
+    settings = signed_in.settings
     with open_archive(settings.replaced / replaced["kept"]) as kept, open_archive(package) as first:
         assert kept.listed.hash == first.listed.hash
 

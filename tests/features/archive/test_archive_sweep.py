@@ -48,7 +48,7 @@ class Importing:
 
     def __init__(self, clinic: Any, settings: Any, package: Path, folder: Path) -> None:
         self.clinic, self._settings, self.package, self._target = clinic, settings, package, folder / "changed.zip"
-        self._database: Database = clinic.client.app.state.people.database
+        self._database: Database = clinic.database
 
     def failures(self, rows: Rows) -> list[str]:
         """Import these rows with the recordings, and return the requests that end in an error of the server."""

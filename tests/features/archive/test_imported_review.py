@@ -78,7 +78,7 @@ def importing(tmp_path: Path) -> Settings:
 def reviewed(settings: Settings) -> Iterator[Clinic]:
     """Open a clinic's pages as somebody who may see everything."""
     for clinic in running(settings):
-        with clinic.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+        with clinic.database.transaction() as db:
             person = add_person(db, known_clinic(db), "Rita", "clinician", None)
             clinic.client.cookies.set("bodydrive_sign_in", sign_in(db, person, "test"))
         yield clinic

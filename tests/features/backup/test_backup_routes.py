@@ -9,6 +9,7 @@ import pytest
 from api.fake_clinic import Clinic
 
 from app.clock import utc_now
+from app.computing_process import ComputingProcess
 from app.features.backup import made_backups
 from app.features.backup.age_files import opened_secret
 from app.features.backup.backup_file import read_backup, sealed_key_of
@@ -22,7 +23,9 @@ from app.store.keeping.incidents import mark_incident
 @pytest.fixture(autouse=True)
 def _cheap(monkeypatch: pytest.MonkeyPatch, signed_in: Clinic) -> None:
     """Make keys in this process, where they cost little."""
-    monkeypatch.setattr(signed_in.web.computing, "ask", lambda function, *given, **named: function(*given, **named))
+    monkeypatch.setattr(
+        signed_in.parts[ComputingProcess], "ask", lambda function, *given, **named: function(*given, **named)
+    )
 
 
 def chosen(clinic: Clinic, folder: Path | None, **more: Any) -> Any:
@@ -141,7 +144,7 @@ def test_records_that_must_be_kept_need_a_reason(signed_in: Clinic) -> None:
 
 def test_an_owner_lifts_the_mark_of_an_incident_with_a_reason(signed_in: Clinic) -> None:
     patient = signed_in.good("POST", "/patients", json={"code": "A", "pseudonym": "Heron"})["id"]
-    with signed_in.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with signed_in.database.transaction() as db:
         incident = mark_incident(db, 1, utc_now(), "0" * 64, [patient], None).id
     signed_in.good("DELETE", f"/patients/{patient}")
     refused = signed_in("POST", f"/deleted-patients/{patient}/erasure")

@@ -30,7 +30,7 @@ def until(true: Callable[[], Any]) -> Any:
 
 
 def database_of(clinic: Clinic) -> Database:
-    return clinic.client.app.state.people.database  # type: ignore[attr-defined]
+    return clinic.database
 
 
 @pytest.fixture

@@ -71,7 +71,7 @@ def test_only_its_author_revises_or_withdraws_a_comment_and_the_history_stays(
             assert calibrated("DELETE", path).status_code == 409
     assert calibrated.good("DELETE", path) == []
     assert calibrated("PUT", path, json={"text": "x"}).status_code == 409
-    with calibrated.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with calibrated.database.transaction() as db:
         assert [row.text for row in comment_history(db, made["id"])] == [MOMENT["text"]]
     whats = [(row.what, row.person) for row in calibrated.log() if row.what.startswith("comment")]
     assert whats == [("comment added", "Demo clinician"), ("comment withdrawn", "Demo clinician")]

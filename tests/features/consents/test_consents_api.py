@@ -3,6 +3,8 @@
 import pytest
 from api.fake_clinic import Clinic
 
+from app.session.equipment.shirt import Equipment
+
 
 def given(clinic: Clinic, patient: int) -> dict[str, str | None]:
     found = clinic.good("GET", f"/patients/{patient}/consents")["consents"]
@@ -35,7 +37,7 @@ def test_a_worn_shirt_records_nothing_before_the_consent_and_practice_needs_none
     start, cancel = (f"/calibration/steps/{step}/{what}" for what in ("start", "cancel"))
     in_session.good("POST", start)  # with the simulated shirt
     in_session.good("POST", cancel)
-    monkeypatch.setattr(type(in_session.web.equipment), "simulated", False)
+    monkeypatch.setattr(type(in_session.parts[Equipment]), "simulated", False)
     assert not in_session.good("GET", "/session")["consents_to_recording"]
     runs = sum(do == "run" for do, _ in in_session.process.calls)
     refused = in_session("POST", start)

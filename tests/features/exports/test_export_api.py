@@ -18,6 +18,7 @@ from app import computing_process
 from app.api import package_download
 from app.features.consents.service import give_consent
 from app.recording.reader import read_run
+from app.session.trial import TrialFlow
 from app.store.files.temporary_folders import bytes_in
 from app.store.tables import Trial
 from building import make_parameters
@@ -30,7 +31,7 @@ def driven(calibrated: Any) -> Any:
     where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
     with calibrated.screen():
         trial = calibrated.good("POST", "/trials", json=where)
-        folder = calibrated.web.trials.current.run.folder
+        folder = calibrated.parts[TrialFlow].current.run.folder
         calibrated.good("POST", "/trials/current/end", json={"reason": "by hand"})
     record_trial(folder, make_parameters(n_channels=8), seconds=2.0)
     calibrated.folder = folder
@@ -43,7 +44,7 @@ def test_an_export_is_streamed_with_consent_only_and_logged(driven: Any) -> None
     refused = driven("GET", address)
     assert refused.status_code == 409
     assert "has not consented to sharing outside the clinic" in refused.json()["detail"]
-    with driven.client.app.state.people.database.transaction() as db:
+    with driven.database.transaction() as db:
         give_consent(db, driven.patient, "sharing", date(2025, 1, 1), "Ana")
         run = db.query(Trial).one().run_id
     word = "word-of-this-export"
@@ -68,7 +69,7 @@ def test_an_export_is_streamed_with_consent_only_and_logged(driven: Any) -> None
 def test_an_export_takes_as_long_as_it_writes(driven: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """A recording of 8 h needs more than the limit of a question; here each look at the folder finds more bytes."""
     looks = itertools.count()
-    with driven.client.app.state.people.database.transaction() as db:
+    with driven.database.transaction() as db:
         give_consent(db, driven.patient, "sharing", date(2025, 1, 1), "Ana")
     monkeypatch.setattr(package_download, "ComputingProcess", computing_process.ComputingProcess)
     monkeypatch.setattr(computing_process, "ANSWER_LIMIT", 0.0)

@@ -7,8 +7,11 @@ import pytest
 from api.fake_clinic import WORD
 from stored_interface_test import MEASURES, store_interface_test
 
+from app.api.live.live_picture import ClinicLive
+from app.api.patient_screen.patient_picture import PatientPicture
 from app.clock import utc_now
 from app.faults import State
+from app.session.open_session import SessionFlow
 from app.store.interface_tests import close_interrupted_tests
 from app.store.tables import InterfaceTest
 
@@ -20,13 +23,13 @@ def of_patient(clinic: Any) -> Any:
 
 
 def picture(clinic: Any) -> Any:
-    return clinic.web.live._picture().model_dump()
+    return clinic.parts[ClinicLive]._picture().model_dump()
 
 
 def add_done(clinic: Any, **done: Any) -> None:
     """Store a test of the open session that was done."""
-    with clinic.client.app.state.people.database.transaction() as db:
-        store_interface_test(db, clinic.web.session.session_id, **done)
+    with clinic.database.transaction() as db:
+        store_interface_test(db, clinic.parts[SessionFlow].session_id, **done)
 
 
 def test_a_test_is_recorded_without_arming_shown_and_ended_by_hand(calibrated: Any) -> None:
@@ -121,7 +124,7 @@ def test_the_workload_is_six_answers_each_of_which_may_be_left_out(calibrated: A
 def test_a_running_test_is_not_asked_about_and_a_signed_session_stays_as_it_is(calibrated: Any) -> None:
     calibrated.good("POST", "/interface-tests", json=START)
     assert calibrated("PUT", "/interface-tests/1/workload", json={"mental": 1}).status_code == 409
-    session = calibrated.web.session.session_id
+    session = calibrated.parts[SessionFlow].session_id
     signing = calibrated("POST", f"/sessions/{session}/sign-off")
     assert signing.status_code == 409
     calibrated.good("POST", "/interface-tests/current/end")
@@ -135,7 +138,7 @@ def test_a_running_test_is_not_asked_about_and_a_signed_session_stays_as_it_is(c
 
 def test_a_test_that_an_ended_program_left_is_closed(calibrated: Any) -> None:
     add_done(calibrated)
-    with calibrated.client.app.state.people.database.transaction() as db:
+    with calibrated.database.transaction() as db:
         db.get_one(InterfaceTest, 1).status = "running"
         db.flush()
         close_interrupted_tests(db)
@@ -147,6 +150,6 @@ def test_a_test_that_an_ended_program_left_is_closed(calibrated: Any) -> None:
 @pytest.mark.parametrize("shown", [True, False])
 def test_who_may_not_see_the_patient_sees_no_test(calibrated: Any, shown: bool) -> None:
     calibrated.good("POST", "/interface-tests", json=START)
-    now = calibrated.web.live._picture()
+    now = calibrated.parts[ClinicLive]._picture()
     assert (now if shown else now.without_patient()).test is None or shown
-    assert calibrated.web.patient.picture().test.id == 1
+    assert calibrated.parts[PatientPicture].picture().test.id == 1

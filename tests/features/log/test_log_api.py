@@ -15,6 +15,7 @@ from api.pairing import code_of
 
 from app.features.log import routes as log_routes
 from app.settings import Settings
+from app.store.files.disk_watch import DiskWatch
 from app.store.log import write_log
 from app.store.log_chain import FIRST, entry_hash
 
@@ -53,8 +54,7 @@ def test_a_changed_log_is_said_on_the_console_at_the_start(
 
 def test_a_disk_that_fills_is_told_to_open_pages(signed_in: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
     told: list[str] = []
-    web = signed_in.web
-    monkeypatch.setattr(web.disk, "_tell", told.append)
+    monkeypatch.setattr(signed_in.parts[DiskWatch], "_tell", told.append)
     usage = SimpleNamespace(free=10_000_000)
     monkeypatch.setattr("app.store.files.disk_watch.shutil.disk_usage", lambda _folder: usage)
     monkeypatch.setattr("app.store.files.disk_watch.WATCH_EVERY", 0.01)
@@ -109,7 +109,7 @@ def test_the_chain_can_be_computed_from_the_exported_lines(in_session: Clinic, m
 
 @pytest.mark.parametrize("name", ["=1+1", "+Ben", "-Ben", "@Ben"])
 def test_a_cell_that_begins_like_a_formula_is_escaped_in_csv(signed_in: Clinic, name: str) -> None:
-    with signed_in.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with signed_in.database.transaction() as db:
         write_log(db, name, "@what", patient=1)
     answer = signed_in("GET", "/log/export?form=csv")
     rows = list(csv.DictReader(io.StringIO(answer.text)))

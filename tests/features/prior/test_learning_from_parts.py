@@ -20,7 +20,7 @@ def entry_of(*joints: str, recordings: int = 1) -> dict[str, Any]:
 
 def stored(clinic: Any, patient: int) -> dict[str, Any]:
     """Return the document that the patient adds to the prior, empty without one."""
-    with clinic.client.app.state.people.database.transaction() as db:
+    with clinic.database.transaction() as db:
         row = db.query(PriorEntry).filter_by(patient_id=patient).one_or_none()
         return {} if row is None else dict(row.document)
 

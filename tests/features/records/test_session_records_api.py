@@ -124,7 +124,7 @@ def test_an_owner_unlocks_for_a_reason_and_the_history_stays(calibrated: Clinic)
     assert calibrated("POST", unlock, json={"reason": "x"}).status_code == 409
     calibrated.good("POST", f"/sessions/{session}/sign-off")
     assert calibrated("POST", unlock, json={"reason": " "}).status_code == 422
-    with calibrated.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with calibrated.database.transaction() as db:
         cookies = {"bodydrive_sign_in": sign_in(db, add_person(db, the_clinic(db), "Cleo", "clinician", None), "test")}  # type: ignore[arg-type]
     with as_person(calibrated, cookies):
         assert calibrated("POST", unlock, json={"reason": "a wrong scale"}).status_code == 403

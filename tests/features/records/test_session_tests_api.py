@@ -30,7 +30,7 @@ def two_sessions(db: Transaction) -> list[int]:
 @pytest.fixture
 def sessions(signed_in: Clinic) -> list[int]:
     """Return two sessions with four tests each; the last test of the second was stopped."""
-    with signed_in.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with signed_in.database.transaction() as db:
         ids = two_sessions(db)
         for session, levels in zip(ids, LEVELS, strict=True):
             for number, level in enumerate(levels):
@@ -66,7 +66,7 @@ def test_two_sessions_stand_side_by_side_with_verdicts(signed_in: Clinic, sessio
 
 
 def test_without_a_complete_test_in_one_session_there_is_no_verdict(signed_in: Clinic) -> None:
-    with signed_in.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with signed_in.database.transaction() as db:
         first, second = two_sessions(db)
         store_interface_test(db, second)
     found = compared(signed_in, first, second)

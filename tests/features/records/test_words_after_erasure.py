@@ -9,7 +9,7 @@ TOTAL = 41.625
 
 
 def test_no_name_or_total_of_a_scale_and_no_reason_stays_in_the_log(calibrated: Clinic) -> None:
-    settings = calibrated.client.app.state.people.settings  # type: ignore[attr-defined]
+    settings = calibrated.settings
     session, patient = int(calibrated.session), calibrated.patient["id"]
     trial = drive_trial(calibrated)
     calibrated.good("POST", f"/trials/{trial}/discard", json={"reason": f"{WORD} was tired"})

@@ -20,7 +20,7 @@ from app.store.people import add_person, sign_in
 @pytest.fixture
 def reported(signed_in: Clinic, settings: Settings) -> Any:
     """A clinic with a course of two sessions; its patient's id is the second value."""
-    database = signed_in.client.app.state.people.database  # type: ignore[attr-defined]
+    database = signed_in.database
     with database.transaction() as db:
         clinic = known_clinic(db)
     patient = store_reported_course(database, settings.runs, 2, clinic.id, recordings=False)
@@ -70,7 +70,7 @@ def test_what_is_not_there_is_said_in_a_sentence(reported: Any) -> None:
 
 def test_a_reviewer_reads_and_takes_nothing_out(reported: Any) -> None:
     clinic, patient = reported
-    with clinic.client.app.state.people.database.transaction() as db:
+    with clinic.database.transaction() as db:
         person = add_person(db, known_clinic(db), "Rita", "reviewer", None)
         cookies = {"bodydrive_sign_in": sign_in(db, person, "test")}
     with as_person(clinic, cookies):
@@ -80,7 +80,7 @@ def test_a_reviewer_reads_and_takes_nothing_out(reported: Any) -> None:
 
 def test_without_consent_to_sharing_only_a_copy_for_the_patient_is_made(reported: Any) -> None:
     clinic, patient = reported
-    with clinic.client.app.state.people.database.transaction() as db:
+    with clinic.database.transaction() as db:
         withdraw_consent(db, patient, "sharing", "Ana")
     before = len(clinic.log())
     answer = clinic("GET", f"/patients/{patient}/report", params={"form": "html"})

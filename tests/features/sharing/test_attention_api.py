@@ -32,7 +32,7 @@ def course(signed_in: Clinic) -> dict[str, list[int]]:
     plan = find_place(PLAN)
     assert isinstance(plan, FloorPlan)
     ids = {}
-    with signed_in.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with signed_in.database.transaction() as db:
         clinic = known_clinic(db)
         assert clinic is not None
         for code, levels in LEVELS.items():
@@ -83,14 +83,19 @@ def path_name() -> str:
 
 
 def test_a_drive_that_a_fault_stopped_stands_before_everything_else(signed_in: Clinic, course: Any) -> None:
-    with signed_in.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with signed_in.database.transaction() as db:
         patient = db.query(Patient).filter_by(code="steady").one()
         session = sessions_of(db, patient.id)[0]
         row, _ = current_parameters(db, patient.id)
         chair = add_chair(db, known_clinic(db), "Red", "chair.example", 5354, 7, HIGHEST_SPEEDS)
         for number, end in enumerate(("fault", "by hand", "fault")):
             run = add_run(db, f"drive-{number}", session.id, "drive", f"drive-{number}", REAL)
-            given = {"run": run, "clinic_id": patient.clinic_id, "patient_id": patient.id, "chair_id": chair.id}
+            given: dict[str, Any] = {
+                "run": run,
+                "clinic_id": patient.clinic_id,
+                "patient_id": patient.id,
+                "chair_id": chair.id,
+            }
             drive = finish_drive(db, add_drive(db, parameters_id=row.id, digest=row.hash, **given).id, end, 2.0)
         drive.started -= RECENT  # long ago
         expected = session.id

@@ -11,6 +11,9 @@ from api.test_roles import contexts, requested, table
 from fastapi.routing import APIRoute
 from store.known_people import known_clinic
 
+from app.api.live.live_picture import ClinicLive
+from app.api.sign_in.hashing import Hashing
+from app.api.sign_in.sign_in_limits import SignInLimits
 from app.clock import utc_now
 from app.features.sharing.shared_page import WRONG
 from app.features.sharing.tables import ShareLink
@@ -39,7 +42,7 @@ def wrong_pin(link: Any) -> str:
 
 def end_patience(clinic: Clinic) -> None:
     """Forget the tries from this address, so that the count of the link itself is what refuses."""
-    limits = clinic.client.app.state.people.limits  # type: ignore[attr-defined]
+    limits = clinic.parts[SignInLimits]
     limits._codes._times.clear()
 
 
@@ -83,7 +86,7 @@ def test_a_course_shows_story_and_figures_by_code_and_every_opening_is_logged(co
     whats = [(row.what, row.details.get("share")) for row in consented.log() if row.what.startswith("share")]
     (row,) = link["shares"]
     assert whats == [("share link made", row["id"]), ("share opened", row["id"]), ("share viewed", row["id"])]
-    with consented.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with consented.database.transaction() as db:
         stored = db.get_one(ShareLink, row["id"])
         assert token_of(link) not in (stored.token_hash, stored.pin_hash)
         assert link["pin"] != stored.pin_hash
@@ -95,7 +98,7 @@ def test_an_opening_and_a_wrong_pin_are_told_to_open_pages_with_their_time(
     consented: Clinic, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     events: list[str] = []
-    monkeypatch.setattr(consented.client.app.state.web.live, "tell", events.append)  # type: ignore[attr-defined]
+    monkeypatch.setattr(consented.parts[ClinicLive], "tell", events.append)
     link = made(consented)
     (row,) = link["shares"]
     assert (row["openings"], row["last_opened"], events) == (0, None, ["shares"])
@@ -122,7 +125,7 @@ def test_a_link_that_was_cut_is_refused_as_a_wrong_one(consented: Clinic) -> Non
 
 def test_a_link_to_a_session_shows_this_session_only(consented: Clinic, trial: int) -> None:
     link = made(consented, session=consented.session)
-    with consented.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with consented.database.transaction() as db:
         start_session(db, known_clinic(db).id, consented.patient["id"]).ended = None
     with as_person(consented, {}):
         assert opened(consented, link).status_code == 204
@@ -136,7 +139,7 @@ def test_five_wrong_pins_end_a_link_also_when_they_come_at_once(
 ) -> None:
     """Each is counted before it is hashed, so that parallel tries do not get more."""
     hashed = []
-    hashing = consented.client.app.state.people.hashing  # type: ignore[attr-defined]
+    hashing = consented.parts[Hashing]
     matches = hashing.matches
 
     async def counted(stored: str, pin: str) -> bool:
@@ -161,7 +164,7 @@ def test_five_wrong_pins_end_a_link_also_when_they_come_at_once(
 
 
 def test_a_revoked_link_and_one_that_is_over_show_nothing_also_in_an_open_browser(consented: Clinic) -> None:
-    database = consented.client.app.state.people.database  # type: ignore[attr-defined]
+    database = consented.database
     for end in ("revoked", "over"):
         link = made(consented, days=1)
         row = link["shares"][0]["id"]
@@ -187,7 +190,7 @@ def test_a_link_holds_for_fourteen_days_at_most(consented: Clinic) -> None:
 
 
 def test_the_cookie_of_a_link_opens_no_other_route(consented: Clinic, trial: int) -> None:
-    with consented.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+    with consented.database.transaction() as db:
         add_patient(db, known_clinic(db).id, "OTHER-7", "Otter", "")
     link = made(consented)
     with as_person(consented, {}):

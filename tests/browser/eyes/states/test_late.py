@@ -6,6 +6,8 @@ from browser.eyes.opening import leave
 from browser.eyes.places import PLACES, put_back
 from playwright.sync_api import expect
 
+from app.api.live.live_picture import ClinicLive
+
 pytestmark = [pytest.mark.browser]
 
 # What the server says has changed; the pages read anew what they show of it.
@@ -48,7 +50,7 @@ def test_focus_and_what_is_open_stay(page, clinic, until, name):
         if before is None:  # it is covered by a dialog, or has just gone
             continue
         for what in NEWS:
-            clinic.app.state.web.live.tell(what)
+            clinic.app.state.parts[ClinicLive].tell(what)
         page.wait_for_timeout(DRAWN_WITHIN)
         until(page, "document.activeElement !== document.body")  # a page may still be on its way
         now = page.evaluate(f"() => ({NAME})(document.activeElement)")

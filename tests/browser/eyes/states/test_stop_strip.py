@@ -8,6 +8,7 @@ from browser.eyes.places import PLACES, put_back
 from browser.eyes.states.live_places import DRIVE
 from playwright.sync_api import expect
 
+from app.api.live.live_picture import ClinicLive
 from app.faults import Fault
 
 pytestmark = [pytest.mark.browser]
@@ -45,7 +46,7 @@ def test_without_a_trial_the_stop_is_taken_back_and_nothing_is_continued(page, c
 
 def test_a_trial_that_is_measured_offers_nothing_else(page, clinic):
     PLACES["drive, stopped"](page, clinic)
-    picture = clinic.app.state.web.live._picture
+    picture = clinic.app.state.parts[ClinicLive]._picture
     clinic.shown["trial"] = {**picture().trial.model_dump(), "measuring": True}
     card = page.locator(".over-view")
     expect(card).to_contain_text("Measuring")

@@ -1,0 +1,37 @@
+"""The places to drive in: scenes and buildings of the program, and the clinic's own floor plans."""
+
+from contextlib import suppress
+from pathlib import Path
+
+from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
+from app.world.path_titles import find_floorplan
+from app.world.scene import DrivingPlace, bundled_places
+
+
+class ClinicPlaces:
+    """Finds the places to drive in by name; `own` is the folder of the clinic's own floor plans."""
+
+    def __init__(self, own: Path) -> None:
+        self.own = own
+
+    def all(self) -> dict[str, DrivingPlace]:
+        """Return all places by name: scenes, buildings, then the clinic's own plans that can be read."""
+        own: dict[str, DrivingPlace] = {}
+        for file in sorted(self.own.glob("*.json")):
+            with suppress(ValueError):
+                own[file.stem] = DrivingPlace(load_floorplan(file))
+        bundled = bundled_places()
+        return bundled | {name: offer for name, offer in own.items() if name not in bundled}
+
+    def plan(self, name: str) -> FloorPlan | None:
+        """Return a floor plan by its name, None when there is none; ValueError when it cannot be read."""
+        return find_floorplan(self.own, name)
+
+    def first(self) -> tuple[FloorPlan, str] | tuple[None, None]:
+        """Return the first readable floor plan and its first path, for the view before the first trial."""
+        for name in bundled_floorplans():
+            with suppress(ValueError):
+                plan = self.plan(name)
+                if plan is not None:
+                    return plan, plan.paths[0].name
+        return None, None
