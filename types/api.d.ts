@@ -5656,10 +5656,10 @@ export interface components {
             /** @default udp */
             kind: string;
             /**
-             * @default disarmed
+             * @default silent
              * @enum {string}
              */
-            state: "disarmed" | "checking" | "armed" | "fault";
+            state: "silent" | "disarmed" | "checking" | "armed" | "fault";
             /** @default null */
             age: number | null;
             /** @default null */
@@ -6934,6 +6934,31 @@ export interface components {
                 number,
                 number
             ];
+            /**
+             * @default {
+             *       "forward": 0.5,
+             *       "reverse": 0.3,
+             *       "turn": 0.8,
+             *       "acceleration": 0.6,
+             *       "deceleration": 1.2,
+             *       "turn_acceleration": 4,
+             *       "jerk": 8,
+             *       "turn_jerk": 60
+             *     }
+             */
+            first_speeds: components["schemas"]["Speeds"];
+            /** @default 0.1 */
+            wall_thickness: number;
+            /** @default 0.15 */
+            cone_radius: number;
+            /** @default 0.5 */
+            cone_height: number;
+            /** @default 4401 */
+            signed_out: number;
+            /** @default 4409 */
+            screen_in_use: number;
+            /** @default 10 */
+            lock_minutes: number;
             /** @default 2 */
             armed: number;
             /** @default 68 */

@@ -6,19 +6,19 @@ from contextlib import asynccontextmanager
 from functools import cache
 from typing import Any
 
-from fastapi import APIRouter, FastAPI, Request
+from fastapi import APIRouter, Depends, FastAPI, Request
 from starlette.routing import BaseRoute
 
 from app import __version__
 from app.api import package_download
 from app.api.assembly import StartProcess, end_parts, make_parts, start_parts
 from app.api.computer import this_computer
-from app.api.deps import Owner, clinician, viewer
+from app.api.deps import Owner, viewer
 from app.api.docs_pages import docs_pages
 from app.api.driving import places
 from app.api.guard import Guard
 from app.api.live import live_socket, screen_socket
-from app.api.page_session import SessionRequired
+from app.api.page_session import clinician_in_session
 from app.api.pages import Pages, PagesFirst
 from app.api.parts import Parts, parts_of
 from app.api.patient_screen import patient_socket
@@ -53,6 +53,7 @@ from app.api.sockets import OpenSockets
 from app.api.view.view_bridge import view_router
 from app.api.view.view_controls import view_controls
 from app.api.view.view_keeper import OpenScene, ViewKeeper, may_view
+from app.api.who_asks import who_asks
 from app.computing_process import ComputingProcess
 from app.features.registration import feature_routers
 from app.scene.role_servers import Role
@@ -143,7 +144,7 @@ def create_app(
 
     install_refusals(app)
     app.router.routes.extend(_routes_of_all_clinics())
-    app.include_router(_api([view_controls(scene_now, clinician)]))
+    app.include_router(_api([view_controls(scene_now, clinician_in_session)]))
     app.include_router(view_router(port_of, may_view, viewer))
     pages = _pages()
     app.mount("/docs/", docs_pages(docs_folder(), pages.text("docs.html")), name="docs")
@@ -163,8 +164,8 @@ def _opened(settings: Settings) -> Database:
 
 
 def _api(routers: Iterable[APIRouter]) -> APIRouter:
-    """Return a router that serves these below the prefix; each change has to name the open session."""
-    api = APIRouter(prefix=PREFIX, dependencies=[SessionRequired], responses=REFUSALS)
+    """Return a router that serves these below the prefix; each route first finds who asks."""
+    api = APIRouter(prefix=PREFIX, dependencies=[Depends(who_asks)], responses=REFUSALS)
     for router in routers:
         api.include_router(router)
     return api

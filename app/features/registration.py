@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from functools import cache
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
 
 from sqlalchemy import ColumnElement
 from sqlalchemy.orm import Session
@@ -163,17 +163,12 @@ def _no_remarks(_db: Session, _patient_id: int) -> Sequence[TrialRemark]:
     return ()
 
 
-OWN_NAME: Final = "Its address names what it changes, so the open session does not matter."
-"""Why a route needs no session."""
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Feature:
     """What a feature gives: its tables, its routes, and what it adds to what others show."""
 
     tables: tuple[type[Table], ...] = ()
     routes: tuple[str, ...] = ()  # modules in its folder, each with a `router`; only the web application imports them
-    without_session: Mapping[str, str] = field(default_factory=dict)  # as `WITHOUT_SESSION` in app/api/page_session.py
 
     flow: "MakeFlow | None" = None
     """Returns what starts runs of its own in a session and follows them, beside trials and drives."""

@@ -8,6 +8,7 @@ from pydantic import Field
 
 from app.api.computer.measurement import FindingView, MachineView
 from app.api.deps import GraphicsPart, MeasurementPart, Owner, SettingsPart
+from app.api.page_session import OF_CLINIC, any_session
 from app.host.machine_check import screen_finding
 from app.quantities import Document
 from app.settings import Settings
@@ -29,6 +30,7 @@ class ComputerView(Document):
 
 
 @router.post("/measurement")
+@any_session(OF_CLINIC)
 async def measure(
     body: MeasurementRequest, _who: Owner, settings: SettingsPart, graphics: GraphicsPart, measurement: MeasurementPart
 ) -> ComputerView:

@@ -24,6 +24,7 @@ from app.api.deps import (
 )
 from app.api.live.screen_pictures import Picture, ScreenPictures
 from app.api.own_address import own_address
+from app.api.page_session import ClinicianInSession, any_session
 from app.api.parts import parts_for
 from app.api.qr import qr_picture
 from app.api.sign_in.cookies import read_cookie, set_cookie
@@ -139,7 +140,11 @@ async def look(who: Clinician, paired: PairedScreens) -> ScreensView:
 
 @router.post("/pairing", status_code=201)
 async def offer(
-    request: Request, who: Clinician, settings: SettingsPart, session_flow: SessionFlowPart, pairing: PairingPart
+    request: Request,
+    who: ClinicianInSession,
+    settings: SettingsPart,
+    session_flow: SessionFlowPart,
+    pairing: PairingPart,
 ) -> OfferView:
     """Make a link that pairs one screen within ten minutes; the link before becomes invalid.
 
@@ -167,6 +172,7 @@ def _words(settings: SettingsPart, *, only_here: bool) -> str:
 
 
 @router.post("/pair", dependencies=[ForEveryone])
+@any_session("The code was made for one session; the patient's screen shows no other.")
 async def pair(
     body: Code,
     request: Request,
@@ -209,7 +215,7 @@ def who_am_i(request: Request, database: Db) -> ScreenStateView:
 @router.post("/settings")
 async def choose(
     body: ScreenSettings,
-    who: Clinician,
+    who: ClinicianInSession,
     paired: PairedScreens,
     database: Db,
     session_flow: SessionFlowPart,
@@ -232,7 +238,7 @@ async def choose(
 @router.delete("/{screen_id}")
 async def unpair(
     screen_id: RowId,
-    who: Clinician,
+    who: ClinicianInSession,
     paired: PairedScreens,
     database: Db,
     sockets: SocketsPart,

@@ -19,6 +19,7 @@ from app.api.deps import (
     SocketsPart,
     TrialFlowPart,
 )
+from app.api.page_session import LOOKS, any_session
 from app.api.replay.trial_replay import require_ended
 from app.api.view.view_bridge import NO_VIEW, ViewPage, bridge
 from app.quantities import Count, Document
@@ -63,6 +64,7 @@ class ReplayMoment(Document):
 
 
 @router.post("/replays", status_code=201)
+@any_session(LOOKS)
 def open_replay(
     body: NewReplay,
     who: Anyone,
@@ -91,6 +93,7 @@ def open_replay(
 
 
 @router.post("/replays/{word}/at", status_code=204)
+@any_session(LOOKS)
 def show_moment(
     word: Word,
     body: ReplayMoment,
@@ -108,6 +111,7 @@ def show_moment(
 
 
 @router.delete("/replays/{word}", status_code=204)
+@any_session(LOOKS)
 def close_replay(word: Word, who: Anyone, replays: ReplaysPart) -> None:
     """Close a replay; do nothing when it is closed already."""
     replays.close(word, who.person_id)

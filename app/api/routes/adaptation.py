@@ -8,7 +8,8 @@ from fastapi import APIRouter, Depends
 from pydantic import Field
 
 from app.api.answers import Answer, MomentText
-from app.api.deps import Anyone, Clinician, Db, RowId
+from app.api.deps import Anyone, Db, RowId
+from app.api.page_session import ClinicianInSession
 from app.api.parts import parts_for
 from app.calibration.adaptation.proposal_document import JointChange
 from app.quantities import Document
@@ -175,7 +176,7 @@ async def look(who: Anyone, state: State) -> AdaptationView:
 
 
 @router.put("/adaptation")
-async def choose_mode(body: AdaptationModeChoice, who: Clinician, state: State) -> AdaptationView:
+async def choose_mode(body: AdaptationModeChoice, who: ClinicianInSession, state: State) -> AdaptationView:
     """Choose whether this patient's map is adapted: off, suggest, or auto (by itself, between trials)."""
     session = await state.session_flow.needed_session(who.clinic_id)
     await state.flow.set_mode(session, body.mode, who.name)
@@ -183,14 +184,14 @@ async def choose_mode(body: AdaptationModeChoice, who: Clinician, state: State) 
 
 
 @router.post("/adaptation/propose")
-async def propose(who: Clinician, state: State) -> AdaptationView:
+async def propose(who: ClinicianInSession, state: State) -> AdaptationView:
     """Make a proposal from the last trials now, whatever the mode is."""
     await state.flow.propose(await state.session_flow.needed_session(who.clinic_id))
     return await state.view(who.clinic_id)
 
 
 @router.post("/adaptation/apply")
-async def apply(body: ProposalChoice, who: Clinician, state: State) -> AdaptationView:
+async def apply(body: ProposalChoice, who: ClinicianInSession, state: State) -> AdaptationView:
     """Make a proposal the next version of the map; only between trials, and never with a real chair.
 
     409 while anything is driven, armed or moves, with a real chair chosen, or when controls or trials changed since.
@@ -200,14 +201,14 @@ async def apply(body: ProposalChoice, who: Clinician, state: State) -> Adaptatio
 
 
 @router.post("/adaptation/dismiss")
-async def dismiss(body: ProposalChoice, who: Clinician, state: State) -> AdaptationView:
+async def dismiss(body: ProposalChoice, who: ClinicianInSession, state: State) -> AdaptationView:
     """Dismiss a proposal; 409 as for `apply`."""
     await state.flow.dismiss(await state.session_flow.needed_session(who.clinic_id), body.proposal)
     return await state.view(who.clinic_id)
 
 
 @router.post("/adaptation/back")
-async def back(who: Clinician, state: State) -> AdaptationView:
+async def back(who: ClinicianInSession, state: State) -> AdaptationView:
     """Restore the map before, as a new version.
 
     409 as for `apply`. The mode `auto` becomes `suggest`.

@@ -8,6 +8,7 @@ from pydantic import Field
 
 from app.api.calibration_view import CalibrationView, view_of
 from app.api.deps import CalibrationFlowPart, Clinician, Db, DiscoveriesPart, LivePart, SessionFlowPart
+from app.api.page_session import ClinicianInSession
 from app.api.sign_in.identity import SignedInPerson
 from app.calibration.gestures.discovery import Discovery
 from app.calibration.linear_map import MapKind
@@ -74,7 +75,7 @@ async def gestures(who: Clinician, discoveries: DiscoveriesPart, session_flow: S
 
 @router.post("/steps/{step}/start")
 async def start_step(
-    step: StepName, who: Clinician, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+    step: StepName, who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Record a step, for the first time or again."""
     async with session_flow.undisturbed("start a step"):
@@ -85,7 +86,7 @@ async def start_step(
 
 @router.post("/steps/{step}/cancel")
 async def cancel_step(
-    step: StepName, who: Clinician, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+    step: StepName, who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Stop recording a step."""
     session = await session_flow.needed_session(who.clinic_id)
@@ -95,7 +96,7 @@ async def cancel_step(
 
 @router.post("/steps/{step}/skip")
 async def skip_step(
-    step: StepName, who: Clinician, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+    step: StepName, who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Skip a prompted movement that this patient cannot make."""
     async with session_flow.undisturbed("skip a step"):
@@ -106,7 +107,7 @@ async def skip_step(
 
 @router.post("/go")
 async def go_to_step(
-    body: StepChoice, who: Clinician, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+    body: StepChoice, who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Show another step."""
     session = await session_flow.needed_session(who.clinic_id)
@@ -116,7 +117,7 @@ async def go_to_step(
 
 @router.post("/restart")
 async def begin_anew(
-    who: Clinician, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+    who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Begin the calibration anew; earlier recordings no longer count."""
     async with session_flow.undisturbed("begin anew"):
@@ -128,7 +129,7 @@ async def begin_anew(
 @router.post("/map")
 async def choose(
     body: MapChoice,
-    who: Clinician,
+    who: ClinicianInSession,
     database: Db,
     calibration_flow: CalibrationFlowPart,
     session_flow: SessionFlowPart,
@@ -150,7 +151,7 @@ async def choose(
 @router.post("/sitting")
 async def say_how_it_sits(
     body: SittingChoice,
-    who: Clinician,
+    who: ClinicianInSession,
     database: Db,
     calibration_flow: CalibrationFlowPart,
     session_flow: SessionFlowPart,
@@ -173,7 +174,11 @@ async def say_how_it_sits(
 
 @router.post("/drive-now")
 async def drive_now(
-    who: Clinician, database: Db, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart, live: LivePart
+    who: ClinicianInSession,
+    database: Db,
+    calibration_flow: CalibrationFlowPart,
+    session_flow: SessionFlowPart,
+    live: LivePart,
 ) -> CalibrationView:
     """Fit the map from other people where nothing was prompted yet, and use it at once; what was prompted is learnt.
 
@@ -191,7 +196,7 @@ async def drive_now(
 
 @router.post("/fit-earlier")
 async def fit_earlier(
-    who: Clinician, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart, live: LivePart
+    who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart, live: LivePart
 ) -> CalibrationView:
     """Fit the patient's earlier calibration to the shirt as it sits today, and use it at once.
 
@@ -208,7 +213,11 @@ async def fit_earlier(
 
 @router.post("/accept")
 async def accept(
-    who: Clinician, database: Db, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart, live: LivePart
+    who: ClinicianInSession,
+    database: Db,
+    calibration_flow: CalibrationFlowPart,
+    session_flow: SessionFlowPart,
+    live: LivePart,
 ) -> CalibrationView:
     """Save the profile as the patient's newest, and load standard parameters on it."""
     async with session_flow.undisturbed("use this calibration"):

@@ -5,7 +5,8 @@ import asyncio
 from fastapi import APIRouter
 
 from app.api.answers import Answer, MomentText
-from app.api.deps import Anyone, ChairsPart, Clinician, Db, LivePart, Owner, RowId, SessionFlowPart, SettingsPart
+from app.api.deps import Anyone, ChairsPart, Db, LivePart, Owner, RowId, SessionFlowPart, SettingsPart
+from app.api.page_session import OF_CLINIC, ClinicianInSession, any_session
 from app.api.qr import qr_picture
 from app.api.sign_in.identity import SignedInPerson
 from app.hardware.addresses import Host
@@ -93,6 +94,7 @@ async def look(who: Anyone, database: Db, chairs: ChairsPart) -> ChairsView:
 
 
 @router.post("", status_code=201)
+@any_session(OF_CLINIC)
 async def pair(
     body: NewChair, who: Owner, settings: SettingsPart, database: Db, chairs: ChairsPart, live: LivePart
 ) -> PairedView:
@@ -116,6 +118,7 @@ async def pair(
 
 
 @router.delete("/{chair_id}")
+@any_session(OF_CLINIC)
 async def unpair(
     chair_id: RowId,
     who: Owner,
@@ -145,7 +148,7 @@ async def unpair(
 
 @router.put("/chosen")
 async def choose(
-    body: Choice, who: Clinician, database: Db, chairs: ChairsPart, session_flow: SessionFlowPart
+    body: Choice, who: ClinicianInSession, database: Db, chairs: ChairsPart, session_flow: SessionFlowPart
 ) -> ChairsView:
     """Use another chair."""
     async with session_flow.undisturbed("choose another chair"):

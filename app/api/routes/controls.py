@@ -10,6 +10,7 @@ from pydantic import Field, ValidationError
 
 from app.api.deps import Clinician, SessionFlowPart
 from app.api.live.live_picture import ClinicLive
+from app.api.page_session import ClinicianInSession
 from app.api.parts import parts_for
 from app.api.routes.obstacle_view import ObstacleView
 from app.api.sign_in.identity import SignedInPerson
@@ -178,7 +179,7 @@ async def look_at_obstacle(_who: Clinician, session_flow: SessionFlowPart) -> Ob
 
 
 @router.put("")
-async def set_controls(body: ControlSettings, who: Clinician, controls: Controls) -> ControlsView:
+async def set_controls(body: ControlSettings, who: ClinicianInSession, controls: Controls) -> ControlsView:
     """Set the controls; an invalid set changes nothing."""
 
     def _set(db: Transaction, session: PatientSession, _suggestion: SuggestedVocabulary) -> ParameterSet:
@@ -196,7 +197,7 @@ def _whole(settings: dict[str, Any], profile: Profile) -> DriveParameters:
 
 
 @router.post("/undo")
-async def undo(who: Clinician, controls: Controls) -> ControlsView:
+async def undo(who: ClinicianInSession, controls: Controls) -> ControlsView:
     """Undo: make the set before current."""
     return await controls.change(
         who, "controls undone", lambda db, session, _: step_parameters(db, session.patient_id, back=True)
@@ -204,7 +205,7 @@ async def undo(who: Clinician, controls: Controls) -> ControlsView:
 
 
 @router.post("/redo")
-async def redo(who: Clinician, controls: Controls) -> ControlsView:
+async def redo(who: ClinicianInSession, controls: Controls) -> ControlsView:
     """Redo: make the set that was undone current."""
     return await controls.change(
         who, "controls redone", lambda db, session, _: step_parameters(db, session.patient_id, back=False)
@@ -212,7 +213,7 @@ async def redo(who: Clinician, controls: Controls) -> ControlsView:
 
 
 @router.post("/suggest")
-async def suggest(who: Clinician, controls: Controls) -> ControlsView:
+async def suggest(who: ClinicianInSession, controls: Controls) -> ControlsView:
     """Bind the gestures that the calibration suggests, with its dead-zones and fulls."""
 
     def _suggest(db: Transaction, session: PatientSession, suggestion: SuggestedVocabulary) -> ParameterSet:
@@ -224,7 +225,7 @@ async def suggest(who: Clinician, controls: Controls) -> ControlsView:
 
 
 @router.post("/load")
-async def load(body: TitleChoice, who: Clinician, controls: Controls) -> ControlsView:
+async def load(body: TitleChoice, who: ClinicianInSession, controls: Controls) -> ControlsView:
     """Make a saved set the current one."""
     return await controls.change(
         who, "controls loaded", lambda db, session, _: load_titled(db, session.patient_id, body.title)

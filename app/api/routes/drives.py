@@ -12,7 +12,6 @@ from app.api.deps import (
     Anyone,
     ArmingPart,
     ChairsPart,
-    Clinician,
     Db,
     DriveFlowPart,
     ScreensPart,
@@ -22,6 +21,7 @@ from app.api.live.screen_socket import ScreenWord
 from app.api.live.screens import Screen
 from app.api.nearby import require_nearby
 from app.api.one_controller import Authority
+from app.api.page_session import ClinicianInSession
 from app.api.routes.source_view import SourceView
 from app.calibration.vocabulary import ControlMode
 from app.clock import monotonic
@@ -128,7 +128,7 @@ async def summary(who: Anyone, chairs: ChairsPart, arming: ArmingPart) -> Summar
 async def arm(
     body: NewDrive,
     request: Request,
-    who: Clinician,
+    who: ClinicianInSession,
     *,
     database: Db,
     drive_flow: DriveFlowPart,
@@ -164,7 +164,9 @@ async def arm(
 
 
 @router.post("/current/end")
-async def end_drive(who: Clinician, authority: Authority, database: Db, drive_flow: DriveFlowPart) -> DriveView:
+async def end_drive(
+    who: ClinicianInSession, authority: Authority, database: Db, drive_flow: DriveFlowPart
+) -> DriveView:
     """End the drive; answer when its recording is closed."""
     authority.require_controller(who)
     drive_id = await drive_flow.end()

@@ -21,6 +21,7 @@ from app.api.deps import (
     SessionFlowPart,
     UploadsPart,
 )
+from app.api.page_session import OF_CLINIC, ClinicianInSession, any_session
 from app.api.parts import parts_for
 from app.api.routes.uploads import FileView, keep_upload, list_files
 from app.computing_process import ComputingProcess
@@ -234,7 +235,7 @@ def practice(equipment: EquipmentPart) -> PracticeShirt:
 
 @router.put("/shirt")
 async def choose_shirt(
-    body: AnyShirtConfig, who: Clinician, state: State, equipment: EquipmentPart, session_flow: SessionFlowPart
+    body: AnyShirtConfig, who: ClinicianInSession, state: State, equipment: EquipmentPart, session_flow: SessionFlowPart
 ) -> EquipmentView:
     """Open another shirt; when it does not open, the one before stays.
 
@@ -258,7 +259,7 @@ async def look_at_senders(_who: Anyone, control: ControlPart) -> SendersView:
 
 @router.put("/sender")
 async def choose_sender(
-    body: ChosenSender, who: Clinician, state: State, equipment: EquipmentPart, session_flow: SessionFlowPart
+    body: ChosenSender, who: ClinicianInSession, state: State, equipment: EquipmentPart, session_flow: SessionFlowPart
 ) -> EquipmentView:
     """Take another sender as the shirt; refused while anything is armed, driven or recorded.
 
@@ -271,7 +272,7 @@ async def choose_sender(
 
 @router.put("/body")
 async def choose_body(
-    body: BodyConfig, who: Clinician, state: State, equipment: EquipmentPart, session_flow: SessionFlowPart
+    body: BodyConfig, who: ClinicianInSession, state: State, equipment: EquipmentPart, session_flow: SessionFlowPart
 ) -> EquipmentView:
     """Choose another simulated body for the simulated shirt.
 
@@ -285,7 +286,7 @@ async def choose_body(
 
 @router.put("/head")
 async def choose_head(
-    body: HeadTrackerChoice, who: Clinician, state: State, head: HeadPart, session_flow: SessionFlowPart
+    body: HeadTrackerChoice, who: ClinicianInSession, state: State, head: HeadPart, session_flow: SessionFlowPart
 ) -> EquipmentView:
     """Use another head tracker, or none.
 
@@ -298,7 +299,7 @@ async def choose_head(
 
 
 @router.post("/head/ahead")
-async def look_ahead(_who: Clinician, state: State, head: HeadPart) -> EquipmentView:
+async def look_ahead(_who: ClinicianInSession, state: State, head: HeadPart) -> EquipmentView:
     """Count where the head looks now as straight ahead."""
     await head.set_ahead()
     return await state.view()
@@ -306,7 +307,7 @@ async def look_ahead(_who: Clinician, state: State, head: HeadPart) -> Equipment
 
 @router.put("/unused")
 async def mark_unused(
-    body: UnusedChannels, who: Clinician, state: State, equipment: EquipmentPart, session_flow: SessionFlowPart
+    body: UnusedChannels, who: ClinicianInSession, state: State, equipment: EquipmentPart, session_flow: SessionFlowPart
 ) -> EquipmentView:
     """Mark channels as unused; the next calibration leaves them out."""
     async with session_flow.undisturbed("change which sensors are used"):
@@ -315,6 +316,7 @@ async def mark_unused(
 
 
 @router.post("/files", status_code=201)
+@any_session(OF_CLINIC)
 async def bring_file(
     file: UploadFile,
     who: Clinician,

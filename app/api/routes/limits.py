@@ -3,6 +3,7 @@
 from fastapi import APIRouter
 
 from app.api.deps import Anyone, LimitsPart, Owner
+from app.api.page_session import OF_CLINIC, any_session
 from app.speeds import Speeds
 
 router = APIRouter(prefix="/limits", tags=["limits"])
@@ -15,6 +16,7 @@ async def look(_who: Anyone, clinic_limits: LimitsPart) -> Speeds:
 
 
 @router.put("")
+@any_session(OF_CLINIC)
 async def set_limits(body: Speeds, who: Owner, clinic_limits: LimitsPart) -> Speeds:
     """Set the clinic's limits: lower ones hold at once, higher ones only while the chair stands.
 

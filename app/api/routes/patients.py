@@ -18,6 +18,7 @@ from app.api.deps import (
     SocketsPart,
     ViewKeeperPart,
 )
+from app.api.page_session import OWN_NAME, ClinicianInSession, any_session
 from app.api.routes.obstacle_view import ObstacleView
 from app.api.sign_in.identity import SignedInPerson
 from app.api.view.view_keeper import open_view
@@ -131,6 +132,7 @@ def list_patients(who: Anyone, database: Db) -> list[PatientView]:
 
 
 @router.post("/patients", status_code=201)
+@any_session(OWN_NAME)
 def new_patient(body: NewPatient, who: Clinician, database: Db) -> PatientView:
     """Add a patient."""
     with database.transaction() as db:
@@ -140,6 +142,7 @@ def new_patient(body: NewPatient, who: Clinician, database: Db) -> PatientView:
 
 
 @router.delete("/patients/{patient_id}")
+@any_session(OWN_NAME)
 def remove_patient(
     patient_id: RowId, who: Clinician, database: Db, replays: ReplaysPart, body: Deletion | None = None
 ) -> PatientView:
@@ -159,6 +162,7 @@ def remove_patient(
 
 
 @router.post("/patients/{patient_id}/restore")
+@any_session(OWN_NAME)
 def undo_removal(patient_id: RowId, who: Clinician, database: Db) -> PatientView:
     """Undo the deletion of a patient."""
     with database.transaction() as db:
@@ -211,7 +215,7 @@ def who_is_here(who: Anyone, database: Db, session_flow: SessionFlowPart) -> Cur
 @router.post("/session")
 async def begin_session(
     body: NewSession,
-    who: Clinician,
+    who: ClinicianInSession,
     settings: SettingsPart,
     database: Db,
     sockets: SocketsPart,
@@ -241,7 +245,11 @@ async def begin_session(
 
 @router.delete("/session")
 async def close_session(
-    who: Clinician, database: Db, sockets: SocketsPart, session_flow: SessionFlowPart, view_keeper: ViewKeeperPart
+    who: ClinicianInSession,
+    database: Db,
+    sockets: SocketsPart,
+    session_flow: SessionFlowPart,
+    view_keeper: ViewKeeperPart,
 ) -> CurrentSession:
     """End the session."""
 

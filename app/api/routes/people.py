@@ -9,6 +9,7 @@ from pydantic import Field
 
 from app.api.deps import Db, Owner, ReplaysPart, RowId, SettingsPart, SocketsPart
 from app.api.own_address import link_words, own_address
+from app.api.page_session import OF_CLINIC, any_session
 from app.api.qr import qr_picture
 from app.api.sign_in.auth import PersonName
 from app.quantities import Count, Document
@@ -108,6 +109,7 @@ def list_people(who: Owner, database: Db) -> list[PersonView]:
 
 
 @router.post("", status_code=201)
+@any_session(OF_CLINIC)
 async def invite_person(
     body: NewPerson, request: Request, who: Owner, settings: SettingsPart, database: Db
 ) -> LinkView:
@@ -128,6 +130,7 @@ async def invite_person(
 
 
 @router.post("/{person_id}/link", status_code=201)
+@any_session(OF_CLINIC)
 async def make_link(person_id: RowId, request: Request, who: Owner, settings: SettingsPart, database: Db) -> LinkView:
     """Make a link by which a person chooses a new password; the old one holds until the link is used.
 
@@ -144,6 +147,7 @@ async def make_link(person_id: RowId, request: Request, who: Owner, settings: Se
 
 
 @router.put("/{person_id}")
+@any_session(OF_CLINIC)
 async def choose_rights(
     person_id: RowId, body: Rights, who: Owner, database: Db, sockets: SocketsPart, replays: ReplaysPart
 ) -> PersonView:
@@ -168,6 +172,7 @@ async def choose_rights(
 
 
 @router.post("/{person_id}/disable")
+@any_session(OF_CLINIC)
 async def disable_person(
     person_id: RowId, who: Owner, database: Db, sockets: SocketsPart, replays: ReplaysPart
 ) -> PersonView:
@@ -189,6 +194,7 @@ async def disable_person(
 
 
 @router.post("/{person_id}/enable")
+@any_session(OF_CLINIC)
 def enable_person(person_id: RowId, who: Owner, database: Db) -> PersonView:
     """Let a disabled person sign in again."""
     with database.transaction() as db:

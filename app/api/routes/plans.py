@@ -8,6 +8,7 @@ from pydantic import ValidationError
 
 from app.api.answers import Answer
 from app.api.deps import Clinician, Db, OwnPlansPart, ReadingsPart, ReplacedFilesPart
+from app.api.page_session import OF_CLINIC, any_session
 from app.api.routes.plan_files import draft_of_uploads
 from app.quantities import Document, Name
 from app.sentences import one_sentence
@@ -93,6 +94,7 @@ def list_own(_who: Clinician, own_plans: OwnPlansPart) -> list[OwnPlanView]:
 
 
 @router.post("/floorplans/check")
+@any_session(OF_CLINIC)
 async def check(request: Request, _who: Clinician) -> CheckView:
     """Check whether a document is a valid floor plan; save nothing.
 
@@ -103,6 +105,7 @@ async def check(request: Request, _who: Clinician) -> CheckView:
 
 
 @router.post("/floorplans/import")
+@any_session(OF_CLINIC)
 async def import_files(
     files: list[UploadFile],
     _who: Clinician,
@@ -120,6 +123,7 @@ async def import_files(
 
 
 @router.post("/floorplans", status_code=201)
+@any_session(OF_CLINIC)
 async def save_new(
     request: Request,
     who: Clinician,
@@ -147,6 +151,7 @@ async def save_new(
 
 
 @router.put("/floorplans/{name}")
+@any_session(OF_CLINIC)
 async def save_version(
     name: Name,
     version: Annotated[int, Query(ge=1, le=2**31)],
@@ -173,6 +178,7 @@ async def save_version(
 
 
 @router.delete("/floorplans/{name}")
+@any_session(OF_CLINIC)
 def delete(name: Name, who: Clinician, database: Db, own_plans: OwnPlansPart) -> list[OwnPlanView]:
     """Take a floor plan out of what is offered; it can be restored."""
     own_plans.remove(name)
@@ -181,6 +187,7 @@ def delete(name: Name, who: Clinician, database: Db, own_plans: OwnPlansPart) ->
 
 
 @router.post("/floorplans/{name}/restore")
+@any_session(OF_CLINIC)
 def restore(name: Name, who: Clinician, database: Db, own_plans: OwnPlansPart) -> list[OwnPlanView]:
     """Offer a deleted floor plan again."""
     version = own_plans.restore(name)

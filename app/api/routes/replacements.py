@@ -8,6 +8,7 @@ from pydantic import ValidationError
 
 from app.api.answers import Answer, MomentText
 from app.api.deps import Clinician, Db, OwnPlansPart, ReplacedFilesPart
+from app.api.page_session import OF_CLINIC, any_session
 from app.quantities import Document
 from app.store.files.replacements import Kind
 from app.store.log import write_log
@@ -43,6 +44,7 @@ def list_replaced(_who: Clinician, replaced: ReplacedFilesPart) -> list[Replaced
 
 
 @router.post("/{kind}/{identity}/restore")
+@any_session(OF_CLINIC)
 async def restore(
     kind: Kind, identity: Identity, who: Clinician, database: Db, replaced: ReplacedFilesPart, own_plans: OwnPlansPart
 ) -> RestoredView:

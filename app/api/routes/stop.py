@@ -15,7 +15,7 @@ from app.api.deps import (
     ForEveryone,
 )
 from app.api.one_controller import Authority
-from app.api.page_session import require_named
+from app.api.page_session import ClinicianInSession, ShownSession, any_session, require_open
 from app.api.sign_in.cookies import read_cookie
 from app.api.sign_in.identity import COOKIE, find_sign_in
 from app.faults import Fault, State
@@ -58,6 +58,7 @@ def _view(control: ControlLink) -> ControlView:
 
 
 @router.post("/stop", dependencies=[ForEveryone])
+@any_session("Stop works at any time, for anybody.")
 async def stop(
     request: Request, afterwards: BackgroundTasks, database: Db, control: ControlPart, fault_log: FaultLogPart
 ) -> ControlView:
@@ -83,7 +84,7 @@ async def _note_who(request: Request, database: Db, fault_log: FaultLogPart) -> 
 async def clear(
     body: StopCount,
     request: Request,
-    who: Clinician,
+    who: ClinicianInSession,
     authority: Authority,
     control: ControlPart,
 ) -> ControlView:
@@ -104,6 +105,7 @@ async def clear(
 
 
 @router.post("/dial")
+@any_session("Turning down works at any time; turning up is checked by the route itself.")
 async def turn_dial(
     body: DialShare,
     request: Request,
@@ -111,12 +113,13 @@ async def turn_dial(
     authority: Authority,
     database: Db,
     control: ControlPart,
+    shown: ShownSession = "",
 ) -> DialShare:
     """Turn the speed dial: down at once, up only while the chair stands and the patient is at rest."""
     authority.require_hand_on_chair(who, request)
     tick = control.newest()
     if tick is not None and body.share > float(tick["dial"]):
-        await require_named(request, database)
+        await require_open(database, shown)
     answer = await control.load("dial", share=body.share)
     share = float(answer.get("share", body.share))
     await asyncio.to_thread(_note, database, who.name, share)

@@ -30,6 +30,7 @@ from app.api.live.screen_pictures import NO_PICTURE, Picture
 from app.api.live.screen_socket import ScreenWord
 from app.api.live.screens import Screen
 from app.api.one_controller import Authority
+from app.api.page_session import OWN_NAME, ClinicianInSession, any_session
 from app.api.routes.origin_view import OriginView
 from app.api.routes.source_view import SourceView
 from app.api.sign_in.identity import SignedInPerson
@@ -133,7 +134,7 @@ class TrialDetail(Document):
 @router.post("/trials", status_code=201)
 async def start_trial(
     body: NewTrial,
-    who: Clinician,
+    who: ClinicianInSession,
     *,
     database: Db,
     trial_flow: TrialFlowPart,
@@ -187,7 +188,7 @@ def _from(origin: PatientImport | Origin | None, view: TrialView) -> TrialView:
 @router.post("/trials/current/end")
 async def end_trial(
     body: EndTrial,
-    who: Clinician,
+    who: ClinicianInSession,
     authority: Authority,
     database: Db,
     control: ControlPart,
@@ -249,12 +250,14 @@ def one_trial(
 
 
 @router.post("/trials/{trial_id}/discard")
+@any_session(OWN_NAME)
 async def discard_trial(trial_id: RowId, body: Discard, who: Clinician, database: Db, live: LivePart) -> TrialView:
     """Discard a trial: it counts in no curve or figure; it can be kept again."""
     return await _keep(database, live, who, trial_id, body.reason)
 
 
 @router.post("/trials/{trial_id}/keep")
+@any_session(OWN_NAME)
 async def keep_again(trial_id: RowId, who: Clinician, database: Db, live: LivePart) -> TrialView:
     """Let a discarded trial count again."""
     return await _keep(database, live, who, trial_id, None)

@@ -4,6 +4,7 @@ from fastapi import APIRouter, HTTPException, Request, Response
 from fastapi.concurrency import run_in_threadpool
 
 from app.api.deps import Db, ForEveryone, SettingsPart, SignInLimitsPart, SocketsPart
+from app.api.page_session import SIGN_IN, any_session
 from app.api.sign_in.auth import Code, Me, Password, let_in
 from app.api.sign_in.passwords import Passwords, weakness
 from app.api.sign_in.sign_in_limits import address_of
@@ -61,6 +62,7 @@ def _look_up(database: Db, code: str) -> _Invited | None:
 
 
 @router.post("")
+@any_session(SIGN_IN)
 async def look(body: InvitationCode, request: Request, database: Db, sign_in_limits: SignInLimitsPart) -> InvitedView:
     """Tell for whom an invitation is; it stays valid.
 
@@ -71,6 +73,7 @@ async def look(body: InvitationCode, request: Request, database: Db, sign_in_lim
 
 
 @router.post("/accept")
+@any_session(SIGN_IN)
 async def accept(
     body: AcceptedInvitation,
     request: Request,

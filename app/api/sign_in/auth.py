@@ -9,6 +9,7 @@ from pydantic import Field
 
 from app import __version__
 from app.api.deps import NOBODY, Db, ForEveryone, SettingsPart, SetUpPart, SignInLimitsPart, SocketsPart
+from app.api.page_session import SIGN_IN, any_session
 from app.api.sign_in.cookies import delete_cookie, read_cookie, set_cookie
 from app.api.sign_in.identity import COOKIE, SignedInPerson
 from app.api.sign_in.passwords import BROWSER_COOKIE, BROWSER_PATH, Passwords, weakness
@@ -125,6 +126,7 @@ def let_in(settings: SettingsPart, database: Db, request: Request, response: Res
 
 
 @router.post("/demo")
+@any_session(SIGN_IN)
 async def enter_demonstration(
     body: DemoCode,
     request: Request,
@@ -156,6 +158,7 @@ async def enter_demonstration(
 
 
 @router.post("/setup")
+@any_session(SIGN_IN)
 async def make_first_owner(
     body: FirstOwner,
     request: Request,
@@ -197,6 +200,7 @@ async def make_first_owner(
 
 
 @router.post("/sign-in")
+@any_session(SIGN_IN)
 async def sign_in_by_password(
     body: Credentials,
     request: Request,
@@ -215,6 +219,7 @@ async def sign_in_by_password(
 
 
 @router.post("/sign-out")
+@any_session(SIGN_IN)
 async def sign_out_here(
     request: Request, response: Response, settings: SettingsPart, database: Db, sockets: SocketsPart
 ) -> Me:
@@ -233,6 +238,7 @@ async def sign_out_here(
 
 
 @router.post("/unlock")
+@any_session(SIGN_IN)
 async def unlock_here(
     body: OwnPassword,
     request: Request,

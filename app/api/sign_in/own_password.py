@@ -4,6 +4,7 @@ from fastapi import APIRouter, HTTPException, Request
 from fastapi.concurrency import run_in_threadpool
 
 from app.api.deps import Anyone, Db, SocketsPart
+from app.api.page_session import SIGN_IN, any_session
 from app.api.sign_in.auth import Password
 from app.api.sign_in.passwords import Passwords, weakness
 from app.quantities import Document
@@ -21,6 +22,7 @@ class PasswordChange(Document):
 
 
 @router.put("/password", status_code=204)
+@any_session(SIGN_IN)
 async def change_password(
     body: PasswordChange,
     request: Request,

@@ -66,7 +66,7 @@ def view_controls(scene_now: SceneNow, clinician: Callable[..., Any]) -> APIRout
     scene_now
         Returns the scene of the open session.
     clinician
-        Dependency that refuses people who may not drive.
+        Dependency that refuses people who may not drive, and pages that show another session.
     """
     router = APIRouter(prefix="/view", tags=["view"], dependencies=[Depends(clinician)])
 

@@ -18,5 +18,4 @@ def add_parts(parts: "Parts") -> None:
 FEATURE: Final = Feature(
     routes=("routes",),
     add_parts=add_parts,
-    without_session={"POST /archives": "It belongs to the clinic and to no patient."},
 )

@@ -14,6 +14,7 @@ from fastapi.responses import StreamingResponse
 from app.api.deps import Db, Exporter, Owner, RowId, SettingsPart, SpreadPart
 from app.api.foreign_files import refusal
 from app.api.package_download import CourseWord, Download
+from app.api.page_session import OF_CLINIC, any_session
 from app.api.parts import part
 from app.api.sign_in.identity import SignedInPerson
 from app.computing_process import ComputingProcess
@@ -156,6 +157,7 @@ def import_course(who: Owner, imports: ImportsPart) -> ImportCourseView | None:
 
 
 @router.post("/archives", openapi_extra=ZIP)
+@any_session(OF_CLINIC)
 async def bring_archive(
     request: Request, who: Owner, settings: SettingsPart, imports: ImportsPart, replace: bool = False
 ) -> ImportedView:

@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING, Final
 
 from app.features.backup.tables import MadeBackup
-from app.features.registration import OWN_NAME, Feature
+from app.features.registration import Feature
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -11,8 +11,6 @@ if TYPE_CHECKING:
     from app.features.registration import Background
     from app.settings import Settings
     from app.store.database import Database
-
-_CLINIC: Final = "It belongs to the clinic and to no patient."
 
 
 def night_backups(database: "Database", settings: "Settings", tell: "Callable[[str], None]") -> "Background":
@@ -26,12 +24,5 @@ FEATURE: Final = Feature(
     tables=(MadeBackup,),
     routes=("routes",),
     background=night_backups,
-    without_session={
-        "POST /backups": _CLINIC,
-        "PUT /backups/settings": _CLINIC,
-        "PUT /record-keeping": _CLINIC,
-        "POST /deleted-patients/{patient_id}/erasure": OWN_NAME,
-        "POST /incidents/{incident_id}/lifting": _CLINIC,
-    },
     not_archived={"made_backup": "backups of this clinic"},
 )

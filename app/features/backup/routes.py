@@ -9,6 +9,7 @@ from pydantic import Field, SecretStr
 
 from app.api.answers import Answer, MomentText
 from app.api.deps import ComputingPart, Db, Owner, RowId, SettingsPart
+from app.api.page_session import OF_CLINIC, OWN_NAME, any_session
 from app.api.parts import part
 from app.features.backup.contents import clinic_mark
 from app.features.backup.made_backups import backup_warning, last_good_backup, newest_backups
@@ -166,6 +167,7 @@ def look(who: Owner, own: SettingsPart, database: Db, backups: Backups) -> Backu
 
 
 @router.post("/backups", status_code=202)
+@any_session(OF_CLINIC)
 async def begin(who: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
     """Begin a backup now; it goes on by itself. 409 without a folder, and while one is being made."""
     await backups.begin(who.name)
@@ -173,6 +175,7 @@ async def begin(who: Owner, own: SettingsPart, database: Db, backups: Backups) -
 
 
 @router.put("/backups/settings")
+@any_session(OF_CLINIC)
 async def choose(
     body: BackupSettings, who: Owner, own: SettingsPart, database: Db, computing: ComputingPart, backups: Backups
 ) -> BackupsView:
@@ -220,6 +223,7 @@ def _choose(
 
 
 @router.put("/record-keeping")
+@any_session(OF_CLINIC)
 def keep_records(body: RecordTime, who: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
     """Set for how many years after the last session records must be kept.
 
@@ -232,6 +236,7 @@ def keep_records(body: RecordTime, who: Owner, own: SettingsPart, database: Db, 
 
 
 @router.post("/deleted-patients/{patient_id}/erasure")
+@any_session(OWN_NAME)
 def erase(patient_id: RowId, who: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
     """Erase a deleted patient for good, now; 409 with the reason when something stands against it.
 
@@ -242,6 +247,7 @@ def erase(patient_id: RowId, who: Owner, own: SettingsPart, database: Db, backup
 
 
 @router.post("/incidents/{incident_id}/lifting")
+@any_session(OF_CLINIC)
 def lift(
     incident_id: RowId, body: Lifting, who: Owner, own: SettingsPart, database: Db, backups: Backups
 ) -> BackupsView:

@@ -9,7 +9,7 @@ from sqlalchemy.orm import Session
 
 from app.features.comments.service import Comment, comments_of
 from app.features.comments.tables import CommentReading, CommentRevision, MomentComment
-from app.features.registration import OWN_NAME, ArchivedTable, Attention, Feature, StoryEvent
+from app.features.registration import ArchivedTable, Attention, Feature, StoryEvent
 from app.quantities import Line, Seconds
 from app.store.access.person_tables import Person
 from app.store.tables import PatientSession
@@ -47,12 +47,6 @@ def name_authors(db: Session, rows: list[dict[str, Any]]) -> None:
 FEATURE: Final = Feature(
     tables=(MomentComment, CommentRevision, CommentReading),
     routes=("routes",),
-    without_session={
-        "POST /trials/{trial_id}/comments": OWN_NAME,
-        "POST /trials/{trial_id}/comments/read": "It changes what one person looks at, and nothing else.",
-        "PUT /comments/{comment_id}": OWN_NAME,
-        "DELETE /comments/{comment_id}": OWN_NAME,
-    },
     archived=(
         ArchivedTable(
             MomentComment,

@@ -7,6 +7,7 @@ from pydantic import Field
 
 from app.api.answers import Answer, MomentText
 from app.api.deps import Anyone, Db, LivePart, RowId
+from app.api.page_session import LOOKS, OWN_NAME, any_session
 from app.api.sign_in.identity import SignedInPerson
 from app.features.comments.service import (
     Comment,
@@ -90,6 +91,7 @@ def list_comments(trial_id: RowId, who: Anyone, database: Db) -> list[CommentVie
 
 
 @router.post("/trials/{trial_id}/comments", status_code=201)
+@any_session(OWN_NAME)
 def new_comment(trial_id: RowId, body: NewComment, who: Anyone, database: Db, live: LivePart) -> list[CommentView]:
     """Write a comment on a moment of a trial.
 
@@ -105,6 +107,7 @@ def new_comment(trial_id: RowId, body: NewComment, who: Anyone, database: Db, li
 
 
 @router.post("/trials/{trial_id}/comments/read", status_code=204)
+@any_session(LOOKS)
 def read_comments(trial_id: RowId, who: Anyone, database: Db) -> None:
     """Store that the person who asks has read the comments of a trial."""
     with database.transaction() as db:
@@ -112,6 +115,7 @@ def read_comments(trial_id: RowId, who: Anyone, database: Db) -> None:
 
 
 @router.put("/comments/{comment_id}")
+@any_session(OWN_NAME)
 def new_comment_text(
     comment_id: RowId, body: RevisedComment, who: Anyone, database: Db, live: LivePart
 ) -> list[CommentView]:
@@ -127,6 +131,7 @@ def new_comment_text(
 
 
 @router.delete("/comments/{comment_id}")
+@any_session(OWN_NAME)
 def no_comment(comment_id: RowId, who: Anyone, database: Db, live: LivePart) -> list[CommentView]:
     """Withdraw a comment of one's own; its history stays."""
     with database.transaction() as db:

@@ -4,17 +4,13 @@ from typing import Final, Literal
 
 from app.features.consents.service import consented
 from app.features.consents.tables import PatientConsent
-from app.features.registration import OWN_NAME, ArchivedTable, Feature
+from app.features.registration import ArchivedTable, Feature
 from app.quantities import Line
 from app.store.consent import CONSENTS
 
 FEATURE: Final = Feature(
     tables=(PatientConsent,),
     routes=("routes",),
-    without_session={
-        "PUT /patients/{patient_id}/consents/{consent}": OWN_NAME,
-        "DELETE /patients/{patient_id}/consents/{consent}": OWN_NAME,
-    },
     archived=(
         ArchivedTable(
             PatientConsent,

@@ -6,6 +6,7 @@ from fastapi import APIRouter
 
 from app.api.answers import Answer, MomentText
 from app.api.deps import Anyone, Clinician, Db, LivePart, RowId
+from app.api.page_session import OWN_NAME, any_session
 from app.features.consents.service import consent_history, give_consent, withdraw_consent
 from app.features.registration import features
 from app.quantities import Document
@@ -59,6 +60,7 @@ def consents(patient_id: RowId, who: Anyone, database: Db) -> ConsentsView:
 
 
 @router.put("/patients/{patient_id}/consents/{consent}")
+@any_session(OWN_NAME)
 def give(
     patient_id: RowId, consent: Consent, body: GivenConsent, who: Clinician, database: Db, live: LivePart
 ) -> ConsentsView:
@@ -77,6 +79,7 @@ def give(
 
 
 @router.delete("/patients/{patient_id}/consents/{consent}")
+@any_session(OWN_NAME)
 def withdraw(patient_id: RowId, consent: Consent, who: Clinician, database: Db, live: LivePart) -> ConsentsView:
     """Enter that a patient has withdrawn a consent."""
     with database.transaction() as db:

@@ -5,9 +5,10 @@ from typing import Annotated
 
 from fastapi import APIRouter, Depends, Query
 
-from app.api.deps import Anyone, Clinician, ComputingPart, Db, LivePart, RowId, SessionFlowPart
+from app.api.deps import Anyone, ComputingPart, Db, LivePart, RowId, SessionFlowPart
 from app.api.interface_test_view import InterfaceTestView
 from app.api.live.screen_socket import ScreenWord
+from app.api.page_session import ClinicianInSession
 from app.api.parts import part
 from app.features.interface_tests.flow import InterfaceTestFlow
 from app.features.interface_tests.service import find_interface_test, save_workload
@@ -46,7 +47,7 @@ class InterfaceTestsView(Document):
 
 @router.post("", status_code=201)
 async def start_interface_test(
-    body: NewTest, who: Clinician, database: Db, session_flow: SessionFlowPart, tests: Tests
+    body: NewTest, who: ClinicianInSession, database: Db, session_flow: SessionFlowPart, tests: Tests
 ) -> InterfaceTestView:
     """Start the two-minute test; the chair is disarmed and stays where it is.
 
@@ -62,7 +63,7 @@ async def start_interface_test(
 
 
 @router.post("/current/end")
-async def end_interface_test(who: Clinician, database: Db, tests: Tests) -> InterfaceTestView:
+async def end_interface_test(who: ClinicianInSession, database: Db, tests: Tests) -> InterfaceTestView:
     """End the test by hand, so that it does not count; for every clinician, because nothing moves."""
     return await asyncio.to_thread(_one, database, who.clinic_id, await tests.end())
 
@@ -95,7 +96,7 @@ def list_interface_tests(
 
 @router.put("/{test_id}/workload")
 async def put_workload(
-    test_id: RowId, body: Workload, who: Clinician, database: Db, live: LivePart
+    test_id: RowId, body: Workload, who: ClinicianInSession, database: Db, live: LivePart
 ) -> InterfaceTestView:
     """Store how demanding the test felt; without any answer, what was stored is removed.
 

@@ -29,7 +29,6 @@ def consent_withdrawn(db: Session, patient_id: int, consent: Consent) -> None:
 FEATURE: Final = Feature(
     tables=(PriorEntry, PriorSwitch),
     routes=("routes",),
-    without_session={"PUT /clinic-prior": "It belongs to the clinic and to no patient."},
     not_archived={
         "prior_entry": "computed from accepted calibrations, which go along; another clinic asks for its own consent",
         "prior_switch": "a setting of this clinic's owner",

@@ -3,6 +3,7 @@
 from fastapi import APIRouter
 
 from app.api.deps import Anyone, Db, EquipmentPart, LivePart, Owner
+from app.api.page_session import OF_CLINIC, any_session
 from app.calibration.prior.documents import FEWEST_PEOPLE
 from app.features.prior.entries import count_entries, is_prior_on, switch_prior
 from app.quantities import Document
@@ -35,6 +36,7 @@ def look(who: Anyone, database: Db, equipment: EquipmentPart) -> PriorView:
 
 
 @router.put("")
+@any_session(OF_CLINIC)
 def choose(body: PriorChoice, who: Owner, database: Db, equipment: EquipmentPart, live: LivePart) -> PriorView:
     """Switch it on or off; what was learnt before stays, and helps again when it is switched on."""
     with database.transaction() as db:

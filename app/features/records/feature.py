@@ -8,7 +8,7 @@ from sqlalchemy.orm import Session
 
 from app.features.records.sign_off import lock_signed, sign_off_history, why_locked
 from app.features.records.tables import NoteRevision, OutcomeScale, SessionNote, SessionSignOff
-from app.features.registration import OWN_NAME, ArchivedTable, Attention, Feature, StoryEvent
+from app.features.registration import ArchivedTable, Attention, Feature, StoryEvent
 from app.quantities import Line
 from app.store.tables import PatientSession
 
@@ -41,15 +41,6 @@ def attention(db: Session, clinic_id: int, _person_id: int) -> Iterator[tuple[in
 FEATURE: Final = Feature(
     tables=(SessionNote, NoteRevision, OutcomeScale, SessionSignOff),
     routes=("routes", "sign_offs", "session_comparisons"),
-    without_session={
-        "PUT /sessions/{session_id}/goal": OWN_NAME,
-        "POST /sessions/{session_id}/notes": OWN_NAME,
-        "PUT /sessions/{session_id}/notes/{note_id}": OWN_NAME,
-        "POST /sessions/{session_id}/scales": OWN_NAME,
-        "DELETE /sessions/{session_id}/scales/{scale_id}": OWN_NAME,
-        "POST /sessions/{session_id}/sign-off": OWN_NAME,
-        "POST /sessions/{session_id}/unlock": OWN_NAME,
-    },
     archived=(
         ArchivedTable(SessionNote, by="session_id"),
         ArchivedTable(NoteRevision, by="note_id", forms={"person": Line}),

@@ -8,6 +8,7 @@ from fastapi import APIRouter
 from pydantic import Field
 
 from app.api.deps import Anyone, Clinician, Db, LivePart, RowId
+from app.api.page_session import OWN_NAME, any_session
 from app.api.routes.origin_view import OriginView
 from app.api.sign_in.identity import SignedInPerson
 from app.features.records.service import add_note, add_scale, remove_scale, revise_note, write_goal
@@ -82,6 +83,7 @@ def one_session(session_id: RowId, who: Anyone, database: Db) -> SessionRecordVi
 
 
 @router.put("/sessions/{session_id}/goal")
+@any_session(OWN_NAME)
 def put_goal(session_id: RowId, body: Goal, who: Clinician, database: Db, live: LivePart) -> SessionRecordView:
     """Write the goal of a session, in the patient's words."""
 
@@ -93,6 +95,7 @@ def put_goal(session_id: RowId, body: Goal, who: Clinician, database: Db, live: 
 
 
 @router.post("/sessions/{session_id}/notes", status_code=201)
+@any_session(OWN_NAME)
 def new_note(session_id: RowId, body: NoteText, who: Clinician, database: Db, live: LivePart) -> SessionRecordView:
     """Add a note to a session."""
     return _changed(
@@ -106,6 +109,7 @@ def new_note(session_id: RowId, body: NoteText, who: Clinician, database: Db, li
 
 
 @router.put("/sessions/{session_id}/notes/{note_id}")
+@any_session(OWN_NAME)
 def new_revision(
     session_id: RowId, note_id: RowId, body: NoteText, who: Clinician, database: Db, live: LivePart
 ) -> SessionRecordView:
@@ -118,6 +122,7 @@ def new_revision(
 
 
 @router.post("/sessions/{session_id}/scales", status_code=201)
+@any_session(OWN_NAME)
 def new_scale(session_id: RowId, body: NewScale, who: Clinician, database: Db, live: LivePart) -> SessionRecordView:
     """Add the total of an outcome scale."""
 
@@ -128,6 +133,7 @@ def new_scale(session_id: RowId, body: NewScale, who: Clinician, database: Db, l
 
 
 @router.delete("/sessions/{session_id}/scales/{scale_id}")
+@any_session(OWN_NAME)
 def no_scale(session_id: RowId, scale_id: RowId, who: Clinician, database: Db, live: LivePart) -> SessionRecordView:
     """Remove a scale; the log keeps who added it and who removed it, not what it was: a patient can be erased."""
 

@@ -7,6 +7,7 @@ from fastapi import APIRouter
 from pydantic import Field
 
 from app.api.deps import Clinician, Db, LivePart, Owner, RowId, SessionFlowPart, SocketsPart, ViewKeeperPart
+from app.api.page_session import OWN_NAME, any_session
 from app.features.records.session_views import SessionRecordView, record_view
 from app.features.records.sign_off import sign_off, unlock
 from app.quantities import Document, Line
@@ -23,6 +24,7 @@ class Unlock(Document):
 
 
 @router.post("/sessions/{session_id}/sign-off", status_code=201)
+@any_session(OWN_NAME)
 async def sign_session_off(
     session_id: RowId,
     who: Clinician,
@@ -56,6 +58,7 @@ async def sign_session_off(
 
 
 @router.post("/sessions/{session_id}/unlock")
+@any_session(OWN_NAME)
 def unlock_session(session_id: RowId, body: Unlock, who: Owner, database: Db, live: LivePart) -> SessionRecordView:
     """Unlock a signed session, for a reason, which stays with its sign-off in the history of the session.
 

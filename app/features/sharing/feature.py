@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING, Final
 
-from app.features.registration import OWN_NAME, Feature
+from app.features.registration import Feature
 from app.features.sharing.tables import ShareLink, ShareVisit
 
 if TYPE_CHECKING:
@@ -22,12 +22,6 @@ def add_parts(parts: "Parts") -> None:
 FEATURE: Final = Feature(
     tables=(ShareLink, ShareVisit),
     routes=("attention", "stories", "routes", "shared_page"),
-    without_session={
-        "POST /patients/{patient_id}/shares": OWN_NAME,
-        "POST /sessions/{session_id}/shares": OWN_NAME,
-        "DELETE /shares/{share_id}": OWN_NAME,
-        "POST /shared/open": "It reads what one link shares, and changes nothing of a session.",
-    },
     add_parts=add_parts,
     not_archived={
         "share_link": "opens records of this clinic's machine, and belongs to who made it",

@@ -10,6 +10,7 @@ from pydantic import Field
 from app.api.answers import Answer, MomentText
 from app.api.deps import Clinician, Db, LivePart, RowId, SettingsPart
 from app.api.own_address import first_words, own_address, reach_words
+from app.api.page_session import OWN_NAME, any_session
 from app.api.sign_in.identity import SignedInPerson
 from app.api.sign_in.passwords import Passwords
 from app.features.sharing.service import (
@@ -83,6 +84,7 @@ def list_shares(patient_id: RowId, who: Clinician, database: Db) -> SharesView:
 
 
 @router.post("/patients/{patient_id}/shares", status_code=201)
+@any_session(OWN_NAME)
 async def share_course(
     patient_id: RowId,
     body: NewShare,
@@ -104,6 +106,7 @@ async def share_course(
 
 
 @router.post("/sessions/{session_id}/shares", status_code=201)
+@any_session(OWN_NAME)
 async def share_session(
     session_id: RowId,
     body: NewShare,
@@ -124,6 +127,7 @@ async def share_session(
 
 
 @router.delete("/shares/{share_id}")
+@any_session(OWN_NAME)
 def no_share(share_id: RowId, who: Clinician, database: Db, live: LivePart) -> SharesView:
     """Revoke a share link: nobody reads by it any more."""
     with database.transaction(closing=True) as db:

@@ -7,6 +7,7 @@ from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
 from app.api.deps import Db, ForEveryone, HashingPart, LivePart, SignInLimitsPart
+from app.api.page_session import any_session
 from app.api.sign_in.cookies import read_cookie, set_cookie
 from app.api.sign_in.hashing import Busy
 from app.api.sign_in.passwords import BUSY, BUSY_FOR
@@ -56,6 +57,7 @@ class SharedView(Document):
 
 
 @router.post("/open", status_code=204)
+@any_session("It reads what one link shares, and changes nothing of a session.")
 async def open_share(
     body: OpenShare,
     request: Request,
