@@ -10,6 +10,7 @@ from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.pipeline.safety_gate import CHAIR_SILENT
 
 StateName = Literal["disarmed", "checking", "armed", "fault"]
+ChairState = Literal["silent", StateName]
 STATE_NAMES: tuple[StateName, ...] = get_args(StateName)  # by their number: of `app.faults.State`, and of a chair
 CHAIR_FAULT = 3  # index of "fault" in STATE_NAMES
 
@@ -32,7 +33,7 @@ class ChairMoment(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
 
     kind: str = "udp"
-    state: StateName = "disarmed"
+    state: ChairState = "silent"  # also when its last report is too old
     age: float | None = None  # s, of the report
     battery: float | None = None  # share
     stop_input: bool = False
@@ -51,7 +52,7 @@ def chair_report(tick: np.void) -> ChairMoment:
     else:
         message = "" if fault == Reason.NONE else fault_sentence(fault)
     return ChairMoment(
-        state=STATE_NAMES[min(state, CHAIR_FAULT)],
+        state="silent" if is_silent(tick) else STATE_NAMES[min(state, CHAIR_FAULT)],
         age=_number(tick["chair_age"]),
         battery=_number(tick["battery"]),
         stop_input=bool(tick["stop_input"]),

@@ -30,6 +30,7 @@ WEB_KERNEL = tuple(
     for name in (
         "answers",
         "deps",
+        "driving.clinic_places",
         "page_session",
         "parts",
         "own_address",

@@ -1,6 +1,9 @@
 // What the editor does to documents, without a page. Run by test_editor_logic.py with the folder js.
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
+import { serveReference } from "./served.mjs";
+
+await serveReference(process.argv[2], process.argv[3]);
 
 const from = (name) => import(pathToFileURL(`${process.argv[2]}/editor/${name}.js`));
 const documents = await from("document");

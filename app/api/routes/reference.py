@@ -3,9 +3,11 @@
 from fastapi import APIRouter, FastAPI, Request
 
 from app.api.deps import ForEveryone
+from app.api.live.screen_socket import TAKEN
 from app.api.request_limits import Limits, request_limits
 from app.api.routes.plan_files import LARGEST
 from app.api.sign_in.passwords import SHORTEST
+from app.api.sockets import SIGNED_OUT
 from app.calibration.grades import SIGNAL_TO_NOISE_LIMITS, SPREAD_LIMITS
 from app.faults import State
 from app.quantities import Document
@@ -24,10 +26,14 @@ from app.scoring.measures import (
 )
 from app.scoring.task_measures import LEADER_NEAR
 from app.scoring.verdict.measure_verdict import FEWEST
+from app.speeds import FIRST_SPEEDS, Speeds
 from app.store.files.replacements import KEPT_FOR
 from app.store.keeping.record_time import UNDO_FOR
+from app.store.people import IDLE_FOR
 from app.world.cursor_task import CursorPlan
+from app.world.floorplan import FloorPlan
 from app.world.kinematics import CHAIR_RADIUS
+from app.world.scenery import Cone
 
 router = APIRouter(tags=["start"])
 
@@ -60,6 +66,13 @@ class Numbers(Document):
     trials_for_verdict: int = FEWEST
     signal_to_noise: tuple[float, float] = SIGNAL_TO_NOISE_LIMITS  # from the first on strong, from the second on fair
     spread: tuple[float, float] = SPREAD_LIMITS  # of repetitions: up to the first well, up to the second fairly
+    first_speeds: Speeds = FIRST_SPEEDS  # that the form of a new chair proposes
+    wall_thickness: float = FloorPlan.model_fields["wall_thickness"].default  # m, of a floor plan that does not give it
+    cone_radius: float = Cone.model_fields["radius"].default  # m, of a new cone
+    cone_height: float = Cone.model_fields["height"].default  # m
+    signed_out: int = SIGNED_OUT  # close code of a socket whose sign-in has ended
+    screen_in_use: int = TAKEN  # close code of a screen's socket: another one reports for that screen
+    lock_minutes: int = round(IDLE_FOR.total_seconds() / 60)  # without an action, after which a sign-in is locked
     armed: int = State.ARMED  # in the column `state` of a time line
     field_of_view: float = EyeSettings().fov_deg  # degrees, of a screen on which nobody has chosen one
     eye_height: float = EyeSettings().eye_height  # m, likewise

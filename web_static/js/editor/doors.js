@@ -6,18 +6,18 @@
  * @typedef {{wall: number, atStart: boolean}} WallEnd
  */
 import { heading } from "../plan/floor_plan.js";
+import { REFERENCE } from "../reference.js";
 import { add, fieldsOf, remove } from "./document.js";
 import { distance, nearestOn, tidy } from "./geometry.js";
 
 const SAME = 0.002; // m
-const THICKNESS = 0.1; // m, of the walls of a plan that does not give it
 
 /**
  * The width (m) of the gap for a door: each wall end reaches into it by half the wall's thickness.
  * @param {Plan} plan @param {number} width m, clear
  */
 function gapOf(plan, width) {
-  return width + (plan.wall_thickness ?? THICKNESS);
+  return width + (plan.wall_thickness ?? REFERENCE.numbers.wall_thickness);
 }
 
 /**

@@ -12,6 +12,7 @@
  * @typedef {State & {words?: string}} NextState words: the key of a text to show
  */
 import { heading } from "../plan/floor_plan.js";
+import { REFERENCE } from "../reference.js";
 import { add, change, itemNear, itemOf, moveTo, newPath, pointsOf, remove } from "./document.js";
 import { changeDoor, doorOf, insertDoor, removeDoor } from "./doors.js";
 import { distance, tidy } from "./geometry.js";
@@ -19,7 +20,6 @@ import { snapPlace } from "./snap.js";
 
 export const TOOLS = /** @type {const} */ (["move", "wall", "door", "box", "round", "cone", "path", "heading", "erase"]);
 const SMALLEST = 0.05; // m, a side or a radius
-const CONE = { radius: 0.15, height: 0.5 };
 
 /** Choose a tool; an unfinished line is finished first. @param {State} state @param {Tool} tool @returns {NextState} */
 export function withTool(state, tool) {
@@ -57,8 +57,10 @@ export function tap(state, place, { step, reach }) {
         position: pending[0],
         radius: tidy(Math.max(SMALLEST, distance(pending[0], at))),
       });
-    case "cone":
-      return { ...state, ...selectionOf(add(plan, "cones", { position: at, ...CONE })) };
+    case "cone": {
+      const { cone_radius: radius, cone_height: height } = REFERENCE.numbers;
+      return { ...state, ...selectionOf(add(plan, "cones", { position: at, radius, height })) };
+    }
     case "heading":
       return tapHeading(state, place, reach);
     case "erase": {

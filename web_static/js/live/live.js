@@ -1,5 +1,6 @@
 /** The live websocket: one per page, opened again by itself; the messages that it delivers. */
 import { TypedEvents } from "./typed_events.js";
+import { REFERENCE } from "../reference.js";
 import { pagePictures } from "../view/frame_rate.js";
 
 const FIRST_PAUSE = 250; // ms before trying again; doubled with each failure, up to ...
@@ -9,7 +10,6 @@ const OPENING_LIMIT = 6000; // ms for a socket to open
 const CHECK_EVERY = 100; // ms between two checks of the connection
 const LATE_CHECK = 500; // ms between two checks when this page was busy
 const SAY_LOST_AFTER = 700; // ms: a shorter gap is not reported
-const SIGNED_OUT = 4401; // close code
 
 /**
  * @import { LiveMessage as Clinicians, PatientMessage as Patients, Quality } from "types/api"
@@ -117,7 +117,7 @@ export class Live extends TypedEvents {
   #lost(code = 0) {
     this.#socket = null;
     if (!this.#wanted) return;
-    if (code === SIGNED_OUT) this.dispatchEvent(new CustomEvent("changed", { detail: "sign-in" }));
+    if (code === REFERENCE?.numbers.signed_out) this.dispatchEvent(new CustomEvent("changed", { detail: "sign-in" }));
     if (!this.#lostTimer) this.#lostTimer = setTimeout(() => this.#setConnected(false), SAY_LOST_AFTER);
     this.#retryTimer = setTimeout(() => this.#wanted && this.#connect(), this.#pause);
     this.#pause = Math.min(2 * this.#pause, LONGEST_PAUSE);

@@ -4,6 +4,8 @@
  * state to the worker.
  */
 
+import { REFERENCE } from "../reference.js";
+
 const REPORT_EVERY = 100; // ms between two reports to the worker
 const STORAGE_KEY = "bodydrive-screen";
 
@@ -49,7 +51,7 @@ export class Screen {
 
   #report(visible = document.visibilityState === "visible") {
     /** @type {import("./screen_worker.js").ScreenReport} */
-    const report = { screen: this.word, visible, picture: this.#picture, isWanted: this.#isWanted };
+    const report = { screen: this.word, visible, picture: this.#picture, isWanted: this.#isWanted, inUse: REFERENCE?.numbers.screen_in_use ?? 0 };
     this.#worker.postMessage(report);
   }
 }

@@ -7,7 +7,6 @@ const BEAT_EVERY = 50; // ms: twice the ten a second that are needed, because a 
 const FIRST_PAUSE = 50; // ms before the socket is opened again; doubled with each failure, up to ...
 const LONGEST_PAUSE = 800; // ms
 const OPENING_LIMIT = 2000; // ms for a socket to open
-const WORD_IN_USE = 4409; // close code: another socket has the word of this page
 // ms of refusals: the server gives up a dead socket after 2 s, so a socket that still has the word belongs to a live page
 const REFUSAL_LIMIT = 5000;
 const ACCEPTED_AFTER = 500; // ms after which an open socket counts as accepted
@@ -15,12 +14,13 @@ const ACCEPTED_AFTER = 500; // ms after which an open socket counts as accepted
 /**
  * What a page shows to drive by: the 3D view, the drawn plan, nothing, or a picture that is too old to drive by.
  * @typedef {"view" | "plan" | "none" | "late"} Picture
- * @typedef {{screen: string, visible: boolean, picture: Picture, isWanted: boolean}} ScreenReport from the page to this
- *   worker; screen: the page's word; isWanted: whether heartbeats are sent at all
+ * @typedef {{screen: string, visible: boolean, picture: Picture, isWanted: boolean, inUse: number}} ScreenReport from the page to this
+ *   worker; screen: the page's word; isWanted: whether heartbeats are sent at all; inUse: the close code when another socket
+ *   has that word
  */
 
 /** The newest report of the page. @type {ScreenReport} */
-let page = { screen: "", visible: false, picture: "none", isWanted: false };
+let page = { screen: "", visible: false, picture: "none", isWanted: false, inUse: 0 };
 let reportedAt = 0; // ms of performance.now
 /** @type {WebSocket | null} */
 let socket = null;
@@ -70,7 +70,7 @@ function connect(now) {
     send(mine, openedAt);
   };
   mine.onclose = ({ code }) => {
-    if (code === WORD_IN_USE) refuse(performance.now());
+    if (code === page.inUse) refuse(performance.now());
     reopen(mine);
   };
 }

@@ -1,6 +1,5 @@
 /** The header: product, who is here, lamps of the equipment, colours, sign-out, Stop. */
 import { t } from "../texts.js";
-import { chairState } from "../widgets/chair_card.js";
 import { h, set, write } from "../widgets/dom.js";
 import { icon } from "../widgets/icons.js";
 import { screenLamp } from "./screen_lamp.js";
@@ -86,7 +85,7 @@ export function header(app) {
     const now = app.live.present;
     if (!now) return unknown(chair, "lamp.chair.unknown", "wide");
     const armed = now.state === "armed";
-    const state = now.chair && chairState(now.chair);
+    const state = now.chair?.state;
     element.classList.toggle("has-chair", Boolean(state));
     const isBad = state === "silent" || state === "fault";
     chair.className = `lamp${isBad ? " att" : armed ? "" : " off"}${state ? " long" : " wide"}`;

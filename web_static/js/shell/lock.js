@@ -1,9 +1,10 @@
 /**
- * The lock: the server locks a sign-in after 10 minutes without an action; then this covers the page, and keeps it.
+ * The lock: the server locks a sign-in after some minutes without an action; then this covers the page, and keeps it.
  * Stop in the header stays. The page comes back, with what was typed, when the same person gives the password.
  * @import { Me } from "types/api"
  */
 import { failureWords } from "../api.js";
+import { REFERENCE } from "../reference.js";
 import { t } from "../texts.js";
 import { h, put } from "../widgets/dom.js";
 import { field } from "../widgets/fields.js";
@@ -108,7 +109,7 @@ export class Lock {
       "div",
       { class: "door card" },
       h("h1", { tabindex: "-1" }, t("lock.title")),
-      h("p", { class: "lead" }, t("lock.lead")),
+      h("p", { class: "lead" }, t("lock.lead", { minutes: REFERENCE.numbers.lock_minutes })),
       form(unlock, t("lock.open"), passwordField(t("lock.password", { name: app.me?.name }), password)),
       h(
         "details",

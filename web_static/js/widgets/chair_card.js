@@ -4,20 +4,13 @@ import { h, write } from "./dom.js";
 import { facts } from "./facts.js";
 import { number, percent } from "./format.js";
 
-const SILENT = 0.3; // s without an answer; the gate's own limit
 const JUST_NOW = 0.2; // s: it tells every 0.1 s
 const DEGREES = 180 / Math.PI;
 const TONES = { silent: "bad", fault: "bad", disarmed: "plain", checking: "att", armed: "" };
 
 /**
  * @import { ChairMoment } from "types/api"
- * @typedef {"silent" | ChairMoment["state"]} ChairState
  */
-
-/** @param {ChairMoment} chair @returns {ChairState} */
-export function chairState({ state, age }) {
-  return age === null || age > SILENT ? "silent" : state;
-}
 
 /**
  * @param {import("../live/live.js").Live} live @param {AbortSignal} signal
@@ -30,10 +23,10 @@ export function chairCard(live, signal, { hasWhy = true } = {}) {
   const show = () => {
     const chair = live.latest?.chair;
     if (!chair) return;
-    const state = chairState(chair);
+    const { state } = chair;
     tag.className = `tag ${TONES[state]}`;
     write(tag, t(`chair.state.${state}`));
-    write(why, whyNot(chair, state));
+    write(why, whyNot(chair));
     // The last report of a silent chair does not tell how it is now.
     /** @param {string} words */
     const current = (words) => (state === "silent" ? number(null, 0) : words);
@@ -50,8 +43,8 @@ export function chairCard(live, signal, { hasWhy = true } = {}) {
   return { element, title };
 }
 
-/** @param {ChairMoment} chair @param {ChairState} state */
-function whyNot({ stop_input: isPressed, words }, state) {
+/** @param {ChairMoment} chair */
+function whyNot({ stop_input: isPressed, words, state }) {
   if (isPressed && state !== "silent") return t("chair.switch.why");
   return state === "silent" || state === "fault" ? words : "";
 }

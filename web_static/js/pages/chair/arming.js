@@ -6,7 +6,7 @@
  */
 import { t } from "../../texts.js";
 import { armingSummary } from "./arming_summary.js";
-import { chairCard, chairState } from "../../widgets/chair_card.js";
+import { chairCard } from "../../widgets/chair_card.js";
 import { h, put, write } from "../../widgets/dom.js";
 import { missingList, reasonsAgainst } from "./open_points.js";
 import { neutralCard } from "./neutral_card.js";
@@ -108,7 +108,7 @@ export function showArming(app, root, read, onDrive, signal) {
   const follow = ({ detail: now }) => {
     if (now.drive && !isArming) return drive(now.drive.id);
     const before = state;
-    state = [now.control, now.fault?.name, now.chair && chairState(now.chair), now.chair?.stop_input, now.dial].join();
+    state = [now.control, now.fault?.name, now.chair?.state, now.chair?.stop_input, now.dial].join();
     if (before && before !== state) look();
     showMissing();
   };

@@ -3,24 +3,12 @@
  * @import { NewChair, PairedView, Speeds } from "types/api"
  * @import { Attributes } from "types/dom"
  */
-import { limitsOf, numberLimits, textLimits } from "../../reference.js";
+import { limitsOf, numberLimits, REFERENCE, textLimits } from "../../reference.js";
 import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
 import { speedRows } from "../../widgets/speed_rows.js";
-
-// For a chair that nobody here has driven yet: an indoor walking pace, in SI units.
-const FIRST_SPEEDS = {
-  forward: 0.5,
-  reverse: 0.3,
-  turn: 0.8,
-  acceleration: 0.6,
-  deceleration: 1.2,
-  turn_acceleration: 4,
-  jerk: 8,
-  turn_jerk: 60,
-};
 
 /**
  * @param {import("../../main.js").App} app
@@ -33,7 +21,7 @@ export function pairForm(app, { onPaired, onClose }) {
   const host = text({ ...textLimits("NewChair", "host"), inputmode: "url", spellcheck: "false" });
   const port = h("input", { type: "number", required: true, ...numberLimits("NewChair", "port"), value: limitsOf("NewChair", "port").usual });
   /** @type {Speeds} */
-  const speeds = { ...FIRST_SPEEDS };
+  const speeds = { ...REFERENCE.numbers.first_speeds };
   const problem = h("p", { class: "problem", role: "alert" });
   const go = h("button", { class: "btn go" }, t("pair.go"));
   /** @param {SubmitEvent} event */

@@ -58,7 +58,7 @@ export default {
   "password.go": "Change the password",
   "password.changed": "Your password was changed, and you were signed out on every other screen.",
   "lock.title": "Locked",
-  "lock.lead": "Nobody did anything here for 10 minutes. Stop still works.",
+  "lock.lead": "Nobody did anything here for {minutes} minutes. Stop still works.",
   "lock.password": "Password of {name}",
   "lock.open": "Unlock",
   "lock.other": "I am somebody else",
