@@ -54,7 +54,7 @@ def test_a_changed_log_is_said_on_the_console_at_the_start(
 
 def test_a_disk_that_fills_is_told_to_open_pages(signed_in: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
     told: list[str] = []
-    monkeypatch.setattr(signed_in.parts[DiskWatch], "_tell", told.append)
+    monkeypatch.setattr(signed_in.parts[DiskWatch], "_notify", told.append)
     usage = SimpleNamespace(free=10_000_000)
     monkeypatch.setattr("app.store.files.disk_watch.shutil.disk_usage", lambda _folder: usage)
     monkeypatch.setattr("app.store.files.disk_watch.WATCH_EVERY", 0.01)
