@@ -25,3 +25,11 @@ class Answer(Document):
     def of(cls, source: object) -> Self:
         """Return the answer with the values that `source` has under the names of the fields."""
         return cls.model_validate(source)
+
+
+class OriginView(Answer):
+    """The clinic that a session was held in, and who imported it when."""
+
+    clinic: str
+    person: str
+    at: MomentText

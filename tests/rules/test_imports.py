@@ -36,7 +36,6 @@ WEB_KERNEL = tuple(
         "own_address",
         "sign_in",
         "replay.trajectories",
-        "routes.origin_view",
         *("package_download", "foreign_files", "interface_test_view", "routes.source_view", "live.screen_socket"),
     )
 )

@@ -54,8 +54,6 @@ STILL_TO_GO = {
     *("app.cli.calibration.map_choice", "app.cli.calibration.prior_files"),
     *("app.cli.calibration.prior_of_clinic", "app.cli.calibration.prior_summary", "app.cli.decoded_file"),
     *("app.cli.study.study_interface", "app.cli.study.study_runs", "app.cli.study.study_sessions"),
-    *("app.features.records.compared_tests", "app.features.sharing.deteriorations"),
-    "app.features.sharing.shared_learning",
     *("app.cli.study.study_trials", "app.figures.paper", "app.scene.cones", "app.scene.meshes.door_leaves"),
     *("app.scene.meshes.rock", "app.scene.meshes.tone", "app.scene.message_buffers", "app.scene.models.glb"),
     *("app.scene.models.glb_check", "app.scene.models.glb_pictures", "app.scene.models.glb_scale"),

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 from fastapi import APIRouter, Query
 from pydantic import Field
 
-from app.api.answers import Answer, MomentText
+from app.api.answers import Answer, MomentText, OriginView
 from app.api.deps import (
     Anyone,
     ChairsPart,
@@ -31,7 +31,6 @@ from app.api.live.screen_socket import ScreenWord
 from app.api.live.screens import Screen
 from app.api.one_controller import Authority
 from app.api.page_session import OWN_NAME, ClinicianInSession, any_session
-from app.api.routes.origin_view import OriginView
 from app.api.routes.source_view import SourceView
 from app.api.sign_in.identity import SignedInPerson
 from app.quantities import Count, Document, Line, Name

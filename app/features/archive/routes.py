@@ -28,6 +28,10 @@ from app.settings import Settings
 from app.store.files.disk_watch import disk_room
 from app.store.files.temporary_folders import bytes_in, temporary_folder
 
+router = APIRouter(tags=["exports"])
+
+PIECE = 1 << 20  # bytes
+ZIP = {"requestBody": {"required": True, "content": {"application/zip": {"schema": {"type": "string"}}}}}
 FILE, RECORDINGS = "archive.zip", "recordings"  # in the folder of an import
 
 Step = Literal["send", "unpack"]
@@ -81,9 +85,6 @@ class ImportCourses:
         return self._of.get(person_id)
 
 
-router = APIRouter(tags=["exports"])
-
-
 class ArchiveRoomView(Document):
     """The recordings of an archive; `words`: why there is no room for them, empty when there is."""
 
@@ -122,9 +123,6 @@ def room(patient_id: RowId, who: Exporter, settings: SettingsPart, database: Db)
 
 
 ImportsPart = Annotated[ImportCourses, Depends(part(ImportCourses))]
-
-PIECE = 1 << 20  # bytes
-ZIP = {"requestBody": {"required": True, "content": {"application/zip": {"schema": {"type": "string"}}}}}
 
 
 class ImportedView(Document):

@@ -40,7 +40,7 @@ def attention(db: Session, clinic_id: int, _person_id: int) -> Iterator[tuple[in
 
 FEATURE: Final = Feature(
     tables=(SessionNote, NoteRevision, OutcomeScale, SessionSignOff),
-    routes=("routes", "sign_offs", "session_comparisons"),
+    routes=("routes", "session_comparisons"),
     archived=(
         ArchivedTable(SessionNote, by="session_id"),
         ArchivedTable(NoteRevision, by="note_id", forms={"person": Line}),

@@ -1,5 +1,6 @@
-"""The record of a session: read it, write goal, notes and scales. A signed session refuses every change (409)."""
+"""The record of a session: read it, write goal, notes and scales, sign it off. A signed one refuses changes (409)."""
 
+import asyncio
 from collections.abc import Callable
 from datetime import date
 from typing import Annotated, Any
@@ -7,14 +8,14 @@ from typing import Annotated, Any
 from fastapi import APIRouter
 from pydantic import Field
 
-from app.api.deps import Anyone, Clinician, Db, LivePart, RowId
+from app.api.answers import OriginView
+from app.api.deps import Anyone, Clinician, Db, LivePart, Owner, RowId, SessionFlowPart, SocketsPart, ViewKeeperPart
 from app.api.page_session import OWN_NAME, any_session
-from app.api.routes.origin_view import OriginView
 from app.api.sign_in.identity import SignedInPerson
 from app.features.records.service import add_note, add_scale, remove_scale, revise_note, write_goal
 from app.features.records.session_views import SessionRecordView, SessionRow, record_view, sign_off_view
-from app.features.records.sign_off import require_unsigned, sign_offs_of
-from app.quantities import Document, Finite, Note, Title
+from app.features.records.sign_off import require_unsigned, sign_off, sign_offs_of, unlock
+from app.quantities import Document, Finite, Line, Note, Title
 from app.store.database import Transaction
 from app.store.log import log_viewing, write_log
 from app.store.origins import origins_of
@@ -159,6 +160,63 @@ def _changed(
         details = write(db)
         if details is not None:
             write_log(db, who.name, what, patient=session.patient_id, session=session_id, **details)
+        answer = record_view(db, session)
+    live.tell("record")
+    return answer
+
+
+class Unlock(Document):
+    """Why a signed session is unlocked."""
+
+    reason: Annotated[Line, Field(min_length=1, max_length=200, pattern=r"\S")]
+
+
+@router.post("/sessions/{session_id}/sign-off", status_code=201)
+@any_session(OWN_NAME)
+async def sign_session_off(
+    session_id: RowId,
+    who: Clinician,
+    database: Db,
+    sockets: SocketsPart,
+    session_flow: SessionFlowPart,
+    live: LivePart,
+    view_keeper: ViewKeeperPart,
+) -> SessionRecordView:
+    """Sign a session off: nothing of it can be changed any more. The open session ends with it.
+
+    409 during a step, trial or drive.
+    """
+
+    def _sign() -> tuple[SessionRecordView, bool]:
+        with database.transaction() as db:
+            session = find_session(db, who.clinic_id, session_id)
+            was_open = session.ended is None
+            sign_off(db, session, who.name)
+            write_log(db, who.name, "session signed off", patient=session.patient_id, session=session_id)
+            return record_view(db, session), was_open
+
+    async with session_flow.undisturbed("sign off"):
+        answer, was_open = await asyncio.to_thread(_sign)
+        if was_open:
+            await sockets.close_ended_screens()
+            await view_keeper.close()
+            await session_flow.session_changed()
+    live.tell("record")
+    return answer
+
+
+@router.post("/sessions/{session_id}/unlock")
+@any_session(OWN_NAME)
+def unlock_session(session_id: RowId, body: Unlock, who: Owner, database: Db, live: LivePart) -> SessionRecordView:
+    """Unlock a signed session, for a reason, which stays with its sign-off in the history of the session.
+
+    For owners.
+    """
+    with database.transaction() as db:
+        session = find_session(db, who.clinic_id, session_id)
+        row = unlock(db, session, who.name, body.reason)
+        details = {"patient": session.patient_id, "session": session_id, "signed_by": row.person}
+        write_log(db, who.name, "session unlocked", **details)
         answer = record_view(db, session)
     live.tell("record")
     return answer

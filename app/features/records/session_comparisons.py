@@ -1,32 +1,86 @@
-"""Two sessions of a patient side by side: what was driven, the measures with their verdicts, what changed."""
+"""Two sessions of a patient side by side: what was driven, measures and tests with their verdicts, what changed."""
 
 from collections import Counter
-from typing import Annotated
+from typing import Annotated, Any, NamedTuple
 
 from fastapi import APIRouter, Query
 
 from app.api.deps import Anyone, ComputingPart, Db, PlacesPart, RowId, SpreadPart
-from app.features.records.compared_tests import ComparedTests, pairs_of_tests, verdicts_on
+from app.api.interface_test_view import InterfaceTestView
+from app.computing_process import ComputingProcess
 from app.features.records.session_views import SessionRecordView, UsedSetView, record_view
 from app.quantities import Document
 from app.refusals import Conflict
+from app.scoring.interface_test.interface_course import COMPLETE, StoredTest, counted_tests
+from app.scoring.interface_test.interface_verdicts import verdicts_between
+from app.scoring.verdict.measure_verdict import Verdict
 from app.scoring.verdict.session_comparison import MeasureOfSessions, compare_tasks
 from app.session.clinic_spread import Task
 from app.session.parameter_differences import Difference, differences
 from app.source import SourceGroup
 from app.store.database import Transaction
+from app.store.interface_tests import interface_tests_of
 from app.store.learning_trials import counted_trials
 from app.store.log import write_log
 from app.store.parameters import as_document
 from app.store.patients import find_session
 from app.store.session_contents import UsedSet, set_of, sets_of_session, trials_of_session
-from app.store.tables import PatientSession, Trial
+from app.store.tables import InterfaceTest, PatientSession, Trial
 from app.world.path_titles import path_title
 
 router = APIRouter(tags=["records"])
 
 OTHER_PATIENT = "These two sessions are not of one patient: choose two sessions of the same list."
 SAME_SESSION = "These are one and the same session: choose two."
+
+
+class ComparedTests(Document):
+    """Tests of one kind of source in two sessions; no verdicts when one has no complete test, or they asked others."""
+
+    source: SourceGroup
+    complete: tuple[int, int]  # tests in the earlier and in the later session
+    earlier: InterfaceTestView | None  # the newest complete test of the session
+    later: InterfaceTestView | None
+    verdicts: dict[str, Verdict]
+
+
+class PairOfTests(NamedTuple):
+    """What is compared, before the verdicts are computed."""
+
+    shown: ComparedTests
+    counted: list[dict[str, Any]]  # all tests up to the later one that asked what that one asked
+
+
+def pairs_of_tests(db: Transaction, earlier: PatientSession, later: PatientSession) -> list[PairOfTests]:
+    """Return the two-minute tests of two sessions by their source; a source that neither session has is left out."""
+    of: dict[SourceGroup, list[tuple[InterfaceTest, int]]] = {}
+    for test, session in interface_tests_of(db, later.clinic_id, later.patient_id):
+        if session <= later.number and test.status == "done":
+            of.setdefault(test.source.group, []).append((test, session))
+    found = []
+    for group, tests in of.items():
+        own = [[test for test, session in tests if session == one.number] for one in (earlier, later)]
+        if not any(own):
+            continue
+        complete = [[one for one in each if one.end == COMPLETE and one.measures is not None] for each in own]
+        views = [
+            InterfaceTestView.of_row(each[-1], session.number) if each else None
+            for each, session in zip(complete, (earlier, later), strict=True)
+        ]
+        counts = (len(complete[0]), len(complete[1]))
+        shown = ComparedTests(source=group, complete=counts, earlier=views[0], later=views[1], verdicts={})
+        counted = counted_tests([StoredTest(one.number, one.end, one.plan, one.measures) for one, _ in tests])
+        found.append(PairOfTests(shown, counted))
+    return found
+
+
+def verdicts_on(pair: PairOfTests, computing: ComputingProcess) -> ComparedTests:
+    """Return a comparison with its verdicts."""
+    shown, counted = pair
+    if shown.earlier is None or shown.later is None:
+        return shown
+    found = computing.ask(verdicts_between, counted, shown.earlier.number, shown.later.number)
+    return shown if found is None else shown.model_copy(update={"verdicts": found.verdicts})
 
 
 class TaskComparison(Document):

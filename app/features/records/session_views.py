@@ -3,9 +3,8 @@
 from datetime import date
 from typing import Any
 
-from app.api.answers import Answer, MomentText
+from app.api.answers import Answer, MomentText, OriginView
 from app.api.interface_test_view import InterfaceTestView
-from app.api.routes.origin_view import OriginView
 from app.api.routes.source_view import SourceView
 from app.features.records.service import note_history, session_record
 from app.features.records.sign_off import SignOff, sign_off_history

@@ -7,9 +7,8 @@ from fastapi import APIRouter
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
-from app.api.answers import Answer, MomentText
+from app.api.answers import Answer, MomentText, OriginView
 from app.api.deps import Anyone, Db, RowId
-from app.api.routes.origin_view import OriginView
 from app.features.records.service import session_record
 from app.features.registration import EventKind, StoryEvent, features
 from app.quantities import Document
