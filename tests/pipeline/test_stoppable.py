@@ -38,8 +38,10 @@ RATE = 100.0
 TREMBLE = 1e-6  # signal units of noise, so that no channel is constant
 PROFILE = make_profile(n_channels=8).model_copy(update={"noise": (TREMBLE,) * 8})  # two channels a joint
 REST = np.zeros(8)
+CHANNELS = {joint.name: list(joint.channels) for joint in PROFILE.joints}
+FULL = {joint.name: joint.span * np.array(joint.direction) for joint in PROFILE.joints}  # of one full movement
 for joint in PROFILE.joints:
-    REST[list(joint.channels)] = joint.mean
+    REST[CHANNELS[joint.name]] = joint.mean
 MODES = get_args(ControlMode)
 DIRECTIONS = [control for control in get_args(Control) if control != "stop"]
 STOPPED_WITHIN = 0.2  # s
@@ -120,14 +122,15 @@ class Person:
 
     def _tick(self):
         values = REST + TREMBLE * (self.steps % 2)
-        for joint in PROFILE.joints:
-            channels, posture = list(joint.channels), self.posture[joint.name]
-            if joint.name in self.stuck:
-                posture = self.stuck[joint.name]
+        for joint, channels in CHANNELS.items():
+            posture = self.posture[joint]
+            if joint in self.stuck:
+                posture = self.stuck[joint]
                 values[channels] = REST[channels] + self.noise * TREMBLE * (self.steps % 2)
-            values[channels] += posture * joint.span * np.array(joint.direction)
-            if joint.name in self.broken:
-                values[joint.channels[0]] = math.nan
+            if posture:
+                values[channels] += posture * FULL[joint]
+            if joint in self.broken:
+                values[channels[0]] = math.nan
         t = self.steps / RATE
         self.steps += 1
         return self.chain.step(SensorFrame(self.steps, t, t, values), t, Conditions())
