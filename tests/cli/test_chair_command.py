@@ -13,7 +13,7 @@ from app.hardware.chair.receive import _parser
 from app.session.equipment import pairing
 from app.speeds import Speeds
 from app.store.chairs import chairs_of
-from app.store.database import Database
+from app.store.database import PRAGMAS, Database
 from app.store.people import add_clinic, add_person, the_clinic
 from app.store.tables import LogEntry
 
@@ -170,7 +170,7 @@ def test_a_database_that_keeps_nothing_leaves_no_key(bodydrive, tmp_path, monkey
 
 def test_a_database_that_another_program_holds_is_said_so(bodydrive, tmp_path, monkeypatch):
     bodydrive(*BLUE)
-    monkeypatch.setattr("app.store.database.BUSY_TIMEOUT", 50)
+    monkeypatch.setattr("app.store.database.PRAGMAS", (*PRAGMAS, "busy_timeout=50"))
     holding = sqlite3.connect(tmp_path / "clinic" / "bodydrive.sqlite", isolation_level=None)
     holding.execute("BEGIN EXCLUSIVE")
     refused(bodydrive(*BLUE[:3], "Red", *BLUE[4:]), "Another program")

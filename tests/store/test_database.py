@@ -9,7 +9,7 @@ from sqlalchemy.exc import IntegrityError, OperationalError
 from app.clock import utc_now
 from app.refusals import DiskFull, Unavailable
 from app.store import database as database_module
-from app.store.database import Database, make_engine
+from app.store.database import PRAGMAS, Database, make_engine
 from app.store.patients import add_patient
 from app.store.people import add_clinic
 from app.store.tables import Clinic, Patient
@@ -77,7 +77,7 @@ def test_a_full_disk_is_a_refusal_in_a_sentence_and_what_was_there_stays(tmp_pat
 
 
 def test_a_database_that_another_program_holds_is_a_refusal(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(database_module, "BUSY_TIMEOUT", 1)
+    monkeypatch.setattr(database_module, "PRAGMAS", (*PRAGMAS, "busy_timeout=1"))
     database = Database(tmp_path / "a.sqlite")
     other = make_engine(tmp_path / "a.sqlite")
     with (
