@@ -1,10 +1,11 @@
 """`python -m bench`, as `make bench` runs it."""
 
 import json
-import os
 import re
 import subprocess
 import sys
+from collections.abc import Callable
+from importlib import import_module
 from types import SimpleNamespace
 
 import pytest
@@ -13,10 +14,12 @@ import bench.__main__ as command
 from bench.row import Row
 from folders import ROOT
 
+FIT = "calibration fit of 10 s at 1 kHz x 52"
 
-def bench(*words: str, **more: str) -> "subprocess.CompletedProcess[str]":
-    command, environment = [sys.executable, "-m", "bench", *words], {**os.environ, **more}
-    return subprocess.run(command, check=False, capture_output=True, text=True, cwd=ROOT, env=environment)
+
+def bench(*words: str) -> "subprocess.CompletedProcess[str]":
+    words = (sys.executable, "-m", "bench", *words)
+    return subprocess.run(words, check=False, capture_output=True, text=True, cwd=ROOT)
 
 
 def test_one_part_is_measured_and_printed_as_one_json_object() -> None:
@@ -27,10 +30,27 @@ def test_one_part_is_measured_and_printed_as_one_json_object() -> None:
     assert [row["figure"] > 0 for row in found["rows"]] == [True]
 
 
-def test_without_json_a_table_says_what_depends_on_the_machine() -> None:
-    ended = bench("fit")
-    assert ended.stderr == "fit: fitting a calibration ...\n"
-    title, _, head, _, row, _, machine = ended.stdout.splitlines()
+@pytest.fixture
+def printed(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Callable[..., tuple[int, str, str]]:
+    """Return a function that measures parts in this process, `fit` in no time: exit code, stdout and stderr."""
+    load = import_module
+    fit = SimpleNamespace(measure_fit=lambda: [Row(FIT, [20.0, 21.0], "ms", 100.0, "lower", "two runs")])
+    monkeypatch.setattr(command, "import_module", lambda module: fit if module == "bench.fit" else load(module))
+
+    def of(*words: str) -> tuple[int, str, str]:
+        monkeypatch.setattr(sys, "argv", ["bench", *words])
+        with pytest.raises(SystemExit) as ended:
+            command.main()
+        said = capsys.readouterr()
+        return ended.value.code, said.out, said.err  # type: ignore[return-value]
+
+    return of
+
+
+def test_without_json_a_table_says_what_depends_on_the_machine(printed: Callable[..., tuple[int, str, str]]) -> None:
+    code, out, errors = printed("fit")
+    assert (code, errors) == (0, "fit: fitting a calibration ...\n")
+    title, _, head, _, row, _, machine = out.splitlines()
     assert title == "What depends on how fast this machine is:"
     assert "measured (of each run)" in head
     assert re.match(r"\| calibration fit of 10 s at 1 kHz x 52 \| [\d.]+ ms \([\d.]+ to [\d.]+\) \| <= 100 \|", row)
@@ -43,27 +63,28 @@ def test_an_unknown_part_is_refused_in_one_sentence() -> None:
     assert "there is no part 'speed' to measure: use any of chain, gate" in ended.stderr
 
 
-def test_a_part_that_cannot_be_measured_here_is_a_sentence_and_the_others_are_measured() -> None:
-    ended = bench("page", "fit", "--json", PATH="/nowhere")
-    assert ended.returncode == 0
-    assert ended.stderr.startswith("page is not measured: there is no chromium here: install Debian's package")
-    assert len(json.loads(ended.stdout)["rows"]) == 1
+def test_a_part_that_cannot_be_measured_here_is_a_sentence_and_the_others_are_measured(
+    printed: Callable[..., tuple[int, str, str]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PATH", "/nowhere")
+    code, out, errors = printed("page", "fit", "--json")
+    assert code == 0
+    assert errors.startswith("page is not measured: there is no chromium here: install Debian's package")
+    assert len(json.loads(out)["rows"]) == 1
 
 
 def test_what_was_measured_is_printed_although_another_part_failed(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    printed: Callable[..., tuple[int, str, str]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def measure(module: str) -> SimpleNamespace:
-        if module == "bench.fit":
-            return SimpleNamespace(measure_fit=lambda: [Row("a fit", [2.0], "ms", None, "lower", "two runs")])
+    load = vars(command)["import_module"]  # that of `printed`
+
+    def fail() -> None:
         raise AssertionError("the page did not come")
 
-    monkeypatch.setattr(command, "import_module", measure)
-    monkeypatch.setattr(sys, "argv", ["bench", "page", "fit"])
-    with pytest.raises(SystemExit) as ended:
-        command.main()
-    printed = capsys.readouterr()
-    assert ended.value.code == 1
-    assert "| a fit | 2 ms" in printed.out
-    assert "page is not measured, because it failed:" in printed.err
-    assert "the page did not come" in printed.err
+    page = SimpleNamespace(measure_page=fail)
+    monkeypatch.setattr(command, "import_module", lambda module: page if module == "bench.web.page" else load(module))
+    code, out, errors = printed("page", "fit")
+    assert code == 1
+    assert f"| {FIT} | 20.5 ms" in out
+    assert "page is not measured, because it failed:" in errors
+    assert "the page did not come" in errors
