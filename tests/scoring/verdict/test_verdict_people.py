@@ -7,7 +7,7 @@ import pytest
 
 from bench.learning.verdicts import learners, outcomes
 
-PEOPLE = 1000
+PEOPLE = 500
 
 
 @pytest.mark.parametrize("layout", [(3, 2), (5, 5), (5, 5, 5, 5), (10,)], ids=str)
