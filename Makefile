@@ -35,9 +35,9 @@ demo: $(VENV)/.installed
 
 # First what computes, then what waits for real processes and judges them by the clock, then what waits for browsers:
 # side by side, these would wait for each other, and a machine that is too busy fails them. A file is run by one process,
-# except where each test starts processes of its own.
+# except where each test starts processes of its own; a group (`xdist_group`) shares what it starts.
 SIDE_BY_SIDE := -n 3 --dist loadfile --no-loadscope-reorder
-ONE_BY_ONE := --dist load --maxschedchunk 1
+ONE_BY_ONE := --dist loadgroup --no-loadscope-reorder
 # Whole programs work by the clock: on a slow processor fewer of them run side by side.
 AT_MOST = -n $$($(BIN)/python tests/side_by_side.py $(1))
 PROCESSES := tests/processes tests/bench

@@ -7,6 +7,8 @@ import psutil
 import pytest
 from drills.connections import DESCRIPTORS, KINDS, MOST_KEPT, connections, few_descriptors, stop, upload_as_nobody
 
+pytestmark = pytest.mark.xdist_group("silent connections")  # one program for all of them
+
 
 @pytest.fixture(scope="module")
 def demo():

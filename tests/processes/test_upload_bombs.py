@@ -21,6 +21,7 @@ EACH_READER = (
     "a DXF of 10,000 million lines",
     "a Parquet file of 100 million rows",
 )
+pytestmark = pytest.mark.xdist_group("upload bombs")  # one program for all of them
 HELD_UP = 3.0  # s: a file that is unpacked by the event loop holds every answer up for longer
 
 

@@ -18,6 +18,8 @@ from websockets.typing import Origin
 
 from folders import ROOT
 
+pytestmark = pytest.mark.xdist_group("lan")  # one program for all of them
+
 
 @pytest.fixture(scope="module")
 def lan(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ServedLan]:
