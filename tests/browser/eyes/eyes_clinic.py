@@ -242,7 +242,7 @@ class EyesClinic(ServedClinic):
         """Return what is stored, and under way, of all that a place may change."""
         with closing(sqlite3.connect(self._settings.database)) as db:
             rows = [db.execute(query).fetchall() for query in STORED]
-        return rows, self.process.run, self.app.state.web.calibration.running
+        return rows, self.process.run, self.app.state.parts[CalibrationFlow].running
 
     def clear(self) -> None:
         """Take the reason back."""

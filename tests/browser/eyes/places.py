@@ -37,6 +37,7 @@ from browser.eyes.states.trials_places import TRIALS_PLACES
 from playwright.sync_api import expect
 
 from app.faults import Fault
+from app.session.trial import TrialFlow
 
 
 def refused_sign_in(page: Any, clinic: EyesClinic) -> None:
@@ -283,7 +284,7 @@ def put_back(clinic: EyesClinic) -> None:
         clinic.good("POST", "/interface-tests/current/end")
     if clinic.process.run:  # on a busy machine, the answer may come before it has been measured
         clinic.client.request("POST", "/trials/current/end", json={"reason": "by hand"})
-        while clinic.app.state.web.trials.current:
+        while clinic.app.state.parts[TrialFlow].current:
             time.sleep(0.05)
     no_chair(clinic)
     clinic.put_back_to = clinic.stored()

@@ -89,7 +89,7 @@ class ClinicApp(ServedClinic):
         """Load the first page anew for the owner, who is signed in, as in a browser that was never here before."""
         page.goto(f"{self.address}/icon.svg")  # the page that stood here asks for nothing more
         page.evaluate("() => { localStorage.clear(); sessionStorage.clear(); }")
-        with self.app.state.people.database.transaction() as db:
+        with self.app.state.parts[Database].transaction() as db:
             owner = find_person(db, OWNER["name"])
             assert owner is not None
             token = sign_in(db, owner, "test")
