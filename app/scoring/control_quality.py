@@ -84,30 +84,31 @@ def control_quality(
         raise ValueError("the recording holds other gestures than its parameters: it cannot be judged, drive again")
     bound = parameters.bound_gestures
     counts = [onsets(activation[armed, gesture]) for gesture in bound]
-    joint_of = [parameters.gestures[gesture].joint for gesture in bound]
+    bound_gestures = [parameters.gestures[gesture] for gesture in bound]
+    joint_of = [gesture.joint for gesture in bound_gestures]
     joints = [joint for joint in profile.joints if joint.name in joint_of]
     signals = np.asarray(values, dtype=np.float64)
     used = np.zeros(signals.shape[1], dtype=np.bool_)
     used[[channel for joint in joints for channel in joint.channels]] = True
     bad = ChannelHealth(profile, used, sample_rate).block(signals, None)
     bad_share = bad[armed].mean(axis=0)
-    whole = fill_forward(np.where(np.isfinite(signals), signals, np.nan))
+    filled = fill_forward(np.where(np.isfinite(signals), signals, np.nan))
     qualities = []
     for joint in joints:
         good = [channel for channel in joint.channels if bad_share[channel] <= MOST_BAD]
         usable = armed & ~bad[:, good].any(axis=1)
         activations = sum(count for count, name in zip(counts, joint_of, strict=True) if name == joint.name)
         dead_zones = [
-            one.dead_zone
-            for one in (parameters.gestures[gesture] for gesture in bound)
-            if one.joint == joint.name and one.feature == "rate"
+            gesture.dead_zone for gesture in bound_gestures if gesture.joint == joint.name and gesture.feature == "rate"
         ]
         dead_zone = min(dead_zones, default=None)
-        qualities.append(joint_quality(joint, good, profile.layout, whole, usable, sample_rate, activations, dead_zone))
+        qualities.append(
+            joint_quality(joint, good, profile.layout, filled, usable, sample_rate, activations, dead_zone)
+        )
     return ControlQuality(
-        map_angle_deg=_worst(max, (one.map_angle_deg for one in qualities)),
-        evr=_worst(min, (one.evr for one in qualities)),
-        null_space_share=_worst(max, (one.null_space_share for one in qualities)),
+        map_angle_deg=_worst(max, (quality.map_angle_deg for quality in qualities)),
+        evr=_worst(min, (quality.evr for quality in qualities)),
+        null_space_share=_worst(max, (quality.null_space_share for quality in qualities)),
         cross_talk=cross_talk(activation[armed][:, bound], _stops(parameters, bound)),
         activations=sum(counts),
         activations_per_metre=sum(counts) / distance if distance >= LEAST_DISTANCE else None,
@@ -166,5 +167,5 @@ def _stops(parameters: DriveParameters, bound: list[int]) -> list[list[int]]:
 
 
 def _worst(choose: Callable[[list[float]], float], values: Iterable[float | None]) -> float | None:
-    known = [value for value in values if value is not None]
-    return choose(known) if known else None
+    numbers = [value for value in values if value is not None]
+    return choose(numbers) if numbers else None

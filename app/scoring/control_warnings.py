@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.grades import EVR_LIMITS, LARGEST_ANGLE
-from app.number_words import percent
+from app.number_words import amount, percent
 from app.scoring.control_quality import BadChannel
 from app.scoring.trend import mann_kendall
 from app.scoring.trial_assessment import (
@@ -73,20 +73,20 @@ def control_warnings(trials: Sequence[TrialAssessment], map_version: int | None 
         every = comparable_trials(trials_of_joint(trials, name))
         warnings += noise_warnings(trials_of_joint(of_map, name), every)
         warnings += span_warnings([row for row in every if row.trial.task == trials[-1].task])
-    return ControlWarnings(sorted(warnings, key=lambda one: ORDER.index(one.kind)), _note(trials))
+    return ControlWarnings(sorted(warnings, key=lambda warning: ORDER.index(warning.kind)), _note(trials))
 
 
 def _note(trials: Sequence[TrialAssessment]) -> str:
-    """Say how many more trials the trends need; empty when there are enough."""
+    """Return in a sentence how many more trials the trends need; empty when there are enough."""
     same_task = [trial for trial in trials if trial.task == trials[-1].task]
     sessions = len({trial.session for trial in same_task})
-    here = sum(trial.session == trials[-1].session for trial in same_task)
-    if sessions >= LEAST_SESSIONS or here >= LEAST_TRIALS:
+    in_last_session = sum(trial.session == trials[-1].session for trial in same_task)
+    if sessions >= LEAST_SESSIONS or in_last_session >= LEAST_TRIALS:
         return ""
     return (
         f"Few trials: whether movements get smaller is told from {LEAST_TRIALS} trials of one task in one session, or "
-        f"from {LEAST_SESSIONS} sessions on; so far there {'is' if here == 1 else 'are'} {here} in the last session, "
-        f"and {sessions} {'session' if sessions == 1 else 'sessions'}."
+        f"from {LEAST_SESSIONS} sessions on; so far there {'is' if in_last_session == 1 else 'are'} {in_last_session} "
+        f"in the last session, and {amount(sessions, 'session')}."
     )
 
 
@@ -129,29 +129,29 @@ def fit_warnings(rows: Sequence[JointInTrial]) -> list[ControlWarning]:
     rows = [row for row in rows if row.joint.direction is not None]
     if len(rows) < FEWEST:
         return []
-    now, label = rows[-min(EDGE, len(rows)) :], rows[-1].joint.label
+    last_trials, label = rows[-min(EDGE, len(rows)) :], rows[-1].joint.label
     guided = (
         " Another calibration than the standard one drives this joint: look whether it is still right."
         if rows[-1].joint.guided
         else ""
     )
-    angle, evr = median_of(now, "map_angle_deg"), median_of(now, "evr")
+    angle, evr = median_of(last_trials, "map_angle_deg"), median_of(last_trials, "evr")
     turn = _turn(rows)
     if turn > LARGEST_TURN:
-        words = f"{label}: the movement has turned by {turn:.0f}° against the first trials with this calibration."
+        finding = f"{label}: the movement has turned by {turn:.0f}° against the first trials with this calibration."
         advice = "Was the shirt put on again, or has it slipped? Set it straight, or calibrate again."
     elif angle > LARGEST_ANGLE and evr >= EVR_LIMITS[0]:
-        words = (
+        finding = (
             f"{label}: the movement lies {angle:.0f}° off the calibration, and "
-            f"{percent(median_of(now, 'null_space_share'))} of it never reaches the control."
+            f"{percent(median_of(last_trials, 'null_space_share'))} of it never reaches the control."
         )
         advice = "Repeat this joint's free movement and prompts as the person moves it while driving."
     elif evr < EVR_LIMITS[0] and evr < median_of(rows[:EDGE], "evr") - EVR_FALL:
-        words = f"{label}: the main movement is clear to only {percent(evr)}, less than in the first trials."
+        finding = f"{label}: the main movement is clear to only {percent(evr)}, less than in the first trials."
         advice = "Ask the person to move this joint one way only; if that does not help, calibrate again."
     else:
         return []
-    return [ControlWarning(kind="map", joint=label, words=words, advice=advice + guided)]
+    return [ControlWarning(kind="map", joint=label, words=finding, advice=advice + guided)]
 
 
 def _turn(rows: Sequence[JointInTrial]) -> float:
@@ -182,9 +182,9 @@ def _vector(row: JointInTrial, channels: list[str]) -> NDArray[np.float64]:
 
 def noise_warnings(of_map: Sequence[JointInTrial], every: Sequence[JointInTrial]) -> list[ControlWarning]:
     """Warn when a joint's noise at rest is near its dead-zone, or has grown."""
-    known = [row for row in of_map if row.joint.rest_rate is not None]
-    if len(known) >= FEWEST and known[-1].joint.dead_zone is not None:
-        now, dead_zone, label = median_of(known[-EDGE:], "rest_rate"), known[-1].joint.dead_zone, known[-1].joint.label
+    measured = [row for row in of_map if row.joint.rest_rate is not None]
+    if len(measured) >= FEWEST and (joint := measured[-1].joint).dead_zone is not None:
+        now, dead_zone, label = median_of(measured[-EDGE:], "rest_rate"), joint.dead_zone, joint.label
         if now > NOISE_SHARE * dead_zone:
             return [
                 ControlWarning(
@@ -229,24 +229,24 @@ def span_warnings(every: Sequence[JointInTrial]) -> list[ControlWarning]:
         float(np.median([float(row.joint.span or 0.0) for row in group]))
         for _, group in groupby(rows, key=lambda row: row.trial.session)
     ]
-    here = [float(row.joint.span or 0.0) for row in rows if row.trial.session == rows[-1].trial.session]
+    in_last_session = [float(row.joint.span or 0.0) for row in rows if row.trial.session == rows[-1].trial.session]
     has_fallen = len(sessions) >= LEAST_SESSIONS and sessions[-1] < (1 - SPAN_FALL) * sessions[0]
     if has_fallen and _has_trend(sessions, "falls"):
         fall = 1 - sessions[-1] / sessions[0]
-        words = f"{label}: the movement has become {percent(fall)} smaller over {len(sessions)} sessions."
+        finding = f"{label}: the movement has become {percent(fall)} smaller over {len(sessions)} sessions."
         advice = (
             "Ask about strength and pain. When it stays, calibrate again, so that “Full at” is what the person can "
             "reach now, and note the range of motion in the record."
         )
-    elif len(here) >= LEAST_TRIALS and _has_trend(here, "falls"):
-        first, last = float(np.median(here[:EDGE])), float(np.median(here[-EDGE:]))
+    elif len(in_last_session) >= LEAST_TRIALS and _has_trend(in_last_session, "falls"):
+        first, last = float(np.median(in_last_session[:EDGE])), float(np.median(in_last_session[-EDGE:]))
         if last >= (1 - SPAN_FALL_WITHIN) * first:
             return []
-        words = f"{label}: the movement has become {percent(1 - last / first)} smaller within this session."
+        finding = f"{label}: the movement has become {percent(1 - last / first)} smaller within this session."
         advice = "The person may be tired: let them rest, or end the session. Do not calibrate on a tired movement."
     else:
         return []
-    return [ControlWarning(kind="span", joint=label, words=words, advice=advice)]
+    return [ControlWarning(kind="span", joint=label, words=finding, advice=advice)]
 
 
 def _unit(row: JointInTrial) -> float:
@@ -255,8 +255,8 @@ def _unit(row: JointInTrial) -> float:
 
 
 def _per_metre(rows: Sequence[JointInTrial]) -> list[float]:
-    known = (row.trial.quality.activations_per_metre for row in rows)
-    return [value for value in known if value is not None]
+    rates = (row.trial.quality.activations_per_metre for row in rows)
+    return [value for value in rates if value is not None]
 
 
 def _has_trend(values: Sequence[float], direction: Literal["falls", "rises"]) -> bool:

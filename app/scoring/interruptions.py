@@ -44,13 +44,13 @@ def interruptions(t: ArrayLike, state: ArrayLike, fault: ArrayLike) -> list[Inte
     permitted = states == State.ARMED
     kinds = _kinds(states.tolist(), faults.tolist())
     edges = [0, *(np.flatnonzero(np.array(kinds[1:], dtype=object) != np.array(kinds[:-1], dtype=object)) + 1).tolist()]
-    found = []
+    all_interruptions = []
     for first, end in pairwise([*edges, len(kinds)]):
         kind = kinds[first]
         if kind is not None:
             before = float(dt[:first][permitted[:first]].sum())
-            found.append(Interruption(kind, before, float(dt[first:end].sum())))
-    return found
+            all_interruptions.append(Interruption(kind, before, float(dt[first:end].sum())))
+    return all_interruptions
 
 
 def _kinds(states: list[int], faults: list[int]) -> list[Kind | None]:
@@ -101,12 +101,12 @@ def _since_interruption(permitted: NDArray[np.bool_], stands: NDArray[np.bool_])
     return interrupted > moved
 
 
-def interruption_measures(found: list[Interruption], time: float, *, reached: bool) -> dict[str, Any]:
+def interruption_measures(all_interruptions: list[Interruption], time: float, *, reached: bool) -> dict[str, Any]:
     """Return count and duration (s) of the interruptions, by kind, in the trial's first `time` s of permitted motion.
 
     `reached`: the trial was done after `time`; an interruption that began then is after it.
     """
-    counted = [one for one in found if one.at < time or not reached]
+    counted = [interruption for interruption in all_interruptions if interruption.at < time or not reached]
     measures: dict[str, Any] = {}
     kinds: dict[Kind, tuple[str, str]] = {
         "machine": ("halts", "halt_time"),
@@ -114,41 +114,41 @@ def interruption_measures(found: list[Interruption], time: float, *, reached: bo
         "person": ("person_stops", "person_stop_time"),
     }
     for kind, (count, duration) in kinds.items():
-        own = [one.duration for one in counted if one.kind == kind]
-        measures |= {count: len(own), duration: float(sum(own))}
+        durations = [interruption.duration for interruption in counted if interruption.kind == kind]
+        measures |= {count: len(durations), duration: float(sum(durations))}
     lost = measures["halt_time"] + measures["pause_time"]
     often = measures["halts"] + measures["pauses"] > MOST_HALTS
     return {**measures, "interrupted": bool(often or lost > LARGEST_SHARE * (time + lost))}
 
 
-WORDS: Final = (("halted", "halts", "halt_time"), ("paused", "pauses", "pause_time"))
-PEOPLE_WORDS: Final = ("stopped by a person", "person_stops", "person_stop_time")
+MACHINE_KINDS: Final = (("halted", "halts", "halt_time"), ("paused", "pauses", "pause_time"))
+PERSON_KIND: Final = ("stopped by a person", "person_stops", "person_stop_time")
 
 
 def interruptions_of(measures: Mapping[str, Any] | None) -> dict[str, Any]:
     """Return count and duration (s) of the interruptions in a trial's measures, of those kinds that there were."""
     if measures is None:
         return {}
-    kinds = [(count, duration) for _, count, duration in (*WORDS, PEOPLE_WORDS) if measures.get(count)]
+    kinds = [(count, duration) for _, count, duration in (*MACHINE_KINDS, PERSON_KIND) if measures.get(count)]
     return {name: measures.get(name) for kind in kinds for name in kind}
 
 
 def interruption_words(measures: Mapping[str, Any] | None) -> str:
     """Return the interruptions of a trial in words, such as "halted 3 times, 14 s"; empty when there was none."""
-    return _words(measures or {}, *WORDS, PEOPLE_WORDS)
+    return _sentence(measures or {}, *MACHINE_KINDS, PERSON_KIND)
 
 
 def reason_to_ask(measures: Mapping[str, Any]) -> str | None:
     """Return why a trial counts only when a person says so, None when it counts."""
     if not measures.get("interrupted"):
         return None
-    return f"the machine interrupted it ({_words(measures, *WORDS)}), and nobody has said yet that it counts"
+    return f"the machine interrupted it ({_sentence(measures, *MACHINE_KINDS)}), and nobody has said yet that it counts"
 
 
-def _words(measures: Mapping[str, Any], *kinds: tuple[str, str, str]) -> str:
+def _sentence(measures: Mapping[str, Any], *kinds: tuple[str, str, str]) -> str:
     parts = []
-    for word, count, duration in kinds:
+    for verb, count, duration in kinds:
         if times := int(measures.get(count) or 0):
             how_often = "once" if times == 1 else f"{times} times"
-            parts.append(f"{word} {how_often}, {measures.get(duration) or 0.0:.0f} s")
+            parts.append(f"{verb} {how_often}, {measures.get(duration) or 0.0:.0f} s")
     return "; ".join(parts)

@@ -87,11 +87,11 @@ def joint_quality(
         FS/s, the smallest dead-zone of the joint's gestures.
     """
     names = layout.channel_names
-    label = next(one.label for one in layout.joints if one.name == joint.name)
+    label = next(layout_joint.label for layout_joint in layout.joints if layout_joint.name == joint.name)
     guided = joint.map != "pca"
     weights = np.array([joint.direction[joint.channels.index(channel)] for channel in channels])
     length = float(np.linalg.norm(weights))
-    known = JointQuality(
+    quality = JointQuality(
         name=joint.name,
         label=label,
         channels=tuple(names[index] for index in joint.channels),
@@ -100,7 +100,7 @@ def joint_quality(
         activations=activations,
     )
     if length == 0 or np.count_nonzero(usable) < LEAST_TIME * sample_rate:
-        return known
+        return quality
     smoothed = smooth(values[:, channels], CUTOFF, sample_rate)
     rates = np.diff(smoothed, axis=0, prepend=smoothed[:1]) * (sample_rate / joint.span)
     # A joint moves when its rate, in any direction, is that of a command along the map; leakage from other joints is
@@ -110,16 +110,16 @@ def joint_quality(
     fit = map_fit(smoothed, moving, weights / length, sample_rate)
     place = smoothed[usable] @ weights
     span = percentile_span(place)
-    found: dict[str, object] = {
+    figures: dict[str, object] = {
         "span": span,
         "span_share": span / joint.span,
         "rest_rate": rest_noise(rates @ weights, usable, sample_rate),
         "moved": float(np.count_nonzero(moving)) / sample_rate,
     }
     if fit is not None:
-        found |= {"map_angle_deg": fit.angle_deg, "evr": fit.evr, "null_space_share": fit.null_space_share}
-        found["direction"] = {names[i]: float(part) for i, part in zip(channels, fit.direction, strict=True)}
-    return known.model_copy(update=found)
+        figures |= {"map_angle_deg": fit.angle_deg, "evr": fit.evr, "null_space_share": fit.null_space_share}
+        figures["direction"] = {names[i]: float(part) for i, part in zip(channels, fit.direction, strict=True)}
+    return quality.model_copy(update=figures)
 
 
 def map_fit(values: Numbers, moving: Flags, weights: Numbers, sample_rate: float) -> MapFit | None:
@@ -149,11 +149,11 @@ def map_fit(values: Numbers, moving: Flags, weights: Numbers, sample_rate: float
         return None
     pca = JointPCA(range(len(weights))).fit(moved)
     first = pca.components_[0]
-    seen = float(pca.explained_variance_ratio_ @ (pca.components_ @ weights) ** 2)
+    explained = float(pca.explained_variance_ratio_ @ (pca.components_ @ weights) ** 2)
     return MapFit(
         angle_deg=angle_between(first, weights),
         evr=min(1.0, float(pca.explained_variance_ratio_[0])),
-        null_space_share=min(1.0, max(0.0, 1.0 - seen)),
+        null_space_share=min(1.0, max(0.0, 1.0 - explained)),
         direction=first if first @ weights >= 0 else -first,
     )
 

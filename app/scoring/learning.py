@@ -3,15 +3,26 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from app.scoring.learning_fit import Curve, LearningCurve, Numbers, fit_learning_curve
-from app.scoring.learning_words import details, plain_sessions, plain_words, session_details, too_few
-from app.scoring.measures import TRIAL_MEASURES
-from app.scoring.retention import retention
-from app.scoring.verdict.change_over_sessions import course_change
+import numpy as np
+
+from app.number_words import amount, with_minus
+from app.scoring.learning_fit import (
+    MIN_TRIALS,
+    MIN_TRIALS_FOR_CONSTANT,
+    Curve,
+    LearningCurve,
+    Numbers,
+    fit_learning_curve,
+)
+from app.scoring.measures import TRIAL_MEASURES, VERDICT_WORDS, Measure
+from app.scoring.retention import MeanChange, Retention, retention
+from app.scoring.trend import theil_sen
+from app.scoring.verdict.change_over_sessions import CourseChange, course_change
 from app.scoring.verdict.leading_measures import leading_of_task
 from app.scoring.verdict.measure_verdict import ClinicSpreads
 
 LARGEST = 1e100  # larger values are left out: sums of squares would overflow
+EDGE = 3  # trials at either end whose medians are compared
 
 
 def learning_curves(
@@ -46,7 +57,7 @@ def learning_curves(
     """
     curves: dict[str, dict[str, Any]] = {}
     leading = leading_of_task(trials)
-    driven = [_row(index, trial) for index, trial in enumerate(trials, start=1)]
+    compared = [_row(index, trial) for index, trial in enumerate(trials, start=1)]
     for name in names:
         if not any(name in trial for trial in trials):
             continue
@@ -59,21 +70,21 @@ def learning_curves(
         numbers, values = [row[0] for row in rows], [row[1] for row in rows]
         sessions = [row[2] for row in rows if row[2] is not None]
         learning = fit_learning_curve(numbers, values)
-        curve = curves[name] = {"text": too_few(len(rows)), "sessions": None, "details": [], "fit": None}
+        curve = curves[name] = {"text": _too_few_sentence(len(rows)), "sessions": None, "details": [], "fit": None}
         if learning is not None:
             are_known = len(sessions) == len(values)
-            kept = retention(sessions, values) if are_known and name in leading else None
-            change = course_change(name, driven, leading, clinic or {})
-            curve["text"] = plain_words(name, learning, change, len(set(sessions)) if are_known else 0)
-            curve["sessions"] = kept and plain_sessions(name, kept)
+            kept_change = retention(sessions, values) if are_known and name in leading else None
+            change = course_change(name, compared, leading, clinic or {})
+            curve["text"] = _change_sentences(name, learning, change, len(set(sessions)) if are_known else 0)
+            curve["sessions"] = kept_change and session_sentences(name, kept_change)
             curve["details"] = [
-                details(name, learning, change),
-                *([] if kept is None else [session_details(name, kept)]),
+                _change_statistics(name, learning, change),
+                *([] if kept_change is None else [session_statistics(name, kept_change)]),
             ]
             curve["fit"] = None if learning.curve.form == "level" else _curve_document(learning.n, learning.curve)
         if every_model:
             curve["form"] = learning and learning.curve.form
-            curve["others"] = [] if learning is None else _others(learning)
+            curve["others"] = [] if learning is None else _other_curves(learning)
     return curves
 
 
@@ -86,9 +97,161 @@ def _curve_document(n: Numbers, curve: Curve) -> dict[str, list[float]]:
     return {"n": n.tolist(), "value": curve.value.tolist(), "low": curve.low.tolist(), "high": curve.high.tolist()}
 
 
-def _others(learning: LearningCurve) -> list[dict[str, Any]]:
+def _other_curves(learning: LearningCurve) -> list[dict[str, Any]]:
     best = learning.curve.aicc
     return [
         {"form": curve.form, "aicc_more": curve.aicc - best, **_curve_document(learning.n, curve)}
         for curve in learning.curves[1:]
     ]
+
+
+def _too_few_sentence(count: int) -> str:
+    """Say that there are not trials enough for a curve."""
+    return f"Not enough trials for a learning curve: {count} of at least {MIN_TRIALS} that reached the goal."
+
+
+def _change_sentences(name: str, learning: LearningCurve, change: CourseChange, sessions: int) -> str:
+    """Say what became of a measure, by how much, and where it levels off.
+
+    `sessions` is the number of sessions that the trials were driven in; 0 where that is not known.
+    """
+    measure, count = TRIAL_MEASURES[name], len(learning.n)
+    over = f"over {count} trials" + (f" in {amount(sessions, 'session')}" if sessions else "")
+    subject = f"{measure.as_subject[0].lower()}{measure.as_subject[1:]}"
+    if change.word not in ("better", "worse"):
+        begin = {"within": f"Within noise {over}", "too few": f"Too few sessions to tell a change from noise, {over}"}
+        head = begin.get(change.word, over.capitalize())
+        sentence = f"{head}: {subject} was about {measure.level(float(np.median(learning.values)))}."
+    else:
+        head = f"{VERDICT_WORDS[change.word].capitalize()} {over}"
+        sentence = f"{head}: {subject} {_change(measure, learning, change)}.{_shape(measure, learning, change)}"
+    caution = f" {count} trials are few: this may yet change." if count < MIN_TRIALS_FOR_CONSTANT else ""
+    return f"{sentence}{caution}"
+
+
+def session_sentences(name: str, kept: Retention) -> str:
+    """Say what changed within a session, and how much of it was kept until the next one."""
+    measure, (within, between) = TRIAL_MEASURES[name], kept
+    if within.is_noise and between.is_noise:
+        return (
+            "Neither the change within a session nor the one over the pause to the next is more than noise "
+            f"(on average of {within.sessions} sessions)."
+        )
+    sentence = (
+        f"Within a session it {_step(measure, within)}, over the pause to the next one it {_step(measure, between)} "
+        f"(on average of {within.sessions} sessions)"
+    )
+    if within.is_noise or not _is_better(name, within.mean):
+        return f"{sentence}."
+    if between.is_noise:
+        return f"{sentence}: what was gained was kept, as far as can be told."
+    if _is_better(name, between.mean):
+        return f"{sentence}: what was gained was kept."
+    share = 1 - abs(between.mean / within.mean)
+    share_kept = f"about {100 * share:.0f} % of what was gained" if share >= 0.01 else "nothing of what was gained"
+    return f"{sentence}: {share_kept} was kept."
+
+
+def _change_statistics(name: str, learning: LearningCurve, change: CourseChange) -> str:
+    """Return the statistics of the change and of the curve of a measure."""
+    measure, count = TRIAL_MEASURES[name], len(learning.n)
+    first, last = _ends(learning)
+    # A few unusual trials at an end may contradict the change; the sentence must not.
+    went = {(True, True): "fell", (False, False): "rose"}.get((change.falls, last < first), "went")
+    sentence = (
+        f"{measure.as_subject} {went if _is_change(change) else 'went'} from {measure.level(first)} to "
+        f"{measure.level(last)} (medians of the first and the last {EDGE} of {count} trials)."
+    )
+    if change.p_value is not None:
+        p = "p < 0.001" if change.p_value < 0.001 else f"p = {change.p_value:.2g}"
+        sentence += (
+            " The last third of the sessions against the first, or the newest against those before, beside this "
+            f"person's own noise: {p}; a change has p < {change.level:.2g}."
+        )
+    return f"{sentence}{_slope(measure, learning, change)} {_form(measure, learning)}"
+
+
+def _is_change(change: CourseChange) -> bool:
+    return change.word in ("better", "worse")
+
+
+def session_statistics(name: str, kept: Retention) -> str:
+    """Return the changes within and between sessions with their intervals."""
+    measure = TRIAL_MEASURES[name]
+    return (
+        f"In the mean of {kept.within.sessions} sessions it {_interval(measure, kept.within)} within a session, "
+        f"and {_interval(measure, kept.between)} from its last trials to the first of the next."
+    )
+
+
+def _ends(learning: LearningCurve) -> tuple[float, float]:
+    """Return the medians of the first and of the last trials."""
+    return float(np.median(learning.values[:EDGE])), float(np.median(learning.values[-EDGE:]))
+
+
+def _is_better(name: str, change: float) -> bool:
+    better = TRIAL_MEASURES[name].better
+    return better is not None and (change < 0) == (better == "low")
+
+
+def _change(measure: Measure, learning: LearningCurve, change: CourseChange) -> str:
+    """Say by how much a measure fell or rose; not where a few unusual trials at an end contradict it."""
+    first, last = _ends(learning)
+    went = "fell" if change.falls else "rose"
+    if first == last or (last < first) != change.falls:
+        return went
+    amount = measure.level(abs(last - first))
+    return f"{went} by about {amount}, from {measure.figure(first)} to {measure.level(last)}"
+
+
+def _shape(measure: Measure, learning: LearningCurve, change: CourseChange) -> str:
+    """Say where a measure levels off; nothing where a level line is best, or the curve contradicts the change."""
+    curve = learning.curve
+    if curve.form == "level" or (curve.b > 0) != change.falls:
+        return ""
+    if curve.form == "power":
+        return " It goes on changing, in ever smaller steps."
+    if not learning.levels_off:
+        return " It has not levelled off yet."
+    level = max(curve.a, 0.0) if np.all(learning.values >= 0) else curve.a
+    return f" It levels off at about {measure.level(level)}."
+
+
+def _step(measure: Measure, change: MeanChange) -> str:
+    if change.is_noise:
+        return "stayed within noise"
+    return f"{'fell' if change.mean < 0 else 'rose'} by about {measure.level(abs(change.mean))}"
+
+
+def _interval(measure: Measure, change: MeanChange) -> str:
+    low, high = (measure.figure(end) for end in (change.low, change.high))
+    if change.is_noise:
+        return f"changed by {measure.level(change.mean)} (within noise; 99 %: {low} to {high})"
+    low, high = (measure.figure(end) for end in sorted((abs(change.low), abs(change.high))))
+    return f"{'fell' if change.mean < 0 else 'rose'} by {measure.level(abs(change.mean))} (99 %: {low} to {high})"
+
+
+def _slope(measure: Measure, learning: LearningCurve, change: CourseChange) -> str:
+    """Say how steep the course is; nothing where there is no change, or the slope contradicts it."""
+    slope = theil_sen(learning.n.tolist(), learning.values.tolist())
+    if not _is_change(change) or slope == 0 or (slope < 0) != change.falls:
+        return ""
+    step = with_minus(f"{abs(slope) * measure.factor:.2g}")
+    return f" From trial to trial it {'falls' if change.falls else 'rises'} by {measure.with_unit(step)} in the median."
+
+
+def _form(measure: Measure, learning: LearningCurve) -> str:
+    curve = learning.curve
+    if curve.form == "level":
+        return "No curve describes it better than a level line."
+    if curve.form == "power":
+        return "A power law describes it better than an exponential: large steps at first, then ever smaller ones."
+    if not learning.levels_off:
+        return "An exponential describes it best, and it has not levelled off within these trials."
+    levels = f"An exponential describes it best, levelling off at {measure.level(curve.a)}"
+    if learning.constant is not None:
+        tau, low, high = learning.constant
+        return f"{levels}, with a learning constant of {tau:.1f} trials (95 %: {low:.1f} to {high:.1f})."
+    if len(learning.n) < MIN_TRIALS_FOR_CONSTANT:
+        return f"{levels}; how fast is told from {MIN_TRIALS_FOR_CONSTANT} trials on."
+    return f"{levels} within the first trials."

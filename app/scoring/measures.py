@@ -40,8 +40,8 @@ class Measure:
     @property
     def defined_as(self) -> str:
         """What the measure is, for readers of exports."""
-        words = self.as_subject.removeprefix("The ")
-        return self.definition or f"{words[0].upper()}{words[1:]}"
+        subject = self.as_subject.removeprefix("The ")
+        return self.definition or f"{subject[0].upper()}{subject[1:]}"
 
     def figure(self, value: float) -> str:
         """Return a stored value as people read it, without its unit."""

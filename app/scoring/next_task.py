@@ -51,8 +51,8 @@ def is_worse_than_noise(rows: Rows, clinic: ClinicSpreads) -> bool:
     for name in ("e_diff", "time"):
         series, ids = series_of(rows, name)
         if len(ids):
-            pairs = [(before, one) for before, one in pairwise(ids) if int(one) in newest]
-            verdicts = [compare(name, series, ids == before, ids == one, clinic.get(name)) for before, one in pairs]
+            pairs = [(before, after) for before, after in pairwise(ids) if int(after) in newest]
+            verdicts = [compare(name, series, ids == before, ids == after, clinic.get(name)) for before, after in pairs]
             return any(verdict is not None and verdict.word == "worse" for verdict in verdicts)
     return False
 

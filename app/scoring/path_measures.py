@@ -1,4 +1,4 @@
-"""Measures of one trial along a path: distance, deviation from the path, time, speed, smoothness."""
+"""Measures of one trial along a path: distance, area between trajectory and path, deviation, time, smoothness."""
 
 import math
 from collections.abc import Sequence
@@ -7,9 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from app.scoring.area import area_between
 from app.scoring.command_counts import contact_beginnings, onsets, reversals, standstills
-from app.scoring.smoothness import log_dimensionless_jerk, sparc
 from app.world.path import Path
 from app.world.progress import LineProgress
 
@@ -17,6 +15,21 @@ Numbers = NDArray[np.float64]
 Measures = dict[str, float | int | bool | None]
 
 SPACING = 0.25  # m; progress along the path is updated in steps no longer than this
+HIGHEST_RATE = 100.0  # Hz, at which the speed is sampled at most
+LOWEST_RATE = 20.0  # Hz, twice the highest frequency of SPARC
+
+# Of the area between trajectory and path.
+MOST_POINTS = 2000  # a longer trajectory is simplified first
+TOLERANCE = 1e-4  # m, largest deviation of the simplified trajectory: an error of at most 0.0001 m2 per metre driven
+GRID = 1e-7  # m, to which crossings are rounded, so that nearly equal lines cut each other cleanly
+ZERO = 1e-12  # m; smaller coordinates are set to 0
+BLOCK = 64  # faces, of neighbouring y, that are computed together
+
+# Of the smoothness.
+PAD_LEVEL = 4  # zeros are appended, so that the spectrum is sampled 2 ** 4 times as finely
+HIGHEST_FREQUENCY = 10.0  # Hz
+LEAST_JERK = 1e-6  # dimensionless; a movement from rest to rest has more than 10, rounding errors alone have less
+THRESHOLD = 0.05  # of the spectrum's maximum; frequencies beyond the last one above the threshold are noise
 
 
 class Cut(NamedTuple):
@@ -26,10 +39,6 @@ class Cut(NamedTuple):
     points: Numbers  # (n, 2) m
     last: int
     reached: bool
-
-
-HIGHEST_RATE = 100.0  # Hz, at which the speed is sampled at most
-LOWEST_RATE = 20.0  # Hz, twice the highest frequency of SPARC
 
 
 def path_measures(
@@ -123,8 +132,8 @@ def _contact_measures(cut: Cut, t: Numbers, in_contact: ArrayLike | None, contac
 
 
 def _control_measures(cut: Cut, t: Numbers, dist: float, u1: ArrayLike | None, u2: ArrayLike | None) -> Measures:
-    given = {name: u for name, u in (("u1", u1), ("u2", u2)) if u is not None}
-    controls = {name: _column(name, u, len(t))[: cut.last + 1] for name, u in given.items()}
+    columns = {name: u for name, u in (("u1", u1), ("u2", u2)) if u is not None}
+    controls = {name: _column(name, u, len(t))[: cut.last + 1] for name, u in columns.items()}
     measures: Measures = {}
     if "u2" in controls:
         measures["turn_reversals"] = reversals(controls["u2"])
@@ -153,6 +162,56 @@ def _speed(cut: Cut, waits: NDArray[np.bool_]) -> tuple[Numbers, float]:
         return np.zeros(0), rate
     even_x, even_y = (np.interp(even, t, cut.points[first, axis]) for axis in (0, 1))
     return np.asarray(np.hypot(np.diff(even_x), np.diff(even_y)) * rate), rate
+
+
+def area_between(trajectory: Numbers, path: Numbers) -> float:
+    """Return E_diff: the area (m2) between `trajectory` (n, 2) and `path` (m, 2), both in m and from start to end.
+
+    The trajectory, followed by the path backwards, makes one closed ring. Each face that the ring encloses is counted
+    as often as the ring winds around it: a loop driven twice counts twice, and areas on the two sides of the path do
+    not cancel each other. Two loops around the same place in opposite directions do: the ring does not wind around it.
+    """
+    import shapely
+
+    origin = path[0]
+    trajectory, prescribed = trajectory - origin, path - origin
+    if len(trajectory) > MOST_POINTS:
+        trajectory = shapely.get_coordinates(
+            shapely.simplify(shapely.LineString(trajectory), TOLERANCE, preserve_topology=False)
+        )
+    ring = np.vstack([trajectory, prescribed[::-1], trajectory[:1]])
+    ring[np.abs(ring) < ZERO] = 0.0  # shapely's noding would divide by these coordinates
+    ring = ring[np.r_[True, np.any(ring[1:] != ring[:-1], axis=1)]]
+    if len(ring) < 3:
+        return 0.0
+    noded = shapely.unary_union([shapely.LineString(ring)], grid_size=GRID)
+    faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(noded)))
+    if not len(faces):
+        return 0.0
+    inside = shapely.get_coordinates(shapely.point_on_surface(faces))
+    return float(np.sum(np.abs(winding_numbers(ring, inside)) * shapely.area(faces)))
+
+
+def winding_numbers(ring: Numbers, places: Numbers) -> NDArray[np.int64]:
+    """Return how often the closed `ring` (n, 2) winds around each of `places` (k, 2), counter-clockwise positive.
+
+    A ray goes from each place towards +x: an edge that crosses the ray upwards counts +1, downwards -1.
+    """
+    start, end = ring[:-1], ring[1:]
+    low, high = np.minimum(start[:, 1], end[:, 1]), np.maximum(start[:, 1], end[:, 1])
+    numbers = np.empty(len(places), dtype=np.int64)
+    order = np.argsort(places[:, 1])
+    for first in range(0, len(order), BLOCK):
+        block = order[first : first + BLOCK]
+        x, y = places[block, 0, np.newaxis], places[block, 1, np.newaxis]
+        candidates = (low <= y[-1]) & (high >= y[0])  # only these edges can cross a ray of this block
+        a, b = start[candidates], end[candidates]
+        along = b - a
+        left = along[:, 0] * (y - a[:, 1]) - along[:, 1] * (x - a[:, 0])
+        upwards = (a[:, 1] <= y) & (b[:, 1] > y) & (left > 0)
+        downwards = (a[:, 1] > y) & (b[:, 1] <= y) & (left < 0)
+        numbers[block] = upwards.sum(axis=1) - downwards.sum(axis=1)
+    return numbers
 
 
 def _checked(t: ArrayLike, x: ArrayLike, y: ArrayLike) -> tuple[Numbers, Numbers]:
@@ -225,3 +284,57 @@ def _covered_from(points: Numbers, path: Path, goal_radius: float) -> int:
         if progress.covered_most:
             return piece
     return len(points) - 1
+
+
+def sparc(speed: NDArray[np.float64], sample_rate: float) -> float | None:
+    """Return the spectral arc length of a speed profile: at most 0, smoother nearer to 0, None without movement.
+
+    Parameters
+    ----------
+    speed
+        (n,) m/s, evenly sampled.
+    sample_rate
+        Hz.
+
+    Notes
+    -----
+    Source: Balasubramanian, Melendez-Calderon, Roby-Brami, Burdet: On the analysis of movement smoothness,
+    J NeuroEngineering and Rehabilitation 12:112, 2015.
+    """
+    if len(speed) < 2 or not np.any(speed):
+        return None
+    n = 2 ** (math.ceil(math.log2(len(speed))) + PAD_LEVEL)
+    spectrum = np.abs(np.fft.rfft(speed, n))
+    spectrum /= spectrum.max()
+    frequency = np.arange(len(spectrum)) * (sample_rate / n)
+    loud = np.flatnonzero((frequency <= HIGHEST_FREQUENCY) & (spectrum >= THRESHOLD))
+    if len(loud) == 0 or loud[0] == loud[-1]:
+        return None
+    spectrum, frequency = spectrum[loud[0] : loud[-1] + 1], frequency[loud[0] : loud[-1] + 1]
+    along = np.diff(frequency) / (frequency[-1] - frequency[0])
+    return -float(np.sum(np.hypot(along, np.diff(spectrum))))
+
+
+def log_dimensionless_jerk(speed: NDArray[np.float64], sample_rate: float) -> float | None:
+    """Return -ln of a speed profile's dimensionless jerk: smoother nearer to 0, None at a constant speed.
+
+    Parameters
+    ----------
+    speed
+        (n,) m/s, evenly sampled.
+    sample_rate
+        Hz.
+
+    Notes
+    -----
+    The squared jerk, integrated over the movement, times duration cubed over peak speed squared. Source as for `sparc`.
+    """
+    if len(speed) < 3:
+        return None
+    peak = float(np.max(np.abs(speed)))
+    jerk = np.diff(speed, 2) * sample_rate**2
+    duration = len(speed) / sample_rate
+    if peak == 0.0:
+        return None
+    dimensionless = duration**3 / peak**2 * float(np.sum(jerk**2)) / sample_rate
+    return -math.log(dimensionless) if dimensionless > LEAST_JERK else None

@@ -59,8 +59,8 @@ def task_measures(plan: FloorPlan, path: PrescribedPath, columns: Mapping[str, A
     if "state" not in columns:
         return _measures(plan, path, {**rows, **_no_interruption(rows)})
     measures = _measures(plan, path, driven_rows({**rows, "state": np.asarray(columns["state"])}))
-    found = interruptions(rows["t"], columns["state"], columns["fault"])
-    return measures | interruption_measures(found, measures["time"], reached=measures["reached"])
+    all_interruptions = interruptions(rows["t"], columns["state"], columns["fault"])
+    return measures | interruption_measures(all_interruptions, measures["time"], reached=measures["reached"])
 
 
 def _no_interruption(rows: Columns) -> dict[str, NDArray[Any]]:
@@ -109,10 +109,10 @@ def _course_measures(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Me
     stage = stage[:last]
     parts = []
     for number, part in enumerate(progress.parts):
-        own = {name: column[stage == number] for name, column in rows.items()}
+        stage_rows = {name: column[stage == number] for name, column in rows.items()}
         measures: Measures = {"title": part.title, "kind": part.task.kind, "reached": False}
-        if len(own["t"]) > 1:
-            measures |= _single_task_measures(plan, part, own)
+        if len(stage_rows["t"]) > 1:
+            measures |= _single_task_measures(plan, part, stage_rows)
         measures["reached"] = number < progress.stage or progress.reached
         parts.append(measures)
     return {
@@ -205,10 +205,10 @@ def contacts_at_gaps(plan: FloorPlan, points: Numbers, t: Numbers, touching: NDA
     return int(near.sum())
 
 
-def following_errors(leader: Track, asked: float, rows: Mapping[str, NDArray[Any]]) -> dict[str, float]:
-    """Return the errors of the distance between the middles of chair and leader against the `asked` one (m)."""
+def following_errors(leader: Track, distance: float, rows: Mapping[str, NDArray[Any]]) -> dict[str, float]:
+    """Return the errors of the distance between the middles of chair and leader against `distance` (m)."""
     places = np.array([leader.at(float(scene_t)).pose[:2] for scene_t in rows["scene_t"]])
-    error = np.hypot(rows["x"] - places[:, 0], rows["y"] - places[:, 1]) - asked
+    error = np.hypot(rows["x"] - places[:, 0], rows["y"] - places[:, 1]) - distance
     weight = np.diff(rows["t"], append=rows["t"][-1])
     if not weight.sum() > 0.0:
         weight = np.ones(len(error))

@@ -1,22 +1,21 @@
-"""The time line of a recorded trial for the screen: chair, controls, gestures and signals on one time base.
+"""The time line of a recorded trial for the screen: chair, controls, gestures, signals and events on one time base.
 
 The columns are decimated to at most 2000 points.
 """
 
 from pathlib import Path as FilePath
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
 from app.calibration.vocabulary import DriveParameters
-from app.faults import State
+from app.faults import EXPLANATIONS, PEOPLE_STOPS, Fault, State
 from app.layout import ShirtLayout
 from app.quantities import Document
 from app.recording.reader import Columns, RunRecording, read_run
 from app.scoring.decimation import Decimation
-from app.scoring.trial_events import Event, events_of
 from app.world.floorplan import FloorPlan
 from app.world.movers import Track
 from app.world.path import Path
@@ -27,8 +26,19 @@ WINDOW = 1.5  # m along the path, around the last place, that is searched for th
 LOST = 1.0  # m beside the path; when further, the whole path is searched
 DIGITS = 4  # after the decimal point: a tenth of a millimetre
 
+ONE_CONTACT = 0.5  # s; a touch within this time after a contact's beginning belongs to that contact
+
 Numbers = NDArray[np.float64]
 Column = list[float | None]  # None: unknown at that time
+EventKind = Literal["checking", "armed", "stop", "fault", "disarmed", "contact", "goal"]
+
+EVENT_SENTENCES = {
+    "checking": "The check for rest began.",
+    "armed": "Motion was permitted.",
+    "disarmed": "Motion was permitted no more.",
+    "contact": "The chair touched something.",
+    "goal": "The goal was reached.",
+}
 
 
 class GestureLine(Document):
@@ -68,6 +78,14 @@ class MoverLine(Document):
     x: Column  # m
     y: Column  # m
     theta: Column  # rad
+
+
+class Event(Document):
+    """An event of a trial."""
+
+    t: float  # s since motion was first permitted
+    kind: EventKind
+    words: str
 
 
 class Timeline(Document):
@@ -238,7 +256,7 @@ def _gestures(run: RunRecording, decimation: Decimation) -> list[GestureLine]:
         lines.append(
             GestureLine(
                 **gesture.model_dump(include={"name", "joint", "direction", "feature", "dead_zone", "full"}),
-                controls=[one.control for one in parameters.bindings if gesture.name in one.gestures],
+                controls=[binding.control for binding in parameters.bindings if gesture.name in binding.gestures],
                 **columns,
             )
         )
@@ -287,3 +305,52 @@ def _weights(parameters: DriveParameters | None, n_channels: int) -> Numbers:
     for joint in parameters.profile.joints if parameters else ():
         weights[list(joint.channels)] = np.abs(joint.direction)
     return weights
+
+
+def events_of(columns: Columns, t: NDArray[np.float64], end: str | None) -> list[Event]:
+    """Return the events of a trial in the order of time.
+
+    Parameters
+    ----------
+    columns
+        Of the whole recording: `state`, `fault` and `contacts`, (n,) each.
+    t
+        (n,) s, times of the rows; the events' times are taken from them.
+    end
+        How the trial ended; "goal" adds the event of reaching the goal, at the last row with motion permitted.
+    """
+    events = _state_events(columns, t) + _contacts(columns["contacts"], t)
+    armed = np.flatnonzero(columns["state"] == State.ARMED)
+    if end == "goal" and len(armed):
+        events.append(_event(t[armed[-1]], "goal"))
+    return sorted(events, key=lambda event: event.t)
+
+
+def _state_events(columns: Columns, t: NDArray[np.float64]) -> list[Event]:
+    state = columns["state"]
+    changes = np.flatnonzero(np.diff(state, prepend=np.uint8(State.DISARMED)))
+    return [_state_event(int(state[row]), int(columns["fault"][row]), t[row]) for row in changes]
+
+
+def _state_event(state: int, fault: int, t: float) -> Event:
+    if state != State.FAULT:
+        kinds: dict[int, EventKind] = {
+            State.DISARMED: "disarmed",
+            State.CHECKING: "checking",
+            State.ARMED: "armed",
+        }
+        return _event(t, kinds[state])
+    reason = Fault(fault)
+    return _event(t, "stop" if reason in PEOPLE_STOPS else "fault", EXPLANATIONS[reason].happened)
+
+
+def _contacts(contacts: NDArray[Any], t: NDArray[np.float64]) -> list[Event]:
+    events: list[Event] = []
+    for row in np.flatnonzero(np.diff(contacts.astype(np.int64), prepend=0) > 0):
+        if not events or t[row] - events[-1].t > ONE_CONTACT:
+            events.append(_event(t[row], "contact"))
+    return events
+
+
+def _event(t: float, kind: EventKind, words: str = "") -> Event:
+    return Event(t=round(float(t), 3), kind=kind, words=words or EVENT_SENTENCES[kind])

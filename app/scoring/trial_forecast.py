@@ -45,8 +45,10 @@ def predicted_effect(run: RunRecording, before: DriveParameters, after: DrivePar
     old, new = _decoded(frames, before), _decoded(frames, after)
     seconds = float(np.clip(np.diff(frames["t"], prepend=frames["t"][0]), 0.0, 1.0)[permitted].sum())
     period = seconds / permitted.sum()
-    counts = [_activations(one, parameters, permitted, period) for one, parameters in ((old, before), (new, after))]
-    u_old, u_new = (np.column_stack((one.u1, one.u2))[permitted] for one in (old, new))
+    counts = [
+        _activations(decoded, parameters, permitted, period) for decoded, parameters in ((old, before), (new, after))
+    ]
+    u_old, u_new = (np.column_stack((decoded.u1, decoded.u2))[permitted] for decoded in (old, new))
     return Effect(
         seconds=seconds,
         activations_before=counts[0][0],
@@ -92,5 +94,5 @@ def _lengths(mask: NDArray[np.bool_]) -> NDArray[np.intp]:
 
 def _share(change: NDArray[np.float64], of: NDArray[np.float64]) -> float:
     """Return rms(change) / rms(of); 0 where `of` is 0 throughout."""
-    whole = float(np.sqrt(np.mean(of**2)))
-    return float(np.sqrt(np.mean(change**2))) / whole if whole > 0.0 else 0.0
+    reference = float(np.sqrt(np.mean(of**2)))
+    return float(np.sqrt(np.mean(change**2))) / reference if reference > 0.0 else 0.0

@@ -12,7 +12,7 @@ from typing import Literal
 from app.computing_process import ComputingProcess
 from app.faults import State
 from app.refusals import Conflict, NotFound, Refusal, Unavailable
-from app.scoring.map_losses.trial_history import NOTHING_READ
+from app.scoring.map_losses.losses import NOTHING_READ
 from app.session.adaptation_reading import AdaptationResult, PastRun, adapt_from_recordings
 from app.session.control_link import ControlLink
 from app.session.equipment.chairs import Chairs

@@ -16,7 +16,7 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
 from app.faults import State
 from app.recording.reader import read_run
-from app.scoring.map_losses.trial_history import NOTHING_READ, PastTrial, ReadTrials, losses_of, read_trials
+from app.scoring.map_losses.losses import NOTHING_READ, PastTrial, ReadTrials, losses_of, read_trials
 from app.scoring.trial_forecast import Effect, predicted_effect
 
 

@@ -9,7 +9,7 @@ from sqlalchemy.orm import Session
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
 from app.json_values import JsonDocument
-from app.scoring.map_losses.trial_history import MOST_TRIALS
+from app.scoring.map_losses.losses import MOST_TRIALS
 from app.store.map_versions import calibration_behind, family
 from app.store.parameters import as_document, current_parameters
 from app.store.tables import ParameterSet, Patient, Profile, Run, Trial

@@ -21,12 +21,11 @@ from app.calibration.script import calibration_script
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import DETERIORATING, IMPROVING, PRACTISED, PersonParameters
-from app.scoring.map_losses.trial_history import NOTHING_READ, PastTrial, losses_of, read_trials
+from app.scoring.map_losses.losses import NOTHING_READ, PastTrial, losses_of, read_trials
 from app.study.choices import Mode, PersonKind, StudyMap
-from app.study.experiment import SAMPLE_RATE, SEEDS_APART, shirt_layout
+from app.study.experiment import SEEDS_APART, shirt_layout
 from app.study.participant import Participant
-from app.study.simulated_calibration import calibrate, record_step
-from app.study.simulated_pool import GARMENT, calibrate_with_prior
+from app.study.simulated_calibration import GARMENT, SAMPLE_RATE, calibrate, calibrate_with_prior, record_step
 from app.study.simulated_trial import FrameLog, StudyTrial, drive_trial, score_trial
 from app.world.floorplan import FloorPlan, PrescribedPath
 
@@ -195,7 +194,7 @@ def _run_participant(
 def _other_people() -> MapPrior:
     shipped = shipped_prior(shirt_layout())
     if shipped is None:
-        raise ValueError("no prior ships for the simulated shirt: make one with `make simulated-prior`")
+        raise ValueError("no prior ships for the simulated shirt: make one with `make shipped FILE=prior`")
     return MapPrior.of(shipped)
 
 
@@ -254,8 +253,11 @@ def _angles(before: DriveParameters, after: DriveParameters) -> list[float]:
     angle of a rounded cosine is not.
     """
     angles = []
-    for one, other in zip(before.profile.joints, after.profile.joints, strict=True):
-        was, will_be = np.array(one.direction), np.array(other.direction)
-        half = math.atan2(float(np.linalg.norm(was - will_be)), float(np.linalg.norm(was + will_be)))
+    for joint, joint_after in zip(before.profile.joints, after.profile.joints, strict=True):
+        direction_before, direction_after = np.array(joint.direction), np.array(joint_after.direction)
+        half = math.atan2(
+            float(np.linalg.norm(direction_before - direction_after)),
+            float(np.linalg.norm(direction_before + direction_after)),
+        )
         angles.append(math.degrees(2.0 * half))
     return angles

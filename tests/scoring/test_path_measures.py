@@ -6,9 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.scoring.area import area_between, winding_numbers
-from app.scoring.path_measures import path_measures
-from app.scoring.smoothness import log_dimensionless_jerk, sparc
+from app.scoring.path_measures import area_between, log_dimensionless_jerk, path_measures, sparc, winding_numbers
 
 STRAIGHT = [(0.0, 0.0), (10.0, 0.0)]
 X = np.linspace(0, 10, 1001)

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 from scipy.stats import binom
 
-from app.scoring.learning import learning_curves
-from app.scoring.learning_words import plain_sessions, session_details
+from app.scoring.learning import learning_curves, session_sentences, session_statistics
 from app.scoring.retention import retention
 from bench.learning.simulated_trials import LEADING, Course, trials
 
@@ -51,11 +50,11 @@ def test_what_is_lost_between_sessions_is_told_and_how_much_was_kept() -> None:
     # Without noise, means of two trials at either end: within -2.57, over the pause 1.57, 39 % kept.
     kept = retention(*sawtooth(6, 8, -3.0, 2.0, noise=0.1))
     assert kept is not None
-    said = plain_sessions("e_diff", kept)
+    said = session_sentences("e_diff", kept)
     assert said.startswith("Within a session it fell by about 2.")
     assert " over the pause to the next one it rose by about 1.49 m²" in said
     assert said.endswith("(on average of 6 sessions): about 41 % of what was gained was kept.")
-    assert session_details("e_diff", kept).count(" m² (99 %: ") == 2
+    assert session_statistics("e_diff", kept).count(" m² (99 %: ") == 2
 
 
 @pytest.mark.parametrize(
@@ -72,17 +71,17 @@ def test_what_is_lost_between_sessions_is_told_and_how_much_was_kept() -> None:
 def test_what_was_kept_depends_on_what_is_better(measure: str, within: float, back: float, end: str) -> None:
     kept = retention(*sawtooth(6, 8, within, back, noise=0.2))
     assert kept is not None
-    assert plain_sessions(measure, kept).endswith(end)
+    assert session_sentences(measure, kept).endswith(end)
 
 
 def test_noise_is_called_noise_with_a_real_minus() -> None:
     kept = retention(*sawtooth(6, 8, 0.0, 0.0, noise=1.0))
     assert kept is not None
-    assert plain_sessions("e_diff", kept) == (
+    assert session_sentences("e_diff", kept) == (
         "Neither the change within a session nor the one over the pause to the next is more than noise "
         "(on average of 6 sessions)."
     )
-    statistics = session_details("e_diff", kept)
+    statistics = session_statistics("e_diff", kept)
     assert statistics.count("within noise") == 2
     assert "by \u2212" in statistics
     assert "-" not in statistics

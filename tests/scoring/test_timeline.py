@@ -5,8 +5,7 @@ import pytest
 from recorded_trial import plan_of, record_trial
 
 from app.recording.reader import read_run
-from app.scoring.timeline import CHANNELS_SHOWN, MOST_POINTS, poses_of, timeline_of
-from app.scoring.trial_events import events_of
+from app.scoring.timeline import CHANNELS_SHOWN, MOST_POINTS, events_of, poses_of, timeline_of
 from building import make_parameters
 
 PATH = [[0.0, 0.0], [6.0, 0.0]]

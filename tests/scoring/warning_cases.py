@@ -20,9 +20,9 @@ from app.pipeline.replay.batch import decode_block
 from app.scoring.control_quality import control_quality
 from app.scoring.control_warnings import control_warnings
 from app.scoring.trial_assessment import ControlWarning, TrialAssessment
-from app.study.experiment import SAMPLE_RATE, SEEDS_APART, shirt_layout
+from app.study.experiment import SEEDS_APART, shirt_layout
 from app.study.participant import Participant
-from app.study.simulated_calibration import calibrate
+from app.study.simulated_calibration import SAMPLE_RATE, calibrate
 from app.study.simulated_trial import drive_trial
 from app.world.scene import find_place
 

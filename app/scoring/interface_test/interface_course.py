@@ -53,8 +53,8 @@ def interface_course(tests: Sequence[Mapping[str, Any]]) -> InterfaceCourse:
     """Return the course of complete tests, in the order done; each has `number` and its measures by name."""
     curves = {}
     for name in TEST_MEASURES:
-        found = [(float(test["number"]), float(test[name])) for test in tests if test.get(name) is not None]
-        fitted = fit_learning_curve([number for number, _ in found], [value for _, value in found])
+        measured = [(float(test["number"]), float(test[name])) for test in tests if test.get(name) is not None]
+        fitted = fit_learning_curve([number for number, _ in measured], [value for _, value in measured])
         if fitted is not None and fitted.curve.form != "level":
             curve = fitted.curve
             lists = {"value": curve.value, "low": curve.low, "high": curve.high}

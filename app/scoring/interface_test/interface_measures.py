@@ -22,7 +22,7 @@ FEWEST_ENDS = 8  # acquired targets, below which their spread is not known well 
 
 Amount = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1e12)]
 Way = Literal["ahead", "back", "left", "right"]
-WORDS_OF_DIRECTION: dict[tuple[float, float], Way] = {
+DIRECTION_NAMES: dict[tuple[float, float], Way] = {
     (1.0, 0.0): "ahead",
     (-1.0, 0.0): "back",
     (0.0, 1.0): "left",
@@ -77,7 +77,7 @@ def effective_width(errors: Sequence[float]) -> float | None:
 
 def throughput(ways: Sequence[Ways], width: float) -> float | None:
     """Return the mean over the distances of effective index of difficulty over time, in bit/s; None without ways."""
-    rates = [index_of_difficulty(max(0.0, one.distance), width) / one.time for one in ways if one.time > 0.0]
+    rates = [index_of_difficulty(max(0.0, way.distance), width) / way.time for way in ways if way.time > 0.0]
     return fmean(rates) if rates else None
 
 
@@ -125,7 +125,7 @@ def interface_measures(task: CursorTask) -> InterfaceMeasures:
         path_efficiency=_mean([path_efficiency(attempt) for attempt in acquired]),
         effective_width=width,
         throughput=None if width is None else throughput(_ways(attempts, plan.time_limit), width),
-        directions={word: _direction(attempts, way) for way, word in WORDS_OF_DIRECTION.items()},
+        directions={direction: _direction(attempts, vector) for vector, direction in DIRECTION_NAMES.items()},
     )
 
 
@@ -146,15 +146,15 @@ def _ways(attempts: Sequence[Attempt], time_limit: float) -> list[Ways]:
         groups[attempt.target.distance].append(attempt)
     return [
         Ways(
-            _mean([_along(one, one.start) for one in group if one.acquired]) or 0.0,
-            fmean((one.last_entry or 0.0) if one.acquired else time_limit for one in group),
+            _mean([_along(attempt, attempt.start) for attempt in group if attempt.acquired]) or 0.0,
+            fmean((attempt.last_entry or 0.0) if attempt.acquired else time_limit for attempt in group),
         )
         for _, group in sorted(groups.items())
     ]
 
 
-def _direction(attempts: Sequence[Attempt], way: tuple[float, float]) -> DirectionMeasures:
-    chosen = [attempt for attempt in attempts if attempt.target.direction == way]
+def _direction(attempts: Sequence[Attempt], vector: tuple[float, float]) -> DirectionMeasures:
+    chosen = [attempt for attempt in attempts if attempt.target.direction == vector]
     times = [attempt.last_entry or 0.0 for attempt in chosen if attempt.acquired]
     return DirectionMeasures(acquired=len(times), missed=len(chosen) - len(times), movement_time=_mean(times))
 

@@ -42,8 +42,8 @@ def verdicts_between(tests: Tests, earlier: int, later: int) -> InterfaceVerdict
 
 def _against(tests: Tests, place: int) -> InterfaceVerdicts:
     """Compare the newest test with that at `place`."""
-    found = {name: _difference(name, tests, place) for name in TEST_MEASURES}
-    differences = {name: one for name, one in found.items() if one is not None}
+    all_differences = {name: _difference(name, tests, place) for name in TEST_MEASURES}
+    differences = {name: difference for name, difference in all_differences.items() if difference is not None}
     return InterfaceVerdicts(
         earlier=tests[place]["number"],
         later=tests[-1]["number"],
@@ -56,15 +56,15 @@ def _difference(name: str, tests: Tests, place: int) -> Difference | None:
     earlier, later = tests[place].get(name), tests[-1].get(name)
     if earlier is None or later is None:
         return None
-    found = [(test["number"], test[name]) for test in tests if test.get(name) is not None]
-    numbers = np.array([number for number, _ in found], dtype=np.float64)
-    values = to_scale(name, np.array([value for _, value in found], dtype=np.float64))
-    then, now = to_scale(name, np.array([earlier, later], dtype=np.float64)).tolist()
+    measured = [(test["number"], test[name]) for test in tests if test.get(name) is not None]
+    numbers = np.array([number for number, _ in measured], dtype=np.float64)
+    values = to_scale(name, np.array([value for _, value in measured], dtype=np.float64))
+    earlier_value, later_value = to_scale(name, np.array([earlier, later], dtype=np.float64)).tolist()
     variance = None
-    if len(found) >= FEWEST:
+    if len(measured) >= FEWEST:
         # Each test stands for itself, as a session of one trial: what differs from test to test is the noise.
-        series = Series(numbers, np.arange(len(found)), values)
-        known = own_spread(series.where(series.session < len(found) - 1)).mean
-        mean = Variance(max(known.value, least_spread(name, values) ** 2), known.df)
+        series = Series(numbers, np.arange(len(measured)), values)
+        between_tests = own_spread(series.where(series.session < len(measured) - 1)).mean
+        mean = Variance(max(between_tests.value, least_spread(name, values) ** 2), between_tests.df)
         variance = variance_of(OwnSpread(Variance(0.0, math.inf), mean, 1.0), (1, 1), (1, 1))
-    return Difference(then, now, len(found), variance)
+    return Difference(earlier_value, later_value, len(measured), variance)

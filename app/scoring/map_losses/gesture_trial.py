@@ -64,33 +64,35 @@ def gesture_trials(parameters: DriveParameters, movement: Movement) -> dict[str,
     filled = fill_forward(values.astype(np.float64))
     armed = np.asarray(movement.armed, dtype=np.bool_)
     joints = {joint.name: joint for joint in parameters.profile.joints}
-    found = {}
+    figures = {}
     for i in bound:
         gesture, joint = parameters.gestures[i], joints[parameters.gestures[i].joint]
         silent = float(decoded.silent[:, i].mean())
-        unsure = decoded.silent[:, i] | (bad & uses[i]).any(axis=1)  # an estimate of a channel is no measurement
-        if unsure.mean() > MOST_BAD:
-            found[gesture.name] = GestureTrial(None, None, None, None, silent)
+        is_unsure = decoded.silent[:, i] | (bad & uses[i]).any(axis=1)  # an estimate of a channel is no measurement
+        if is_unsure.mean() > MOST_BAD:
+            figures[gesture.name] = GestureTrial(None, None, None, None, silent)
             continue
-        others = [other for other in bound if parameters.gestures[other].joint != joint.name]
-        own = armed & ~unsure & (strength[:, i] >= OWN_FACTOR * strength[:, others].max(axis=1, initial=0.0))
+        other_gestures = [other for other in bound if parameters.gestures[other].joint != joint.name]
+        is_own = (
+            armed & ~is_unsure & (strength[:, i] >= OWN_FACTOR * strength[:, other_gestures].max(axis=1, initial=0.0))
+        )
         noise = rest_noise([rates[:, i]], [sample_rate])
         needed = least_dead_zone(joint) if noise is None else dead_zone_for(joint, noise)
-        strokes = _strokes(rates[:, i], own, needed, sample_rate)
-        found[gesture.name] = GestureTrial(
+        strokes = _strokes(rates[:, i], is_own, needed, sample_rate)
+        figures[gesture.name] = GestureTrial(
             noise=math.log(noise) if noise else None,
             size=math.log(float(np.percentile(strokes, 90))) if strokes is not None else None,
             missed=float(np.mean(strokes <= gesture.dead_zone)) if strokes is not None else None,
-            blind=blindness(joint, filled, own & (np.abs(rates[:, i]) > needed), sample_rate),
+            blind=blindness(joint, filled, is_own & (np.abs(rates[:, i]) > needed), sample_rate),
             silent=silent,
         )
-    return found
+    return figures
 
 
-def _strokes(rate: Numbers, own: Flags, above: float, sample_rate: float) -> Numbers | None:
+def _strokes(rate: Numbers, is_own: Flags, above: float, sample_rate: float) -> Numbers | None:
     """Return the rates (FS/s) of all strokes above a rate, one after the other; None for fewer than three strokes."""
-    found = [rate[piece] for piece in stretches(own & (rate > above), 0.0, SHORTEST_STROKE, sample_rate)]
-    return np.concatenate(found) if len(found) >= FEWEST_STROKES else None
+    strokes = [rate[piece] for piece in stretches(is_own & (rate > above), 0.0, SHORTEST_STROKE, sample_rate)]
+    return np.concatenate(strokes) if len(strokes) >= FEWEST_STROKES else None
 
 
 def blindness(joint: JointMap, values: Numbers, moving: NDArray[np.bool_], sample_rate: float) -> float | None:
@@ -120,7 +122,7 @@ def blindness(joint: JointMap, values: Numbers, moving: NDArray[np.bool_], sampl
         return None
     moved = np.concatenate(rows)
     covariance = moved.T @ moved
-    found = principal(covariance, weights)
-    if found is None or found.share <= 0.0:
+    main = principal(covariance, weights)
+    if main is None or main.share <= 0.0:
         return None
-    return max(0.0, 1.0 - math.sqrt(min(1.0, share_along(covariance, weights) / found.share)))
+    return max(0.0, 1.0 - math.sqrt(min(1.0, share_along(covariance, weights) / main.share)))

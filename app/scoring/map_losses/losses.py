@@ -6,18 +6,18 @@ direction, and the time that S5 silenced. A figure without a loss is left unsaid
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from app.calibration.adaptation.joint_loss import JointLoss
-from app.calibration.adaptation.movement import gesture_of
+from app.calibration.adaptation.movement import Movement, gesture_of
 from app.calibration.adaptation.thresholds import dead_zone_for
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
 from app.number_words import percent
-from app.scoring.map_losses.gesture_trial import GestureTrial
+from app.scoring.map_losses.gesture_trial import GestureTrial, gesture_trials
 from app.scoring.verdict.cusum import LIMIT, cumulative_sum, normal_score
 from app.scoring.verdict.spread import CLINIC_WEIGHT, Series, Spread, Variance, own_spread, pool_spreads, weighted_sum
 
@@ -31,10 +31,50 @@ MOST_SILENT = 0.05  # share of a trial, as in the warning of a sensor: a driftin
 MOSTLY_SILENT = 0.20  # share of a trial: no drift, and no second trial is needed to be sure
 FIRST_TRIALS = 5  # that later ones are compared with
 LAST_TRIALS = 3  # of which the mean is what a changed full follows
+MOST_TRIALS = 30  # the newest ones; older ones are not read again
 
 # Standard deviations from trial to trial, until the person's own is known: of simulated people who stay as they are,
 # whether the shirt stays on (noise 0.06, size 0.07) or is put on again (0.08, 0.08), rounded up.
 USUAL = {"noise": 0.10, "size": 0.10, "missed": 0.05, "blind": 0.03, "silent": 0.05}
+
+
+class PastTrial(NamedTuple):
+    """One trial: its name among the others, how to read it, and the fulls it was driven with."""
+
+    name: str
+    movement: Callable[[], Movement | None]  # None when it is gone
+    fulls: Mapping[str, float]  # gesture -> FS/s
+
+
+class ReadTrials(NamedTuple):
+    """The figures of trials as one set reads them."""
+
+    hash: str  # of the set
+    figures: Mapping[str, Mapping[str, GestureTrial]]  # name of the trial -> gesture -> figures
+
+
+NOTHING_READ = ReadTrials("", {})
+
+
+def read_trials(
+    parameters: DriveParameters, trials: Sequence[PastTrial], known: ReadTrials = NOTHING_READ
+) -> ReadTrials:
+    """Return the figures of the newest trials as `parameters` read them; those that are `known` are not read again."""
+    same = known.figures if known.hash == parameters.hash else {}
+    figures = dict(same)
+    for trial in trials[-MOST_TRIALS:]:
+        if trial.name not in figures:
+            movement = trial.movement()
+            figures[trial.name] = {} if movement is None else gesture_trials(parameters, movement)
+    return ReadTrials(parameters.hash, {trial.name: figures[trial.name] for trial in trials[-MOST_TRIALS:]})
+
+
+def losses_of(
+    parameters: DriveParameters, calibrated: CalibrationProfile, trials: Sequence[PastTrial], read: ReadTrials
+) -> dict[str, JointLoss]:
+    """Return what the present map of each joint loses, told from trials, oldest first (see `joint_losses`)."""
+    evidence = [TrialEvidence(read.figures[trial.name], trial.fulls) for trial in trials[-MOST_TRIALS:]]
+    return joint_losses(parameters, calibrated, evidence)
 
 
 class TrialEvidence(NamedTuple):
@@ -59,38 +99,42 @@ def joint_losses(
         All trials with maps of this calibration, oldest first, those of earlier sessions too.
     """
     origins = {joint.name: joint for joint in calibrated.joints}
-    found = {}
+    losses = {}
     for joint in parameters.profile.joints:
         gesture = gesture_of(parameters, joint.name)
         if gesture is None:
             continue
-        driven = [one for one in trials if gesture.name in one.gestures]
-        figures = [one.gestures[gesture.name] for one in driven]
-        alike = [one.gestures[gesture.name] for one in driven if one.fulls.get(gesture.name) == gesture.full]
+        with_gesture = [trial for trial in trials if gesture.name in trial.gestures]
+        figures = [trial.gestures[gesture.name] for trial in with_gesture]
+        alike = [
+            trial.gestures[gesture.name] for trial in with_gesture if trial.fulls.get(gesture.name) == gesture.full
+        ]
         if figures:
             loss = _joint_loss(joint, origins.get(joint.name, joint), gesture, figures, alike)
             if loss is not None:
-                found[joint.name] = loss
-    return found
+                losses[joint.name] = loss
+    return losses
 
 
 def _joint_loss(
     joint: JointMap, origin: JointMap, gesture: Gesture, trials: Sequence[GestureTrial], alike: Sequence[GestureTrial]
 ) -> JointLoss | None:
     """Return what one joint loses, None when that is nothing; `alike` are the trials with the present full."""
-    words: list[str] = []
-    dead_zone, growth = _dead_zone(origin, gesture, trials, words), _growth(alike, words)
-    turns = joint.map == "pca" and _is_blind(trials, words)
+    sentences: list[str] = []
+    dead_zone, growth = _dead_zone(origin, gesture, trials, sentences), _growth(alike, sentences)
+    turns = joint.map == "pca" and _is_blind(trials, sentences)
     silenced = _is_silenced(trials)
     if silenced:
-        words.append(
+        sentences.append(
             f"A sensor lay outside its range for {percent(trials[-1].silent)} of the last trial, and nothing counted "
             "then."
         )
-    return JointLoss(" ".join(words), dead_zone, growth, turns, silenced) if words else None
+    return JointLoss(" ".join(sentences), dead_zone, growth, turns, silenced) if sentences else None
 
 
-def _dead_zone(origin: JointMap, gesture: Gesture, trials: Sequence[GestureTrial], words: list[str]) -> float | None:
+def _dead_zone(
+    origin: JointMap, gesture: Gesture, trials: Sequence[GestureTrial], sentences: list[str]
+) -> float | None:
     """Return the dead-zone (FS/s) that the noise asks for, None where the present one costs nothing."""
     noises = [trial.noise for trial in trials if trial.noise is not None]
     if not noises:
@@ -98,33 +142,35 @@ def _dead_zone(origin: JointMap, gesture: Gesture, trials: Sequence[GestureTrial
     needed = dead_zone_for(origin, math.exp(noises[-1]))
     target = math.log(gesture.dead_zone / LEAST_MARGIN)
     if needed > gesture.dead_zone and cumulative_sum(_surprises("noise", noises, target)) > LIMIT:
-        words.append("Its noise at rest has come near to where it counts, so it may act by itself.")
+        sentences.append("Its noise at rest has come near to where it counts, so it may act by itself.")
         return needed
     missed = [trial.missed for trial in trials if trial.missed is not None]
     if needed < gesture.dead_zone and cumulative_sum(_surprises("missed", missed, MOST_MISSED)) > LIMIT:
-        words.append(f"{percent(missed[-1])} of the time of its movements does not count, though it is calm at rest.")
+        sentences.append(
+            f"{percent(missed[-1])} of the time of its movements does not count, though it is calm at rest."
+        )
         return needed
     return None
 
 
-def _growth(trials: Sequence[GestureTrial], words: list[str]) -> float | None:
+def _growth(trials: Sequence[GestureTrial], sentences: list[str]) -> float | None:
     """Return ln(size of the strokes now / in the first trials with this full), None where that is noise."""
     sizes = [trial.size for trial in trials if trial.size is not None]
     if len(sizes) <= FIRST_TRIALS:
         return None
     first = float(np.mean(sizes[:FIRST_TRIALS]))
-    for way, said in ((-1.0, "weaker"), (1.0, "stronger")):
-        surprises = _surprises("size", [way * size for size in sizes], way * first + LEAST_GROWTH, FIRST_TRIALS)
+    for sign, adjective in ((-1.0, "weaker"), (1.0, "stronger")):
+        surprises = _surprises("size", [sign * size for size in sizes], sign * first + LEAST_GROWTH, FIRST_TRIALS)
         if cumulative_sum(surprises) > LIMIT:
             growth = float(np.mean(sizes[FIRST_TRIALS:][-LAST_TRIALS:])) - first
-            words.append(
-                f"Its movements have become {said} by {percent(abs(math.expm1(growth)))} since the first trials."
+            sentences.append(
+                f"Its movements have become {adjective} by {percent(abs(math.expm1(growth)))} since the first trials."
             )
             return growth
     return None
 
 
-def _is_blind(trials: Sequence[GestureTrial], words: list[str]) -> bool:
+def _is_blind(trials: Sequence[GestureTrial], sentences: list[str]) -> bool:
     """Return whether the direction sees less of the movement than in the first trials with this calibration."""
     values = [trial.blind for trial in trials if trial.blind is not None]
     if len(values) <= FIRST_TRIALS:
@@ -132,7 +178,7 @@ def _is_blind(trials: Sequence[GestureTrial], words: list[str]) -> bool:
     target = float(np.mean(values[:FIRST_TRIALS])) + MOST_BLIND
     if cumulative_sum(_surprises("blind", values, target, FIRST_TRIALS)) <= LIMIT:
         return False
-    words.append(f"{percent(values[-1])} of its movement goes in another direction than the one that drives.")
+    sentences.append(f"{percent(values[-1])} of its movement goes in another direction than the one that drives.")
     return True
 
 

@@ -32,11 +32,11 @@ def course_differences(name: str, series: Series, clinic: Spread | None) -> list
     """
     sessions = np.unique(series.session)
     if len(sessions) > 1:
-        found: list[Difference | None] = [_thirds(name, series, series.session, clinic)]
+        differences: list[Difference | None] = [_thirds(name, series, series.session, clinic)]
         if len(sessions) > 2:
             newest = series.session == sessions[-1]
-            found.append(difference_of(name, series, ~newest, newest, clinic))
-        return [one for one in found if one is not None]
+            differences.append(difference_of(name, series, ~newest, newest, clinic))
+        return [difference for difference in differences if difference is not None]
     return [_thirds(name, series, np.arange(len(series.value)), clinic)] if len(series.value) > 1 else []
 
 
@@ -49,15 +49,15 @@ def _thirds(name: str, series: Series, unit: Sessions, clinic: Spread | None) ->
     units = np.unique(unit)
     count = math.ceil(len(units) / PARTS)
     first, second = series.where(unit <= units[count - 1]), series.where(unit >= units[-count])
-    driven, variance = len(series.value), None
-    if driven >= FEWEST:
+    count_of_trials, variance = len(series.value), None
+    if count_of_trials >= FEWEST:
         spread = pool_spreads(course_spread(series, least_spread(name, series.value)), clinic)
         trials = len(first.value), len(second.value)
         if unit is series.session:
             variance = variance_of(spread, trials, (count, count))
         elif (within := variance_of(spread, trials, None)) is not None:
             variance = Variance(INFLATION * within.value, within.df)
-    return Difference(float(first.value.mean()), float(second.value.mean()), driven, variance)
+    return Difference(float(first.value.mean()), float(second.value.mean()), count_of_trials, variance)
 
 
 class CourseChange(NamedTuple):
@@ -77,10 +77,14 @@ def course_change(name: str, rows: Rows, leading: Sequence[str], clinic: ClinicS
     if name not in leading:
         return CourseChange("number", False, None)
     differences = course_differences(name, series_of(rows, name)[0], clinic.get(name))
-    found = [(one.p_value, one.later < one.earlier) for one in differences if one.p_value is not None]
-    if not found:
+    p_values = [
+        (difference.p_value, difference.later < difference.earlier)
+        for difference in differences
+        if difference.p_value is not None
+    ]
+    if not p_values:
         return CourseChange("too few", False, None)
-    smallest, falls = min(found)
+    smallest, falls = min(p_values)
     p_value, level = min(TESTS * smallest, 1.0), LEVEL / len(leading)
     word: Word = "within"
     if p_value <= level:

@@ -46,10 +46,10 @@ def worse_since(series: Series, clinic: Spread | None, better: str, least: float
     sign = 1.0 if better == "low" else -1.0
 
     def score(first: int) -> Score | None:
-        before, judged = series.where(series.session < first), series.where(series.session >= first)
+        before, later = series.where(series.session < first), series.where(series.session >= first)
         if len(before.value) < EARLIER_TRIALS:
             return None
-        return _score(before, judged, clinic, least, sign)
+        return _score(before, later, clinic, least, sign)
 
     return _since(np.unique(series.session).tolist(), score, LIMIT)
 
@@ -58,10 +58,10 @@ def missed_since(counts: Counts) -> int | None:
     """Return the same for how often the goal was reached, from the counts of sessions."""
 
     def score(first: int) -> Score | None:
-        before, judged = counts.where(counts.session < first), counts.where(counts.session >= first)
+        before, later = counts.where(counts.session < first), counts.where(counts.session >= first)
         if before.trials.sum() < EARLIER_TRIALS:
             return None
-        fewer = fewer_than_foretold(before, int(judged.trials.sum()), int(judged.reached.sum()))
+        fewer = fewer_than_foretold(before, int(later.trials.sum()), int(later.reached.sum()))
         return Score(fewer, fewer)
 
     return _since(counts.session.tolist(), score, LIMIT_OF_REACHING)
@@ -73,24 +73,24 @@ def _since(sessions: Sequence[int], score: Callable[[int], Score | None], limit:
     That is the generalised likelihood ratio of a change at an unknown time (Siegmund and Venkatraman, The Annals of
     Statistics 23 (1995)).
     """
-    found = {first: score(first) for first in sessions[EARLIER_SESSIONS : len(sessions) - LATER_SESSIONS + 1]}
-    scores = {first: one for first, one in found.items() if one is not None}
-    if max((one.normal for one in scores.values()), default=0.0) <= limit:
+    all_scores = {first: score(first) for first in sessions[EARLIER_SESSIONS : len(sessions) - LATER_SESSIONS + 1]}
+    scores = {first: session_score for first, session_score in all_scores.items() if session_score is not None}
+    if max((session_score.normal for session_score in scores.values()), default=0.0) <= limit:
         return None
     return max(scores, key=lambda first: scores[first].fit)
 
 
-def _score(before: Series, judged: Series, clinic: Spread | None, least: float, sign: float) -> Score | None:
-    """Return how far the mean of `judged` lies above the end of the curve of `before`; below it with a sign of -1."""
-    spread = pool_spreads(own_spread(before, judged, least), clinic)
+def _score(before: Series, later: Series, clinic: Spread | None, least: float, sign: float) -> Score | None:
+    """Return how far the mean of `later` lies above the end of the curve of `before`; below it with a sign of -1."""
+    spread = pool_spreads(own_spread(before, later, least), clinic)
     foretold, parameters = fit_curve(before.number, before.value, before.number[-1:])
-    earlier, later = (len(np.unique(one.session)) for one in (before, judged))
+    earlier_sessions, later_sessions = (len(np.unique(series.session)) for series in (before, later))
     total = spread.of_difference(
-        1 / later + parameters / earlier, 1 / len(judged.value) + parameters / len(before.value)
+        1 / later_sessions + parameters / earlier_sessions, 1 / len(later.value) + parameters / len(before.value)
     )
-    difference = sign * float(judged.value.mean() - foretold[0])
+    difference = sign * float(later.value.mean() - foretold[0])
     normal = normal_score(difference, total)
-    return None if normal is None else Score(normal, difference / math.sqrt(1 / earlier + 1 / later))
+    return None if normal is None else Score(normal, difference / math.sqrt(1 / earlier_sessions + 1 / later_sessions))
 
 
 def deteriorations(rows: Rows, clinic: Mapping[str, Spread], names: Collection[str] = TRIAL_MEASURES) -> dict[str, str]:
@@ -98,17 +98,17 @@ def deteriorations(rows: Rows, clinic: Mapping[str, Spread], names: Collection[s
 
     `rows` are a person's trials in one task, `clinic` the median spread of each measure.
     """
-    found = {}
+    starts: dict[str, int | None] = {}
     for name in leading_of_task(rows):
         better = TRIAL_MEASURES[name].better
         series, _ = series_of(rows, name)
         if name in names and better is not None and len(series.value):
-            found[name] = worse_since(series, clinic.get(name), better, least_spread(name, series.value))
+            starts[name] = worse_since(series, clinic.get(name), better, least_spread(name, series.value))
     counts = counts_of(rows)
-    found[REACHED] = missed_since(counts)
-    return {name: _sentence(name, since) for name, since in found.items() if since is not None}
+    starts[REACHED] = missed_since(counts)
+    return {name: _sentence(name, since) for name, since in starts.items() if since is not None}
 
 
 def _sentence(name: str, since: int) -> str:
-    what = "The goal is missed more often than by this person's own noise" if name == REACHED else WORSE
-    return f"{what} since session {since}. {ADVICE}"
+    sentence = "The goal is missed more often than by this person's own noise" if name == REACHED else WORSE
+    return f"{sentence} since session {since}. {ADVICE}"

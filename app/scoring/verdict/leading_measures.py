@@ -13,10 +13,12 @@ def leading_measures(trial: Mapping[str, Any]) -> tuple[str, ...]:
 
     Of a trial with none of them, the first three that can be compared.
     """
-    names = next(large for has, large in LEADING if all(trial.get(name) is not None for name in has))
-    found = tuple(name for name in names if trial.get(name) is not None)
-    others = (name for name, one in TRIAL_MEASURES.items() if one.better is not None and trial.get(name) is not None)
-    return found or tuple(others)[:MOST_LEADING]
+    names = next(leading for required, leading in LEADING if all(trial.get(name) is not None for name in required))
+    measured = tuple(name for name in names if trial.get(name) is not None)
+    others = (
+        name for name, measure in TRIAL_MEASURES.items() if measure.better is not None and trial.get(name) is not None
+    )
+    return measured or tuple(others)[:MOST_LEADING]
 
 
 def leading_of_task(trials: Sequence[Mapping[str, Any]]) -> tuple[str, ...]:

@@ -42,11 +42,11 @@ def with_missed(name: str, values: Numbers, missed: NDArray[np.bool_]) -> Number
     Trials 20 (1999). `values` are in the order driven; those of missed trials are not looked at.
     """
     rank = MISSED_RANK if measure_of(name).better == "low" else 1.0 - MISSED_RANK
-    found = values.copy()
+    bounded = values.copy()
     for place in np.flatnonzero(missed):
         before = values[:place][~missed[:place]]
-        found[place] = np.quantile(before, rank) if len(before) else np.nan
-    return found
+        bounded[place] = np.quantile(before, rank) if len(before) else np.nan
+    return bounded
 
 
 def to_scale(name: str, values: Numbers) -> Numbers:

@@ -111,17 +111,17 @@ def series_of(rows: Rows, name: str) -> tuple[Series, NDArray[np.int64]]:
     needs_goal = TRIAL_MEASURES[name].needs_goal
     compared = [(row, value_of(row, name)) for row in rows if not row["familiarisation"]]
     is_missed = [needs_goal and not row.get("reached", True) for row, _ in compared]
-    known = [value is not None or missed for (_, value), missed in zip(compared, is_missed, strict=True)]
-    found = [row for (row, _), one in zip(compared, known, strict=True) if one]
-    value = np.array([0.0 if value is None else value for _, value in compared], dtype=np.float64)[known]
-    scaled = with_missed(name, to_scale(name, value), np.array(is_missed, dtype=np.bool_)[known])
+    is_compared = [value is not None or missed for (_, value), missed in zip(compared, is_missed, strict=True)]
+    compared_rows = [row for (row, _), included in zip(compared, is_compared, strict=True) if included]
+    value = np.array([0.0 if value is None else value for _, value in compared], dtype=np.float64)[is_compared]
+    scaled = with_missed(name, to_scale(name, value), np.array(is_missed, dtype=np.bool_)[is_compared])
     series = Series(
-        np.array([row["number"] for row in found], dtype=np.float64),
-        np.array([row["session"] for row in found], dtype=np.int64),
+        np.array([row["number"] for row in compared_rows], dtype=np.float64),
+        np.array([row["session"] for row in compared_rows], dtype=np.int64),
         scaled,
     )
     is_known = np.isfinite(scaled)
-    return series.where(is_known), np.array([row["id"] for row in found], dtype=np.int64)[is_known]
+    return series.where(is_known), np.array([row["id"] for row in compared_rows], dtype=np.int64)[is_known]
 
 
 def difference_of(
@@ -148,9 +148,9 @@ def difference_of(
     count = int((before | later).sum())
     variance = None
     if count >= FEWEST:
-        own = own_spread(series.where(before), second, least_spread(name, series.value[before | later]))
-        spread = pool_spreads(own, clinic)
-        sets = [np.unique(one.session) for one in (first, second)]
+        own_variances = own_spread(series.where(before), second, least_spread(name, series.value[before | later]))
+        spread = pool_spreads(own_variances, clinic)
+        sets = [np.unique(trials_of_set.session) for trials_of_set in (first, second)]
         same = len(sets[0]) == len(sets[1]) == 1 and sets[0][0] == sets[1][0]
         trials, sessions = (len(first.value), len(second.value)), (len(sets[0]), len(sets[1]))
         variance = variance_of(spread, trials, None if same else sessions)
@@ -187,29 +187,29 @@ def verdicts_on(
     p_values = {name: differences[name].p_value for name in leading if name in differences}
     tests = {name: one for name, one in p_values.items() if one is not None} | dict(others or {})
     levels = dict(zip(tests, holm_levels(list(tests.values()), together), strict=True))
-    found = {name: _verdict(name, one, levels.get(name), name in leading) for name, one in differences.items()}
-    return found, levels
+    verdicts = {name: _verdict(name, one, levels.get(name), name in leading) for name, one in differences.items()}
+    return verdicts, levels
 
 
-def _verdict(name: str, found: Difference, level: float | None, is_leading: bool) -> Verdict:
-    figures = {"earlier": from_scale(name, found.earlier), "later": from_scale(name, found.later)}
-    if level is None or found.variance is None:
+def _verdict(name: str, difference: Difference, level: float | None, is_leading: bool) -> Verdict:
+    figures = {"earlier": from_scale(name, difference.earlier), "later": from_scale(name, difference.later)}
+    if level is None or difference.variance is None:
         word: Word = "too few" if is_leading else "number"
-        return Verdict(word=word, low=None, high=None, trials=found.trials, **figures)
+        return Verdict(word=word, low=None, high=None, trials=difference.trials, **figures)
     direction = measure_of(name).better
     assert direction is not None
-    mdc = _mdc(found.variance, level)
-    low, high = from_scale(name, found.earlier - mdc), from_scale(name, found.earlier + mdc)
-    word = verdict_word(found.later - found.earlier, mdc, direction)
-    return Verdict(word=word, low=low, high=high, trials=found.trials, **figures)
+    mdc = _mdc(difference.variance, level)
+    low, high = from_scale(name, difference.earlier - mdc), from_scale(name, difference.earlier + mdc)
+    word = verdict_word(difference.later - difference.earlier, mdc, direction)
+    return Verdict(word=word, low=low, high=high, trials=difference.trials, **figures)
 
 
 def compare(
     name: str, series: Series, earlier: NDArray[np.bool_], later: NDArray[np.bool_], clinic: Spread | None
 ) -> Verdict | None:
     """Compare two sets of a person's trials in one measure alone; parameters as for `difference_of`."""
-    found = difference_of(name, series, earlier, later, clinic)
-    return None if found is None else verdicts_on({name: found}, [name])[0][name]
+    difference = difference_of(name, series, earlier, later, clinic)
+    return None if difference is None else verdicts_on({name: difference}, [name])[0][name]
 
 
 def verdict_word(change: float, mdc: float, better: Literal["low", "high"]) -> Word:
@@ -224,15 +224,15 @@ def people_variances(people: Mapping[int, Rows]) -> PeopleVariances:
 
     `people` are the rows of each person, as for `series_of`; who has too few trials is left out.
     """
-    found: PeopleVariances = {}
+    by_measure: PeopleVariances = {}
     for name in TRIAL_MEASURES:
         series = {person: one for person, rows in people.items() if len((one := series_of(rows, name)[0]).value)}
         if not series:
             continue
         least = least_spread(name, np.concatenate([one.value for one in series.values()]))
         variances = {person: person_variances(one, least) for person, one in series.items()}
-        found[name] = {person: one for person, one in variances.items() if one is not None}
-    return found
+        by_measure[name] = {person: one for person, one in variances.items() if one is not None}
+    return by_measure
 
 
 def clinic_spreads(variances: PeopleVariances, person: int | None = None) -> dict[str, Spread]:

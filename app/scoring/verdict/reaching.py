@@ -88,23 +88,25 @@ def reaching_difference(counts: Counts, earlier: int, later: int) -> ReachingDif
     return ReachingDifference(float(shares[0]), float(shares[1]), trials, max(float(exact), float(2 * ndtr(-score))))
 
 
-def family_of(found: ReachingDifference) -> dict[str, float]:
+def family_of(difference: ReachingDifference) -> dict[str, float]:
     """Return the p-value that is judged together with those of the measures.
 
     It is left out where the goal was reached always or never in both sessions: then no verdict is possible, and the
     other tests need not allow for it. Source: Tarone, Biometrics 46 (1990).
     """
-    if found.p_value is None or found.earlier == found.later in (0.0, 1.0):
+    if difference.p_value is None or difference.earlier == difference.later in (0.0, 1.0):
         return {}
-    return {REACHED: found.p_value}
+    return {REACHED: difference.p_value}
 
 
-def reaching_verdict(found: ReachingDifference, level: float | None) -> Verdict:
+def reaching_verdict(difference: ReachingDifference, level: float | None) -> Verdict:
     """Return the verdict on how often the goal was reached, at this level; None: no difference is possible."""
-    word: Word = "too few" if found.p_value is None else "within"
-    if level is not None and found.p_value is not None and found.p_value <= level:
-        word = "better" if found.later > found.earlier else "worse"
-    return Verdict(word=word, earlier=found.earlier, later=found.later, low=None, high=None, trials=found.trials)
+    word: Word = "too few" if difference.p_value is None else "within"
+    if level is not None and difference.p_value is not None and difference.p_value <= level:
+        word = "better" if difference.later > difference.earlier else "worse"
+    return Verdict(
+        word=word, earlier=difference.earlier, later=difference.later, low=None, high=None, trials=difference.trials
+    )
 
 
 def fewer_than_foretold(before: Counts, trials: int, reached: int) -> float:

@@ -35,16 +35,16 @@ def compare_sessions(rows: Rows, clinic: ClinicSpreads, earlier: int, later: int
     summary, as in no verdict.
     """
     all_series = {name: series_of(rows, name)[0] for name in TRIAL_MEASURES}
-    driven = {row["session"] for row in rows if not row["familiarisation"]}
-    verdicts = session_verdicts(rows, all_series, clinic, earlier, later) if {earlier, later} <= driven else {}
-    found = {}
+    with_trials = {row["session"] for row in rows if not row["familiarisation"]}
+    verdicts = session_verdicts(rows, all_series, clinic, earlier, later) if {earlier, later} <= with_trials else {}
+    comparison = {}
     for name in TRIAL_MEASURES:
         first, second = (_summary(name, rows, session) for session in (earlier, later))
         if first is not None or second is not None or name in verdicts:
-            found[name] = MeasureOfSessions(earlier=first, later=second, verdict=verdicts.get(name))
+            comparison[name] = MeasureOfSessions(earlier=first, later=second, verdict=verdicts.get(name))
     if REACHED in verdicts:
-        found = {REACHED: MeasureOfSessions(earlier=None, later=None, verdict=verdicts[REACHED])} | found
-    return found
+        comparison = {REACHED: MeasureOfSessions(earlier=None, later=None, verdict=verdicts[REACHED])} | comparison
+    return comparison
 
 
 def compare_tasks(
@@ -56,10 +56,10 @@ def compare_tasks(
 
 def _summary(name: str, rows: Rows, session: int) -> Quartiles | None:
     """Return the quartiles of a session's compared trials that reached the goal; None where there are none."""
-    own = [row for row in rows if row["session"] == session and not row["familiarisation"]]
-    values = np.array([value for row in own if (value := value_of(row, name)) is not None], dtype=np.float64)
+    compared = [row for row in rows if row["session"] == session and not row["familiarisation"]]
+    values = np.array([value for row in compared if (value := value_of(row, name)) is not None], dtype=np.float64)
     if not len(values):
         return None
     quartiles = np.percentile(to_scale(name, values), (25, 50, 75))
-    low, median, high = (from_scale(name, float(one)) for one in quartiles)
+    low, median, high = (from_scale(name, float(quartile)) for quartile in quartiles)
     return Quartiles(median=median, low=low, high=high, trials=len(values))

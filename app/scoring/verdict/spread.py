@@ -158,11 +158,11 @@ def own_spread(before: Series, later: Series | None = None, least: float = 0.0) 
         values.append(residual - np.repeat(np.add.reduceat(residual, first) / count, count))
     trial = _around_slope(np.concatenate(places), np.concatenate(values), sessions)
     trial = Variance(max(trial.value, least**2), trial.df)
-    if later is not None and (others := before.session != later.session[0]).sum() < len(others):
-        before = before.where(others)
+    if later is not None and (in_other_sessions := before.session != later.session[0]).sum() < len(in_other_sessions):
+        before = before.where(in_other_sessions)
         fitted = _residuals(before)
-    judged = [] if later is None else [(later.session, *_residuals(later))]
-    return OwnSpread(trial, *_between_sessions((before.session, *fitted), *judged))
+    later_part = [] if later is None else [(later.session, *_residuals(later))]
+    return OwnSpread(trial, *_between_sessions((before.session, *fitted), *later_part))
 
 
 def course_spread(series: Series, least: float = 0.0) -> OwnSpread:
@@ -273,8 +273,8 @@ def person_variances(series: Series, least: float = 0.0) -> PersonVariances | No
 
 def median_spread(people: Sequence[PersonVariances]) -> Spread | None:
     """Return the medians of people's variances; None when fewer than 3 people have enough trials."""
-    trial = [one.trial for one in people]
-    session = [one.session for one in people if one.session is not None]
+    trial = [variances.trial for variances in people]
+    session = [variances.session for variances in people if variances.session is not None]
     if len(session) < CLINIC_PEOPLE:
         return None
     return Spread(

@@ -55,31 +55,31 @@ def trial_verdicts(rows: Rows, clinic: ClinicSpreads, later: int, earlier: int |
         earlier, later = later, earlier
     warming = {row["id"] for row in rows if row["familiarisation"]}
     if earlier is None and later in ids:
-        before = [one for one in ids[: ids.index(later)] if one not in warming]
-        earlier = before[-1] if before and later not in warming else None
+        earlier_ids = [trial_id for trial_id in ids[: ids.index(later)] if trial_id not in warming]
+        earlier = earlier_ids[-1] if earlier_ids and later not in warming else None
     pair_rows = [row for row in rows if row["id"] in (earlier, later)]
     differences = {}
     for name in TRIAL_MEASURES:
         if all(value_of(row, name) is not None for row in pair_rows):
-            series, driven = series_of(rows, name)
-            found = difference_of(name, series, driven == earlier, driven == later, clinic.get(name))
-            if found is not None:
-                differences[name] = found
+            series, trial_ids = series_of(rows, name)
+            difference = difference_of(name, series, trial_ids == earlier, trial_ids == later, clinic.get(name))
+            if difference is not None:
+                differences[name] = difference
     verdicts, _ = verdicts_on(differences, leading_of_task(rows))
-    pair = [one for one in (earlier, later) if one in warming]
+    pair = [trial_id for trial_id in (earlier, later) if trial_id in warming]
     before_it = rows[: ids.index(later)] if later in ids else []
     return TrialVerdicts(earlier=earlier, familiarisation=pair, verdicts=verdicts, best=_best(before_it))
 
 
 def _best(rows: Rows) -> dict[str, float]:
     """Return the best of each measure in these trials, without those in which the person got used to the task."""
-    found = {}
+    best = {}
     for name, measure in TRIAL_MEASURES.items():
         values = [value_of(row, name) for row in rows if not row["familiarisation"]]
         counted = [value for value in values if value is not None]
         if counted and measure.better is not None:
-            found[name] = min(counted) if measure.better == "low" else max(counted)
-    return found
+            best[name] = min(counted) if measure.better == "low" else max(counted)
+    return best
 
 
 def task_verdicts(rows: Rows, clinic: ClinicSpreads, names: Collection[str] = TRIAL_MEASURES) -> TaskVerdicts:
@@ -107,9 +107,9 @@ def session_verdicts(
     differences = {}
     for name, series in all_series.items():
         first, second = series.session == earlier, series.session == later
-        found = difference_of(name, series, first, second, clinic.get(name))
-        if found is not None:
-            differences[name] = found
+        difference = difference_of(name, series, first, second, clinic.get(name))
+        if difference is not None:
+            differences[name] = difference
     reaching = reaching_difference(counts_of(rows), earlier, later)
     verdicts, levels = verdicts_on(differences, leading_of_task(rows), family_of(reaching), LEVEL_OF_SESSIONS)
     return {REACHED: reaching_verdict(reaching, levels.get(REACHED)), **verdicts}

@@ -9,7 +9,7 @@ from api.fake_clinic import WORD, Clinic
 
 from app.api.routes import drives
 from app.calibration.vocabulary import DriveParameters
-from app.scoring.map_losses.trial_history import ReadTrials
+from app.scoring.map_losses.losses import ReadTrials
 from app.session.adaptation_reading import AdaptationResult, PastRun
 
 

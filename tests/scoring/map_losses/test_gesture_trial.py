@@ -11,7 +11,7 @@ from app.calibration.adaptation.movement import Movement
 from app.calibration.vocabulary import standard_parameters
 from app.pipeline.replay.batch import decode_block
 from app.scoring.map_losses.gesture_trial import gesture_trials
-from app.scoring.map_losses.trial_history import PastTrial, losses_of, read_trials
+from app.scoring.map_losses.losses import PastTrial, losses_of, read_trials
 from building import covariance_of_independent
 
 
