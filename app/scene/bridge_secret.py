@@ -55,15 +55,17 @@ class _GuardedWebsockets:
         return getattr(websockets, name)
 
 
-def _serve(*given: Any, process_request: ProcessRequest, **more: Any) -> Any:
+def _serve(*arguments: Any, process_request: ProcessRequest, **options: Any) -> Any:
     def admit(connection: ServerConnection, request: Request) -> Response | None:
-        sent = request.headers.get_all(HEADER)
-        if len(sent) == 1 and secrets.compare_digest(sent[0].encode(errors="surrogateescape"), SECRET.encode()):
+        secrets_sent = request.headers.get_all(HEADER)
+        if len(secrets_sent) == 1 and secrets.compare_digest(
+            secrets_sent[0].encode(errors="surrogateescape"), SECRET.encode()
+        ):
             return process_request(connection, request)
         return connection.respond(HTTPStatus.FORBIDDEN, "This port is for the program itself: open its own pages.\n")
 
     _guarded.add(threading.current_thread())
-    return websockets.asyncio.server.serve(*given, process_request=admit, logger=_own_logger(), **more)
+    return websockets.asyncio.server.serve(*arguments, process_request=admit, logger=_own_logger(), **options)
 
 
 def _own_logger() -> logging.Logger:

@@ -80,9 +80,9 @@ def _wrapped(angle: float) -> float:
     return math.remainder(angle, math.tau)
 
 
-def _toward(here: float, there: float, reach: float) -> float:
+def _toward(angle: float, target: float, reach: float) -> float:
     """Return `here` moved towards `there` by at most `reach`."""
-    return there if abs(there - here) <= reach else here + math.copysign(reach, there - here)
+    return target if abs(target - angle) <= reach else angle + math.copysign(reach, target - angle)
 
 
 def _limited(angles: Angles) -> Angles:

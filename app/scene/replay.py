@@ -58,9 +58,9 @@ class Replay:
             self._view = WorldView(self._server)
             self._view.draw(drawing_of(plan, path, models))
             self._moment = self._server.scene.add_frame(MOMENT_NODE, show_axes=False, visible=False)
-            driven = TrajectoryLine(self._server)
+            trajectory = TrajectoryLine(self._server)
             for t, x, y, theta in zip(poses.t, poses.x, poses.y, poses.theta, strict=True):
-                driven.add(Pose(float(x), float(y), float(theta)), float(t))
+                trajectory.add(Pose(float(x), float(y), float(theta)), float(t))
             self.show(self._t, "chase")
         except BaseException:
             self.stop()
@@ -79,7 +79,7 @@ class Replay:
             row = int(np.searchsorted(poses.t, t, side="right")) - 1
             self._update_state(row)
             if view != self._view.view:
-                self._view.look(view)
+                self._view.set_view(view)
             self._view.fit_picture()
             passed = abs(t - self._t)
             self._t = t

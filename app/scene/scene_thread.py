@@ -47,7 +47,7 @@ class SceneThread:
                 number, moved_at = int(tick["number"]), now
                 self.scene.follow(tick)
             if now >= stamp_at:
-                self.scene.tell_time(now, now - moved_at)
+                self.scene.send_time(now, now - moved_at)
                 stamp_at = now + STAMP_EVERY
             # A late update is skipped: the next deadline is counted from now.
             pause = UPDATE_EVERY if self.scene.is_watched else STAMP_EVERY

@@ -95,7 +95,7 @@ class LiveScene:
     def set_view(self, role: Role, view: View, settings: EyeSettings | None = None) -> None:
         """Set a role's view, and its eye settings when given."""
         with self._lock:
-            self._views[role].look(view, settings)
+            self._views[role].set_view(view, settings)
             self._flush()
 
     def set_orbit(self, role: Role, orbit: Orbit) -> None:
@@ -184,7 +184,7 @@ class LiveScene:
             self._clear_trajectories()  # the line begins where the chair is
             return pose
 
-    def tell_time(self, now: float, tick_age: float) -> None:
+    def send_time(self, now: float, tick_age: float) -> None:
         """Send a time stamp, by which a page knows the age of its picture, and fit the views to the pages' sizes.
 
         Parameters

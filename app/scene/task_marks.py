@@ -40,19 +40,19 @@ def task_parts(path: PrescribedPath) -> dict[str, Part]:
         case Turn():
             return _turn_parts(path, path.task)
         case Back():
-            return _way(path) | {"goal": Part(_hatched_box(path), palette.GOAL), "flag": _flag(path)}
+            return _path_parts(path) | {"goal": Part(_hatched_box(path), palette.GOAL), "flag": _flag(path)}
         case _:
             x, y = path.points[-1]
             goal = ring((x, y, GOAL_AT), 0.86 * path.goal_radius, path.goal_radius)
-            return _way(path) | {"goal": Part(goal, palette.GOAL), "flag": _flag(path)}
+            return _path_parts(path) | {"goal": Part(goal, palette.GOAL), "flag": _flag(path)}
 
 
 def later_parts(path: PrescribedPath) -> dict[str, Part]:
     """Return all stages of a course as thin lines under the present stage; nothing for other tasks."""
     if not isinstance(path.task, Course):
         return {}
-    ways = [stage.points for stage in path.task.stages if not isinstance(stage.task, Turn)]
-    return {"later": Part(merged(strip(way, LATER_WIDTH, LATER_AT) for way in ways), palette.LATER)} if ways else {}
+    lines = [stage.points for stage in path.task.stages if not isinstance(stage.task, Turn)]
+    return {"later": Part(merged(strip(line, LATER_WIDTH, LATER_AT) for line in lines), palette.LATER)} if lines else {}
 
 
 def gap_parts(gaps: tuple[Gap, ...]) -> dict[str, Part]:
@@ -69,7 +69,7 @@ def gap_parts(gaps: tuple[Gap, ...]) -> dict[str, Part]:
     return {"gap_marks": Part(merged(marks), palette.MARK)}
 
 
-def _way(path: PrescribedPath) -> dict[str, Part]:
+def _path_parts(path: PrescribedPath) -> dict[str, Part]:
     return {
         "path": Part(strip(path.points, PATH_WIDTH, PATH_AT), palette.PATH),
         "path_edge": Part(strip(path.points, PATH_WIDTH + 2 * PATH_EDGE, EDGE_AT), palette.PATH_EDGE),

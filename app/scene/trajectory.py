@@ -63,9 +63,9 @@ class TrajectoryPieces:
 
     def add(self, pose: Pose, t: float) -> bool:
         """Add the pose at `t` (s); return whether it became a point of the last piece."""
-        here = Place(pose.x, pose.y, t)
-        begins = self._last is not None and is_jump(self._last, here)
-        self._last = here
+        place = Place(pose.x, pose.y, t)
+        begins = self._last is not None and is_jump(self._last, place)
+        self._last = place
         if not self._filter.keep(pose):
             return False
         point = (pose.x, pose.y)

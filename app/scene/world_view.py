@@ -46,7 +46,7 @@ class MeshGroup:
         self._server = server
         self._under = under
         self._nodes: dict[str, MeshNode] = {}
-        self._shown: Mapping[str, Part | PaintedPart] = {}
+        self._parts: Mapping[str, Part | PaintedPart] = {}
 
     def __contains__(self, name: str) -> bool:
         """Return whether the group has a mesh of this name."""
@@ -65,12 +65,12 @@ class MeshGroup:
         return self._nodes.values()
 
     def show(self, parts: Mapping[str, Part | PaintedPart]) -> bool:
-        """Replace the meshes by `parts`; return whether `parts` is another object than the one shown before.
+        """Replace the meshes by `parts`; return whether `parts` is another object than the one drawn before.
 
         When names, colours and faces are equal, only the vertices of the existing meshes are changed: a new mesh would
         blink.
         """
-        if parts is self._shown:
+        if parts is self._parts:
             return False
         moved = self._moved_meshes(parts)
         if moved is None:
@@ -80,7 +80,7 @@ class MeshGroup:
         else:
             for node, part in moved:
                 node.vertices = part.mesh.vertices.astype(np.float32)
-        self._shown = parts
+        self._parts = parts
         return True
 
     def _moved_meshes(self, parts: Mapping[str, Part | PaintedPart]) -> list[tuple[viser.MeshHandle, Part]] | None:
@@ -88,11 +88,11 @@ class MeshGroup:
 
         Returns None when anything else differs.
         """
-        if self._shown.keys() != parts.keys():
+        if self._parts.keys() != parts.keys():
             return None
         moved = []
         for name, part in parts.items():
-            before, node = self._shown[name], self._nodes[name]
+            before, node = self._parts[name], self._nodes[name]
             if not (isinstance(part, Part) and isinstance(before, Part) and isinstance(node, viser.MeshHandle)):
                 return None
             if part.colour != before.colour or not np.array_equal(part.mesh.faces, before.mesh.faces):
@@ -160,7 +160,7 @@ class WorldView:
         self._bodies.show(numbered("body", bodies))
         self._fix_camera()
         server.on_client_connect(self._aim_client)
-        self.look("eye")
+        self.set_view("eye")
 
     @property
     def view(self) -> View:
@@ -186,19 +186,19 @@ class WorldView:
                 self._show_movers(drawing.movers)
             self._drawing = drawing
             self._lighting.shine(drawing.lights)
-            self.look(self._view)
+            self.set_view(self._view)
 
-    def look(self, view: View, settings: EyeSettings | None = None) -> None:
+    def set_view(self, view: View, settings: EyeSettings | None = None) -> None:
         """Set the view, and the eye's settings when given."""
         self._view = view
         self._settings = self._settings if settings is None else settings
         self._head.roll_share = self._settings.roll_share
         height = self._drawing.wall_height
         with self._server.atomic():
-            shown = min(WALL_CUT_HEIGHT[view] / height, 1.0) if height else 1.0
+            cut_share = min(WALL_CUT_HEIGHT[view] / height, 1.0) if height else 1.0
             for name, node in self._building.items():
                 if name == WALLS:
-                    node.scale = (1.0, 1.0, shown)
+                    node.scale = (1.0, 1.0, cut_share)
                 elif name.startswith(FURNITURE):
                     node.scale = (1.0, 1.0, FURNITURE_HEIGHT_SHARE[view])
                 elif name == OVERHEAD:
@@ -255,8 +255,8 @@ class WorldView:
             case "chase":
                 return chase_camera(self._pose)
             case "top":
-                shown = min(WALL_CUT_HEIGHT["top"], self._drawing.wall_height)
-                return top_camera(self._drawing.bounds, self._aspect, shown)
+                cut_height = min(WALL_CUT_HEIGHT["top"], self._drawing.wall_height)
+                return top_camera(self._drawing.bounds, self._aspect, cut_height)
             case "free":
                 return free_camera(self.orbit)
 

@@ -32,7 +32,7 @@ def compare(fixed: Sequence[StudySessionTrial], other: Sequence[StudySessionTria
     sessions = [_session(fixed, other, seeds, number) for number in range(1, last + 1)]
     before, after = (_means(rows, seeds, last) for rows in (fixed, other))
     relative = _relative(before, after)
-    driving = [one for one in sessions if one["seeds_that_always_drove"] >= max(2, len(seeds) // 2)]
+    driving = [session for session in sessions if session["seeds_that_always_drove"] >= max(2, len(seeds) // 2)]
     applied = [row for row in other if row.mode == "auto"]
     median, interval = _median(relative)
     felt = max((row.felt_change for row in applied), default=0.0)
@@ -83,31 +83,31 @@ def table(comparison: dict[str, Any]) -> str:
         "session         fixed  adapted  reached fixed  adapted  both drove  relative there  95 %",
     ]
     lines += [
-        f"{one['session']:7d}  {one['fixed']:12.2f}  {one['adapted']:7.2f}  {percent(one['reached_fixed']):>13}  "
-        f"{percent(one['reached_adapted']):>7}  {one['seeds_that_always_drove']:10d}  {_percent(one['relative'], 14)}  "
-        f"{_interval_words(one['interval'])}"
-        for one in comparison["sessions"]
+        f"{row['session']:7d}  {row['fixed']:12.2f}  {row['adapted']:7.2f}  {percent(row['reached_fixed']):>13}  "
+        f"{percent(row['reached_adapted']):>7}  {row['seeds_that_always_drove']:10d}  {_percent(row['relative'], 14)}  "
+        f"{_interval_text(row['interval'])}"
+        for row in comparison["sessions"]
     ]
     last = comparison["last_session"]
     lines += ["", f"session {last['session']}", "seed  fixed  adapted  relative  reached fixed  adapted"]
     lines += [
-        f"{one['seed']:4d}  {one['fixed']:5.2f}  {one['adapted']:7.2f}  {signed_percent(one['relative']):>8}  "
-        f"{percent(one['reached_fixed']):>13}  {percent(one['reached_adapted']):>7}"
-        for one in last["per_seed"]
+        f"{row['seed']:4d}  {row['fixed']:5.2f}  {row['adapted']:7.2f}  {signed_percent(row['relative']):>8}  "
+        f"{percent(row['reached_fixed']):>13}  {percent(row['reached_adapted']):>7}"
+        for row in last["per_seed"]
     ]
     later = comparison["later_sessions"]
     if later is not None:
         lines += [
             "",
             f"All trials from session 2 on: mean {later['fixed']:.2f} m² fixed, {later['adapted']:.2f} m² adapted: "
-            f"{_percent(later['relative'], 0)} (95 % {_interval_words(later['interval'])}); reached "
+            f"{_percent(later['relative'], 0)} (95 % {_interval_text(later['interval'])}); reached "
             f"{percent(later['reached_fixed'], 1)} and {percent(later['reached_adapted'], 1)}.",
         ]
     applied, proposals = comparison["applied"], comparison["proposals"]
     lines += [
         "",
         f"Median over {comparison['seeds']} seeds in the last session: {_percent(last['median_relative'], 0)} "
-        f"(95 % {_interval_words(last['interval'])}). Proposals for a person: median {proposals['median']:g}, most "
+        f"(95 % {_interval_text(last['interval'])}). Proposals for a person: median {proposals['median']:g}, most "
         f"{proposals['most']}. Steps applied: {applied['steps']}; largest felt change "
         f"{percent(applied['largest_felt_change'], 1)}, largest turn {applied['largest_turn_deg']:.2f} degrees, "
         f"sign flips {applied['sign_flips']}.",
@@ -123,7 +123,7 @@ def _later_sessions(
     before, after = (
         np.array([np.mean([row.e_diff for row in of if row.seed == seed]) for seed in seeds]) for of in rows
     )
-    found: dict[str, Any] = {
+    document: dict[str, Any] = {
         "fixed": float(before.mean()),
         "adapted": float(after.mean()),
         "relative": float(after.mean() / max(before.mean(), LEAST_AREA) - 1.0),
@@ -143,8 +143,8 @@ def _later_sessions(
             method="percentile",
             rng=np.random.default_rng(1),
         ).confidence_interval
-        found["interval"] = (float(bounds.low), float(bounds.high))
-    return found
+        document["interval"] = (float(bounds.low), float(bounds.high))
+    return document
 
 
 def _proposals(rows: Sequence[StudySessionTrial], seeds: list[int]) -> dict[str, Any]:
@@ -173,7 +173,7 @@ def _session(
 
 def _means(rows: Sequence[StudySessionTrial], seeds: list[int], session: int) -> NDArray[np.float64]:
     """Return each seed's mean E_diff (n_seeds,) in m2 in a session."""
-    return np.array([np.mean([one.e_diff for one in rows if (one.seed, one.session) == (s, session)]) for s in seeds])
+    return np.array([np.mean([row.e_diff for row in rows if (row.seed, row.session) == (s, session)]) for s in seeds])
 
 
 def _relative(before: NDArray[np.float64], after: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -182,7 +182,7 @@ def _relative(before: NDArray[np.float64], after: NDArray[np.float64]) -> NDArra
 
 
 def _reached(rows: Sequence[StudySessionTrial], seed: int, session: int) -> float:
-    return float(np.mean([one.reached for one in rows if (one.seed, one.session) == (seed, session)]))
+    return float(np.mean([row.reached for row in rows if (row.seed, row.session) == (seed, session)]))
 
 
 def _median(values: NDArray[np.float64]) -> tuple[float | None, tuple[float, float] | None]:
@@ -206,5 +206,5 @@ def _percent(share: float | None, width: int) -> str:
     return f"{'-' if share is None else signed_percent(share):>{width}}"
 
 
-def _interval_words(interval: tuple[float, float] | None) -> str:
+def _interval_text(interval: tuple[float, float] | None) -> str:
     return "-" if interval is None else f"{signed_percent(interval[0])} to {signed_percent(interval[1])}"

@@ -14,11 +14,10 @@ from app.settings import data_folder
 from app.signals.signals import read_layout
 from app.study.participant import Participant
 from app.study.second_process import SameProcess
-from app.study.simulated_calibration import fit_recorded, record_calibration
+from app.study.simulated_calibration import SAMPLE_RATE, fit_recorded, record_calibration
 from app.study.simulated_trial import DrivenTrial, StudyTrial, drive_trial, score_trial
 from app.world.floorplan import FloorPlan, PrescribedPath
 
-SAMPLE_RATE = 100.0  # Hz
 SHIRT = "bodydrive-52.json"
 SEEDS_APART = 1_000_003  # added to the person's seed, it is the fabric's
 

@@ -8,13 +8,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.vocabulary import standard_parameters
-from app.scoring.interface_test.interface_measures import InterfaceMeasures
+from app.calibration.vocabulary import DriveParameters, standard_parameters
+from app.geometry import Pose
+from app.hardware.chair.simulator import VirtualChair
+from app.pipeline.chain import Chain
+from app.pipeline.safety_gate import Conditions
+from app.scoring.interface_test.interface_measures import InterfaceMeasures, interface_measures
 from app.study.choices import PersonKind
+from app.study.participant import Participant
 from app.study.sessions import CalibratedParticipant, begin_session, calibrated_participant, each_seed
-from app.study.simulated_interface_test import do_interface_test
 from app.study.simulated_trial import drive_trial, score_trial
-from app.world.cursor_task import CursorPlan
+from app.world.cursor_task import CursorPlan, CursorTask
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 FEWEST_PAIRS = 8  # of numbers, below which no rank correlation is given
@@ -46,6 +50,20 @@ class InterfaceSession:
         return {"seed": self.seed, "session": self.session, **flat, **ways, **trials}
 
 
+def do_interface_test(participant: Participant, parameters: DriveParameters, plan: CursorPlan) -> InterfaceMeasures:
+    """Let the participant do one interface test through the chain, the chair disarmed, and return its measures."""
+    chain = Chain(participant.sample_rate, parameters, VirtualChair(None, Pose(0.0, 0.0, 0.0)))
+    conditions = Conditions()
+    task = CursorTask(plan)
+    frame = participant.rest()
+    begin = frame.t
+    while task.phase != "over":
+        tick = chain.step(frame, frame.t, conditions)
+        task.step(frame.t - begin, tick.u1, tick.u2)
+        frame = participant.point(task)
+    return interface_measures(task)
+
+
 def run_interface_sessions(
     first: CalibratedParticipant, sessions: int, trials: int, floorplan: FloorPlan, path: PrescribedPath
 ) -> list[InterfaceSession]:
@@ -58,10 +76,12 @@ def run_interface_sessions(
     for session in range(1, sessions + 1):
         parameters = begin_session(first, session, parameters)
         test = do_interface_test(participant, parameters, CursorPlan(seed=session))
-        driven = [drive_trial(number, participant, parameters, floorplan, path) for number in range(1, trials + 1)]
-        measures = [score_trial(floorplan, path, trial).measures for trial in driven]
-        e_diff = float(np.mean([one["e_diff"] for one in measures]))
-        reached = float(np.mean([bool(one["reached"]) for one in measures]))
+        trials_driven = [
+            drive_trial(number, participant, parameters, floorplan, path) for number in range(1, trials + 1)
+        ]
+        measures = [score_trial(floorplan, path, trial).measures for trial in trials_driven]
+        e_diff = float(np.mean([trial_measures["e_diff"] for trial_measures in measures]))
+        reached = float(np.mean([bool(trial_measures["reached"]) for trial_measures in measures]))
         rows.append(InterfaceSession(first.seed, session, test, e_diff, reached))
     return rows
 
@@ -95,7 +115,7 @@ def interface_summary(rows: Sequence[InterfaceSession]) -> dict[str, Any]:
         `rank_correlation`: Spearman's of throughput with the area off the path, `between` people (each one's means
         over the sessions) and `within` people (median over seeds of that over the sessions); None below 8 pairs.
     """
-    flat = [one.row() for one in rows]
+    flat = [row_of_session.row() for row_of_session in rows]
     numbers = sorted({row["session"] for row in flat})
     seeds = sorted({row["seed"] for row in flat})
     of_seed = [_columns([row for row in flat if row["seed"] == seed], ("throughput", "e_diff")) for seed in seeds]
@@ -118,39 +138,39 @@ def interface_table(summary: dict[str, Any]) -> str:
         "session  targets/min  missed  first entry, s  dial-in, s  straightness  throughput, bit/s (10 to 90 %)  "
         "area off the path, m²  reached",
     ]
-    for one in summary["sessions"]:
-        low, high = one["throughput_p10"], one["throughput_p90"]
+    for row in summary["sessions"]:
+        low, high = row["throughput_p10"], row["throughput_p90"]
         spread = "-" if low is None else f"({low:.2f} to {high:.2f})"
         lines.append(
-            f"{one['session']:7d}  {_text(one['acquisitions_per_minute'], 11, 1)}  {_text(one['missed'], 6, 1)}  "
-            f"{_text(one['first_entry'], 14)}  {_text(one['dial_in'], 10)}  {_text(one['path_efficiency'], 12)}  "
-            f"{_text(one['throughput'], 17)} {spread:>16}  {_text(one['e_diff'], 21)}  {one['reached']:7.0%}"
+            f"{row['session']:7d}  {_text(row['acquisitions_per_minute'], 11, 1)}  {_text(row['missed'], 6, 1)}  "
+            f"{_text(row['first_entry'], 14)}  {_text(row['dial_in'], 10)}  {_text(row['path_efficiency'], 12)}  "
+            f"{_text(row['throughput'], 17)} {spread:>16}  {_text(row['e_diff'], 21)}  {row['reached']:7.0%}"
         )
-    found = summary["rank_correlation"]
+    correlation = summary["rank_correlation"]
     lines += [
         "",
         "Rank correlation of throughput with the area off the path in the trials of the same session: between people "
-        f"{_text(found['between'])}, within people {_text(found['within'])}.",
+        f"{_text(correlation['between'])}, within people {_text(correlation['within'])}.",
     ]
     return "\n".join(lines) + "\n"
 
 
 def _session(rows: list[dict[str, Any]], number: int) -> dict[str, Any]:
-    found: dict[str, Any] = {"session": number}
+    document: dict[str, Any] = {"session": number}
     for name in COLUMNS:
         values = _columns(rows, (name,))[:, 0]
-        found[name] = float(np.median(values)) if len(values) else None
-    found["reached"] = float(np.mean([row["reached"] for row in rows]))
+        document[name] = float(np.median(values)) if len(values) else None
+    document["reached"] = float(np.mean([row["reached"] for row in rows]))
     rates = _columns(rows, ("throughput",))[:, 0]
     for percent in (10, 90):
-        found[f"throughput_p{percent}"] = float(np.percentile(rates, percent)) if len(rates) else None
-    return found
+        document[f"throughput_p{percent}"] = float(np.percentile(rates, percent)) if len(rates) else None
+    return document
 
 
 def _columns(rows: list[dict[str, Any]], names: tuple[str, ...]) -> NDArray[np.float64]:
     """Return columns (n, n_names) of the rows that have all of them."""
-    found = [[row[name] for name in names] for row in rows if all(row[name] is not None for name in names)]
-    return np.array(found, dtype=np.float64).reshape(-1, len(names))
+    values = [[row[name] for name in names] for row in rows if all(row[name] is not None for name in names)]
+    return np.array(values, dtype=np.float64).reshape(-1, len(names))
 
 
 def _rank_correlation(pairs: NDArray[np.float64]) -> float | None:

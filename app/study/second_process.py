@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from importlib import import_module
 from typing import ParamSpec, TypeVar
 
-Asked = ParamSpec("Asked")
+Arguments = ParamSpec("Arguments")
 Answer = TypeVar("Answer")
 
 # What is imported inside functions: by the fit, with which a study begins, and by scoring and drawing.
@@ -23,10 +23,12 @@ DRAWING_LIBRARY = "matplotlib.backends.backend_agg"
 class SameProcess(Executor):
     """Computes at once, in this process, what it is asked."""
 
-    def submit(self, ask: Callable[Asked, Answer], /, *given: Asked.args, **named: Asked.kwargs) -> Future[Answer]:
+    def submit(
+        self, ask: Callable[Arguments, Answer], /, *arguments: Arguments.args, **options: Arguments.kwargs
+    ) -> Future[Answer]:
         """Return the answer, which is there already."""
         done: Future[Answer] = Future()
-        done.set_result(ask(*given, **named))
+        done.set_result(ask(*arguments, **options))
         return done
 
 
@@ -49,9 +51,11 @@ class _SecondProcess(ProcessPoolExecutor):
         self._later = later
         super().submit(_load, (FIRST_LIBRARY,))
 
-    def submit(self, ask: Callable[Asked, Answer], /, *given: Asked.args, **named: Asked.kwargs) -> Future[Answer]:
+    def submit(
+        self, ask: Callable[Arguments, Answer], /, *arguments: Arguments.args, **options: Arguments.kwargs
+    ) -> Future[Answer]:
         """Return the answer that is to come."""
-        answer = super().submit(ask, *given, **named)
+        answer = super().submit(ask, *arguments, **options)
         if self._later:
             super().submit(_load, self._later)
             self._later = ()

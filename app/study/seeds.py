@@ -89,7 +89,9 @@ def measure_over_seeds(results: Sequence[StudyResult], measure: str) -> MeasureO
     trends = [mann_kendall(row[~np.isnan(row)].tolist()) for row in table]
     directions = [trend.direction for trend in trends]
     steps = [largest_step(row.tolist()) for row in table]
-    median = tuple(float(np.median(seen)) if len(seen := column[~np.isnan(column)]) else None for column in table.T)
+    median = tuple(
+        float(np.median(reached)) if len(reached := column[~np.isnan(column)]) else None for column in table.T
+    )
     return MeasureOverSeeds(
         median=median,
         p=tuple(trend.p for trend in trends),

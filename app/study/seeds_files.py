@@ -85,7 +85,7 @@ def seeds_summary(results: Sequence[StudyResult]) -> dict[str, Any]:
                     for trial in result.trials
                 ],
                 "learning": {
-                    measure: {said: result.learning[measure][said] for said in ("text", "details")}
+                    measure: {part: result.learning[measure][part] for part in ("text", "details")}
                     for measure in MEASURES
                 },
             }
@@ -96,12 +96,12 @@ def seeds_summary(results: Sequence[StudyResult]) -> dict[str, Any]:
 
 def sentences(results: Sequence[StudyResult]) -> list[str]:
     """Return the measures over all seeds in plain sentences."""
-    said = [_sentence(measure, measure_over_seeds(results, measure), len(results)) for measure in MEASURES]
+    lines = [_sentence(measure, measure_over_seeds(results, measure), len(results)) for measure in MEASURES]
     trials = sum(len(result.trials) for result in results)
     missed = sum(not trial.measures["reached"] for result in results for trial in result.trials)
     if missed:
-        said.append(f"{missed} of {trials} trials did not reach the goal in time and are left out of these figures.")
-    return said
+        lines.append(f"{missed} of {trials} trials did not reach the goal in time and are left out of these figures.")
+    return lines
 
 
 def _sentence(measure: str, over: MeasureOverSeeds, seeds: int) -> str:
@@ -123,8 +123,8 @@ def _trajectories(results: Sequence[StudyResult]) -> "pa.Table":
     """Return the trajectories of all seeds, about ten rows a second, with the column `seed` first."""
     import pyarrow as pa
 
-    whole = results[0]
-    sparse = dataclasses.replace(whole, trials=tuple(decimated(trial) for trial in whole.trials))
+    first = results[0]
+    sparse = dataclasses.replace(first, trials=tuple(decimated(trial) for trial in first.trials))
     tables = []
     for result in (sparse, *results[1:]):
         table = trajectories_table(result)

@@ -79,8 +79,8 @@ def drive_trial(
 def score_trial(floorplan: FloorPlan, path: PrescribedPath, driven: DrivenTrial) -> StudyTrial:
     """Return a trial with its measures."""
     number, faults, columns = driven
-    shown = (columns[name] for name in ("t", "x", "y", "theta", "v", "omega"))
-    return StudyTrial(number, task_measures(floorplan, path, columns), faults, *shown)
+    trajectory = (columns[name] for name in ("t", "x", "y", "theta", "v", "omega"))
+    return StudyTrial(number, task_measures(floorplan, path, columns), faults, *trajectory)
 
 
 def _settle(participant: Participant, chain: Chain, conditions: Conditions, frames: FrameLog) -> None:

@@ -209,5 +209,5 @@ def test_a_patient_sees_no_plots(app, open_view, page):
 def test_a_picture_that_stands_still_says_so(app, page, until):
     app.scene_thread.stop()
     until(page, "window.bodydriveView.age() > 2")
-    app.scene_thread.scene.tell_time(12.5, 77.0)
+    app.scene_thread.scene.send_time(12.5, 77.0)
     until(page, "window.bodydriveView.tickAge() === 77")

@@ -1,9 +1,9 @@
-"""Makes the prior that ships with the simulated shirt, of simulated people: `make simulated-prior`."""
+"""Makes the prior that ships with the simulated shirt, of simulated people: `make shipped FILE=prior`."""
 
 from app.calibration.prior.release import release
 from app.calibration.prior.shipped import priors_folder
 from app.hardware.shirt.standard import standard_layout
-from app.study.simulated_pool import prior_of_wearers
+from app.study.simulated_calibration import prior_of_wearers
 
 SEEDS = range(90_001, 90_017)  # no demonstration and no study has such a seed
 

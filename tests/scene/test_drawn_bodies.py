@@ -8,12 +8,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.geometry import Pose
-from app.scene.cones import Cones
 from app.scene.meshes.bodies import Part
-from app.scene.meshes.furniture import furniture
+from app.scene.meshes.furniture import furniture, rock
 from app.scene.meshes.movers import mover_parts
-from app.scene.meshes.rock import rock
 from app.scene.models.objects import Model
+from app.scene.scene_state import Cones
 from app.world.kinematics import CHAIR_RADIUS
 from app.world.movers import Mover
 from app.world.obstacles import Box, Cylinder

@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 from app.scene.models import glb_document
-from app.scene.models.glb_import import answer, read_model
-from app.scene.models.glb_scale import scaled_glb
+from app.scene.models.glb_import import answer, read_model, scaled_glb
 from app.scene.models.objects import THINNEST
 from folders import SHARED
 

@@ -3,12 +3,12 @@ import math
 import numpy as np
 import pytest
 
-from app.scene.cones import Cones
 from app.scene.meshes.bodies import ball, box, limb, merged, rectangle, ring, standing_box, strip, tube, wheel
 from app.scene.meshes.building import building_parts
 from app.scene.meshes.furniture import furniture
 from app.scene.meshes.movers import mover_parts
 from app.scene.meshes.wheelchair import chair_parts, person_parts
+from app.scene.scene_state import Cones
 from app.scene.task_marks import PATH_WIDTH, later_parts, task_parts
 from app.world.floorplan import bundled_floorplans, load_floorplan
 from app.world.kinematics import CHAIR_RADIUS

@@ -7,8 +7,7 @@ from hypothesis import strategies as st
 from scene.shown_colours import shown
 
 from app.scene.meshes.bodies import box, rectangle
-from app.scene.meshes.paint import joined, painted
-from app.scene.meshes.tone import light_of
+from app.scene.meshes.paint import joined, light_of, painted
 from app.world.scenery import Lights
 
 GREY = st.integers(min_value=0, max_value=220)

@@ -9,7 +9,7 @@ import trimesh
 
 from app.scene.meshes.bodies import ball
 from app.scene.meshes.paint import PaintedPart
-from app.scene.models.glb import check
+from app.scene.models.glb_check import check
 from app.scene.unlit_glb import unlit_glb
 
 

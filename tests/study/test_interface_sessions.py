@@ -8,9 +8,8 @@ import pytest
 from app.calibration.vocabulary import standard_parameters
 from app.cli.errors import InputError
 from app.cli.study.study_command import study
-from app.study.interface_sessions import InterfaceSession, interface_summary, interface_table
+from app.study.interface_sessions import InterfaceSession, do_interface_test, interface_summary, interface_table
 from app.study.sessions import calibrated_participant
-from app.study.simulated_interface_test import do_interface_test
 from app.world.cursor_task import CursorPlan
 
 

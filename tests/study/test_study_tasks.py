@@ -7,9 +7,9 @@ import pytest
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import PRACTISED
-from app.study.experiment import SAMPLE_RATE, shirt_layout
+from app.study.experiment import shirt_layout
 from app.study.participant import Participant
-from app.study.simulated_calibration import calibrate
+from app.study.simulated_calibration import SAMPLE_RATE, calibrate
 from app.study.simulated_trial import drive_trial, score_trial
 from app.world.scene import bundled_scenes, load_scene
 

@@ -160,8 +160,8 @@ def strip(points: Sequence[Sequence[float]], width: float, z: float) -> Mesh:
     A corner sharper than about 30 degrees is cut off rather than drawn out into a spike.
     """
     line = np.array([point[:2] for point in points], dtype=np.float64)
-    keep = np.concatenate([[True], np.linalg.norm(np.diff(line, axis=0), axis=1) > 1e-9])
-    line = line[keep]
+    is_distinct = np.concatenate([[True], np.linalg.norm(np.diff(line, axis=0), axis=1) > 1e-9])
+    line = line[is_distinct]
     along = np.diff(line, axis=0)
     along /= np.linalg.norm(along, axis=1)[:, np.newaxis]
     normals = np.stack([-along[:, 1], along[:, 0]], axis=1)

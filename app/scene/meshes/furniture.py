@@ -9,7 +9,6 @@ import numpy as np
 from app.scene.meshes import palette
 from app.scene.meshes.bodies import Mesh, ball, limb, merged, standing_box, tube
 from app.scene.meshes.palette import Colour
-from app.scene.meshes.rock import rock
 from app.scene.models.objects import Model
 from app.world.obstacles import Box, Cylinder, Obstacle
 
@@ -17,6 +16,10 @@ Piece = tuple[Colour, Mesh]
 Shape = Callable[[float, float, float], list[Piece]]  # length, width, height in m, around the origin
 ModelOf = Callable[[str], Model | None]
 """Returns the 3D object of a name, None when there is none."""
+
+CUTS = 14
+SUNK = 0.3  # share of the half height that is below the floor, so that the boulder does not stand on a point
+SIDES = 12
 
 
 def no_model(_name: str) -> Model | None:
@@ -35,23 +38,23 @@ def furniture(obstacles: Sequence[Obstacle], model_of: ModelOf = no_model) -> di
 
 def _pieces(obstacle: Obstacle, model_of: ModelOf) -> list[Piece]:
     x, y = obstacle.position
-    words = obstacle.label.lower()
+    label = obstacle.label.lower()
     model = model_of(obstacle.model) if isinstance(obstacle, Box) and obstacle.model else None
     if isinstance(obstacle, Box) and model is not None:
         pieces = [(part.colour, part.mesh) for part in model.scaled(*obstacle.size, obstacle.height)]
         turn = obstacle.angle
-    elif not isinstance(obstacle, Box) and "rock" in words:
+    elif not isinstance(obstacle, Box) and "rock" in label:
         pieces = [_rock(obstacle)]
         turn = 0.0
     elif isinstance(obstacle, Box):
-        shape = next((shape for word, shape in BOX_SHAPES if word in words), block)
+        shape = next((shape for word, shape in BOX_SHAPES if word in label), block)
         length, width = obstacle.size
         turn = obstacle.angle
         if width > length and shape in LONG_SIDE_ALONG_X:
             length, width, turn = width, length, turn + math.pi / 2
         pieces = shape(length, width, obstacle.height)
     else:
-        shape = next((shape for word, shape in ROUND_SHAPES if word in words), column)
+        shape = next((shape for word, shape in ROUND_SHAPES if word in label), column)
         pieces = shape(2 * obstacle.radius, 2 * obstacle.radius, obstacle.height)
         turn = 0.0
     return [(colour, mesh.moved(x, y, heading=turn)) for colour, mesh in pieces]
@@ -61,6 +64,38 @@ def _rock(obstacle: Cylinder) -> Piece:
     x, y = obstacle.position
     colour = palette.PALE_ROCK if math.sin(7 * x + 5 * y) > 0 else palette.ROCK
     return colour, rock(obstacle.radius, obstacle.height, (x, y))
+
+
+def rock(radius: float, height: float, seed: tuple[float, float]) -> Mesh:
+    """Return a boulder that fits exactly into a cylinder of `radius` and `height`.
+
+    Parameters
+    ----------
+    radius, height
+        Size, m.
+    seed
+        The boulder's place in the plan (m), so that it looks the same each time.
+    """
+    rng = np.random.default_rng([int(1000 * abs(value)) for value in seed])
+    sphere = ball((0.0, 0.0, 0.0), 1.0, SIDES)
+    points = sphere.vertices.copy()
+    planes = rng.normal(size=(CUTS, 3))
+    planes /= np.linalg.norm(planes, axis=1)[:, np.newaxis]
+    for plane, depth in zip(planes, rng.uniform(0.68, 0.95, CUTS), strict=True):
+        reach = points @ plane
+        points *= np.where(reach > depth, depth / np.maximum(reach, depth), 1.0)[:, np.newaxis]
+    points[:, :2] *= radius / np.hypot(points[:, 0], points[:, 1]).max()
+    points[:, 2] = height * (points[:, 2] + SUNK) / (points[:, 2].max() + SUNK)
+    faces = sphere.faces[np.linalg.norm(_normals(points, sphere.faces), axis=1) > 1e-9]
+    # Each face has its own points, so that edges look sharp.
+    return Mesh(points[faces].reshape(-1, 3), np.arange(3 * len(faces)).reshape(-1, 3))
+
+
+def _normals(points: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """Return a normal of each face (m, 3), its length twice the face's area."""
+    a, b, c = (points[faces[:, corner]] for corner in range(3))
+    normals: np.ndarray = np.cross(b - a, c - a)
+    return normals
 
 
 def block(length: float, width: float, height: float) -> list[Piece]:

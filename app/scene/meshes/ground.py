@@ -120,13 +120,13 @@ def _dune(dune: Dune) -> Mesh:
     z = np.broadcast_to(height[:, np.newaxis], x.shape)
     top = np.array([[*dune.position, dune.height]])
     points = np.concatenate([top, np.stack([x, y, z], axis=-1).reshape(-1, 3)])
-    here = np.arange(DUNE_SIDES)
-    after = (here + 1) % DUNE_SIDES
-    faces = [np.stack([np.zeros_like(here), 1 + here, 1 + after], axis=1)]
+    side = np.arange(DUNE_SIDES)
+    next_side = (side + 1) % DUNE_SIDES
+    faces = [np.stack([np.zeros_like(side), 1 + side, 1 + next_side], axis=1)]
     for ring in range(DUNE_RINGS - 1):
         inner, outer = 1 + ring * DUNE_SIDES, 1 + (ring + 1) * DUNE_SIDES
-        faces.append(np.stack([inner + here, outer + here, outer + after], axis=1))
-        faces.append(np.stack([inner + here, outer + after, inner + after], axis=1))
+        faces.append(np.stack([inner + side, outer + side, outer + next_side], axis=1))
+        faces.append(np.stack([inner + side, outer + next_side, inner + next_side], axis=1))
     return Mesh(points, np.concatenate(faces))
 
 

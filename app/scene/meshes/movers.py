@@ -23,10 +23,10 @@ def mover_parts(mover: Mover) -> list[Part]:
     return [Part(mesh, colour) for colour, mesh in sorted(meshes.items())]
 
 
-def merge_colours(several: list[dict[Colour, Mesh]]) -> dict[Colour, Mesh]:
+def merge_colours(bodies: list[dict[Colour, Mesh]]) -> dict[Colour, Mesh]:
     """Merge the meshes of several bodies into one for each colour."""
-    colours = {colour for one in several for colour in one}
-    return {colour: merged(one[colour] for one in several if colour in one) for colour in colours}
+    colours = {colour for body in bodies for colour in body}
+    return {colour: merged(body[colour] for body in bodies if colour in body) for colour in colours}
 
 
 def _other_clothes(person: dict[Colour, Mesh]) -> dict[Colour, Mesh]:

@@ -1,4 +1,9 @@
-"""Meshes with a colour at each vertex, drawn without lights: light and shade of a room are part of the colours."""
+"""Meshes with a colour at each vertex, drawn without lights: light and shade of a room are part of the colours.
+
+The renderer's tone mapping is undone, so that a vertex is shown in the colour that was chosen for it. viser's page
+draws with three.js and its "ACES filmic" tone mapping, after Stephen Hill's fit:
+https://github.com/TheRealMJP/BakingLab/blob/master/BakingLab/ACES.hlsl
+"""
 
 import math
 from collections.abc import Iterable
@@ -10,11 +15,16 @@ from numpy.typing import NDArray
 from app.scene.lighting import FULL_SKY, FULL_SUN, REFLECTED
 from app.scene.meshes.bodies import Mesh, merged
 from app.scene.meshes.palette import Colour
-from app.scene.meshes.tone import light_of, linear_of
 from app.world.scenery import Lights
 
 Numbers = NDArray[np.float64]
 DEFAULT_LIGHTS: Final = Lights()
+
+EXPOSURE: Final = 1 / 0.6  # as in three.js
+INTO: Final = np.array([[0.59719, 0.35458, 0.04823], [0.07600, 0.90834, 0.01566], [0.02840, 0.13383, 0.83777]])
+OUT_OF: Final = np.array([[1.60475, -0.53108, -0.07367], [-0.10208, 1.10813, -0.00605], [-0.00327, -0.07276, 1.07602]])
+# The curve is (v (v + A) - B) / (v (C v + D) + E).
+A, B, C, D, E = 0.0245786, 0.000090537, 0.983729, 0.4329510, 0.238081
 
 
 class PaintedPart(NamedTuple):
@@ -53,9 +63,9 @@ def painted(mesh: Mesh, colour: Colour, lights: Lights, shade: Numbers | float =
 
 def joined(parts: Iterable[PaintedPart]) -> PaintedPart:
     """Return one part of several."""
-    several = list(parts)
-    light = np.concatenate([part.light for part in several]) if several else np.zeros((0, 3))
-    return PaintedPart(merged(part.mesh for part in several), light)
+    all_parts = list(parts)
+    light = np.concatenate([part.light for part in all_parts]) if all_parts else np.zeros((0, 3))
+    return PaintedPart(merged(part.mesh for part in all_parts), light)
 
 
 def irradiance(normals: Numbers, lights: Lights) -> Numbers:
@@ -79,3 +89,19 @@ def _normals(mesh: Mesh) -> Numbers:
     lengths = np.linalg.norm(sums, axis=1)[:, np.newaxis]
     normals: Numbers = sums / np.where(lengths > 0, lengths, 1.0)
     return normals
+
+
+def light_of(colour: Colour) -> Numbers:
+    """Return the light (3,) that is shown as an sRGB colour; not over 1, which is shown as about (226, 226, 226)."""
+    mapped = np.linalg.solve(OUT_OF, linear_of(colour))
+    # The curve solved for v: a quadratic equation with one positive root.
+    square, line, rest = 1 - C * mapped, A - D * mapped, -B - E * mapped
+    values = (-line + np.sqrt(line * line - 4 * square * rest)) / (2 * square)
+    light: Numbers = np.clip(np.linalg.solve(INTO, values) / EXPOSURE, 0.0, 1.0)
+    return light
+
+
+def linear_of(colour: Colour) -> Numbers:
+    """Return the linear red, green and blue (3,) of an sRGB colour (IEC 61966-2-1)."""
+    share = np.array(colour, dtype=np.float64) / 255
+    return np.where(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055) ** 2.4)

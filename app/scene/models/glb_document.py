@@ -159,9 +159,11 @@ def chunks(content: bytes) -> tuple[bytes, bytes]:
 
 def packed(document: dict[str, Any], body: bytes) -> bytes:
     """Return the GLB file of a JSON document and a binary chunk."""
-    words = json.dumps(document).encode()
-    words += b" " * (-len(words) % 4)
-    parts = struct.pack("<2I", len(words), JSON_CHUNK) + words + struct.pack("<2I", len(body), BIN_CHUNK) + body
+    description = json.dumps(document).encode()
+    description += b" " * (-len(description) % 4)
+    parts = (
+        struct.pack("<2I", len(description), JSON_CHUNK) + description + struct.pack("<2I", len(body), BIN_CHUNK) + body
+    )
     return MAGIC + struct.pack("<2I", 2, 12 + len(parts)) + parts
 
 

@@ -33,7 +33,7 @@ Numbers = NDArray[np.float64]
 TYPES: Final = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 MOST_TARGETS: Final = 500  # morph targets of one primitive
 COLOUR_ATTRIBUTES: Final = ("COLOR_0", "TEXCOORD_0", "TEXCOORD_1")
-KEPT: Final = ("materials", "textures", "images", "samplers")  # parts of a document that give colours
+COLOUR_PARTS: Final = ("materials", "textures", "images", "samplers")  # parts of a document that give colours
 FLOAT, UNSIGNED = 5126, 5125
 WEIGHT_SUM: Final = 0.01  # of a vertex's joints, below which it follows none of them
 
@@ -82,7 +82,7 @@ class _Plain:
             for part in self._parts(node, self._document.meshes[node.mesh], matrix)
         ]
         original = json.loads(self._raw)
-        plain = {key: original[key] for key in KEPT if key in original}
+        plain = {key: original[key] for key in COLOUR_PARTS if key in original}
         if plain.get("images"):
             plain["images"] = [self._image(image) for image in plain["images"]]
         plain |= {

@@ -4,6 +4,7 @@
 """
 
 import io
+import json
 from pathlib import Path
 from typing import Any, Final
 
@@ -14,10 +15,9 @@ from numpy.typing import NDArray
 from app.scene.meshes import palette
 from app.scene.meshes.bodies import Mesh, Part, merged
 from app.scene.meshes.palette import Colour
-from app.scene.models.glb import MOST_FACES, check
-from app.scene.models.glb_document import GlbDocument
+from app.scene.models.glb_check import MOST_FACES, check
+from app.scene.models.glb_document import GlbDocument, chunks, packed
 from app.scene.models.glb_geometry import UnreadableError, plain_glb
-from app.scene.models.glb_scale import scaled_glb
 from app.scene.models.object_scale import is_probable, scaled
 from app.scene.models.objects import AS_IT_SAYS, MOST_BYTES, THINNEST, Model, reading_of, write_reading
 
@@ -51,6 +51,19 @@ def _in_metres(file: Path, scale: float) -> Model:
     if not np.allclose(model.size, size, rtol=1e-4, atol=THINNEST * max(1.0, scale)):
         raise ValueError(f"{file.name}: the size of this object cannot be changed for certain, export it in metres")
     return model
+
+
+def scaled_glb(content: bytes, scale: float) -> bytes:
+    """Return a GLB file that is valid, `scale` times as large; only its default scene is kept."""
+    description, body = chunks(content)
+    document = json.loads(description)
+    nodes = document.get("nodes", [])
+    below = {child for node in nodes for child in node.get("children", [])}
+    scenes = document.get("scenes") or [{"nodes": [number for number in range(len(nodes)) if number not in below]}]
+    scene = scenes[document.get("scene") or 0]
+    root = {"name": "in metres", "children": scene.get("nodes", []), "scale": [scale] * 3}
+    changed = {"nodes": [*nodes, root], "scenes": [scene | {"nodes": [len(nodes)]}], "scene": 0}
+    return packed(document | changed, body)
 
 
 def read_model(file: Path) -> Model:
@@ -99,14 +112,14 @@ def _model(document: GlbDocument, content: bytes) -> Model:
     except Exception as error:
         # trimesh's reader may raise any exception for a damaged file.
         raise ValueError("it is damaged: export it again") from error
-    whole = merged(mesh for meshes in by_colour.values() for mesh in meshes)
-    if not len(whole.faces):
+    all_parts = merged(mesh for meshes in by_colour.values() for mesh in meshes)
+    if not len(all_parts.faces):
         raise ValueError("there is nothing with faces in it: export a solid object")
-    if len(whole.faces) > MOST_FACES:
-        raise ValueError(f"it has {len(whole.faces):,} faces and at most {MOST_FACES:,} are drawn: make it simpler")
-    if not np.isfinite(whole.vertices).all() or np.abs(whole.vertices).max() > 1e6:
+    if len(all_parts.faces) > MOST_FACES:
+        raise ValueError(f"it has {len(all_parts.faces):,} faces and at most {MOST_FACES:,} are drawn: make it simpler")
+    if not np.isfinite(all_parts.vertices).all() or np.abs(all_parts.vertices).max() > 1e6:
         raise ValueError("some of its points are infinite or too far away: export it again")
-    low, high = whole.vertices.min(axis=0), whole.vertices.max(axis=0)
+    low, high = all_parts.vertices.min(axis=0), all_parts.vertices.max(axis=0)
     if not np.allclose([low, high], [corners.min(axis=0)[[2, 0, 1]], corners.max(axis=0)[[2, 0, 1]]], rtol=1e-4):
         raise ValueError("its size cannot be read for certain: export it again without animation and compression")
     middle = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
@@ -128,8 +141,8 @@ def _face_colours(body: trimesh.Trimesh) -> NDArray[np.float64]:
     picture = getattr(material, "baseColorTexture", None)
     if picture is None or visual.uv is None:
         return np.tile(plain, (len(body.faces), 1))
-    seen = np.asarray(trimesh.visual.color.uv_to_color(visual.uv, picture), dtype=np.float64)[:, :3]
-    mean: NDArray[np.float64] = seen[body.faces].mean(axis=1) * plain / 255.0
+    corner_colours = np.asarray(trimesh.visual.color.uv_to_color(visual.uv, picture), dtype=np.float64)[:, :3]
+    mean: NDArray[np.float64] = corner_colours[body.faces].mean(axis=1) * plain / 255.0
     return mean
 
 
@@ -143,13 +156,13 @@ def _by_colour(colours: NDArray[np.float64]) -> list[tuple[Colour, NDArray[np.in
 def _few(parts: list[Part]) -> list[Part]:
     """Return at most twelve parts; each smaller part joins the large part with the nearest colour."""
     ordered = sorted(parts, key=lambda part: -len(part.mesh.faces))
-    kept = [[part] for part in ordered[:MOST_COLOURS]]
+    groups = [[part] for part in ordered[:MOST_COLOURS]]
     for part in ordered[MOST_COLOURS:]:
         nearest = min(
-            kept, key=lambda group: sum((a - b) ** 2 for a, b in zip(group[0].colour, part.colour, strict=True))
+            groups, key=lambda group: sum((a - b) ** 2 for a, b in zip(group[0].colour, part.colour, strict=True))
         )
         nearest.append(part)
-    return [Part(merged(part.mesh for part in group), group[0].colour) for group in kept]
+    return [Part(merged(part.mesh for part in group), group[0].colour) for group in groups]
 
 
 def _only(mesh: Mesh, faces: NDArray[np.intp]) -> Mesh:

@@ -13,7 +13,7 @@ from app.session.calibration.garment import Garment
 from app.store.database import Database
 from app.store.patients import add_patient, start_session
 from app.store.people import add_clinic
-from app.study.simulated_pool import prior_of_wearers
+from app.study.simulated_calibration import prior_of_wearers
 
 LAYOUT = standard_layout()
 GARMENT = Garment(LAYOUT, True, 7)  # no prior ships for this simulated shirt

@@ -6,10 +6,10 @@ import pytest
 from app.calibration.vocabulary import standard_parameters
 from app.hardware.base import BodyView
 from app.hardware.body.person import SimulatedPerson
-from app.study.experiment import SAMPLE_RATE, shirt_layout
+from app.study.experiment import shirt_layout
+from app.study.interface_sessions import do_interface_test
 from app.study.participant import Participant
-from app.study.simulated_calibration import calibrate
-from app.study.simulated_interface_test import do_interface_test
+from app.study.simulated_calibration import SAMPLE_RATE, calibrate
 from app.world.cursor_task import CursorPlan
 
 PLAN = CursorPlan(seed=1, duration=60.0)

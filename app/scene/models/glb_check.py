@@ -1,7 +1,12 @@
-"""Checks of a GLB file before it is unpacked: a foreign file may claim any size."""
+"""Checks of a GLB file and of its pictures' headers before they are unpacked: a foreign file may claim any size."""
 
-from collections.abc import Iterator
+import base64
+import binascii
+import io
+from collections.abc import Iterable, Iterator
 from typing import Final
+
+from PIL import Image
 
 from app.scene.models.glb_document import (
     BYTES,
@@ -14,7 +19,6 @@ from app.scene.models.glb_document import (
     chunks,
     read_document,
 )
-from app.scene.models.glb_pictures import check_pictures
 from app.scene.models.objects import MOST_BYTES
 
 MOST_FACES: Final = 100_000
@@ -28,6 +32,10 @@ MOST_POINTS: Final = 1_000_000  # of all nodes; a mesh is copied for each node t
 READABLE: Final = ("KHR_materials_", "KHR_texture_transform", "KHR_mesh_quantization", "KHR_node_visibility")
 INSTANCES: Final = "EXT_mesh_gpu_instancing"  # draws one mesh at many places, also where it is not required
 COMPRESSED: Final = ("EXT_meshopt_compression", "KHR_meshopt_compression", "KHR_draco_mesh_compression")
+
+FORMATS: Final = ("PNG", "JPEG")  # glTF 2.0, section 3.8: others need an extension
+MOST_PIXELS: Final = 16_000_000  # of one picture
+MOST_PIXELS_IN_ALL: Final = 64_000_000  # a picture counts for each mention, since the reader unpacks it for each
 
 
 def check(content: bytes) -> GlbDocument:
@@ -141,3 +149,42 @@ def _faces(document: GlbDocument, primitive: Primitive) -> int:
     if primitive.mode == TRIANGLES:
         return count // 3
     return max(count - 2, 0) if primitive.mode in {STRIP, FAN} else 0
+
+
+def check_pictures(pictures: Iterable[bytes | str]) -> None:
+    """Refuse pictures, as bytes or as a data URI, that have too many pixels or are neither PNG nor JPEG.
+
+    Raises
+    ------
+    ValueError
+        Half a sentence that says what is wrong and what to do.
+    """
+    total = 0
+    for picture in pictures:
+        width, height = _size(picture if isinstance(picture, bytes) else _decoded(picture))
+        total += width * height
+        if width * height > MOST_PIXELS:
+            raise ValueError(
+                f"a picture on it is {width:,} x {height:,} pixels large, and at most {MOST_PIXELS:,} pixels are read: "
+                f"make it smaller"
+            )
+        if total > MOST_PIXELS_IN_ALL:
+            raise ValueError(f"its pictures have more than {MOST_PIXELS_IN_ALL:,} pixels in all: use fewer of them")
+
+
+def _decoded(address: str) -> bytes:
+    try:
+        return base64.b64decode(address.partition(",")[2], validate=True)
+    except binascii.Error as error:
+        raise ValueError("a picture on it is damaged: export it again") from error
+
+
+def _size(content: bytes) -> tuple[int, int]:
+    try:
+        with Image.open(io.BytesIO(content), formats=FORMATS) as picture:
+            return picture.size
+    except (Image.DecompressionBombError, Image.DecompressionBombWarning) as error:
+        raise ValueError(f"a picture on it has more than {MOST_PIXELS:,} pixels: make it smaller") from error
+    except Exception as error:
+        # Pillow may raise any exception for a damaged picture.
+        raise ValueError("a picture on it is neither PNG nor JPEG, or damaged: export it again") from error

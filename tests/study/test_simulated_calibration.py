@@ -15,8 +15,14 @@ from app.calibration.vocabulary import standard_parameters
 from app.hardware.shirt.standard import standard_layout
 from app.pipeline.replay.batch import decode_block
 from app.session.calibration.garment import Garment
-from app.study.simulated_calibration import StepRecording, record_calibration, record_step
-from app.study.simulated_pool import SAMPLE_RATE, recording_of, wearer
+from app.study.simulated_calibration import (
+    SAMPLE_RATE,
+    StepRecording,
+    record_calibration,
+    record_step,
+    recording_of,
+    wearer,
+)
 
 LATE = 0.5  # s by which a simulated person may follow a cue
 

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from app.geometry import Pose
-from app.scene.plot_points import (
+from app.scene.plots import (
     ERROR_SHOWN,
     MOST_POINTS,
     ErrorSamples,

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from app.scene.meshes.door_leaves import FREE_WAY, OFF_WALL, THICKNESS, leaves_part
+from app.scene.meshes.walls import LEAF_CLEARANCE, LEAF_OFF_WALL, LEAF_THICKNESS, leaves_part
 from app.world.clearance import Clearance
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
 from app.world.scene import bundled_scenes, load_scene
@@ -29,8 +29,8 @@ def leaf_of(plan):
 
 def test_a_leaf_is_as_wide_as_its_door_and_lies_at_the_wall_beside_it():
     low, high = leaf_of(plan_with())
-    assert high - low == pytest.approx([THICKNESS, 1.0, HEIGHT - 0.01])
-    assert min(abs(low[0] - 5.0), abs(high[0] - 5.0)) == pytest.approx(0.05 + OFF_WALL)
+    assert high - low == pytest.approx([LEAF_THICKNESS, 1.0, HEIGHT - 0.01])
+    assert min(abs(low[0] - 5.0), abs(high[0] - 5.0)) == pytest.approx(0.05 + LEAF_OFF_WALL)
     assert min(abs(low[1]), abs(high[1])) > 0.5  # beside the clear width
 
 
@@ -58,5 +58,5 @@ def test_no_leaf_is_on_a_way_in_a_wall_or_in_furniture(plan):
         middle = ring.mean(axis=0)
         ends = [tuple(middle + sign * (ring[-1] - ring[0]) / 2) for sign in (-1, 1)]
         assert solid.along(ends).distance > 0.0
-        leaf = Clearance([ends], THICKNESS, ())
-        assert min(leaf.along(path.points).distance for path in plan.paths) > FREE_WAY - 1e-6
+        leaf = Clearance([ends], LEAF_THICKNESS, ())
+        assert min(leaf.along(path.points).distance for path in plan.paths) > LEAF_CLEARANCE - 1e-6
