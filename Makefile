@@ -12,7 +12,9 @@ OWN := $(INSTALL) --no-index --no-deps --no-build-isolation
 # A module is compiled once, and not by each of the many processes that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile simulated-prior icons fonts safety compiled drills soak long-recording people-soak pins vendor large-clinic pictures photographs promises worlds bench verdicts priors bench-compare clean
+.PHONY: demo test browser check lint python-types javascript-types api-types
+.PHONY: safety compiled drills worlds soak long-recording people-soak large-clinic photographs
+.PHONY: bench bench-compare verdicts page shipped pins clean
 
 $(VENV)/.installed: pyproject.toml hatch_build.py requirements/run.txt requirements/build.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -71,30 +73,10 @@ javascript-types: node_modules/.installed
 api-types: node_modules/.installed
 	PYTHONPATH=.:tests $(BIN)/python tests/api_types.py
 
-demo-profile: $(VENV)/.installed-test
-	PYTHONPATH=.:tests $(BIN)/python tests/cli/demonstration_profile.py
-
-# The prior of simulated people that ships with the simulated shirt.
-simulated-prior: $(VENV)/.installed-test
-	PYTHONPATH=.:tests $(BIN)/python tests/cli/shipped_prior.py
-
-icons: $(VENV)/.installed-test
-	PYTHONPATH=.:tests $(BIN)/python tests/web_static/home_screen_icons.py
-
 # The digests in requirements/, of the pinned versions; NEWEST=1 takes the newest versions that fit together.
 pins: $(VENV)/.installed
 	@$(PINNED) requirements/pins.txt
 	PYTHONPATH=tests $(BIN)/python tests/supply/pins.py $(if $(NEWEST),--newest)
-
-# The script of the charts, as npm checked it by the digest in package-lock.json.
-PLOTLY := node_modules/plotly.js-basic-dist-min
-vendor: node_modules/.installed
-	cp $(PLOTLY)/plotly-basic.min.js web_static/vendor/
-	cp $(PLOTLY)/LICENSE web_static/vendor/plotly-LICENSE.txt
-
-# The fonts of reports, of the unpacked packages fonts-noto-core and fonts-noto-cjk in the folder FROM.
-fonts: $(VENV)/.installed-test
-	PYTHONPATH=.:tests $(BIN)/python tests/features/reports/report_fonts.py $(or $(FROM),$(error name a folder, as in: make fonts FROM=unpacked))
 
 safety: $(VENV)/.installed-test
 	@$(PINNED) requirements/safety.txt
@@ -128,15 +110,9 @@ people-soak: $(VENV)/.installed-test
 large-clinic: $(VENV)/.installed-test
 	PYTHONPATH=.:tests $(BIN)/python -m large_clinic
 
-pictures: $(VENV)/.installed-test
-	PYTHONPATH=tests $(BIN)/python -m pictures
-
 # Every page in every state, for people to look at: CELLS="1280x800/dark 390x844/light/200", or all that count.
 photographs: $(VENV)/.installed-test
 	PYTHONPATH=tests $(BIN)/python -m browser.eyes.photographs $(CELLS) $(if $(PLACES),--places "$(PLACES)")
-
-promises: $(VENV)/.installed-test
-	PYTHONPATH=tests $(BIN)/python -m promises
 
 worlds: $(VENV)/.installed-test
 	$(BIN)/python -m pytest tests/worlds/each_task.py
@@ -148,12 +124,39 @@ bench: $(VENV)/.installed-test
 verdicts: $(VENV)/.installed-test
 	$(BIN)/python -m bench.learning.verdicts --people $(or $(PEOPLE),1000)
 
-# Maps from other people, on real people (../shared/data/knit_people) and simulated ones kept apart; about ten minutes.
-priors: $(VENV)/.installed-test
-	$(BIN)/python -m bench.prior --people $(or $(PEOPLE),20)
-
 bench-compare: $(VENV)/.installed-test
 	$(BIN)/python -m bench.compare $(or $(COMMIT),$(error name a commit, as in: make bench-compare COMMIT=main)) $(PART)
+
+# What a program writes and git keeps: a page of docs/, as in `make page PAGE=promises`, or a file that ships with the
+# program, as in `make shipped FILE=icons`. Without a name, both list what there is.
+WITH_TESTS := PYTHONPATH=.:tests
+PAGE_drills = $(MAKE) --no-print-directory drills
+PAGE_mutation = $(MAKE) --no-print-directory safety
+PAGE_pictures = $(WITH_TESTS) $(BIN)/python -m pictures
+# Maps from other people, on real people (../shared/data/knit_people) and simulated ones kept apart; about ten minutes.
+PAGE_prior-measured = $(WITH_TESTS) $(BIN)/python -m bench.prior --people $(or $(PEOPLE),20)
+PAGE_promises = $(WITH_TESTS) $(BIN)/python -m promises
+PAGE_speed = $(MAKE) --no-print-directory bench
+PAGE_verdicts = $(MAKE) --no-print-directory verdicts
+PAGE_viewers = $(MAKE) --no-print-directory soak
+
+# What the application's own calibration makes of the demonstration's patient.
+SHIPPED_demo-profile = $(WITH_TESTS) $(BIN)/python tests/cli/demonstration_profile.py
+# The fonts of reports, of the unpacked packages fonts-noto-core and fonts-noto-cjk in the folder FROM.
+SHIPPED_fonts = $(WITH_TESTS) $(BIN)/python tests/features/reports/report_fonts.py $(or $(FROM),$(error name a folder, as in: make shipped FILE=fonts FROM=unpacked))
+SHIPPED_icons = $(WITH_TESTS) $(BIN)/python tests/web_static/home_screen_icons.py
+# The script of the charts, as npm checked it by the digest in package-lock.json.
+PLOTLY := node_modules/plotly.js-basic-dist-min
+SHIPPED_plotly = cp $(PLOTLY)/plotly-basic.min.js web_static/vendor/ && cp $(PLOTLY)/LICENSE web_static/vendor/plotly-LICENSE.txt
+# The prior of simulated people, for the simulated shirt.
+SHIPPED_prior = $(WITH_TESTS) $(BIN)/python tests/cli/shipped_prior.py
+
+names = $(sort $(patsubst $(1)_%,%,$(filter $(1)_%,$(.VARIABLES))))
+page: $(VENV)/.installed-test
+	$(or $(PAGE_$(PAGE)),$(error name a page, as in: make page PAGE=promises; there are: $(call names,PAGE)))
+
+shipped: $(VENV)/.installed-test node_modules/.installed
+	$(or $(SHIPPED_$(FILE)),$(error name a file, as in: make shipped FILE=icons; there are: $(call names,SHIPPED)))
 
 clean:
 	rm -rf $(VENV) node_modules dist build

@@ -16,7 +16,7 @@ NEWCOMER = ("DEMO-2", "Heron", "A demonstration patient: nobody real. Never cali
 
 
 def profile_file() -> Path:
-    """Return the file of what the calibration of the simulated person gives; `make demo-profile` writes it."""
+    """Return the file of the simulated person's calibration; `make shipped FILE=demo-profile` writes it."""
     return data_folder() / "demo" / "profile.json"
 
 

@@ -1,4 +1,4 @@
-"""Makes the profile of the demonstration's patient, as the application calibrates it: `make demo-profile`."""
+"""Makes the profile of the demonstration's patient, by the program's calibration: `make shipped FILE=demo-profile`."""
 
 from app.calibration.profile import CalibrationProfile
 from app.cli.demonstration import profile_file

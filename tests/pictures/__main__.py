@@ -1,4 +1,6 @@
-"""`python -m pictures`: takes the pictures of docs/pictures anew, of a demonstration in Chromium; `make pictures`.
+"""`python -m pictures`: takes the pictures of docs/pictures anew, of a demonstration in Chromium.
+
+`make page PAGE=pictures` runs it.
 
 `python -m pictures drive-now` takes only the one of "Drive now", and prints how many seconds that way takes;
 `python -m pictures trial` only those of a trial. A trial that a busy machine halts in a picture is driven once more.

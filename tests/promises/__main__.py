@@ -1,4 +1,4 @@
-"""`python -m promises`: writes docs/promises.md anew; `make promises`."""
+"""`python -m promises`: writes docs/promises.md anew; `make page PAGE=promises`."""
 
 from promises.page import PAGE, page
 

@@ -24,7 +24,7 @@ def test_no_promise_is_left_out_and_none_stands_twice():
 
 
 def test_the_page_is_current():
-    assert PAGE.read_text(encoding="utf-8") == page(), "docs/promises.md is out of date: make promises"
+    assert PAGE.read_text(encoding="utf-8") == page(), "docs/promises.md is out of date: make page PAGE=promises"
 
 
 def test_every_test_and_command_that_is_named_exists():

@@ -1,4 +1,4 @@
-"""The icons of the home screen, drawn from web_static/icon.svg by a browser: `make icons`."""
+"""The icons of the home screen, drawn from web_static/icon.svg by a browser: `make shipped FILE=icons`."""
 
 import shutil
 

@@ -13,7 +13,7 @@ SHIPPED_SEED = 1  # of the simulated shirt that a prior ships for, which is the 
 
 
 def priors_folder() -> Path:
-    """Return the folder of the priors that ship with the program; `make simulated-prior` writes them."""
+    """Return the folder of the priors that ship with the program; `make shipped FILE=prior` writes them."""
     return data_folder() / "priors"
 
 

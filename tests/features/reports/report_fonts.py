@@ -1,4 +1,6 @@
-"""Makes the fonts of reports in data/fonts/ from Debian's packages fonts-noto-core and fonts-noto-cjk (`make fonts`).
+"""Makes the fonts of reports in data/fonts/: `make shipped FILE=fonts`.
+
+Their source are Debian's packages fonts-noto-core and fonts-noto-cjk.
 
 A report must show names of many scripts on a machine without fonts. The subsets leave out hints, which a PDF does not
 need, and of the ideographs all that the national standards of China, Taiwan, Japan and Korea do not list.
