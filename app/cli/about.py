@@ -9,6 +9,7 @@ import typer
 
 from app import __version__
 from app.cli.errors import InputError
+from app.cli.options import AsJson
 
 if TYPE_CHECKING:
     from packaging.requirements import Requirement
@@ -19,7 +20,7 @@ NO_LICENCE = "no licence stated"
 NOT_INSTALLED = "not installed"
 LONGEST_NAME = 200  # characters; a longer License field holds the text of the licence instead of its name
 CLASSIFIER = "License :: "
-NOTHING_SAID = {"", "UNKNOWN"}
+NOTHING_STATED = {"", "UNKNOWN"}
 
 EQUAL = "the numbers are the same either way, bit for bit"
 
@@ -36,7 +37,7 @@ def about(
     licences: Annotated[
         bool, typer.Option("--licences", help="List the packages that are installed for it, with their licences.")
     ] = False,
-    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """Say which version this is, how it was built, and which packages it uses."""
     from app.pipeline.compiled import IS_COMPILED
@@ -65,8 +66,8 @@ def packages_of(name: str) -> list[Package]:
 
     if _installed(name) is None:
         raise InputError("bodydrive is not installed for this Python, so its packages are unknown: install its wheel.")
-    found: dict[str, Package] = {}
-    seen: set[tuple[str, str]] = set()  # packages and their extras
+    packages: dict[str, Package] = {}
+    visited: set[tuple[str, str]] = set()  # packages and their extras
     waiting = [(Requirement(f"{name}[{','.join(OPTIONAL)}]"), False)]
     while waiting:
         requirement, optional = waiting.pop()
@@ -74,27 +75,33 @@ def packages_of(name: str) -> list[Package]:
         installed = _installed(key)
         if installed is None:
             if not optional:
-                found[key] = Package(requirement.name, None, None)
+                packages[key] = Package(requirement.name, None, None)
             continue
-        found[key] = Package(installed.metadata["Name"], installed.version, licence_of(installed))
+        packages[key] = Package(installed.metadata["Name"], installed.version, licence_of(installed))
         for extra in {"", *requirement.extras}:
-            if (key, extra) not in seen:
-                seen.add((key, extra))
-                waiting += [(needed, key == name and extra in OPTIONAL) for needed in _required(installed, extra)]
-    return sorted(found.values(), key=lambda package: canonicalize_name(package.name))
+            if (key, extra) not in visited:
+                visited.add((key, extra))
+                waiting += [(required, key == name and extra in OPTIONAL) for required in _required(installed, extra)]
+    return sorted(packages.values(), key=lambda package: canonicalize_name(package.name))
 
 
 def _required(installed: Distribution, extra: str) -> "list[Requirement]":
     """Return what a package requires on this machine: of itself, or for one of its extras."""
     from packaging.requirements import Requirement
 
-    needed = [Requirement(line) for line in installed.requires or []]
+    requirements = [Requirement(line) for line in installed.requires or []]
     if not extra:
-        return [one for one in needed if one.marker is None or one.marker.evaluate({"extra": ""})]
+        return [
+            requirement
+            for requirement in requirements
+            if requirement.marker is None or requirement.marker.evaluate({"extra": ""})
+        ]
     return [
-        one
-        for one in needed
-        if one.marker is not None and one.marker.evaluate({"extra": extra}) and not one.marker.evaluate({"extra": ""})
+        requirement
+        for requirement in requirements
+        if requirement.marker is not None
+        and requirement.marker.evaluate({"extra": extra})
+        and not requirement.marker.evaluate({"extra": ""})
     ]
 
 
@@ -103,7 +110,7 @@ def licence_of(installed: Distribution) -> str | None:
 
     def stated(field: str) -> list[str]:
         lines = [" ".join(line.split()) for line in installed.metadata.get_all(field) or []]
-        return [line for line in lines if line not in NOTHING_SAID]
+        return [line for line in lines if line not in NOTHING_STATED]
 
     for name in (*stated("License-Expression"), *stated("License")):
         if len(name) <= LONGEST_NAME:
@@ -120,6 +127,6 @@ def _installed(name: str) -> Distribution | None:
 
 
 def _table(packages: list[Package]) -> list[str]:
-    rows = [(one.name, one.version or NOT_INSTALLED, one.licence or NO_LICENCE) for one in packages]
+    rows = [(package.name, package.version or NOT_INSTALLED, package.licence or NO_LICENCE) for package in packages]
     widths = [max(len(row[column]) for row in rows) for column in range(2)]
     return [f"{name:<{widths[0]}}  {version:<{widths[1]}}  {licence}" for name, version, licence in rows]

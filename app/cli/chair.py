@@ -6,12 +6,13 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.errors import InputError
+from app.cli.options import State, settings_of
 from app.cli.qr import terminal_code
 from app.file_modes import keep_new_files_private
 from app.hardware.chair import receive as receiver
 from app.hardware.chair.packet import PORT
 from app.refusals import Refusal
-from app.settings import Settings, state_folder
+from app.settings import Settings
 
 if TYPE_CHECKING:
     from app.hardware.chair.key import Key
@@ -42,7 +43,7 @@ def pair(
     name: Annotated[str, typer.Option(help="What people call the chair.")],
     host: Annotated[str, typer.Option(help="The chair's address, as this machine reaches it.")],
     port: Annotated[int, typer.Option(min=1, max=65_535, help="Where its receiver listens.")] = PORT,
-    state: Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")] = None,
+    state: State = None,
     forward: Limit = None,
     reverse: Limit = None,
     turn: Limit = None,
@@ -56,7 +57,7 @@ def pair(
 
     Speeds are in m/s and rad/s, accelerations in m/s2 and rad/s2, jerks in m/s3 and rad/s3.
     """
-    settings = Settings(state=(state or state_folder()).expanduser().resolve())
+    settings = settings_of(state)
     limits = {
         "forward": forward,
         "reverse": reverse,

@@ -34,13 +34,13 @@ def keep_private(settings: Settings) -> list[str]:
 class FolderInUseError(InputError):
     """Another program serves the clinic; `address` is that of its pages, empty when it is not known."""
 
-    def __init__(self, words: str, address: str) -> None:
-        super().__init__(words)
+    def __init__(self, sentence: str, address: str) -> None:
+        super().__init__(sentence)
         self.address = address
 
 
 @contextmanager
-def held(folder: Path) -> Iterator[Callable[[str], None]]:
+def lock_folder(folder: Path) -> Iterator[Callable[[str], None]]:
     """Lock a clinic's folder, so that no second program serves it.
 
     Yield a function that writes the address of the pages into the locked file, for commands that are given meanwhile.
@@ -62,8 +62,8 @@ def held(folder: Path) -> Iterator[Callable[[str], None]]:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError as error:
             file.seek(0)
-            words = f"The clinic in {folder} is open already: end the other program, or choose another with --state."
-            raise FolderInUseError(words, file.read(ADDRESS_LIMIT)) from error
+            sentence = f"The clinic in {folder} is open already: end the other program, or choose another with --state."
+            raise FolderInUseError(sentence, file.read(ADDRESS_LIMIT)) from error
 
         def write_address(address: str) -> None:
             file.truncate(0)
@@ -90,7 +90,7 @@ def open_clinic(settings: Settings) -> Iterator[tuple["Database", str]]:
     with ExitStack() as stack:
         address = ""
         try:
-            stack.enter_context(held(settings.state))
+            stack.enter_context(lock_folder(settings.state))
         except FolderInUseError as running:
             address = running.address
             if revision_of(settings.database) != NEWEST:

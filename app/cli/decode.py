@@ -1,13 +1,24 @@
-"""`bodydrive decode`: the chain of the live loop over a file."""
+"""`bodydrive decode`: the chain of the live loop over a file of signals, and the file of commands that comes of it."""
 
+import io
 import json
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from app.cli.errors import InputError
-from app.cli.output import dialect_summary, print_dialect, write_output
+from app.cli.options import AsJson
+from app.cli.output import dialect_summary, print_dialect, warn, write_output
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from app.calibration.vocabulary import DriveParameters
+    from app.pipeline.replay.batch import DecodedRun
+    from app.signals.signals import Signals
+    from app.source import Source
 
 SUFFIXES = (".parquet", ".csv")
 
@@ -20,21 +31,20 @@ def decode(
         float | None, typer.Option(help="From where every gesture counts, full movements per second.")
     ] = None,
     cutoff: Annotated[float | None, typer.Option(help="Tremor damping, Hz: lower damps more.")] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """Decode a file of signals with the very chain of the live loop."""
-    from app.cli.decoded_file import columns, content_of, decode_file, overridden, read_parameters, source_of
     from app.source import source_words
 
     if out.suffix not in SUFFIXES:
         raise InputError(f"--out {out}: its name must end in {' or '.join(SUFFIXES)}")
-    parameters = overridden(read_parameters(profile), dead_zone, cutoff)
+    parameters = with_overrides(read_parameters(profile), dead_zone, cutoff)
     try:
-        recorded, decoded = decode_file(signals, parameters)
+        recorded, decoded = _decode_file(signals, parameters)
     except ValueError as error:
         raise InputError(str(error)) from error
-    t, source = recorded.t, source_of(signals)
-    write_output(out, content_of(out, columns(parameters, t, decoded), source), signals, profile)
+    t, source = recorded.t, _source_of(signals)
+    write_output(out, _content_of(out, _columns(parameters, t, decoded), source), signals, profile)
     summary = {
         "frames": len(t),
         "seconds": float(t[-1] - t[0]),
@@ -48,3 +58,129 @@ def decode(
         typer.echo(f"{summary['frames']} frames, {summary['seconds']:.1f} s, decoded into {out}")
         print_dialect(recorded, signals)
         typer.echo(f"Source: {source_words(source)}")
+
+
+def _decode_file(signals: Path, parameters: "DriveParameters") -> "tuple[Signals, DecodedRun]":
+    """Return the signals and the decoded run; a recording is decoded at the times of its ticks."""
+    import numpy as np
+
+    from app.pipeline.replay.batch import decode_block
+    from app.pipeline.replay.rerun import decode_run
+    from app.recording.reader import read_run
+    from app.signals.signals import read_signals
+
+    recorded = read_signals(signals, parameters.profile.layout)
+    warn(recorded.damage)
+    if signals.is_dir():
+        run = read_run(signals)
+        try:
+            decoded = decode_run(run, parameters)
+        except ValueError as error:
+            raise InputError(f"{signals}: {error}") from error
+        recorded.t = run.frames()["t"]
+        return recorded, decoded
+    values = recorded.values.astype(np.float32, copy=False)
+    return recorded, decode_block(parameters, recorded.sample_rate, recorded.t, values)
+
+
+def _source_of(signals: Path) -> "Source":
+    """Return the source of the signals, which is known for a recording only."""
+    from app.recording.reader import read_run
+    from app.source import UNKNOWN_SOURCE, source_of_header
+
+    return source_of_header(read_run(signals).meta) if signals.is_dir() else UNKNOWN_SOURCE
+
+
+def read_parameters(file: Path) -> "DriveParameters":
+    """Return the parameter set in `file`; for a calibration profile, with the paper's vocabulary."""
+    from pydantic import ValidationError
+
+    from app.calibration.profile import CalibrationProfile
+    from app.calibration.vocabulary import DriveParameters, standard_parameters
+    from app.sentences import one_sentence
+
+    try:
+        document = json.loads(file.read_bytes())
+    except OSError as error:
+        raise InputError(
+            f"--profile {file} cannot be read ({error.strerror}): give the file that calibrate wrote"
+        ) from error
+    except (ValueError, RecursionError) as error:
+        raise InputError(f"--profile {file} is not a JSON document: give the file that calibrate wrote") from error
+    try:
+        if isinstance(document, dict) and "gestures" in document:
+            return DriveParameters.model_validate(document)
+        return standard_parameters(CalibrationProfile.model_validate_json(json.dumps(document)))
+    except ValidationError as error:
+        raise InputError(one_sentence(error, f"--profile {file}")) from error
+
+
+def with_overrides(parameters: "DriveParameters", dead_zone: float | None, cutoff: float | None) -> "DriveParameters":
+    """Return `parameters` with another dead-zone for all gestures and another cutoff, where they are given.
+
+    Where the new dead-zone would reach a gesture's `full`, `full` is moved by as much, up to LARGEST_THRESHOLD.
+    """
+    from pydantic import ValidationError
+
+    from app.calibration.vocabulary import DriveParameters
+    from app.quantities import HIGHEST_CUTOFF, LARGEST_THRESHOLD, LOWEST_CUTOFF
+    from app.sentences import one_sentence
+
+    for option, unit, value, least, most in (
+        ("--dead-zone", "full movements per second", dead_zone, 0.0, LARGEST_THRESHOLD - 1.0),
+        ("--cutoff", "Hz", cutoff, LOWEST_CUTOFF, HIGHEST_CUTOFF),
+    ):
+        if value is not None and not least <= value <= most:
+            raise InputError(f"{option} {value:g}: give {unit} from {least:g} to {most:g}")
+    document = parameters.model_dump(mode="json")
+    if cutoff is not None:
+        document["cutoff"] = cutoff
+    if dead_zone is not None:
+        for gesture in document["gestures"]:
+            if gesture["full"] <= dead_zone:
+                gesture["full"] = min(dead_zone + gesture["full"] - gesture["dead_zone"], LARGEST_THRESHOLD)
+            gesture["dead_zone"] = dead_zone
+    try:
+        return DriveParameters.model_validate_json(json.dumps(document))
+    except ValidationError as error:
+        raise InputError(one_sentence(error, "--dead-zone or --cutoff")) from error
+
+
+def _columns(
+    parameters: "DriveParameters", t: "NDArray[np.float64]", decoded: "DecodedRun"
+) -> "dict[str, NDArray[np.float64]]":
+    """Return the columns of the output: time, four columns per gesture, controls, twist and pose."""
+    columns = {"t": t}
+    for i, gesture in enumerate(parameters.gestures):
+        columns[f"{gesture.name}_score"] = decoded.score[:, i]
+        columns[f"{gesture.name}_rate"] = decoded.rate[:, i]
+        columns[f"{gesture.name}_activation"] = decoded.activation[:, i]
+        columns[f"{gesture.name}_drive"] = decoded.drive[:, i]
+    for name in ("u1", "u2", "v", "omega", "x", "y", "theta"):
+        columns[name] = getattr(decoded, name)
+    return columns
+
+
+def _content_of(file: Path, columns: "dict[str, NDArray[np.float64]]", source: "Source") -> bytes:
+    """Return what columns of equal length are as a .parquet or .csv file, by the name of the file.
+
+    Both have a column `simulated`: 1 where nobody wore the shirt, 0 where somebody did, NaN where that is unknown.
+    Parquet's own metadata carry the whole source in words (key `source`).
+    """
+    import numpy as np
+    import pyarrow as pa
+    import pyarrow.csv
+    import pyarrow.parquet
+
+    from app.source import source_words
+
+    simulated = np.nan if source.simulated is None else float(source.simulated)
+    rows = len(next(iter(columns.values())))
+    table = pa.table({**columns, "simulated": np.full(rows, simulated)})
+    table = table.replace_schema_metadata({"source": source_words(source)})
+    content = io.BytesIO()
+    if file.suffix == ".csv":
+        pyarrow.csv.write_csv(table, content)
+    else:
+        pyarrow.parquet.write_table(table, content, compression="zstd")
+    return content.getvalue()

@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from app.cli.errors import InputError
+from app.cli.options import AsJson
 from app.cli.output import write_output
 from app.world.imports.options import THRESHOLD
 
@@ -15,8 +16,6 @@ floorplan_app = typer.Typer(
     no_args_is_help=True,
     pretty_exceptions_enable=False,
 )
-
-AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
 
 
 @floorplan_app.command("import")
@@ -52,7 +51,7 @@ def import_file(
 
     if out.suffix != ".json":
         raise InputError(f"--out {out}: its name must end in .json")
-    given = {
+    fields = {
         "unit": unit,
         "layers": layer,
         "metres_per_pixel": metres_per_pixel,
@@ -64,7 +63,7 @@ def import_file(
     }
     try:
         options = Options.model_validate_json(
-            json.dumps({key: value for key, value in given.items() if value is not None})
+            json.dumps({key: value for key, value in fields.items() if value is not None})
         )
     except ValidationError as error:
         raise InputError(one_sentence(error, "the options")) from error
@@ -91,8 +90,8 @@ def import_file(
         typer.echo(
             f"{plan.title}: {summary['walls']} wall pieces, a path of {path.line.length:.1f} m, written to {out}"
         )
-        for words in draft.words[1:]:
-            typer.echo(words)
+        for sentence in draft.words[1:]:
+            typer.echo(sentence)
 
 
 @floorplan_app.command("list")

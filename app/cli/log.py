@@ -3,13 +3,11 @@
 import json
 import sqlite3
 from dataclasses import asdict
-from pathlib import Path
-from typing import Annotated
 
 import typer
 
 from app.cli.errors import InputError
-from app.settings import Settings, state_folder
+from app.cli.options import AsJson, State, settings_of
 
 CHANGED = 1  # exit code
 
@@ -27,8 +25,8 @@ def _log() -> None:
 
 @log_app.command("verify")
 def verify(
-    state: Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
+    state: State = None,
+    as_json: AsJson = False,
 ) -> None:
     """Check that no row of the log was edited, moved, put in or removed; the clinic may be open meanwhile.
 
@@ -36,7 +34,7 @@ def verify(
     """
     from app.store.log_chain import verify_log
 
-    settings = Settings(state=(state or state_folder()).expanduser().resolve())
+    settings = settings_of(state)
     if not settings.database.is_file():
         raise InputError(f"There is no clinic in {settings.state}: give its folder with --state.")
     try:

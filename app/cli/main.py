@@ -46,11 +46,11 @@ OF_FEATURES = {
 }
 COMMANDS = {word: place for word, place in _COMMANDS.items() if OF_FEATURES.get(word) in {None, *names()}}
 # Base class of typer's errors about commands and options, which has no public name in typer.
-Complaint: type[Exception] = next(kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException")
+UsageError: type[Exception] = next(kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException")
 
 
-def build(words: list[str]) -> typer.Typer:
-    """Return the application with the commands in `words`."""
+def build(command_names: list[str]) -> typer.Typer:
+    """Return the application with these commands."""
     application = typer.Typer(
         name="bodydrive",
         help="Body-machine interface for powered wheelchairs: calibrate, practise, score, drive.",
@@ -59,13 +59,13 @@ def build(words: list[str]) -> typer.Typer:
         pretty_exceptions_enable=False,
     )
     application.callback(invoke_without_command=True)(_options)
-    for word in words:
-        module, name = COMMANDS[word]
+    for command_name in command_names:
+        module, name = COMMANDS[command_name]
         command = getattr(import_module(module), name)
         if isinstance(command, typer.Typer):
-            application.add_typer(command, name=word)
+            application.add_typer(command, name=command_name)
         else:
-            application.command(word)(command)
+            application.command(command_name)(command)
     return application
 
 
@@ -79,20 +79,22 @@ def _options(
 
 def main() -> None:
     """Run the command line; bad input is one sentence on stderr and exit code 2."""
-    given = [word for word in sys.argv[1:] if not word.startswith("-")]
-    words = [given[0]] if given and given[0] in COMMANDS else list(COMMANDS)
+    arguments = [word for word in sys.argv[1:] if not word.startswith("-")]
+    command_names = [arguments[0]] if arguments and arguments[0] in COMMANDS else list(COMMANDS)
     try:
-        code = build(words)(standalone_mode=False, prog_name="bodydrive")
+        code = build(command_names)(standalone_mode=False, prog_name="bodydrive")
     except InputError as error:
         refuse(str(error))
-    except Complaint as error:
+    except UsageError as error:
         sentence = getattr(error, "format_message", error.__str__)()
         if not sentence:  # no command was given, and the help has been printed
             sys.exit(0)
-        refuse(f"{sentence.rstrip('.')}: see {' '.join(['bodydrive', *words[: len(words) == 1]])} --help")
+        refuse(
+            f"{sentence.rstrip('.')}: see {' '.join(['bodydrive', *command_names[: len(command_names) == 1]])} --help"
+        )
     except OSError as error:
-        what = error.strerror or error
-        refuse(f"{error.filename or 'the output'} cannot be read or written ({what}): see to it and try again")
+        reason = error.strerror or error
+        refuse(f"{error.filename or 'the output'} cannot be read or written ({reason}): see to it and try again")
     except (typer.Abort, KeyboardInterrupt):
         sys.exit(130)
     sys.exit(code if isinstance(code, int) else 0)

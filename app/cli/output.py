@@ -24,22 +24,22 @@ def write_output(out: Path, content: bytes, *sources: Path) -> None:
         raise InputError(f"--out {out} cannot be written ({error.strerror}): choose another place") from error
 
 
-def warn(words: str) -> None:
+def warn(sentence: str) -> None:
     """Write a warning to stderr, unless it is empty."""
-    if words:
-        typer.echo(f"bodydrive: {words}", err=True)
+    if sentence:
+        typer.echo(f"bodydrive: {sentence}", err=True)
 
 
 def check_new_folder(folder: Path) -> None:
     """Raise InputError when a folder could not be made; to be called before a long computation."""
     try:
-        standing = next(place for place in (folder, *folder.absolute().parents) if place.exists())
+        existing = next(place for place in (folder, *folder.absolute().parents) if place.exists())
     except OSError as error:
         raise InputError(f"--out {folder} cannot be written ({error.strerror}): choose another place") from error
-    if not standing.is_dir():
-        raise InputError(f"--out {folder}: {standing} is a file and not a folder, choose another place")
-    if not os.access(standing, os.W_OK | os.X_OK):
-        raise InputError(f"--out {folder}: nothing may be written in {standing}, choose another place")
+    if not existing.is_dir():
+        raise InputError(f"--out {folder}: {existing} is a file and not a folder, choose another place")
+    if not os.access(existing, os.W_OK | os.X_OK):
+        raise InputError(f"--out {folder}: nothing may be written in {existing}, choose another place")
 
 
 def dialect_summary(recorded: "Signals") -> dict[str, dict[str, str]]:

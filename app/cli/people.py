@@ -12,26 +12,24 @@ import typer
 
 from app.cli.clinic_folder import open_clinic
 from app.cli.errors import InputError
+from app.cli.options import COMMAND_LINE, AsJson, State, settings_of
 from app.cli.qr import terminal_code
 from app.network import link
 from app.refusals import Refusal
-from app.settings import Settings, state_folder
 
 if TYPE_CHECKING:
     from app.store.access.invitations import MadeInvitation
     from app.store.access.person_tables import Person
     from app.store.database import Transaction
 
-State = Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")]
 Name = Annotated[str, typer.Argument(help="The name that the person signs in with.")]
 Role = Annotated[str, typer.Option(help="owner, clinician or reviewer.")]
-Shown = Annotated[
+VisiblePatients = Annotated[
     list[str] | None,
     typer.Option("--patient", help="The code of a patient that a reviewer may see, once for each; without: all."),
 ]
 Address = Annotated[str, typer.Option(help="The address of the pages, for the link; that of the running program.")]
 
-COMMAND = "command line"  # who did it, in the log
 DEFAULT_PORT = 8080  # of `bodydrive serve`
 ROLES = ("owner", "clinician", "reviewer")
 NOT_RUNNING = "The program does not run now: start it with `bodydrive serve`, then open the link at its address."
@@ -46,32 +44,34 @@ people_app = typer.Typer(
 @people_app.command("list")
 def list_people(
     state: State = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """List the people of the clinic: name, role, what a reviewer may see, whether they can sign in."""
     from app.store.access.rights import people_of
     from app.store.tables import Patient
 
-    with open_clinic(_settings(state)) as (database, _), database.transaction() as db:
-        found: list[dict[str, Any]] = []
+    with open_clinic(settings_of(state)) as (database, _), database.transaction() as db:
+        people: list[dict[str, Any]] = []
         for person in people_of(db, _clinic_id(db)):
-            shown = None
+            codes = None
             if person.patients is not None:
                 rows = [db.get(Patient, patient) for patient in person.patients]
-                shown = [patient.code for patient in rows if patient is not None]
-            found.append({"name": person.name, "role": person.role, "patients": shown, "state": _state_of(person)})
+                codes = [patient.code for patient in rows if patient is not None]
+            people.append({"name": person.name, "role": person.role, "patients": codes, "state": _state_of(person)})
     if as_json:
-        typer.echo(json.dumps({"people": found}))
+        typer.echo(json.dumps({"people": people}))
         return
-    width = max((len(str(one["name"])) for one in found), default=0)
-    for one in found:
-        patients = "" if one["patients"] is None else f"  patients: {', '.join(one['patients']) or 'none'}"
-        typer.echo(f"{one['name']:<{width}}  {one['role']:<9}  {one['state']}{patients}")
+    width = max((len(str(person_facts["name"])) for person_facts in people), default=0)
+    for person_facts in people:
+        patients = (
+            "" if person_facts["patients"] is None else f"  patients: {', '.join(person_facts['patients']) or 'none'}"
+        )
+        typer.echo(f"{person_facts['name']:<{width}}  {person_facts['role']:<9}  {person_facts['state']}{patients}")
 
 
 @people_app.command("invite")
 def invite_person(
-    name: Name, role: Role = "clinician", patients: Shown = None, state: State = None, address: Address = ""
+    name: Name, role: Role = "clinician", patients: VisiblePatients = None, state: State = None, address: Address = ""
 ) -> None:
     """Add a person, and print the link by which this person chooses a password within 24 hours.
 
@@ -84,7 +84,7 @@ def invite_person(
     if role not in ROLES:
         raise InputError(f"--role {role} is no role: give owner, clinician or reviewer.")
     _require_name(name)
-    with open_clinic(_settings(state)) as (database, running):
+    with open_clinic(settings_of(state)) as (database, running):
         try:
             with database.transaction() as db:
                 person = find_person(db, name)
@@ -92,11 +92,11 @@ def invite_person(
                     clinic = the_clinic(db) or add_clinic(db, "Clinic")
                     ids = None if patients is None else _patient_ids(db, clinic.id, patients)
                     ids = checked_patients(db, clinic.id, role, ids)
-                    person = add_person(db, clinic, name, role, None, patients=ids, by=COMMAND)
-                made = invite(db, person, COMMAND)
+                    person = add_person(db, clinic, name, role, None, patients=ids, by=COMMAND_LINE)
+                invitation = invite(db, person, COMMAND_LINE)
         except Refusal as refusal:
             raise InputError(str(refusal)) from refusal
-    _print_link(name, made, address or running)
+    _print_link(name, invitation, address or running)
 
 
 @people_app.command("disable")
@@ -104,7 +104,7 @@ def disable_person(name: Name, state: State = None) -> None:
     """Let a person sign in no longer; open pages of this person end within 5 s."""
     from app.store.access.rights import disable
 
-    _change(name, state, lambda db, person: disable(db, person, COMMAND))
+    _change(name, state, lambda db, person: disable(db, person, COMMAND_LINE))
     typer.echo(f"{name} is disabled: pages that {name} has open end within 5 seconds.")
 
 
@@ -113,12 +113,8 @@ def enable_person(name: Name, state: State = None) -> None:
     """Let a disabled person sign in again."""
     from app.store.access.rights import enable
 
-    _change(name, state, lambda db, person: enable(db, person, COMMAND))
+    _change(name, state, lambda db, person: enable(db, person, COMMAND_LINE))
     typer.echo(f"{name} can sign in again, with the password of before.")
-
-
-def _settings(state: Path | None) -> Settings:
-    return Settings(state=(state or state_folder()).expanduser().resolve())
 
 
 def _clinic_id(db: "Transaction") -> int:
@@ -159,7 +155,7 @@ def _change(name: str, state: Path | None, change: Callable[["Transaction", "Per
     from app.store.access.rights import needed_person
     from app.store.people import find_person
 
-    with open_clinic(_settings(state)) as (database, _):
+    with open_clinic(settings_of(state)) as (database, _):
         try:
             with database.transaction(closing=True) as db:
                 change(db, needed_person(find_person(db, name), name))
@@ -167,11 +163,13 @@ def _change(name: str, state: Path | None, change: Callable[["Transaction", "Per
             raise InputError(str(refusal)) from refusal
 
 
-def _print_link(name: str, made: "MadeInvitation", address: str) -> None:
+def _print_link(name: str, invitation: "MadeInvitation", address: str) -> None:
     base = address or link("http", "127.0.0.1", DEFAULT_PORT)
-    opened = f"{base.rstrip('/')}/#invite={made.code}"
-    typer.echo(terminal_code(opened))
-    typer.echo(f"{name} chooses a password with this link, once, until {made.expires.astimezone():%Y-%m-%d %H:%M}:")
-    typer.echo(opened)
+    address_to_open = f"{base.rstrip('/')}/#invite={invitation.code}"
+    typer.echo(terminal_code(address_to_open))
+    typer.echo(
+        f"{name} chooses a password with this link, once, until {invitation.expires.astimezone():%Y-%m-%d %H:%M}:"
+    )
+    typer.echo(address_to_open)
     if not address:
         typer.echo(NOT_RUNNING)

@@ -64,11 +64,11 @@ def public_name(text: str) -> str:
         host, port = checked_host(parts.hostname or ""), parts.port
     except ValueError as error:
         raise InputError(f"--name '{text}' is no name: write one such as clinic.example.org.") from error
-    shown = f"[{host}]" if ":" in host else host
-    given = shown if port is None else f"{shown}:{port}"
-    if given != text.lower():  # a path, a person, or a scheme
+    bracketed = f"[{host}]" if ":" in host else host
+    name = bracketed if port is None else f"{bracketed}:{port}"
+    if name != text.lower():  # a path, a person, or a scheme
         raise InputError(f"--name '{text}' is no name: write one such as clinic.example.org.")
-    return given
+    return name
 
 
 def bind_here(host: str, port: int) -> socket.socket:

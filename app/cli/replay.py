@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.errors import InputError
+from app.cli.options import AsJson
 from app.cli.output import warn
 from app.clock import Clock, MonotonicClock
 from app.hardware.shirt.sender import STANDARD_ADDRESS
@@ -25,7 +26,7 @@ def replay(
     to: Annotated[str, typer.Option(help="Where the datagrams go, HOST:PORT.")] = STANDARD_ADDRESS,
     loop: Annotated[bool, typer.Option("--loop", help="Begin again at the end.")] = False,
     speed: Annotated[float, typer.Option(help="How many times as fast as it was recorded.")] = 1.0,
-    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """Play a recorded run as a shirt source: its frames as datagrams, at their own times. Ctrl-C ends it."""
     from app.hardware.base import HardwareError

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.errors import InputError
+from app.cli.options import AsJson
 from app.scoring.measures import CIRCUMSTANCES, REACHED, REACHED_NAME, TRIAL_MEASURES
 
 if TYPE_CHECKING:
@@ -28,7 +29,7 @@ def score(
     trajectory: Annotated[Path, typer.Argument(metavar="TRAJECTORY", help="CSV or Parquet with columns t, x, y.")],
     path: Annotated[Path, typer.Argument(metavar="PATH", help="CSV or Parquet with columns x, y: the path's points.")],
     goal_radius: Annotated[float, typer.Option(help="How near the path's end counts as reached, m.")] = 0.5,
-    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """Score a driven trajectory against a prescribed path; s and m.
 
@@ -50,9 +51,11 @@ def score_files(trajectory: Path, path: Path, goal_radius: float) -> "Measures":
     from app.world.path import Path as Line
 
     try:
-        driven = read_columns(trajectory, only=("t", "x", "y", *EXTRAS))
-        t, x, y = (require_column(driven, trajectory, name) for name in ("t", "x", "y"))
-        extras = {name: require_column(driven, trajectory, name) for name in EXTRAS if name in driven}
+        trajectory_columns = read_columns(trajectory, only=("t", "x", "y", *EXTRAS))
+        t, x, y = (require_column(trajectory_columns, trajectory, name) for name in ("t", "x", "y"))
+        extras = {
+            name: require_column(trajectory_columns, trajectory, name) for name in EXTRAS if name in trajectory_columns
+        }
         prescribed = read_columns(path, only=("x", "y"))
         points = np.column_stack([require_column(prescribed, path, name) for name in ("x", "y")])
     except ValueError as error:
@@ -89,11 +92,11 @@ def _check_units(trajectory: Path, rows: float, measures: "Measures") -> None:
 
 
 def _table(measures: "Measures") -> str:
-    known = TRIAL_MEASURES | CIRCUMSTANCES
+    measures_by_name = TRIAL_MEASURES | CIRCUMSTANCES
     lines = [
         f"{REACHED_NAME:<44} {_written(value)}"
         if name == REACHED
-        else f"{known[name].name:<44} {_written(value)} {known[name].unit}".rstrip()
+        else f"{measures_by_name[name].name:<44} {_written(value)} {measures_by_name[name].unit}".rstrip()
         for name, value in measures.items()
     ]
     return "\n".join([*lines, "", CANCELLING])

@@ -10,15 +10,16 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.cli.clinic_folder import held, keep_private
+from app.cli.clinic_folder import keep_private, lock_folder
 from app.cli.errors import InputError
+from app.cli.options import State, folder_of
 from app.cli.port import bind, bind_here, proxy_network, public_name
 from app.files import write_atomically
 from app.network import link
 from app.python_release import python_warning
 from app.realtime import collect_seldom
 from app.refusals import Refusal
-from app.settings import Settings, new_code, state_folder
+from app.settings import Settings, new_code
 
 if TYPE_CHECKING:
     from app.cli.host.lan import Lan
@@ -43,7 +44,6 @@ CertificateFile = Annotated[
 ]
 KeyFile = Annotated[Path | None, typer.Option("--key", help="The private key of that certificate: a PEM file.")]
 Plans = Annotated[list[Path] | None, typer.Option("--floorplan", help="A floor plan of your own to drive in, too.")]
-State = Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")]
 Proxy = Annotated[
     str | None,
     typer.Option(
@@ -65,11 +65,11 @@ def demo(port: Port = 8080, host: Host = "127.0.0.1", floorplans: Plans = None) 
         keep_private(settings)
         launch = stack.enter_context(closing(_launch()))
         _furnish_demonstration(settings, plans)
-        words = [
+        sentences = [
             "A demonstration, kept nowhere. Ctrl-C ends it.",
             f"{link('http', host, bound)}#demo={settings.demo_code}",
         ]
-        _run(settings, launch, listening, words)
+        _run(settings, launch, listening, sentences)
     _leave()
 
 
@@ -93,8 +93,8 @@ def serve(
         raise InputError("A proxy is the only way in: use either --lan or --behind-proxy.")
     proxy = None if behind_proxy is None else proxy_network(behind_proxy)
     reached_by = "" if name is None else public_name(name)
-    folder = (state or state_folder()).expanduser().resolve()
-    own, hosts = own_files(certificate, key, lan=lan), host or []
+    folder = folder_of(state)
+    own_certificate, hosts = own_files(certificate, key, lan=lan), host or []
     if len(hosts) > 1 and not lan:
         raise InputError("Without --lan there is one address only: name --host once, or leave it out.")
     first = hosts[0] if hosts and not lan else "127.0.0.1"
@@ -105,12 +105,12 @@ def serve(
             bind_to = bind_here if proxy is None else bind
             listening = stack.enter_context(bind_to(first, 8080 if port is None else port))
         bound = int(listening.getsockname()[1])
-        here = link("http", first, bound)
-        write_address = stack.enter_context(held(folder))
+        local_address = link("http", first, bound)
+        write_address = stack.enter_context(lock_folder(folder))
         settings = Settings(state=folder)
         warnings = keep_private(settings)
         launch = stack.enter_context(closing(_launch()))
-        others = stack.enter_context(Lan(hosts, port, settings.authority, own)) if lan else None
+        other_machines = stack.enter_context(Lan(hosts, port, settings.authority, own_certificate)) if lan else None
         settings = Settings(
             state=folder,
             host=first,
@@ -118,20 +118,20 @@ def serve(
             setup_code=new_code() if _nobody_yet(folder) else None,
             proxy=proxy,
             public_name=reached_by,
-            network=None if others is None else others.service,
+            network=None if other_machines is None else other_machines.service,
         )
-        opened = f"https://{reached_by}/" if reached_by else here
-        write_address(opened if others is None else others.service.link())
-        words = [f"The clinic in {folder}. Ctrl-C ends it.", *warnings]
+        opened = f"https://{reached_by}/" if reached_by else local_address
+        write_address(opened if other_machines is None else other_machines.service.link())
+        sentences = [f"The clinic in {folder}. Ctrl-C ends it.", *warnings]
         if settings.setup_code is None:
-            words.append(opened)
+            sentences.append(opened)
         else:
-            words += [
+            sentences += [
                 f"Set-up code, for the first owner, within 30 minutes: {settings.setup_code}",
                 f"{opened}#setup={settings.setup_code}",
             ]
-        words += [] if others is None else others.look()
-        _run(settings, launch, listening, words, others)
+        sentences += [] if other_machines is None else other_machines.refresh()
+        _run(settings, launch, listening, sentences, other_machines)
     _leave()
 
 
@@ -148,12 +148,16 @@ def _launch() -> "Launch":
 
 
 def _run(
-    settings: Settings, launch: "Launch", listening: socket.socket, words: list[str], others: "Lan | None" = None
+    settings: Settings,
+    launch: "Launch",
+    listening: socket.socket,
+    sentences: list[str],
+    other_machines: "Lan | None" = None,
 ) -> None:
     from app.cli.server import run_clinic
 
     warning = python_warning(sys.version_info[:3])
-    run_clinic(settings, launch, listening, "\n".join([*words, *filter(None, [warning])]), others)
+    run_clinic(settings, launch, listening, "\n".join([*sentences, *filter(None, [warning])]), other_machines)
 
 
 def _leave() -> None:

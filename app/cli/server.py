@@ -44,7 +44,7 @@ LAST_ANSWERS = 1  # s for requests under way when the program ends
 GOODBYE = 0.5  # s for telling the open pages
 HANDSHAKE = 10.0  # s for the beginning of a connection over https
 TLS_END = 1.0  # s for its end, when the other side does not answer
-LOOK_EVERY = 5.0  # s until a changed address of this machine is noticed
+FOLLOW_EVERY = 5.0  # s until a changed address of this machine is noticed
 
 
 class WebServer(uvicorn.Server):
@@ -54,7 +54,7 @@ class WebServer(uvicorn.Server):
         self,
         app: WebApp,
         listening: socket.socket,
-        words: str,
+        message: str,
         lan: Lan | None = None,
         connections: Connections | None = None,
     ) -> None:
@@ -63,7 +63,7 @@ class WebServer(uvicorn.Server):
         super().__init__(_config(self._kept, "on", self._connections))
         self._app = app
         self._listening = listening
-        self._words = words
+        self._message = message
         self._lan = lan
         self._following: asyncio.Task[None] | None = None
 
@@ -98,7 +98,7 @@ class WebServer(uvicorn.Server):
                 await self._open(self.config, self._lan.https, self._lan.certificate.context)
                 await self._open(_config(TabletPage(self._lan.service), "off", self._connections), self._lan.page, None)
                 self._following = asyncio.create_task(self._follow(self._lan))
-            typer.echo(self._words)
+            typer.echo(self._message)
             prepare_routes(self._app)
             # Collecting all loaded objects would take 0.2 s, in which no Stop would be handled, so they are frozen.
             collect_garbage()
@@ -135,14 +135,14 @@ class WebServer(uvicorn.Server):
     async def _follow(self, lan: Lan) -> None:
         """Follow the machine's addresses as long as the program runs."""
         while True:
-            await asyncio.sleep(LOOK_EVERY)
+            await asyncio.sleep(FOLLOW_EVERY)
             try:
-                words = await asyncio.to_thread(lan.look)
-            except Exception:  # the next look may succeed, and without one the certificate would end unnoticed
+                sentences = await asyncio.to_thread(lan.refresh)
+            except Exception:  # the next refresh may succeed, and without one the certificate would end unnoticed
                 logging.getLogger("bodydrive").exception("The machine's addresses could not be read.")
                 continue
-            if words:
-                typer.echo("\n".join(words))
+            if sentences:
+                typer.echo("\n".join(sentences))
 
     async def _leave(self) -> None:
         try:
@@ -172,9 +172,9 @@ def _config(app: KeepsFailure | TabletPage, lifespan: Literal["on", "off"], conn
 
 
 def run_clinic(
-    settings: Settings, launch: Launch, listening: socket.socket, words: str, lan: Lan | None = None
+    settings: Settings, launch: Launch, listening: socket.socket, message: str, lan: Lan | None = None
 ) -> None:
-    """Serve until a signal, and print `words` after the start; refuse in one sentence when it cannot start.
+    """Serve until a signal, and print `message` after the start; refuse in one sentence when it cannot start.
 
     `launch` is the first control process; where one is lost, another is started.
     """
@@ -186,7 +186,7 @@ def run_clinic(
     settings.runs.mkdir(parents=True, exist_ok=True)
     scene = partial(ServedScene, models=settings.models)
     app = create_app(settings, _starts(launch), ComputingProcess(), scene)
-    server = WebServer(app, listening, words, lan, _connections(settings))
+    server = WebServer(app, listening, message, lan, _connections(settings))
     with asyncio.Runner(loop_factory=event_loop) as runner:
         has_started = runner.run(server.run_until_signal())
     if not has_started:

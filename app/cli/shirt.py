@@ -1,16 +1,17 @@
 """`bodydrive shirt`: pair with a shirt over the network, and send frames as a paired shirt."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 import typer
 
 from app.cli.errors import InputError
+from app.cli.options import State, settings_of
 from app.cli.qr import terminal_code
 from app.file_modes import keep_new_files_private
 from app.hardware.shirt import sender
 from app.refusals import Refusal
-from app.settings import Settings, state_folder
+from app.settings import Settings
 
 if TYPE_CHECKING:
     from app.hardware.chair.key import Key
@@ -34,10 +35,10 @@ def send(context: typer.Context) -> None:
 
 @shirt_app.command("pair")
 def pair(
-    state: Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")] = None,
+    state: State = None,
 ) -> None:
     """Make a key for a shirt, keep it with the clinic, and show it once as a QR code."""
-    settings = Settings(state=(state or state_folder()).expanduser().resolve())
+    settings = settings_of(state)
     try:
         key = _paired(settings)
     except Refusal as refusal:

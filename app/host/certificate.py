@@ -64,7 +64,7 @@ class ServerCertificate(Protocol):
     context: ssl.SSLContext
     trust: CertificateTrust
 
-    def look(self) -> list[str]:
+    def refresh(self) -> list[str]:
         """Renew the certificate, or read it anew, if that is due; return sentences for the person who runs this."""
         ...
 
@@ -102,7 +102,7 @@ class LocalCertificate:
         self.context.load_cert_chain(self._folder / "machine.pem")
         self.trust = self._trust(machine())
 
-    def look(self) -> list[str]:
+    def refresh(self) -> list[str]:
         """Follow the machine's addresses, renew what is due, and return sentences, each as long as it is true."""
         words, self._words = self._words, []
         machine = self._machine()
@@ -183,7 +183,7 @@ class OwnCertificate:
         self.context = _new_context()
         self._content, self.trust = self._load()
 
-    def look(self) -> list[str]:
+    def refresh(self) -> list[str]:
         """Read the files anew if they changed; return in a sentence what is wrong with them."""
         try:
             if self._contents() != self._content:

@@ -36,22 +36,22 @@ def this_machine(only: tuple[Address, ...] = ()) -> Machine:
 
     IPv6 addresses of a single link are left out: a browser cannot open them.
     """
-    found: dict[Address, Network] = {}
+    network_of: dict[Address, Network] = {}
     for interface in psutil.net_if_addrs().values():
         for entry in interface:
             if entry.family not in {socket.AF_INET, socket.AF_INET6}:
                 continue
             try:
-                given = ipaddress.ip_interface(_with_prefix(entry.address, entry.netmask))
+                interface_address = ipaddress.ip_interface(_with_prefix(entry.address, entry.netmask))
             except ValueError:
                 continue
-            if not (given.version == 6 and given.ip.is_link_local):
-                found[given.ip] = given.network
-    found |= {address: ipaddress.ip_network(address) for address in only if address not in found}
+            if not (interface_address.version == 6 and interface_address.ip.is_link_local):
+                network_of[interface_address.ip] = interface_address.network
+    network_of |= {address: ipaddress.ip_network(address) for address in only if address not in network_of}
     first = _first_address()
-    addresses = [each for each in found if not only or each in only or each.is_loopback]
+    addresses = [each for each in network_of if not only or each in only or each.is_loopback]
     addresses.sort(key=lambda each: (bool(only) and each not in only, each.is_loopback, each != first, each.version))
-    return Machine(certifiable(socket.gethostname()), tuple(addresses), tuple(dict.fromkeys(found.values())))
+    return Machine(certifiable(socket.gethostname()), tuple(addresses), tuple(dict.fromkeys(network_of.values())))
 
 
 def certifiable(name: str) -> str | None:
@@ -63,9 +63,9 @@ def certifiable(name: str) -> str | None:
 
 def _with_prefix(address: str, netmask: str | None) -> str:
     """Return ADDRESS/BITS; without a mask the network is this single address."""
-    own = ipaddress.ip_address(address.partition("%")[0])
-    bits = own.max_prefixlen if netmask is None else int(ipaddress.ip_address(netmask)).bit_count()
-    return f"{own}/{bits}"
+    parsed = ipaddress.ip_address(address.partition("%")[0])
+    bits = parsed.max_prefixlen if netmask is None else int(ipaddress.ip_address(netmask)).bit_count()
+    return f"{parsed}/{bits}"
 
 
 def _first_address() -> Address | None:

@@ -95,7 +95,7 @@ def clock_finding(now: datetime, installed: datetime, *, is_kept: bool | None) -
 def clock_is_kept() -> bool | None:
     """Return whether a time server keeps this machine's clock, None when the system does not tell."""
     try:
-        told = subprocess.run(
+        status = subprocess.run(
             ["timedatectl", "show", "--property=NTPSynchronized", "--value"],
             capture_output=True,
             text=True,
@@ -104,7 +104,7 @@ def clock_is_kept() -> bool | None:
         )
     except (OSError, subprocess.TimeoutExpired):
         return None
-    return {"yes": True, "no": False}.get(told.stdout.strip())
+    return {"yes": True, "no": False}.get(status.stdout.strip())
 
 
 def port_finding(port: int, *, is_own: bool) -> Finding:

@@ -74,12 +74,12 @@ def install(text: str, *, system: bool) -> list[str]:
     except OSError as error:
         why = error.strerror or error
         raise Refusal(f"{file} cannot be written ({why}): with --system, run this with sudo.") from error
-    words = [systemctl] if system else [systemctl, "--user"]
+    systemctl_command = [systemctl] if system else [systemctl, "--user"]
     for command in (["daemon-reload"], ["enable", "--now", NAME]):
-        ended = subprocess.run([*words, *command], capture_output=True, text=True, check=False)
-        if ended.returncode != 0:
-            said = " ".join(ended.stderr.split()) or f"exit code {ended.returncode}"
-            raise Refusal(f"{file} is written, but systemd did not take it ({said}): see to it, then try again.")
+        result = subprocess.run([*systemctl_command, *command], capture_output=True, text=True, check=False)
+        if result.returncode != 0:
+            reason = " ".join(result.stderr.split()) or f"exit code {result.returncode}"
+            raise Refusal(f"{file} is written, but systemd did not take it ({reason}): see to it, then try again.")
     remaining = (
         [] if system else ["It starts when you sign in; 'loginctl enable-linger' lets it start with the machine."]
     )

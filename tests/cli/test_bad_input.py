@@ -12,7 +12,7 @@ import pyarrow as pa
 import pyarrow.parquet
 import pytest
 
-from app.cli.study import study_trials
+from app.cli.study import study_runs
 from building import make_profile
 
 CALIBRATE = ("calibrate", "signals.csv", "--layout", "layout.json", "--out", "profile.json")
@@ -218,7 +218,7 @@ def test_replay_to_a_name_that_cannot_be_one(bodydrive, shirt, host):
 )
 @pytest.mark.parametrize("overwrite", [(), ("--overwrite",)])
 def test_study_refuses_a_place_before_it_works(bodydrive, tmp_path, monkeypatch, out, words, overwrite):
-    monkeypatch.setattr(study_trials, "run_study", pytest.fail)
+    monkeypatch.setattr(study_runs, "run_study", pytest.fail)
     (tmp_path / "full").mkdir()
     (tmp_path / "full" / "letter").write_text("dear")
     (tmp_path / "full" / "study.json").write_text("{}")
@@ -233,8 +233,8 @@ def test_without_matplotlib_a_study_says_so_before_it_works_and_goes_without_fig
     monkeypatch.setitem(sys.modules, "matplotlib", None)  # as if it were not installed
     asked = ("study", "--out", "study", "--trials", 1, "--seeds", seeds, "--jobs", 1, "--floorplan", "corridors")
     with monkeypatch.context() as before:
-        before.setattr(study_trials, "run_study", pytest.fail)
-        before.setattr(study_trials, "run_seeds", pytest.fail)
+        before.setattr(study_runs, "run_study", pytest.fail)
+        before.setattr(study_runs, "run_seeds", pytest.fail)
         words = "figures need the library matplotlib, install it with pip install 'bodydrive[figures]'"
         refused(bodydrive(*asked), words)
     code, _, _ = bodydrive(*asked, "--format", "none")
@@ -256,8 +256,8 @@ def test_ctrl_c_in_a_study_leaves_nothing(bodydrive, tmp_path, monkeypatch):
     def interrupted(*_, **__):
         signal.raise_signal(signal.SIGINT)
 
-    monkeypatch.setattr(study_trials, "write_study", interrupted)
-    monkeypatch.setattr(study_trials, "run_study", lambda *_, **__: None)
+    monkeypatch.setattr(study_runs, "write_study", interrupted)
+    monkeypatch.setattr(study_runs, "run_study", lambda *_, **__: None)
     assert bodydrive("study", "--out", "study") == (130, "", "")
     assert not list(tmp_path.iterdir())
 

@@ -7,7 +7,7 @@ import stat
 
 import pytest
 
-from app.cli.clinic_folder import held
+from app.cli.clinic_folder import lock_folder
 from app.hardware.chair.key import LARGEST_ID, read_key
 from app.hardware.chair.receive import _parser
 from app.session.equipment import pairing
@@ -111,7 +111,7 @@ def test_pairing_is_logged_and_makes_the_clinic_only_once(bodydrive, tmp_path):
 
 def test_a_clinic_that_is_served_meanwhile_gets_the_chair(bodydrive, tmp_path):
     folder = tmp_path / "clinic"
-    with held(folder):
+    with lock_folder(folder):
         serving = Database(folder / "bodydrive.sqlite")
         with serving.transaction() as db:
             add_person(db, add_clinic(db, "Clinic"), "Ada", "owner", None)

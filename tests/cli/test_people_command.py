@@ -6,7 +6,7 @@ from contextlib import contextmanager
 import pytest
 
 from app.cli import clinic_folder
-from app.cli.clinic_folder import FolderInUseError, held
+from app.cli.clinic_folder import FolderInUseError, lock_folder
 from app.store.access.invitations import accept_invitation, find_invited
 from app.store.access.rights import people_of
 from app.store.database import Database
@@ -32,7 +32,7 @@ def database(tmp_path):
 @contextmanager
 def served(folder):
     """Hold a clinic's folder as a running program does."""
-    with held(folder) as write_address:
+    with lock_folder(folder) as write_address:
         write_address(ADDRESS)
         yield
 
@@ -127,7 +127,7 @@ def test_without_a_clinic_or_beside_a_program_of_another_version_nothing_is_touc
 
 def test_a_second_program_leaves_the_address_of_the_first_one_in_the_locked_file(tmp_path):
     with served(tmp_path):
-        with pytest.raises(FolderInUseError) as refused, held(tmp_path):
+        with pytest.raises(FolderInUseError) as refused, lock_folder(tmp_path):
             pass
         assert refused.value.address == ADDRESS
         assert (tmp_path / clinic_folder.IN_USE).read_text() == ADDRESS

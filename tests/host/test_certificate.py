@@ -44,9 +44,9 @@ def place(tmp_path: Path) -> Place:
 
 def test_it_is_made_once_and_only_its_owner_reads_the_keys(place: Place) -> None:
     first = place.open()
-    assert first.look() == [MADE]
+    assert first.refresh() == [MADE]
     again = place.open()
-    assert again.look() == []
+    assert again.refresh() == []
     assert again.trust == first.trust
     files = list(place.folder.iterdir())
     assert {file.name for file in files} == {"root.pem", "intermediate.pem", "machine.pem"}
@@ -68,15 +68,15 @@ def handshake(context: ssl.SSLContext) -> x509.Certificate:
 
 def test_it_follows_the_addresses_without_a_restart(place: Place) -> None:
     certificate = place.open()
-    certificate.look()
+    certificate.refresh()
     before = handshake(certificate.context)
     assert before == place.served()
     place.machine = machine_at("10.0.0.9", "127.0.0.1")
-    assert certificate.look() == []
+    assert certificate.refresh() == []
     assert handshake(certificate.context) == place.served() != before
     assert certificate.trust.addresses == ("10.0.0.9", "127.0.0.1")
     place.machine = machine_at("10.0.0.9", "8.8.8.8")
-    (outside,) = certificate.look()
+    (outside,) = certificate.refresh()
     assert "8.8.8.8" in outside
     assert "10.0.0.9" not in outside
     assert certificate.trust.addresses == ("10.0.0.9",)
@@ -86,10 +86,10 @@ def test_it_renews_itself_while_the_program_runs_and_at_its_start(place: Place) 
     certificate = place.open()
     before = place.served()
     place.now = START + dt.timedelta(days=250)
-    certificate.look()
+    certificate.refresh()
     assert place.served() == before
     place.now = START + dt.timedelta(days=270)
-    certificate.look()
+    certificate.refresh()
     assert place.served().not_valid_after_utc > place.now + dt.timedelta(days=390)
     assert certificate.trust.end == place.served().not_valid_after_utc
     place.now = START + dt.timedelta(days=2000)  # everything but the root has ended
@@ -118,20 +118,20 @@ def test_a_replaced_authority_is_said(place: Place) -> None:
     place.open()
     (place.folder / "root.pem").unlink()
     certificate = place.open()
-    assert certificate.look() == [REPLACED]
+    assert certificate.refresh() == [REPLACED]
     other = make_root(place.machine, START)
     (place.folder / "root.pem").write_bytes(other.certificate_pem + other.key_pem)
     certificate = place.open()
-    assert certificate.look() == [REPLACED]
+    assert certificate.refresh() == [REPLACED]
     root = other.certificate.public_bytes(serialization.Encoding.DER)
     assert certificate.trust.root == root
 
 
 def test_a_wrong_clock_is_said_at_the_start_and_later(place: Place) -> None:
     certificate = place.open()
-    certificate.look()
+    certificate.refresh()
     place.now = dt.datetime(2000, 1, 1, tzinfo=dt.UTC)
-    (later,) = certificate.look()
+    (later,) = certificate.refresh()
     assert "clock shows 2000-01-01" in later
     with pytest.raises(Refusal, match="clock shows 2000-01-01"):
         place.open()
@@ -141,14 +141,14 @@ def test_a_wrong_clock_is_said_at_the_start_and_later(place: Place) -> None:
 
 
 def test_the_end_of_the_authority_is_announced(place: Place) -> None:
-    place.open().look()
+    place.open().refresh()
     place.now = START + dt.timedelta(days=3000)
-    assert any("authority ends on" in sentence for sentence in place.open().look())
+    assert any("authority ends on" in sentence for sentence in place.open().refresh())
 
 
 def test_a_full_disk_keeps_the_old_certificate(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
     certificate = place.open()
-    certificate.look()
+    certificate.refresh()
     before = certificate.trust
 
     def no_room(*_given: object) -> None:
@@ -156,7 +156,7 @@ def test_a_full_disk_keeps_the_old_certificate(place: Place, monkeypatch: pytest
 
     monkeypatch.setattr("app.host.certificate.write_atomically", no_room)
     place.now = START + dt.timedelta(days=300)
-    (sentence,) = certificate.look()
+    (sentence,) = certificate.refresh()
     assert "could not be renewed (No space left on device)" in sentence
     assert certificate.trust == before
 
@@ -179,16 +179,16 @@ def test_a_certificate_of_ones_own_is_read_anew_when_it_is_replaced(own: tuple[P
     certificate = OwnCertificate(*own, lambda: now[0])
     assert isinstance(certificate.context, ssl.SSLContext)
     assert (certificate.trust.names, certificate.trust.root) == (("drive.clinic.example",), None)
-    assert certificate.look() == []
+    assert certificate.refresh() == []
     now[0] = START + dt.timedelta(days=390)
-    assert "ends on" in certificate.look()[0]
+    assert "ends on" in certificate.refresh()[0]
     now[0] = START + dt.timedelta(days=398)
-    assert "ended on" in certificate.look()[0]
+    assert "ended on" in certificate.refresh()[0]
     write_own(own[0].parent, now[0])
-    assert certificate.look() == []
+    assert certificate.refresh() == []
     assert certificate.trust.end > now[0]
     own[1].write_bytes(b"damaged")
-    assert "belong together" in certificate.look()[0]
+    assert "belong together" in certificate.refresh()[0]
 
 
 @pytest.mark.parametrize("days", [-30, 400])

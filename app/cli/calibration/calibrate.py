@@ -1,14 +1,30 @@
-"""`bodydrive calibrate`: the calibration on a file."""
+"""`bodydrive calibrate`: the calibration on a file, and what it prints of the result, for people and as JSON."""
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.cli.calibration.map_choice import MapChoice, choose
+from app.cli.calibration.map_choice import MapChoice, check_facts, checks, choose, comparison
 from app.cli.errors import InputError
+from app.cli.options import AsJson
 from app.cli.output import dialect_summary, print_dialect, warn, write_output
+from app.number_words import percent
+
+if TYPE_CHECKING:
+    from app.calibration.gestures.discovery import Discovery
+    from app.calibration.gestures.numbers import FoundGesture
+    from app.calibration.linear_map import Arrangement, Forecast
+    from app.calibration.prior.prior_map import PriorFit
+    from app.calibration.profile import CalibrationProfile, JointMap
+
+MAP_NAMES = {"pca": "standard", "guided": "cues", "prior": "people"}
+THRESHOLDS = ("dead_zone", "full")
+PRINTED = ("evr", "span", "has_to_be_repeated", "reason", *THRESHOLDS)
+GESTURE_COLUMNS = ("score", "signal", "repeats", "along", "effort", "false/min", "answered")
+CONTROLS = {"u1+": "faster", "u1-": "slower", "u2+": "turn left", "u2-": "turn right", "stop": "stop"}
 
 
 def calibrate(
@@ -40,7 +56,7 @@ def calibrate(
     gestures: Annotated[
         bool, typer.Option("--gestures", help="Rank every gesture that was found, there and back, and suggest four.")
     ] = False,
-    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """Fit a calibration profile to a file of signals: per joint its main movement, span, sign and thresholds."""
     from app.calibration.cued_runs import run_of_prompts
@@ -48,11 +64,8 @@ def calibrate(
     from app.calibration.prior.map_prior import MapPrior, PriorError
     from app.calibration.prior.prior_file import read_prior
     from app.calibration.prompts_file import read_prompts
-    from app.cli.calibration.calibration_summary import report, summary
     from app.cli.calibration.expected_figures import expected_figures
     from app.cli.calibration.file_fit import fit_file, window
-    from app.cli.calibration.gesture_table import gesture_table
-    from app.cli.calibration.prior_summary import prior_report, prior_summary
     from app.signals.signals import read_layout, read_signals
 
     try:
@@ -66,32 +79,187 @@ def calibrate(
     has_rest = rest_start is not None or rest_end is not None
     rest = window(signals, recorded, "rest-from", rest_start, "rest-to", rest_end) if has_rest else None
     try:
-        fitted, known = fit_file(recorded, shirt, rows, free, rest, unused or (), end, pool)
+        fitted, prior_fit = fit_file(recorded, shirt, rows, free, rest, unused or (), end, pool)
     except PriorError as error:
         raise InputError(f"--prior {prior}: {error}") from error
     except ValueError as error:
         raise InputError(f"{signals}: {error}") from error
-    before = fitted.profile if known is None else known.profile
-    profile, words = choose(before, chosen, fitted.reasons, None if known is None else known.reasons)
+    all_maps = fitted.profile if prior_fit is None else prior_fit.profile
+    profile, warnings = choose(all_maps, chosen, fitted.reasons, None if prior_fit is None else prior_fit.reasons)
     sources = [file for file in (signals, layout, prompts, prior) if file is not None]
-    warn(recorded.damage)
-    for sentence in words:
+    for sentence in (recorded.damage, *warnings):
         warn(sentence)
     write_output(out, (profile.model_dump_json(indent=1) + "\n").encode(), *sources)
-    needed = gestures or (rows and not as_json)
-    found = discover(profile, [run_of_prompts(recorded.t, recorded.values, rows, free, rest)]) if needed else None
+    needs_gestures = gestures or (rows and not as_json)
+    discovery = (
+        discover(profile, [run_of_prompts(recorded.t, recorded.values, rows, free, rest)]) if needs_gestures else None
+    )
     if as_json:
-        more: dict[str, object] = {} if found is None else {"gestures": found.model_dump(mode="json")}
-        if known is not None:
-            more |= prior_summary(known)
-        typer.echo(
-            json.dumps(summary(profile, fitted.reasons, out) | dialect_summary(recorded) | more, allow_nan=False)
-        )
-    else:
-        typer.echo(report(profile, fitted.reasons, out, expected_figures(profile, found)))
-        if known is not None:
-            typer.echo()
-            typer.echo("\n".join(prior_report(known)))
-        print_dialect(recorded, signals)
-        if found is not None and gestures:
-            typer.echo(f"\n{gesture_table(found)}")
+        document = _summary(profile, fitted.reasons, out) | dialect_summary(recorded)
+        if discovery is not None:
+            document["gestures"] = discovery.model_dump(mode="json")
+        if prior_fit is not None:
+            document |= _prior_summary(prior_fit)
+        typer.echo(json.dumps(document, allow_nan=False))
+        return
+    typer.echo(_report(profile, fitted.reasons, out, expected_figures(profile, discovery)))
+    if prior_fit is not None:
+        typer.echo("\n".join(["", *_prior_report(prior_fit)]))
+    print_dialect(recorded, signals)
+    if discovery is not None and gestures:
+        typer.echo(f"\n{_gesture_table(discovery)}")
+
+
+def _rate(share: float) -> str:
+    """Return a threshold as a share of the full movement per second."""
+    return f"{100 * share:.0f} % / s"
+
+
+def _summary(profile: "CalibrationProfile", reasons: dict[str, str], out: Path) -> dict[str, object]:
+    """Return the object of `--json`; a joint without a map has a reason, but no numbers."""
+    from app.calibration.fit.profile_fit import joints_without_map
+
+    without = {
+        name: {**dict.fromkeys(PRINTED), "has_to_be_repeated": True, "reason": reason}
+        for name, reason in joints_without_map(profile).items()
+    }
+    mapped = {
+        joint.name: {name: getattr(joint, name) for name in PRINTED[: -len(THRESHOLDS)]}
+        | dict(zip(THRESHOLDS, joint.thresholds, strict=True))
+        for joint in profile.joints
+    }
+    maps = {joint.name: checks(joint, reasons) for joint in profile.joints}
+    return {"joints": mapped | without, "maps": maps, "profile": str(out)}
+
+
+def _report(
+    profile: "CalibrationProfile", reasons: dict[str, str], out: Path, expected: Mapping[str, tuple[str, str]]
+) -> str:
+    """Return a table for people: one line per joint, then the reasons, then the file of the profile.
+
+    `expected` are the figures per joint, as of `expected_figures`.
+    """
+    from app.calibration.fit.profile_fit import joints_without_map
+
+    without = joints_without_map(profile)
+    width = max(len(name) for name in ("joint", *profile.layout.joint_names))
+    titles = ("hits of 100", "at rest a minute")
+    head = [f"{'clear':>6}  {'span':>10}", *(f"{title:>18}" for title in titles)]
+    lines = ["  ".join([f"{'joint':{width}}", *head, f"{'counts from':>11}  {'full at':>9}  calibration"])]
+    for joint in profile.joints:
+        cells = [
+            f"{joint.name:{width}}",
+            f"{joint.evr:6.1%}  {joint.span:10.4g}",
+            *(f"{figure:>18}" for figure in expected[joint.name]),
+            f"{_rate(joint.thresholds[0]):>11}  {_rate(joint.thresholds[1]):>9}  {MAP_NAMES[joint.map]}",
+        ]
+        lines.append("  ".join(cells))
+    no_figures = "  ".join(f"{'-':>{size}}" for size in (6, 10, 18, 18, 11, 9))
+    lines += [f"{name:{width}}  {no_figures}  -" for name in without]
+    lines += [
+        "",
+        "Clear: share of the main movement. Span: of the full movement, in the signals' own unit.",
+        "Expected: how many of 100 movements reach half of full, and how often it acts at rest, a minute.",
+        "",
+    ]
+    lines += [f"{joint.name}: {joint.reason}" for joint in profile.joints]
+    lines += [f"{name}: {reason}" for name, reason in without.items()]
+    lines += [f"Channel {name} is left out: {reason}." for name, reason in profile.left_out.items()]
+    lines += ["", *comparison(profile, reasons, width), "", f"The profile is in {out}"]
+    return "\n".join(lines)
+
+
+def _gesture_table(discovery: "Discovery") -> str:
+    """Return one line per gesture, the best first, then the suggestion; `-` where there is no measurement."""
+    width = max(len(gesture.name) for gesture in discovery.gestures)
+    lines = [f"{'gesture':{width}}  {'  '.join(f'{title:>9}' for title in GESTURE_COLUMNS)}"]
+    lines += [
+        f"{gesture.name:{width}}  {'  '.join(f'{cell:>9}' for cell in _cells(gesture))}"
+        for gesture in discovery.gestures
+    ]
+    suggestion = discovery.suggestion
+    bound = [f"{CONTROLS[binding.control]}: {' + '.join(binding.gestures)}" for binding in suggestion.bindings]
+    return "\n".join([*lines, "", suggestion.reason, ", ".join(bound)])
+
+
+def _cells(gesture: "FoundGesture") -> list[str]:
+    from app.calibration.grades import repeats_word, signal_word
+
+    forecast = gesture.prediction
+    return [
+        f"{gesture.score:.2f}",
+        signal_word(gesture.signal_to_noise),
+        "-" if gesture.repeatability is None else repeats_word(gesture.repeatability),
+        _share(gesture.cross_talk),
+        _share(gesture.effort),
+        "-" if forecast is None or forecast.false_per_minute is None else f"{forecast.false_per_minute:.1f}",
+        _share(None if forecast is None else forecast.hit_rate),
+    ]
+
+
+def _share(value: float | None) -> str:
+    return "-" if value is None else percent(value)
+
+
+def _prior_summary(prior_fit: "PriorFit") -> dict[str, object]:
+    """Return what `--json` says of the maps from other people and of how the shirt sits."""
+    return {
+        "prior": {joint.name: _prior_facts(joint, prior_fit.reasons) for joint in prior_fit.profile.joints},
+        "arrangement": {
+            ring: arrangement.model_dump(mode="json") for ring, arrangement in prior_fit.arrangement.items()
+        },
+    }
+
+
+def _prior_report(prior_fit: "PriorFit") -> list[str]:
+    """Return the lines about maps from other people, one per joint, and about how the shirt sits, one per ring."""
+    joints = [_joint_sentence(joint, prior_fit.reasons) for joint in prior_fit.profile.joints]
+    return joints + [_ring_sentence(ring, arrangement) for ring, arrangement in prior_fit.arrangement.items()]
+
+
+def _prior_facts(joint: "JointMap", reasons: dict[str, str]) -> dict[str, object]:
+    prior = joint.prior
+    if prior is None:
+        return {"offered": False, "reason": reasons[joint.name]}
+    return {
+        "offered": prior.is_better,
+        "source": prior.source,
+        "people": prior.people,
+        "repetitions": prior.repetitions,
+        "dropped": list(prior.dropped),
+        "dead_zone": prior.dead_zone,
+        "full": prior.full,
+        "hits_of_100": _forecast(prior.hits),
+        "false_per_minute": _forecast(prior.false_per_minute),
+        "prior_check": check_facts(prior.check),
+        "pca_check": check_facts(prior.pca_check),
+    }
+
+
+def _forecast(forecast: "Forecast | None") -> object:
+    return "not known" if forecast is None else forecast.model_dump(mode="json")
+
+
+def _joint_sentence(joint: "JointMap", reasons: dict[str, str]) -> str:
+    prior = joint.prior
+    if prior is None:
+        return f"{joint.name}: {reasons[joint.name]}"
+    hits, false = (
+        "not known" if forecast is None else f"{forecast.value:g} ± {forecast.uncertainty:g}"
+        for forecast in (prior.hits, prior.false_per_minute)
+    )
+    dropped = f"; channels that hardly move: {', '.join(prior.dropped)}" if prior.dropped else ""
+    return (
+        f"{joint.name}: {prior.source} ({prior.people} people, {prior.repetitions} own repetitions); expected hits of "
+        f"100 movements: {hits}; expected false activations a minute: {false}{dropped}"
+    )
+
+
+def _ring_sentence(ring: str, arrangement: "Arrangement") -> str:
+    from app.calibration.linear_map import Arrangement
+
+    if arrangement == Arrangement():
+        return f"Ring {ring}: it sits as on other people."
+    places = f"turned by {arrangement.shift} {'place' if arrangement.shift == 1 else 'places'}"
+    mirrored = "mirrored and " if arrangement.mirrored else ""
+    return f"Ring {ring}: it is {mirrored}{places} against other people; the calibration allows for that."

@@ -10,21 +10,23 @@ UNKNOWN = "not known"
 ANY_RATE = 100.0  # Hz: without own frames the weights do not depend on it
 
 
-def expected_figures(profile: CalibrationProfile, found: Discovery | None) -> dict[str, tuple[str, str]]:
+def expected_figures(profile: CalibrationProfile, discovery: Discovery | None) -> dict[str, tuple[str, str]]:
     """Return per joint the expected hits of 100 movements, and the expected activations a minute at rest.
 
     Each is followed by its uncertainty: one standard deviation for a calibration learnt from other people, the bound
-    that the repetitions show for one of the person's own. `found` are the gestures of the prompted movements; without
-    them nothing is known of the latter.
+    that the repetitions show for one of the person's own. `discovery` holds the gestures of the prompted movements;
+    without them nothing is known of the latter.
     """
-    return {joint.name: _figures(joint, found) for joint in profile.joints}
+    return {joint.name: _figures(joint, discovery) for joint in profile.joints}
 
 
-def _figures(joint: JointMap, found: Discovery | None) -> tuple[str, str]:
+def _figures(joint: JointMap, discovery: Discovery | None) -> tuple[str, str]:
     if joint.map == "prior" and joint.prior is not None:
         return _forecast(joint.prior.hits, 0), _forecast(joint.prior.false_per_minute, 1)
-    gestures = [] if found is None or not joint.prompted else found.gestures
-    prediction = next((one.prediction for one in gestures if one.joint == joint.name and one.direction == 1), None)
+    gestures = [] if discovery is None or not joint.prompted else discovery.gestures
+    prediction = next(
+        (gesture.prediction for gesture in gestures if gesture.joint == joint.name and gesture.direction == 1), None
+    )
     if prediction is None:
         return UNKNOWN, UNKNOWN
     hits, least = prediction.hit_rate, prediction.hit_at_least

@@ -16,18 +16,18 @@ from app.signals.signals import Signals
 
 
 def window(
-    signals: Path, recorded: Signals, start_word: str, start: float | None, end_word: str, end: float | None
+    signals: Path, recorded: Signals, start_option: str, start: float | None, end_option: str, end: float | None
 ) -> slice:
-    """Return the rows between two options (s, each may be missing); InputError for an empty range."""
-    for word, given in ((start_word, start), (end_word, end)):
-        if given is not None and not math.isfinite(given):
-            raise InputError(f"--{word} {given}: give a number of seconds")
+    """Return the rows between the times of two options (s, None without one); InputError for an empty range."""
+    for option, seconds in ((start_option, start), (end_option, end)):
+        if seconds is not None and not math.isfinite(seconds):
+            raise InputError(f"--{option} {seconds}: give a number of seconds")
     rows = recorded.between(start, end)
     if rows.stop <= rows.start:
         first = recorded.t[0] if start is None else start
         last = recorded.t[-1] if end is None else end
         raise InputError(
-            f"--{start_word} {first:g} --{end_word} {last:g}: nothing of {signals} lies there, "
+            f"--{start_option} {first:g} --{end_option} {last:g}: nothing of {signals} lies there, "
             f"it goes from {recorded.t[0]:g} to {recorded.t[-1]:g} s"
         )
     return rows
@@ -67,7 +67,6 @@ def fit_file(
         Channels not to be used.
     until : float or None
         What follows the last prompt of a joint is used up to this time of the recording, s. Every prompt counts.
-
     pool : MapPrior or None
         What is known of other people.
 

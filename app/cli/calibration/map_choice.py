@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from app.calibration.profile import CalibrationProfile, JointMap
 
 MapChoice = Literal["pca", "guided", "prior", "best"]
-KEPT = "It keeps the standard calibration."
+FALLBACK = "It keeps the standard calibration."
 
 
 def choose(
@@ -31,24 +31,24 @@ def choose(
     if chosen == "prior" and prior_reasons and not any(joint.prior for joint in profile.joints):
         name, reason = next(iter(prior_reasons.items()))
         raise InputError(f"--map prior, {name}: {reason}")
-    words = []
+    sentences = []
     for joint in profile.joints:
         if chosen == "guided" and joint.guided is None:
-            words.append(f"{joint.name}: {reasons[joint.name]} {KEPT}")
+            sentences.append(f"{joint.name}: {reasons[joint.name]} {FALLBACK}")
         elif chosen == "guided" and joint.guided is not None and not joint.guided.is_better:
-            words.append(
+            sentences.append(
                 f"{joint.name}: what was learnt from the cues is not better on the held-out repetitions. Use --map "
                 f"best to keep the standard calibration there."
             )
         elif chosen == "prior" and joint.prior is None and prior_reasons is not None:
-            words.append(f"{joint.name}: {prior_reasons[joint.name]} {KEPT}")
+            sentences.append(f"{joint.name}: {prior_reasons[joint.name]} {FALLBACK}")
         elif chosen == "prior" and joint.prior is not None and not joint.prior.is_better:
-            words.append(
+            sentences.append(
                 f"{joint.name}: what was learnt from other people is worse on the held-out repetitions. Use --map "
                 f"best to leave it out there."
             )
     joints = tuple(joint.model_copy(update={"map": _map_of(joint, chosen)}) for joint in profile.joints)
-    return profile.model_copy(update={"joints": joints}), words
+    return profile.model_copy(update={"joints": joints}), sentences
 
 
 def _map_of(joint: "JointMap", chosen: MapChoice) -> "MapKind":
@@ -95,8 +95,8 @@ def comparison(profile: "CalibrationProfile", reasons: dict[str, str], width: in
         lines += [
             f"{name:{width}}  "
             + "  ".join(
-                f"{one:>8}  {other:>6}"
-                for one, other in zip(_figures(guided.pca_check), _figures(guided.check), strict=True)
+                f"{standard:>8}  {cues:>6}"
+                for standard, cues in zip(_figures(guided.pca_check), _figures(guided.check), strict=True)
             )
             + f"  {'yes' if guided.is_better else 'no'}"
             for name, guided in both

@@ -77,10 +77,10 @@ def check_code(person: str) -> None:
         raise InputError(f"--person {person}: give 1 to 64 letters, digits, dots or dashes") from error
 
 
-def channel_ranges(layout: ShirtLayout, joint: str, known: JointPrior) -> dict[str, float | None]:
+def channel_ranges(layout: ShirtLayout, joint: str, prior: JointPrior) -> dict[str, float | None]:
     """Return the usual range of each channel in signal units; None for a channel that nobody could use."""
     names = [layout.channel_names[i] for i in layout.channels_of_joint[joint]]
-    logs = known.expected.tolist()
+    logs = prior.expected.tolist()
     return {
         name: None if math.isnan(log) else float(f"{math.exp(log):.4g}") for name, log in zip(names, logs, strict=True)
     }

@@ -77,8 +77,8 @@ class Connections:
 
     def add(self, connection: Connection, address: str) -> bool:
         """Add a new connection, and close another where there are too many; False when none gives way."""
-        mine = self._open.get(address, {})
-        if len(mine) >= self._most_of_one and not self._is_shared(address) and not self._make_room_of(address):
+        connections = self._open.get(address, {})
+        if len(connections) >= self._most_of_one and not self._is_shared(address) and not self._make_room_of(address):
             return False
         if self._count >= self._most and not self._make_room():
             return False
@@ -88,22 +88,24 @@ class Connections:
 
     def acted(self, connection: Connection, address: str) -> None:
         """Note that something came over a connection."""
-        mine = self._open.get(address, {})
-        if connection in mine:
-            mine[connection] = mine.pop(connection)
+        connections = self._open.get(address, {})
+        if connection in connections:
+            connections[connection] = connections.pop(connection)
 
     def remove(self, connection: Connection, address: str) -> None:
         """Forget a connection that is closed; one that was removed already does no harm."""
-        mine = self._open.get(address, {})
-        if connection in mine:
-            del mine[connection]
+        connections = self._open.get(address, {})
+        if connection in connections:
+            del connections[connection]
             self._count -= 1
-            if not mine:
+            if not connections:
                 del self._open[address]
 
     def begin_handshake(self, accepted: socket.socket) -> None:
         """Note a connection that is not encrypted yet; end the oldest one where there are too many."""
-        self._handshakes = {number: one for number, one in self._handshakes.items() if one.fileno() == number}
+        self._handshakes = {
+            number: connection for number, connection in self._handshakes.items() if connection.fileno() == number
+        }
         self._handshakes[accepted.fileno()] = accepted
         if len(self._handshakes) > max(1, int(HANDSHAKES * self._most)):
             oldest = next(iter(self._handshakes))
@@ -121,12 +123,14 @@ class Connections:
 
     def _make_room_of(self, address: str) -> bool:
         """Close the connection of an address that did nothing for longest; False when all of them are in use."""
-        mine = self._open.get(address, {})
-        idle = next((one for one in mine if one.is_idle), None) or next((one for one in mine if one.is_awaited), None)
-        if idle is None:
+        connections = self._open.get(address, {})
+        yielding = next((connection for connection in connections if connection.is_idle), None) or next(
+            (connection for connection in connections if connection.is_awaited), None
+        )
+        if yielding is None:
             return False
-        self.remove(idle, address)
-        idle.transport.abort()
+        self.remove(yielding, address)
+        yielding.transport.abort()
         return True
 
 
@@ -184,8 +188,8 @@ def limited(connections: Connections) -> type[H11Protocol]:
     class LimitedConnection(H11Protocol):
         """A connection, which is closed when it sends no request, and gives way while it has none."""
 
-        def __init__(self, config: Config, *given: Any, **named: Any) -> None:
-            super().__init__(config, *given, **named)
+        def __init__(self, config: Config, *arguments: Any, **options: Any) -> None:
+            super().__init__(config, *arguments, **options)
             self._silence: asyncio.TimerHandle | None = None
             self._is_websocket = False
 

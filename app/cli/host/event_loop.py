@@ -27,7 +27,7 @@ class FewAtOnce(selectors.DefaultSelector):
         """Wait until a socket is ready; those that are left out are still ready in the next turn."""
         ready = super().select(timeout)
         if len(ready) > EVENTS:
-            ready = sorted(ready, key=lambda one: self._attended.get(one[0].fd, 0))[:EVENTS]
+            ready = sorted(ready, key=lambda event: self._attended.get(event[0].fd, 0))[:EVENTS]
         turn = next(self._numbers)
         for key, _ in ready:
             self._attended[key.fd] = turn

@@ -36,7 +36,7 @@ class OwnFiles:
 class Lan:
     """What other machines in the network reach: the pages over https, and over http the page that explains."""
 
-    def __init__(self, hosts: list[str], port: int | None, folder: Path, own: OwnFiles | None) -> None:
+    def __init__(self, hosts: list[str], port: int | None, folder: Path, own_files: OwnFiles | None) -> None:
         every = hosts or EVERY_ADDRESS[: 2 if socket.has_dualstack_ipv6() else 1]
         with ExitStack() as stack:
             self.https = [
@@ -45,13 +45,13 @@ class Lan:
             self.page = [stack.enter_context(each) for each in bind_free(every, (0,) if port == 0 else PAGE_PORTS)]
             bound = [ipaddress.ip_address(each.getsockname()[0]) for each in self.https]
             only = () if any(address.is_unspecified for address in bound) else tuple(bound)
-            self.certificate = _certificate(only, folder, own)
+            self.certificate = _certificate(only, folder, own_files)
             self._close = stack.pop_all()
         self.service = NetworkService(
             self.https[0].getsockname()[1], self.page[0].getsockname()[1], self.certificate.trust
         )
-        self._shown = ""
-        self._said: list[str] = []
+        self._printed_address = ""
+        self._printed: list[str] = []
 
     def __enter__(self) -> "Lan":
         return self
@@ -59,17 +59,17 @@ class Lan:
     def __exit__(self, *_error: object) -> None:
         self._close.close()
 
-    def look(self) -> list[str]:
+    def refresh(self) -> list[str]:
         """Follow the machine's addresses and renew the certificate; return what is to be printed now."""
-        said = self.certificate.look()
+        sentences = self.certificate.refresh()
         self.service.trust = self.certificate.trust
-        words = [sentence for sentence in said if sentence not in self._said]
-        self._said = said
+        new_sentences = [sentence for sentence in sentences if sentence not in self._printed]
+        self._printed = sentences
         address = self.service.page_link()
-        if address != self._shown:
-            words += [MOVED if self._shown else SCAN, terminal_code(address).rstrip("\n"), address]
-            self._shown = address
-        return words
+        if address != self._printed_address:
+            new_sentences += [MOVED if self._printed_address else SCAN, terminal_code(address).rstrip("\n"), address]
+            self._printed_address = address
+        return new_sentences
 
 
 def bind_local(port: int | None) -> socket.socket:
@@ -89,14 +89,14 @@ def own_files(certificate: Path | None, key: Path | None, *, lan: bool) -> OwnFi
 
 
 def _certificate(
-    only: tuple[ipaddress.IPv4Address | ipaddress.IPv6Address, ...], folder: Path, own: OwnFiles | None
+    only: tuple[ipaddress.IPv4Address | ipaddress.IPv6Address, ...], folder: Path, own_files: OwnFiles | None
 ) -> "ServerCertificate":
     from app.host.certificate import LocalCertificate, OwnCertificate
     from app.host.machine import this_machine
 
     try:
-        if own is not None:
-            return OwnCertificate(own.certificate, own.key)
+        if own_files is not None:
+            return OwnCertificate(own_files.certificate, own_files.key)
         return LocalCertificate(folder, lambda: this_machine(only))
     except Refusal as refusal:
         raise InputError(str(refusal)) from refusal

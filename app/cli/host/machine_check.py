@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.settings import state_folder
+from app.cli.options import State, folder_of
 
 if TYPE_CHECKING:
     from app.host.machine_check import Finding
@@ -18,7 +18,7 @@ MARKS = {"good": "  ", "attention": "! ", "bad": "!!"}
 
 def check(
     seconds: Annotated[int, typer.Option(min=1, max=600, help="How long to measure the loop.")] = 10,
-    state: Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")] = None,
+    state: State = None,
     own_ports: Annotated[
         list[int] | None,
         typer.Option("--own-port", min=1, max=65_535, help="A port of the clinic that runs, instead of the usual two."),
@@ -30,7 +30,7 @@ def check(
 
     if not as_json:
         typer.echo(f"Measuring for {seconds} s, as the control loop would run ...")
-    findings = _findings(seconds, (state or state_folder()).expanduser().resolve(), own_ports or [])
+    findings = _findings(seconds, folder_of(state), own_ports or [])
     last = summary(findings)
     if as_json:
         typer.echo(json.dumps({**asdict(last), "findings": [asdict(finding) for finding in findings]}))

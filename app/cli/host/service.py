@@ -3,14 +3,13 @@
 import getpass
 import os
 import sys
-from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from app.cli.errors import InputError
+from app.cli.options import State, folder_of
 from app.refusals import Refusal
-from app.settings import state_folder
 
 service_app = typer.Typer(help="Let the machine start the clinic by itself.", no_args_is_help=True)
 
@@ -19,7 +18,6 @@ System = Annotated[
 ]
 Account = Annotated[str | None, typer.Option(help="With --system: the account that owns the clinic, not root.")]
 OnlyPrint = Annotated[bool, typer.Option("--print", help="Print the unit, and change nothing.")]
-State = Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")]
 
 
 @service_app.callback()
@@ -41,7 +39,7 @@ def install_service(
         raise InputError("The clinic must not run as root: name its account with --account.")
     if system and state is None:
         raise InputError("Name the folder of the clinic with --state: a unit of the system has no home folder.")
-    folder = (state or state_folder()).expanduser().resolve()
+    folder = folder_of(state)
     unprintable = next((letter for letter in f"{folder}{owner or ''}" if not letter.isprintable()), None)
     if unprintable is not None or (owner is not None and not owner.isascii()) or " " in (owner or ""):
         raise InputError("The folder or the account has a letter that a unit cannot carry: choose another one.")

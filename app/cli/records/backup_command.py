@@ -9,22 +9,19 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from app.cli.clinic_folder import FolderInUseError, held, open_clinic
+from app.cli.clinic_folder import FolderInUseError, lock_folder, open_clinic
 from app.cli.errors import InputError
+from app.cli.options import COMMAND_LINE, AsJson, State, settings_of
 from app.file_modes import keep_new_files_private
 from app.refusals import Refusal
-from app.settings import Settings, state_folder
+from app.settings import Settings
 
 if TYPE_CHECKING:
     from app.features.backup.age_files import Secret
     from app.features.backup.service import MadeReport
 
-COMMAND = "command line"  # who did it, in the log
 PASSPHRASE = "BODYDRIVE_PASSPHRASE"  # noqa: S105  (the name of a variable)
 SHORTEST = 8  # characters
-
-State = Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")]
-Json = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
 
 
 def backup(
@@ -39,7 +36,7 @@ def backup(
         bool, typer.Option("--check", help="Make none: read the backup FILE and check all of it.")
     ] = False,
     state: State = None,
-    as_json: Json = False,
+    as_json: AsJson = False,
 ) -> None:
     """Back up a clinic, also while it is open, and read the backup back; into a folder, only what is new is written."""
     from app.features.backup.service import make_backup
@@ -48,7 +45,7 @@ def backup(
     if check:
         _check(target, as_json)
         return
-    settings = _settings(state)
+    settings = settings_of(state)
     keep_new_files_private()
     take_lowest_priority()
     try:
@@ -71,8 +68,8 @@ def backup(
         f"{'encrypted' if report.encrypted else 'not encrypted'}. It was read back, and every hash is right.\n"
         f"Hash of all: {report.hash}"
     )
-    for words in filter(None, (report.words, unlogged)):
-        typer.echo(words)
+    for sentence in filter(None, (report.words, unlogged)):
+        typer.echo(sentence)
 
 
 def restore(
@@ -81,47 +78,47 @@ def restore(
         Path | None, typer.Option("--erased", help="A newer erased-patients.json, so that those patients stay erased.")
     ] = None,
     state: State = None,
-    as_json: Json = False,
+    as_json: AsJson = False,
 ) -> None:
     """Restore a clinic into an empty folder: every file equal by hash, patients who were erased since left out."""
     from app.features.backup.restoration import restore as restored_from
     from app.store.keeping.tombstones import read_tombstones
 
-    settings = _settings(state)
+    settings = settings_of(state)
     if erased is not None and not erased.is_file():
         raise InputError(f"There is no file {erased}: name the list of erased patients, or leave --erased out.")
     secret = _secret_to_read(source)
     try:
-        with held(settings.state):
+        with lock_folder(settings.state):
             keep_new_files_private()
-            more = read_tombstones(erased) if erased is not None else frozenset()
-            done = restored_from(source.absolute(), settings, secret, more)
+            newer_erased = read_tombstones(erased) if erased is not None else frozenset()
+            restored = restored_from(source.absolute(), settings, secret, newer_erased)
     except FolderInUseError as error:
         raise InputError(f"The clinic in {settings.state} is open: restore into an empty folder.") from error
     except Refusal as refusal:
         raise InputError(str(refusal)) from refusal
     facts: dict[str, Any] = {
-        "made": done.manifest.made,
-        "files": len(done.manifest.files),
-        "bytes": done.manifest.size,
-        "hash": done.manifest.hash,
-        "with_keys": done.manifest.with_keys,
-        "erased_again": done.erased_again,
+        "made": restored.manifest.made,
+        "files": len(restored.manifest.files),
+        "bytes": restored.manifest.size,
+        "hash": restored.manifest.hash,
+        "with_keys": restored.manifest.with_keys,
+        "erased_again": restored.erased_again,
     }
     if as_json:
         typer.echo(json.dumps(facts))
         return
     keys = (
         "The keys of chairs, shirts and clinic were in it."
-        if done.manifest.with_keys
+        if restored.manifest.with_keys
         else "It held no keys: pair chairs and shirts anew."
     )
     typer.echo(
-        f"The clinic of {done.manifest.made[:16]} UTC is in {settings.state}: {facts['files']} files, "
-        f"{done.manifest.size / 1e6:.1f} MB, every one equal by hash. {keys}\nHash of all: {done.manifest.hash}"
+        f"The clinic of {restored.manifest.made[:16]} UTC is in {settings.state}: {facts['files']} files, "
+        f"{restored.manifest.size / 1e6:.1f} MB, every one equal by hash. {keys}\nHash of all: {restored.manifest.hash}"
     )
-    if done.erased_again:
-        typer.echo(f"{done.erased_again} patients who were erased since stay erased.")
+    if restored.erased_again:
+        typer.echo(f"{restored.erased_again} patients who were erased since stay erased.")
 
 
 def _check(target: Path, as_json: bool) -> None:
@@ -132,12 +129,8 @@ def _check(target: Path, as_json: bool) -> None:
     except Refusal as refusal:
         raise InputError(str(refusal)) from refusal
     facts = {"made": manifest.made, "files": len(manifest.files), "bytes": manifest.size, "hash": manifest.hash}
-    words = f"{target.name} is whole: {len(manifest.files)} files of {manifest.made[:16]} UTC, every hash is right."
-    typer.echo(json.dumps(facts) if as_json else f"{words}\nHash of all: {manifest.hash}")
-
-
-def _settings(state: Path | None) -> Settings:
-    return Settings(state=(state or state_folder()).expanduser().resolve())
+    sentence = f"{target.name} is whole: {len(manifest.files)} files of {manifest.made[:16]} UTC, every hash is right."
+    typer.echo(json.dumps(facts) if as_json else f"{sentence}\nHash of all: {manifest.hash}")
 
 
 def _secret_to_make(target: Path, encrypt: bool) -> "Secret | None":
@@ -168,20 +161,22 @@ def _secret_to_read(source: Path) -> "Secret | None":
 
 
 def _passphrase(*, is_new: bool) -> str:
-    given = os.environ.get(PASSPHRASE)
-    if given is None:
+    passphrase = os.environ.get(PASSPHRASE)
+    if passphrase is None:
         if not sys.stdin.isatty():
             raise InputError(f"This needs a passphrase: put it into the environment variable {PASSPHRASE}.")
-        given = typer.prompt("Passphrase", hide_input=True, confirmation_prompt=is_new, err=True)
-    if is_new and len(given) < SHORTEST:
+        passphrase = typer.prompt("Passphrase", hide_input=True, confirmation_prompt=is_new, err=True)
+    if is_new and len(passphrase) < SHORTEST:
         raise InputError(f"This passphrase is too short: take {SHORTEST} characters or more.")
-    return str(given)
+    return str(passphrase)
 
 
 def _show_progress(step: str, done: int, total: int) -> None:
     if sys.stderr.isatty():
-        word = {"store": "Copying", "verify": "Reading back"}[step]
-        sys.stderr.write(f"\r{word}: {done / 1e6:.0f} of {total / 1e6:.0f} MB \033[K{'' if done < total else chr(10)}")
+        step_name = {"store": "Copying", "verify": "Reading back"}[step]
+        sys.stderr.write(
+            f"\r{step_name}: {done / 1e6:.0f} of {total / 1e6:.0f} MB \033[K{'' if done < total else chr(10)}"
+        )
 
 
 def _log_made(settings: Settings, target: Path, report: "MadeReport") -> str:
@@ -194,7 +189,7 @@ def _log_made(settings: Settings, target: Path, report: "MadeReport") -> str:
     with open_clinic(settings) as (database, _), database.transaction(closing=True) as db:
         add_backup(
             db,
-            COMMAND,
+            COMMAND_LINE,
             place=str(target),
             name=report.name,
             in_folder=target.is_dir(),

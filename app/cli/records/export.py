@@ -8,10 +8,11 @@ import typer
 
 from app.cli.clinic_folder import open_clinic
 from app.cli.errors import InputError
-from app.cli.records.written_files import COMMAND, patient_named, written_whole
+from app.cli.options import COMMAND_LINE, State, settings_of
+from app.cli.records.written_files import patient_named, written_whole
 from app.features.exports.forms import FORMS, Form
 from app.refusals import Refusal
-from app.settings import Settings, state_folder
+from app.settings import Settings
 
 if TYPE_CHECKING:
     from app.features.exports.export_material import ExportMaterial
@@ -24,15 +25,15 @@ def export(
     session: Annotated[
         int | None, typer.Option(metavar="N", help="The number of one session; without: all sessions.")
     ] = None,
-    state: Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")] = None,
+    state: State = None,
 ) -> None:
     """Export a patient's recordings and measures; the clinic may be open meanwhile. The patient must have consented."""
     from app.features.exports.service import export_steps
 
-    chosen: Form | None = next((one for one in FORMS if one == form), None)
+    chosen: Form | None = next((name for name in FORMS if name == form), None)
     if chosen is None:
         raise InputError(f"--format {form}: give one of {', '.join(FORMS)}.")
-    settings = Settings(state=(state or state_folder()).expanduser().resolve())
+    settings = settings_of(state)
     with written_whole(out) as part:
         steps = export_steps(_material(settings, patient, session, chosen, part.parent), chosen)
         for done, step in enumerate(steps):
@@ -52,7 +53,7 @@ def _material(settings: Settings, patient: str, session: int | None, form: Form,
         spreads_of = ClinicSpread(database, computing).for_patient(clinic_id, patient_id)
         try:
             return exported_material(
-                database, clinic_id, patient_id, session, form, COMMAND, settings.runs, spreads_of, place=place
+                database, clinic_id, patient_id, session, form, COMMAND_LINE, settings.runs, spreads_of, place=place
             )
         except Refusal as refusal:
             raise InputError(str(refusal)) from refusal

@@ -9,10 +9,8 @@ import typer
 
 from app.cli.clinic_folder import open_clinic
 from app.cli.errors import InputError
+from app.cli.options import COMMAND_LINE, AsJson, State, settings_of
 from app.refusals import Refusal
-from app.settings import Settings, state_folder
-
-COMMAND = "command line"  # who did it, in the log
 
 
 def incident(
@@ -24,8 +22,8 @@ def incident(
         Path | None,
         typer.Option("--public-key", help="With --check: the clinic's public key (PEM), not the one inside."),
     ] = None,
-    state: Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
+    state: State = None,
+    as_json: AsJson = False,
 ) -> None:
     """Archive log, recordings, parameters and versions of the last 24 hours, signed, and mark them as to be kept."""
     from app import realtime
@@ -33,22 +31,26 @@ def incident(
 
     if public is not None and not check:
         raise InputError("--public-key belongs to --check: leave it out, or check an archive.")
-    settings = Settings(state=(state or state_folder()).expanduser().resolve())
+    settings = settings_of(state)
     try:
         if check:
-            found = check_incident(file, None if public is None else public.read_bytes())
+            archive = check_incident(file, None if public is None else public.read_bytes())
         else:
             if not file.absolute().parent.is_dir():
                 raise InputError(f"There is no folder {file.absolute().parent}: make it, or choose another place.")
             with open_clinic(settings) as (database, _):
-                found = archive_incident(settings, database, file.absolute(), COMMAND, realtime.take_lowest_priority)
+                archive = archive_incident(
+                    settings, database, file.absolute(), COMMAND_LINE, realtime.take_lowest_priority
+                )
     except Refusal as refusal:
         raise InputError(str(refusal)) from refusal
     if as_json:
-        typer.echo(json.dumps(asdict(found)))
+        typer.echo(json.dumps(asdict(archive)))
         return
-    what = f"{found.files} files, {found.recordings} recordings, from {found.since[:16]} to {found.made[:16]} UTC"
-    typer.echo(f"{file.name}: {what}. Every hash and the signature are right.")
-    typer.echo(f"Hash of the manifest: {found.hash}\nFingerprint of the key: {found.fingerprint}")
+    contents = (
+        f"{archive.files} files, {archive.recordings} recordings, from {archive.since[:16]} to {archive.made[:16]} UTC"
+    )
+    typer.echo(f"{file.name}: {contents}. Every hash and the signature are right.")
+    typer.echo(f"Hash of the manifest: {archive.hash}\nFingerprint of the key: {archive.fingerprint}")
     if not check:
         typer.echo("Patients of these sessions are not erased before an owner lifts the mark (page Backup).")

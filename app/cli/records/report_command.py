@@ -8,10 +8,10 @@ import typer
 
 from app.cli.clinic_folder import open_clinic
 from app.cli.errors import InputError
+from app.cli.options import COMMAND_LINE, State, settings_of
 from app.cli.output import check_new_folder, write_output
-from app.cli.records.written_files import COMMAND, patient_named
+from app.cli.records.written_files import patient_named
 from app.refusals import Conflict, Refusal
-from app.settings import Settings, state_folder
 
 if TYPE_CHECKING:
     from app.features.reports.document import Form
@@ -27,7 +27,7 @@ def report(
     for_patient: Annotated[
         bool, typer.Option("--for-patient", help="A copy for the patient: needs no consent to sharing outside.")
     ] = False,
-    state: Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")] = None,
+    state: State = None,
 ) -> None:
     """Write the report of a patient's session, or of all sessions; the clinic may be open meanwhile."""
     from app.computing_process import ComputingProcess
@@ -37,14 +37,14 @@ def report(
 
     form = _form_of(out)
     check_new_folder(out.parent)
-    settings = Settings(state=(state or state_folder()).expanduser().resolve())
+    settings = settings_of(state)
     with open_clinic(settings) as (database, _), closing(ComputingProcess()) as computing:
         clinic_id, patient_id = patient_named(database, patient)
         subject = Subject(clinic_id, patient_id, session)
         spreads_of = ClinicSpread(database, computing).for_patient(clinic_id, patient_id)
         try:
             material = exported_material(
-                database, settings, subject, form, COMMAND, spreads_of, for_patient=for_patient
+                database, settings, subject, form, COMMAND_LINE, spreads_of, for_patient=for_patient
             )
         except Conflict as refusal:
             raise InputError(str(refusal).removesuffix(".") + ": add --for-patient.") from refusal

@@ -11,8 +11,6 @@ from app.cli.output import check_new_folder
 if TYPE_CHECKING:
     from app.store.database import Database
 
-COMMAND = "command line"  # who did it, in the log
-
 
 @contextmanager
 def written_whole(out: Path) -> Iterator[Path]:
@@ -38,7 +36,7 @@ def patient_named(database: "Database", code: str) -> tuple[int, int]:
 
     with database.transaction() as db:
         clinic = the_clinic(db)
-        found = [] if clinic is None else [one for one in all_patients(db, clinic.id) if one.code == code]
-        if not found:
+        matching = [] if clinic is None else [row for row in all_patients(db, clinic.id) if row.code == code]
+        if not matching:
             raise InputError(f"There is no patient with the code '{code}': see the list of patients.")
-        return found[0].clinic_id, found[0].id
+        return matching[0].clinic_id, matching[0].id

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.errors import InputError
+from app.cli.options import AsJson
 from app.cli.output import check_new_folder
 from app.study.choices import FigureChoice, Mode, PersonKind, StudyMap
 
@@ -59,12 +60,10 @@ def study(
         int | None,
         typer.Option(min=1, max=MOST_JOBS, help="Processes at once; as many as processors when not given."),
     ] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """Let a simulated person calibrate, then drive a path again and again, and score every trial."""
-    from app.cli.study.study_interface import study_interface
-    from app.cli.study.study_sessions import study_sessions
-    from app.cli.study.study_trials import study_trials
+    from app.cli.study.study_trials import study_interface, study_sessions, study_trials
     from app.realtime import collect_seldom
 
     if seed + seeds - 1 > LARGEST_SEED:
@@ -131,8 +130,8 @@ def find_floorplan(name: str) -> "FloorPlan":
     try:
         place = find_place(name)
         if place is None and not (name and os.path.exists(name)):
-            known = ", ".join(bundled_places())
-            raise InputError(f"--floorplan '{name}': there is no such floor plan: use {known} or a JSON file")
+            names = ", ".join(bundled_places())
+            raise InputError(f"--floorplan '{name}': there is no such floor plan: use {names} or a JSON file")
         return place or load_floorplan(Path(name))
     except ValueError as error:
         raise InputError(f"--floorplan {error}") from error

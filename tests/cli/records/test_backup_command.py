@@ -8,7 +8,7 @@ import pytest
 from store.keeping.filled_clinic import two_patients
 
 from app import realtime
-from app.cli.clinic_folder import held
+from app.cli.clinic_folder import lock_folder
 from app.features.backup import quiet_files
 from app.features.backup.tables import MadeBackup
 from app.settings import Settings
@@ -30,7 +30,7 @@ def settings(tmp_path: Path) -> Settings:
 
 
 def test_a_disk_died_and_the_clinic_is_there_again(bodydrive: Any, settings: Settings, tmp_path: Path) -> None:
-    with held(settings.state):  # while the program runs
+    with lock_folder(settings.state):  # while the program runs
         code, out, err = bodydrive("backup", "clinic.backup", "--state", "clinic")
     assert (code, err) == (0, "")
     assert "every hash is right" in out

@@ -14,7 +14,7 @@ from sqlalchemy import text
 from store.keeping.filled_clinic import two_patients
 
 from app import realtime
-from app.cli.clinic_folder import held
+from app.cli.clinic_folder import lock_folder
 from app.clock import utc_now
 from app.features.backup import incident_archive, quiet_files
 from app.features.backup.hashed_tar import hashed_tar
@@ -67,7 +67,7 @@ def contents(file: Path) -> dict[str, bytes]:
 
 
 def test_the_last_24_hours_are_in_it_and_are_kept(bodydrive: Any, settings: Settings, tmp_path: Path) -> None:
-    with held(settings.state):  # while the program runs
+    with lock_folder(settings.state):  # while the program runs
         code, out, err = bodydrive("incident", "a.incident", "--state", "clinic", "--json")
     assert (code, err) == (0, "")
     found = contents(tmp_path / "a.incident")

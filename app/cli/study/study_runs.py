@@ -1,0 +1,238 @@
+"""The runs of `bodydrive study`: trial after trial, sessions with a fixed and an adapted map, or two-minute tests."""
+
+import csv
+import dataclasses
+import json
+import sys
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from functools import partial
+from importlib.util import find_spec
+from pathlib import Path
+
+import typer
+
+from app.cli.errors import InputError
+from app.clock import stopwatch
+from app.figures.study_figures import draw_seeds, draw_study
+from app.hardware.body.person_parameters import NOVICE
+from app.source import STUDY_SOURCE, source_words
+from app.study.choices import FigureChoice, Mode, PersonKind, StudyMap
+from app.study.comparison import compare, table
+from app.study.experiment import StudyResult, run_study
+from app.study.interface_sessions import InterfaceSession, interface_summary, interface_table, run_interface_seeds
+from app.study.second_process import second_process
+from app.study.seeds import MEASURES, run_seeds
+from app.study.seeds_files import seeds_summary, sentences, write_seeds
+from app.study.sessions import StudySessionTrial, run_participants
+from app.study.simulated_trial import StudyTrial
+from app.study.study_files import summary, write_study
+from app.world.floorplan import FloorPlan, PrescribedPath
+
+SESSION_ROWS, SESSION_TABLE, SESSION_SUMMARY = "sessions.csv", "table.txt", "adaptation.json"
+TEST_ROWS, TEST_TABLE, TEST_SUMMARY = "interface_tests.csv", "interface_table.txt", "interface_tests.json"
+
+
+@contextmanager
+def _refused(out: Path) -> Iterator[None]:
+    """Raise InputError where a calibration cannot be made or `out` cannot be written."""
+    try:
+        yield
+    except ValueError as error:
+        raise InputError(str(error)) from error
+    except OSError as error:
+        raise InputError(f"--out {out} cannot be written ({error.strerror}): choose another place") from error
+
+
+def study_trials(
+    out: Path,
+    *,
+    learns: bool,
+    trials: int,
+    seeds: Sequence[int],
+    floorplan: FloorPlan,
+    path: PrescribedPath,
+    figures: FigureChoice,
+    overwrite: bool,
+    processes: int,
+    as_json: bool,
+) -> None:
+    """Run every seed; write tables and figures into `out`.
+
+    Raises
+    ------
+    InputError
+        When the folder cannot be written, a calibration could not be made, or the figures cannot be drawn.
+    """
+    if figures != "none" and find_spec("matplotlib") is None:
+        raise InputError(
+            f"--format {figures}: figures need the library matplotlib, install it with "
+            "pip install 'bodydrive[figures]', or leave them out with --format none"
+        )
+    started = stopwatch()
+    driver = dataclasses.replace(NOVICE, learns=learns)
+    with _refused(out):
+        if len(seeds) == 1:
+            progress = None if as_json else _Progress(trials)
+            with second_process(processes, draws=figures != "none") as second:
+                result = run_study(trials, seeds[0], floorplan, path.name, progress, driver, second)
+                draw = _no_figures if figures == "none" else partial(draw_study, result, figure_format=figures)
+                write_study(result, out, draw, overwrite, second)
+            document, lines = summary(result), [result.learning[name]["text"] for name in MEASURES]
+        else:
+            report = None if as_json else _report_seed
+            results = run_seeds(seeds, trials, floorplan, path.name, driver, report, processes)
+            draw = _no_figures if figures == "none" else partial(draw_seeds, results, figure_format=figures)
+            write_seeds(results, out, draw, overwrite)
+            document, lines = seeds_summary(results), sentences(results)
+    if as_json:
+        typer.echo(json.dumps({"out": str(out), **document}, allow_nan=False))
+        return
+    for sentence in lines:
+        typer.echo(sentence)
+    typer.echo(f"{trials * len(seeds)} trials in {stopwatch() - started:.1f} s, written to {out}")
+
+
+def _no_figures(_folder: Path) -> None:
+    """Draw nothing."""
+
+
+class _Progress:
+    """Reports the progress on stderr."""
+
+    def __init__(self, trials: int) -> None:
+        self._trials = trials
+
+    def __call__(self, trial: StudyTrial) -> None:
+        measures = trial.measures
+        reached = "" if measures["reached"] else ", goal not reached"
+        sys.stderr.write(
+            f"trial {trial.number} of {self._trials}: distance driven {measures['dist']:.1f} m, "
+            f"area off the path {measures['e_diff']:.2f} m², {measures['time']:.0f} s{reached}\n"
+        )
+
+
+def _report_seed(result: StudyResult) -> None:
+    sys.stderr.write(f"seed {result.seed}: {len(result.trials)} trials driven\n")
+
+
+def study_sessions(
+    out: Path,
+    *,
+    adapt: Mode,
+    person: PersonKind,
+    map_kind: StudyMap,
+    sessions: int,
+    trials: int,
+    seeds: Sequence[int],
+    floorplan: FloorPlan,
+    path: PrescribedPath,
+    processes: int,
+    as_json: bool,
+) -> None:
+    """Run every seed with the map fixed, and beside it as `adapt` says; write rows, table and summary into `out`.
+
+    Raises
+    ------
+    InputError
+        When the folder cannot be written, or a calibration could not be made.
+    """
+    started = stopwatch()
+    rows: list[StudySessionTrial] = []
+    modes: tuple[Mode, ...] = ("off",) if adapt == "off" else ("off", adapt)
+    with _refused(out):
+        out.mkdir(parents=True, exist_ok=True)
+        for of_seed in run_participants(
+            person, seeds, modes, sessions, trials, floorplan, path, processes, map_kind=map_kind
+        ):
+            rows += of_seed
+            _write_csv(
+                out / SESSION_ROWS, [dataclasses.asdict(row) for row in rows]
+            )  # after each person, so that a failure loses one person's results only
+            if not as_json:
+                _report_session_trials(of_seed)
+        conditions = {
+            "source": source_words(STUDY_SOURCE),
+            "adapt": adapt,
+            "person": person,
+            "map": map_kind,
+            "sessions": sessions,
+            "trials": trials,
+            "seeds": list(seeds),
+            "floorplan": floorplan.name,
+            "path": path.name,
+        }
+        comparison = compare([row for row in rows if row.mode == "off"], [row for row in rows if row.mode == modes[-1]])
+        summary_text = json.dumps({**conditions, **comparison}, indent=1, allow_nan=False)
+        (out / SESSION_TABLE).write_text(table(comparison), encoding="utf-8")
+        (out / SESSION_SUMMARY).write_text(f"{summary_text}\n", encoding="utf-8")
+    if as_json:
+        typer.echo(json.dumps({"out": str(out), **conditions, **comparison}, allow_nan=False))
+        return
+    typer.echo(table(comparison))
+    typer.echo(f"{len(rows)} trials in {stopwatch() - started:.1f} s, written to {out}")
+
+
+def _report_session_trials(rows: Sequence[StudySessionTrial]) -> None:
+    for row in rows:
+        ending = "" if row.reached else ", goal not reached"
+        sys.stderr.write(
+            f"seed {row.seed}, {row.mode}, session {row.session}, trial {row.trial}: "
+            f"area off the path {row.e_diff:.2f} m²{ending}\n"
+        )
+
+
+def study_interface(
+    out: Path,
+    *,
+    person: PersonKind,
+    sessions: int,
+    trials: int,
+    seeds: Sequence[int],
+    floorplan: FloorPlan,
+    path: PrescribedPath,
+    processes: int,
+    as_json: bool,
+) -> None:
+    """Run every seed; write a row for each session, the table and the summary into `out`.
+
+    Raises
+    ------
+    InputError
+        When the folder cannot be written, or a calibration could not be made.
+    """
+    started = stopwatch()
+    rows: list[InterfaceSession] = []
+    with _refused(out):
+        out.mkdir(parents=True, exist_ok=True)
+        for of_seed in run_interface_seeds(person, seeds, sessions, trials, floorplan, path, processes):
+            rows += of_seed
+            _write_csv(
+                out / TEST_ROWS, [row.row() for row in rows]
+            )  # after each person, so that a failure loses one person's results only
+            if not as_json:
+                sys.stderr.write(f"seed {of_seed[0].seed}: {len(of_seed)} sessions\n")
+        conditions = {
+            "source": source_words(STUDY_SOURCE),
+            "person": person,
+            "trials": trials,
+            "seed_list": list(seeds),
+            "floorplan": floorplan.name,
+            "path": path.name,
+        }
+        document = {**conditions, **interface_summary(rows)}
+        (out / TEST_TABLE).write_text(interface_table(document), encoding="utf-8")
+        (out / TEST_SUMMARY).write_text(json.dumps(document, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+    if as_json:
+        typer.echo(json.dumps({"out": str(out), **document}, allow_nan=False))
+        return
+    typer.echo(interface_table(document))
+    typer.echo(f"{len(rows)} two-minute tests in {stopwatch() - started:.1f} s, written to {out}")
+
+
+def _write_csv(file: Path, rows: Sequence[Mapping[str, object]]) -> None:
+    """Write rows with equal names to a CSV file."""
+    with file.open("w", encoding="utf-8", newline="") as opened:
+        writer = csv.DictWriter(opened, list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
