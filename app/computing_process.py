@@ -21,7 +21,7 @@ from app.refusals import Conflict, DiskFull, Unavailable
 
 IDLE_LIMIT: Final = 300.0  # s without a question, after which the process ends and gives its memory back
 ANSWER_LIMIT: Final = 120.0  # s
-LOOK_EVERY: Final = 0.05  # s between two looks whether the answer is still wanted
+POLL_INTERVAL: Final = 0.05  # s between two checks whether the answer is still wanted
 ENDED: Final = "The process that computes figures has ended: try again."
 TOO_LONG: Final = f"This took more than {ANSWER_LIMIT:.0f} s to compute: close other programs, then try again."
 
@@ -31,7 +31,7 @@ SLOW_LIBRARIES: Final = (
     *("scipy.special", "scipy.stats", "pyarrow.csv"),
 )
 
-Asked = ParamSpec("Asked")
+Arguments = ParamSpec("Arguments")
 Answer = TypeVar("Answer")
 
 
@@ -61,8 +61,10 @@ class ComputingProcess:
             finally:
                 self._one_at_a_time.release()
 
-    def ask(self, function: Callable[Asked, Answer], /, *given: Asked.args, **named: Asked.kwargs) -> Answer:
-        """Return `function(*given, **named)`, computed when earlier questions are answered.
+    def ask(
+        self, function: Callable[Arguments, Answer], /, *arguments: Arguments.args, **options: Arguments.kwargs
+    ) -> Answer:
+        """Return `function(*arguments, **options)`, computed when earlier questions are answered.
 
         Raises
         ------
@@ -73,13 +75,15 @@ class ComputingProcess:
         RuntimeError
             When the function raised another error; it names the place.
         """
-        return self._answer(partial(function, *given, **named), lambda: False)
+        return self._answer(partial(function, *arguments, **options), lambda: False)
 
-    def ask_last(self, function: Callable[Asked, Answer], /, *given: Asked.args, **named: Asked.kwargs) -> Answer:
-        """Return `function(*given, **named)`, computed when nobody else waits. Raises what `ask` raises."""
+    def ask_last(
+        self, function: Callable[Arguments, Answer], /, *arguments: Arguments.args, **options: Arguments.kwargs
+    ) -> Answer:
+        """Return `function(*arguments, **options)`, computed when nobody else waits. Raises what `ask` raises."""
         with self._answered:
             self._answered.wait_for(lambda: not self.questions)
-        return self.ask(function, *given, **named)
+        return self.ask(function, *arguments, **options)
 
     def ask_unless(self, leave_off: Callable[[], bool], question: Callable[[], Answer]) -> Answer | None:
         """Return `question()`, a partial function; None when `leave_off` returned True before the answer came.
@@ -182,17 +186,17 @@ class _Running:
         until, before = monotonic() + ANSWER_LIMIT, progress()
         try:
             self._connection.send(question)
-            while not self._connection.poll(LOOK_EVERY):
+            while not self._connection.poll(POLL_INTERVAL):
                 if leave_off():
                     raise _NoLongerWantedError
                 if (now := progress()) != before:
                     until, before = monotonic() + ANSWER_LIMIT, now
                 elif monotonic() > until:
                     raise Unavailable(TOO_LONG)
-            found: tuple[Exception | None, Any] = self._connection.recv()
+            answered: tuple[Exception | None, Any] = self._connection.recv()
         except (EOFError, ConnectionError) as error:
             raise Unavailable(ENDED) from error
-        return found
+        return answered
 
     def end(self) -> None:
         """End the process at once: it keeps nothing that could be lost."""

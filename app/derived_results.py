@@ -25,9 +25,9 @@ class DerivedResults(Generic[Key, Value]):
 
         Two threads that ask at once may both derive it. What `derive` raises is raised, and nothing is kept.
         """
-        known = self.known([key])
-        if key in known:
-            return known[key]
+        stored = self.known([key])
+        if key in stored:
+            return stored[key]
         value = derive()
         self.keep({key: value})
         return value
@@ -35,10 +35,10 @@ class DerivedResults(Generic[Key, Value]):
     def known(self, keys: Iterable[Key]) -> dict[Key, Value]:
         """Return the results of those keys that have one; each of them counts as used."""
         with self._lock:
-            found = {key: self._results[key] for key in keys if key in self._results}
-            for key in found:
+            stored = {key: self._results[key] for key in keys if key in self._results}
+            for key in stored:
                 self._results[key] = self._results.pop(key)
-        return found
+        return stored
 
     def keep(self, results: Mapping[Key, Value]) -> None:
         """Keep results, and forget those that were not used for the longest time where there are too many."""

@@ -7,12 +7,12 @@ from pathlib import Path
 
 OWNER_FILE = 0o600
 OWNER_FOLDER = 0o700
-OTHERS = stat.S_IRWXG | stat.S_IRWXO
+NOT_OWNER = stat.S_IRWXG | stat.S_IRWXO
 
 
 def keep_new_files_private() -> None:
     """Set the umask of this process and of those it starts, so that only the owner can read new files and folders."""
-    os.umask(OTHERS)
+    os.umask(NOT_OWNER)
 
 
 def restrict(paths: Iterable[Path]) -> list[Path]:
@@ -33,14 +33,14 @@ def restrict(paths: Iterable[Path]) -> list[Path]:
 def _still_readable(place: Path) -> Iterator[Path]:
     try:
         mode = stat.S_IMODE(place.stat().st_mode)
-        if not mode & OTHERS:
+        if not mode & NOT_OWNER:
             return
         if place.is_dir():
             for inner in place.iterdir():
                 if not inner.is_symlink():
                     yield from _still_readable(inner)
-        place.chmod(mode & ~OTHERS)
-        if place.stat().st_mode & OTHERS:
+        place.chmod(mode & ~NOT_OWNER)
+        if place.stat().st_mode & NOT_OWNER:
             yield place
     except FileNotFoundError:
         return  # removed meanwhile

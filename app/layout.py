@@ -51,10 +51,10 @@ class ShirtLayout(Document):
     def _names_are_unique_and_known(self) -> Self:
         channels = [channel.name for channel in self.channels]
         joints = [joint.name for joint in self.joints]
-        for what, names in (("channel", channels), ("joint", joints)):
+        for noun, names in (("channel", channels), ("joint", joints)):
             for name in names:
                 if names.count(name) > 1:
-                    raise ValueError(f"{what} '{name}' stands there twice: give each its own name")
+                    raise ValueError(f"{noun} '{name}' stands there twice: give each its own name")
         for channel in self.channels:
             if channel.joint not in joints:
                 raise ValueError(

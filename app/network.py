@@ -58,6 +58,6 @@ class NetworkService:
 
 def link(scheme: str, host: str, port: int) -> str:
     """Return an address that ends in a slash; the scheme's usual port is left out."""
-    shown = f"[{host}]" if ":" in host else host
+    bracketed = f"[{host}]" if ":" in host else host
     usual = {"http": 80, "https": 443}[scheme]
-    return f"{scheme}://{shown}/" if port == usual else f"{scheme}://{shown}:{port}/"
+    return f"{scheme}://{bracketed}/" if port == usual else f"{scheme}://{bracketed}:{port}/"

@@ -18,6 +18,6 @@ def with_minus(figure: str) -> str:
     return figure.replace("-", MINUS)
 
 
-def amount(count: int, one: str, many: str = "") -> str:
+def amount(count: int, singular: str, plural: str = "") -> str:
     """Return a count with its noun: 1 trial, 2 trials."""
-    return f"{count} {one if count == 1 else many or f'{one}s'}"
+    return f"{count} {singular if count == 1 else plural or f'{singular}s'}"

@@ -30,11 +30,11 @@ def go_real_time() -> list[str]:
     Returns one sentence on each request: granted or not. The program goes on without what is not granted.
     """
     sys.setswitchinterval(SWITCH_INTERVAL)
-    words = [_take_loop_priority(), _lock_memory()]
+    sentences = [_take_loop_priority(), _lock_memory()]
     gc.collect()
     gc.freeze()
     gc.disable()  # `collect_garbage` is called at moments when nothing moves
-    return words
+    return sentences
 
 
 def collect_seldom() -> None:

@@ -19,9 +19,9 @@ def sentence_of(problems: Sequence[Mapping[str, Any]], where: str) -> str:
     place = _place(first["loc"])
     start = f"{where}, {place}" if place else where
     sentence = f"{start}: {_problem(first)}"
-    others = len(problems) - 1
-    if others:
-        sentence += f" ({others} more {'problem' if others == 1 else 'problems'} in it)"
+    remaining = len(problems) - 1
+    if remaining:
+        sentence += f" ({remaining} more {'problem' if remaining == 1 else 'problems'} in it)"
     return sentence
 
 

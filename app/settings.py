@@ -131,9 +131,9 @@ class Settings:
         beside = sorted(self.state.glob(f"*{self.database.name}*"))  # the database, its log head, ballast and copies
         folders = [self.files, self.runs, self.models, self.keys, self.authority, self.floorplans, self.replaced]
         folders += [self.signing, self.backup]
-        own = [*beside, *folders, self.erased, self.state / IN_USE]
-        foreign = set(self.state.glob("*")) - set(own)
-        return own if foreign or not self.state.exists() else [self.state, *own]
+        own_paths = [*beside, *folders, self.erased, self.state / IN_USE]
+        foreign = set(self.state.glob("*")) - set(own_paths)
+        return own_paths if foreign or not self.state.exists() else [self.state, *own_paths]
 
     def serves(self, host: str) -> bool:
         """Return whether a request's Host (without port) names this server: its address, localhost, its own name.
@@ -141,8 +141,8 @@ class Settings:
         A foreign page can let its own name resolve to this machine (DNS rebinding), but its requests then carry that
         name.
         """
-        own = {"localhost", self.host, urlsplit(f"//{self.public_name}").hostname}
-        if host in own or (self.network is not None and self.network.names(host)):
+        own_names = {"localhost", self.host, urlsplit(f"//{self.public_name}").hostname}
+        if host in own_names or (self.network is not None and self.network.names(host)):
             return True
         try:
             ipaddress.ip_address(host.strip("[]"))

@@ -12,7 +12,7 @@ PAIRS: Final = (
     "АA ВB ЕE ЅS ІI ЈJ КK МM НH ОO РP СC ТT УY ХX аa еe іi јj оo рp сc уy хx ѕs һh ԁd ԛq ԝw ӏl ӀI "
     "ΑA ΒB ΕE ΖZ ΗH ΙI ΚK ΜM ΝN ΟO ΡP ΤT ΥY ΧX οo ρp νv υu αa ɡg ıi ɑa"
 )
-LOOKS: Final = str.maketrans({pair[0]: pair[1] for pair in PAIRS.split()})
+LETTERS_OF: Final = str.maketrans({pair[0]: pair[1] for pair in PAIRS.split()})
 SAME: Final = str.maketrans({"l": "1", "I": "1", "|": "1", "O": "0", "o": "0"})
 TOGETHER: Final = {"HIRAGANA", "KATAKANA", "KATAKANA-HIRAGANA", "CJK", "BOPOMOFO", "HANGUL"}  # written in one word
 WORD: Final = re.compile(r"[^\W\d_]+")
@@ -20,13 +20,13 @@ WORD: Final = re.compile(r"[^\W\d_]+")
 
 def skeleton(name: str) -> str:
     """Return what is equal for names that look alike: P-1 and P-l, Latin and Cyrillic letters of the same shape."""
-    return " ".join(unicodedata.normalize("NFKC", name).translate(LOOKS).translate(SAME).split())
+    return " ".join(unicodedata.normalize("NFKC", name).translate(LETTERS_OF).translate(SAME).split())
 
 
-def look_alike(name: str, others: Iterable[str]) -> str | None:
+def similar_name(name: str, others: Iterable[str]) -> str | None:
     """Return the first of other names that looks like this one; equal names look alike."""
-    own = skeleton(name)
-    return next((other for other in others if skeleton(other) == own), None)
+    own_skeleton = skeleton(name)
+    return next((other for other in others if skeleton(other) == own_skeleton), None)
 
 
 def mixed_word(name: str) -> str | None:
@@ -34,14 +34,14 @@ def mixed_word(name: str) -> str | None:
     return next((word for word in WORD.findall(name) if len(_scripts(word)) > 1), None)
 
 
-def require_distinct(name: str, others: Iterable[str], what: str) -> None:
+def require_distinct(name: str, others: Iterable[str], noun: str) -> None:
     """Raise Conflict when a word of a name is of two scripts, or the name looks like one of the others."""
     word = mixed_word(name)
     if word is not None:
         raise Conflict(f"In '{word}' letters of two scripts stand together: type it in one script.")
-    other = look_alike(name, others)
+    other = similar_name(name, others)
     if other is not None:
-        raise Conflict(f"There is {what} '{other}' already, and '{name}' looks the same: choose another name.")
+        raise Conflict(f"There is {noun} '{other}' already, and '{name}' looks the same: choose another name.")
 
 
 def _scripts(word: str) -> set[str]:

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from sqlalchemy.orm import Session
 
 from app.refusals import Conflict
-from app.similar_names import look_alike, mixed_word, require_distinct, skeleton
+from app.similar_names import mixed_word, require_distinct, similar_name, skeleton
 from app.store.files.name_conflicts import name_for
 from app.store.patients import add_patient
 from app.store.people import add_clinic, add_person
@@ -25,7 +25,7 @@ from app.store.people import add_clinic, add_person
     ],
 )
 def test_names_that_look_alike_have_one_skeleton(first: str, second: str) -> None:
-    assert look_alike(second, ["Zoe", first]) == first
+    assert similar_name(second, ["Zoe", first]) == first
 
 
 @pytest.mark.parametrize("name", ["P\u0430ul", "\u0391da", "Ad\u0430-2"])
@@ -44,13 +44,13 @@ def test_a_name_of_one_script_in_each_word_is_taken(name: str) -> None:
 
 
 def test_other_letters_and_marks_do_not_look_alike() -> None:
-    assert look_alike("Zo\u00eb", ["Zoe", "L-1", "P-1"]) is None
-    assert look_alike("1-1", ["L-1"]) is None
+    assert similar_name("Zo\u00eb", ["Zoe", "L-1", "P-1"]) is None
+    assert similar_name("1-1", ["L-1"]) is None
 
 
 @given(st.text(max_size=30))
 def test_a_name_looks_like_itself_and_nothing_is_raised(name: str) -> None:
-    assert look_alike(name, [name]) == name
+    assert similar_name(name, [name]) == name
     assert skeleton(skeleton(name)) == skeleton(name)
     mixed_word(name)
 

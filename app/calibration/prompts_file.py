@@ -4,7 +4,7 @@ from pathlib import Path
 
 from app.calibration.fit.repetitions import Prompt
 from app.layout import ShirtLayout
-from app.signals.columns import read_columns, require_column, row_words
+from app.signals.columns import read_columns, require_column, row_place
 
 
 def read_prompts(path: Path, layout: ShirtLayout, first: float, last: float) -> list[Prompt]:
@@ -23,7 +23,7 @@ def read_prompts(path: Path, layout: ShirtLayout, first: float, last: float) -> 
         raise ValueError(f"{path}: there is no column 'joint', add it with the name of the joint that moved")
     prompts = []
     for row, (start, end, joint) in enumerate(zip(starts, ends, map(str, table["joint"]), strict=True)):
-        where = row_words(path, row)
+        where = row_place(path, row)
         if joint not in layout.joint_names:
             names = ", ".join(layout.joint_names)
             raise ValueError(f"{where}: there is no joint '{joint}' in '{layout.name}', use one of {names}")

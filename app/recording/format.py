@@ -57,8 +57,8 @@ def check_pieces(records: bytes) -> tuple[list[Piece], bool]:
     pieces: list[Piece] = []
     start = 0
     for at in range(0, len(records) - CHECK.size + 1, CHECK.size):
-        end, checksum, own = CHECK.unpack_from(records, at)
-        if crc32(records[at : at + 12]) != own or end <= start:
+        end, checksum, record_checksum = CHECK.unpack_from(records, at)
+        if crc32(records[at : at + 12]) != record_checksum or end <= start:
             return pieces, True
         pieces.append(Piece(start, end, checksum))
         start = end

@@ -37,10 +37,10 @@ def read_in_groups(folder: Path) -> RunGroups:
     if end is None or end["checksums"].get(PARQUET_FILE) != file_checksum(file):
         run = read_run(folder)
         return RunGroups(run.meta, run.loss, _slices(run))
-    return _whole(file)
+    return _closed_run(file)
 
 
-def _whole(file: Path) -> RunGroups:
+def _closed_run(file: Path) -> RunGroups:
     import pyarrow as pa
     import pyarrow.parquet as pa_parquet
 

@@ -91,24 +91,24 @@ def read_run(folder: str | Path, *, scalars_only: bool = False) -> RunRecording:
         raise ValueError(f"{folder}: there is no recording in this folder, name the folder of a run")
     end = parse_end(_bytes_of(folder / END_FILE) or b"")
     damage = (_bytes_of(folder / DAMAGE_FILE) or b"").decode(errors="replace")
-    words = ""
+    problem = ""
     tables: list[pa.Table] = []
     if parquet.exists() and (end is not None or not segments):
-        tables, words = _read_parquet(parquet, end, scalars_only)
+        tables, problem = _read_parquet(parquet, end, scalars_only)
     if not tables and segments:
-        tables, words = _read_segments(segments)
+        tables, problem = _read_segments(segments)
     copy = _copied_meta(tables)
     meta = _object(copy) or _object(meta_file) or {}
     if copy is not None and meta_file != copy:
         changed = f"{folder}: run.json was changed, and what the recording itself says of the run is used."
-        words = f"{words} {changed}".lstrip()
+        problem = f"{problem} {changed}".lstrip()
     if not meta:
-        words = words or f"{folder}: run.json cannot be read, so nothing is known of this run but its numbers."
+        problem = problem or f"{folder}: run.json cannot be read, so nothing is known of this run but its numbers."
     try:
         columns = columns_of(tables, meta)
     except UNREADABLE:
-        columns, words = _no_rows(meta), words or UNREAD.format(file=parquet)
-    return RunRecording(meta, columns, end["dropped"] if end else 0, damage or words)
+        columns, problem = _no_rows(meta), problem or UNREAD.format(file=parquet)
+    return RunRecording(meta, columns, end["dropped"] if end else 0, damage or problem)
 
 
 def _read_parquet(file: Path, end: dict[str, Any] | None, scalars_only: bool) -> tuple[list["pa.Table"], str]:
@@ -124,12 +124,12 @@ def _read_parquet(file: Path, end: dict[str, Any] | None, scalars_only: bool) ->
         is_whole = _has_all_columns(schema)
     except (pa.ArrowException, OSError, *UNREADABLE):
         return [], UNREAD.format(file=file)
-    words = ""
+    problem = ""
     if end is None:
-        words = f"{file.parent / END_FILE}: this file was cut or changed, so the recording cannot be checked."
+        problem = f"{file.parent / END_FILE}: this file was cut or changed, so the recording cannot be checked."
     elif not scalars_only and end["checksums"][PARQUET_FILE] != file_checksum(file):
-        words = f"{file}: this file was changed, do not rely on it: restore it from a backup."
-    return ([table] if is_whole else []), words
+        problem = f"{file}: this file was changed, do not rely on it: restore it from a backup."
+    return ([table] if is_whole else []), problem
 
 
 def _read_segments(segments: list[Path]) -> tuple[list["pa.Table"], str]:
@@ -221,8 +221,8 @@ def _no_rows(meta: dict[str, Any]) -> Columns:
 
 def _copied_meta(tables: list["pa.Table"]) -> bytes | None:
     """Return the copy of `run.json` that the recording itself carries."""
-    known = tables[0].schema.metadata if tables else None
-    return known.get(META_KEY) if known else None
+    metadata = tables[0].schema.metadata if tables else None
+    return metadata.get(META_KEY) if metadata else None
 
 
 def _object(content: bytes | None) -> dict[str, Any] | None:

@@ -39,5 +39,5 @@ def thinned(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.intp]:
     if len(x) == 0:
         return np.empty(0, dtype=np.intp)
     along = np.concatenate(([0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))))
-    kept = np.flatnonzero(np.concatenate(([True], np.diff(np.floor(along / APART)) > 0)))
-    return kept if kept[-1] == len(x) - 1 else np.append(kept, len(x) - 1)
+    chosen = np.flatnonzero(np.concatenate(([True], np.diff(np.floor(along / APART)) > 0)))
+    return chosen if chosen[-1] == len(x) - 1 else np.append(chosen, len(x) - 1)

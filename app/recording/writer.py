@@ -118,7 +118,7 @@ class RunWriter:
         with suppress(OSError):  # without room for the Parquet file, the segments stay, which hold the same rows
             self._compact()
 
-    def _take(self, ring: TickRing, last: int, run: int) -> int:
+    def _write_new_ticks(self, ring: TickRing, last: int, run: int) -> int:
         ticks, missed = ring.since(last)
         self.dropped += missed
         if len(ticks):

@@ -69,11 +69,11 @@ def require_column(table: Table, path: Path, name: str) -> NDArray[np.float64]:
     values = table[name].astype(np.float64)
     bad = np.flatnonzero(~np.isfinite(values))
     if len(bad):
-        raise ValueError(f"{row_words(path, int(bad[0]))}: '{name}' has no number there, fill it in")
+        raise ValueError(f"{row_place(path, int(bad[0]))}: '{name}' has no number there, fill it in")
     return values
 
 
-def row_words(path: Path, row: int) -> str:
+def row_place(path: Path, row: int) -> str:
     """Return the place of row `row` (from 0) in words: the line of a CSV file, the row of a Parquet file."""
     return f"{path}, row {row + 1}" if _is_parquet(path) else f"{path}, line {row + 2}"
 
@@ -92,11 +92,11 @@ def _read_parquet(path: Path, only: Collection[str] | None) -> "pa.Table":
     except pa.ArrowException as error:
         raise ValueError(f"{path}: this is not a Parquet file, save it as one or give it the name of a CSV") from error
     _refuse_twins(str(path), names)
-    wanted = [name for name in names if only is None or name in only]
-    if described.num_rows * len(wanted) > MOST_NUMBERS:  # a small file may hold any number of equal, packed values
+    columns = [name for name in names if only is None or name in only]
+    if described.num_rows * len(columns) > MOST_NUMBERS:  # a small file may hold any number of equal, packed values
         raise ValueError(f"{path}: this holds more than {MOST_NUMBERS:,} numbers, cut it into shorter recordings")
     try:
-        return pa_parquet.read_table(path, columns=wanted)
+        return pa_parquet.read_table(path, columns=columns)
     except pa.ArrowException as error:
         raise ValueError(f"{path}: this Parquet file was cut or changed and cannot be read, save it anew") from error
 
@@ -105,8 +105,8 @@ def _read_csv(path: Path, text: Collection[str], only: Collection[str] | None) -
     import pyarrow as pa
 
     header, separator = _header(path)
-    wanted = [name for name in header if only is None or name in only]
-    if not wanted:
+    columns = [name for name in header if only is None or name in only]
+    if not columns:
         raise ValueError(
             f"{path}, line 1: none of the columns {_listed(sorted(only or ()))} is there, only {_listed(header)}, "
             f"add them or name another file"
@@ -116,16 +116,16 @@ def _read_csv(path: Path, text: Collection[str], only: Collection[str] | None) -
     for decimal in decimals_to_try(path, separator):
         dialect = Dialect(separator, decimal)
         try:
-            return _table_of_csv(path, header, types, wanted, dialect), dialect
+            return _table_of_csv(path, header, types, columns, dialect), dialect
         except pa.ArrowException as error:
             if "Empty CSV" in str(error) or "Could not skip initial" in str(error):
                 raise ValueError(NO_ROWS.format(path)) from error
-            first_wrong = first_wrong or _what_is_wrong(path, header, set(wanted) - set(text), dialect, str(error))
+            first_wrong = first_wrong or _what_is_wrong(path, header, set(columns) - set(text), dialect, str(error))
     raise ValueError(first_wrong)
 
 
 def _table_of_csv(
-    path: Path, header: list[str], types: dict[str, "pa.DataType"], wanted: list[str], dialect: Dialect
+    path: Path, header: list[str], types: dict[str, "pa.DataType"], columns: list[str], dialect: Dialect
 ) -> "pa.Table":
     import pyarrow.csv as pa_csv
 
@@ -135,7 +135,7 @@ def _table_of_csv(
         parse_options=pa_csv.ParseOptions(delimiter=dialect.separator),
         convert_options=pa_csv.ConvertOptions(
             column_types=types,
-            include_columns=wanted,
+            include_columns=columns,
             null_values=list(NOT_A_NUMBER),
             strings_can_be_null=False,
             decimal_point=dialect.decimal,

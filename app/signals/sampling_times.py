@@ -12,7 +12,7 @@ from typing import Final, NamedTuple, NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
-from app.signals.columns import row_words
+from app.signals.columns import row_place
 
 SLOWEST: Final = 10.0  # Hz; a slower sample rate does not suffice for a low-pass of 3 Hz
 FASTEST: Final = 5000.0  # Hz
@@ -109,7 +109,7 @@ def refuse_falling_times(t: NDArray[np.float64], path: Path) -> None:
     if len(falls):
         row = int(falls[0]) + 1
         raise ValueError(
-            f"{row_words(path, row)}: time runs backwards there "
+            f"{row_place(path, row)}: time runs backwards there "
             f"(t = {t[row]:g} after {t[row - 1]:g}), sort the rows or remove the part that was recorded twice"
         )
 
@@ -122,9 +122,9 @@ def _bursts(steps: NDArray[np.float64]) -> NDArray[np.intp] | None:
     starts = np.concatenate(([0], np.flatnonzero(steps > NEW_GROUP * np.quantile(steps, 0.25)) + 1))
     if len(starts) < FEWEST_GROUPS:
         return None
-    between = steps[starts[1:] - 1]
-    whole = np.add.reduceat(steps, starts[:-1])[1:]  # from a burst's first row to the next one's
-    often = np.median(np.diff(starts)[1:]) >= 2 and np.median(between[1:] / whole) > 0.5
+    between_bursts = steps[starts[1:] - 1]
+    intervals = np.add.reduceat(steps, starts[:-1])[1:]  # from a burst's first row to the next one's
+    often = np.median(np.diff(starts)[1:]) >= 2 and np.median(between_bursts[1:] / intervals) > 0.5
     return starts if often else None
 
 
@@ -148,13 +148,13 @@ def _evenly_spread(t: NDArray[np.float64], starts: NDArray[np.intp]) -> tuple[ND
     is_even = np.abs(first - offset - starts * period).max() <= resolution + 2 * period
     if is_even and not _has_lost_groups(intervals / interval, is_full):
         return offset + rows * period, period
-    whole = (np.abs(counts - count) <= max(1.0, 0.02 * count)) & (intervals <= GAP * interval)
-    if whole[1:].mean() < OFTEN:
+    is_whole = (np.abs(counts - count) <= max(1.0, 0.02 * count)) & (intervals <= GAP * interval)
+    if is_whole[1:].mean() < OFTEN:
         return (offset + rows * period, period) if is_even else None
-    whole[0] = False  # it may be cut
-    period = float(intervals[whole].sum() / counts[whole].sum())
+    is_whole[0] = False  # it may be cut
+    period = float(intervals[is_whole].sum() / counts[is_whole].sum())
     offsets = np.empty(len(starts), dtype=np.float64)
-    breaks = np.flatnonzero(~whole) + 1  # the group after a loss begins another stretch
+    breaks = np.flatnonzero(~is_whole) + 1  # the group after a loss begins another stretch
     for stretch in np.split(np.arange(len(starts)), breaks):
         offsets[stretch] = np.median(first[stretch] - starts[stretch] * period)
     even: NDArray[np.float64] = np.repeat(offsets, np.diff(np.append(starts, len(t)))) + rows * period
@@ -222,7 +222,7 @@ def _refuse_another_rate(gaps: NDArray[np.bool_], t: NDArray[np.float64], path: 
     if run.max() == RATE_CHANGE:
         row = int(run.argmax())
         raise ValueError(
-            f"{row_words(path, row)}: the sample rate changes there (t = {t[row]:g} s), cut the file into parts of one "
+            f"{row_place(path, row)}: the sample rate changes there (t = {t[row]:g} s), cut the file into parts of one "
             f"rate each"
         )
 
@@ -235,16 +235,18 @@ def _refuse_units(t: NDArray[np.float64], period: float, path: Path) -> None:
             _refuse(path, period, "a counter of samples", "divide the column t by the sample rate in Hz")
         like = [(unit, size) for unit, size in UNITS if fast <= period * size <= slow]
         if like:
-            words = " or ".join(f"{unit} ({1.0 / (period * size):.4g} Hz)" for unit, size in like)
-            _refuse(path, period, words, f"multiply the column t by {' or '.join(f'{size:g}' for _, size in like)}")
+            appearance = " or ".join(f"{unit} ({1.0 / (period * size):.4g} Hz)" for unit, size in like)
+            _refuse(
+                path, period, appearance, f"multiply the column t by {' or '.join(f'{size:g}' for _, size in like)}"
+            )
         speed = "slowly" if period > slow else "fast"
         remedy = f"write it in seconds, and record at {SLOWEST:g} to {FASTEST:g} Hz"
         _refuse(path, period, f"another unit, or samples taken too {speed}", remedy)
     rate = 1.0 / (period * 60.0)
     like_minutes = any(abs(rate / usual_rate - 1.0) < 2e-3 for usual_rate in USUAL_RATES)
     if 1.0 / period >= FAST * (1 - ROUNDING) and (span < SHORT or (span < BRIEF and like_minutes)):
-        words = f"minutes ({span * 60.0:.4g} s at {rate:.4g} Hz) and not {span:.3g} s at {1.0 / period:.5g} Hz"
-        _refuse(path, period, words, f"multiply the column t by 60, or record more than {BRIEF:g} s")
+        appearance = f"minutes ({span * 60.0:.4g} s at {rate:.4g} Hz) and not {span:.3g} s at {1.0 / period:.5g} Hz"
+        _refuse(path, period, appearance, f"multiply the column t by 60, or record more than {BRIEF:g} s")
 
 
 def _refuse(path: Path, period: float, like: str, remedy: str) -> NoReturn:
@@ -260,10 +262,10 @@ def _gap_note(t: NDArray[np.float64], period: float, path: Path) -> str:
     longest = float(steps[row])
     if longest > LONGEST_HOLE:
         raise ValueError(
-            f"{row_words(path, row + 1)}: t jumps there by {longest:g} s ({longest / 3600.0:.1f} hours), keep the part "
+            f"{row_place(path, row + 1)}: t jumps there by {longest:g} s ({longest / 3600.0:.1f} hours), keep the part "
             f"before or after it, or correct the column t"
         )
     if longest <= NOTED_HOLE and gaps <= NOTED_GAPS * len(steps):
         return ""
-    many = "There is 1 gap" if gaps == 1 else f"There are {gaps:,} gaps"
-    return f"{many} between the samples, the longest of {longest:.3g} s before {row_words(path, row + 1)}."
+    start = "There is 1 gap" if gaps == 1 else f"There are {gaps:,} gaps"
+    return f"{start} between the samples, the longest of {longest:.3g} s before {row_place(path, row + 1)}."

@@ -65,21 +65,21 @@ def read_signals(path: str | Path, layout: ShirtLayout | None = None) -> Signals
         raise ValueError(_missing(path, missing, layout))
     if len(t) < SHORTEST:
         raise ValueError(f"{path}: {len(t)} samples are too few for a signal, record at least a few seconds")
-    even, sample_rate, note = sampling_times(t, path)
-    return Signals(even, _stack_columns(table, names), names, sample_rate, damage=note, dialect=dialect)
+    even, sample_rate, sentence = sampling_times(t, path)
+    return Signals(even, _stack_columns(table, names), names, sample_rate, damage=sentence, dialect=dialect)
 
 
 def signals_of_run(run: RunRecording, path: Path, layout: ShirtLayout | None = None) -> Signals:
     """Return the frames of a recorded run, `t` from its start; raise ValueError with one sentence."""
-    recorded = run.meta.get("layout")
-    if recorded is None:
+    layout_document = run.meta.get("layout")
+    if layout_document is None:
         raise ValueError(f"{path}: the recording does not say which shirt it is of. {run.damage}".rstrip())
     try:
-        names = ShirtLayout.model_validate_json(json.dumps(recorded)).channel_names
+        names = ShirtLayout.model_validate_json(json.dumps(layout_document)).channel_names
     except ValidationError as error:
         raise ValueError(one_sentence(error, f"{path}, layout")) from error
-    wanted = names if layout is None else layout.channel_names
-    if missing := [name for name in wanted if name not in names]:
+    chosen_names = names if layout is None else layout.channel_names
+    if missing := [name for name in chosen_names if name not in names]:
         raise ValueError(_missing(path, missing, layout))
     frames = run.frames()
     values = frames["values"]
@@ -87,17 +87,17 @@ def signals_of_run(run: RunRecording, path: Path, layout: ShirtLayout | None = N
         raise ValueError(
             f"{path}: {len(values)} frames are too few for a signal, name a longer run. {run.damage}".rstrip()
         )
-    chosen = values[:, [names.index(name) for name in wanted]]
+    chosen = values[:, [names.index(name) for name in chosen_names]]
     chosen[np.abs(chosen) > LARGEST] = np.nan
-    t, note, stated = frames["run_t"], run.damage, run.meta.get("sample_rate")
-    if isinstance(stated, int | float) and SLOWEST <= stated <= FASTEST:  # the times are those of arrival
+    t, sentence, stated_rate = frames["run_t"], run.damage, run.meta.get("sample_rate")
+    if isinstance(stated_rate, int | float) and SLOWEST <= stated_rate <= FASTEST:  # the times are those of arrival
         refuse_falling_times(t, path)
-        t, sample_rate = strictly_rising(t), float(stated)
+        t, sample_rate = strictly_rising(t), float(stated_rate)
     else:
-        t, sample_rate, uneven = sampling_times(t, path)
-        note = f"{note} {uneven}".strip()
+        t, sample_rate, timing = sampling_times(t, path)
+        sentence = f"{sentence} {timing}".strip()
     t_device = frames["t_device"] if np.isfinite(frames["t_device"]).all() else None
-    return Signals(t, chosen, wanted, sample_rate, t_device, note)
+    return Signals(t, chosen, chosen_names, sample_rate, t_device, sentence)
 
 
 def read_layout(path: str | Path) -> ShirtLayout:
@@ -114,9 +114,9 @@ def read_layout(path: str | Path) -> ShirtLayout:
 
 
 def _missing(path: Path, missing: list[str], layout: ShirtLayout | None) -> str:
-    shown = ", ".join(missing[:5]) + (f" and {len(missing) - 5} more" if len(missing) > 5 else "")
+    names = ", ".join(missing[:5]) + (f" and {len(missing) - 5} more" if len(missing) > 5 else "")
     return (
-        f"{path}: channel {shown} of the layout '{layout.name if layout else ''}' is not in this recording, "
+        f"{path}: channel {names} of the layout '{layout.name if layout else ''}' is not in this recording, "
         f"add the column or use the layout of the shirt that was recorded"
     )
 

@@ -90,13 +90,13 @@ def _reach(obstacle: Obstacle) -> float:
 
 
 def _from_obstacle(piece: Points, obstacle: Obstacle) -> NarrowestPoint:
-    what = f"the obstacle '{obstacle.label}'"
+    label = f"the obstacle '{obstacle.label}'"
     if isinstance(obstacle, Cylinder):
         place = nearest_on_segments(np.array(obstacle.position), piece[np.newaxis])[0]
         distance = float(np.hypot(*(place - obstacle.position))) - obstacle.radius
     else:
         distance, place = _from_box(piece, obstacle)
-    return NarrowestPoint(distance, float(place[0]), float(place[1]), "obstacle", what)
+    return NarrowestPoint(distance, float(place[0]), float(place[1]), "obstacle", label)
 
 
 def _from_box(piece: Points, box: Box) -> tuple[float, Points]:
@@ -120,12 +120,12 @@ def between_segments(piece: Points, segments: Points) -> tuple[Points, Points]:
     """Return the distance (n,) of `piece` (4,) to each of `segments` (n, 4), and the piece's nearest points (n, 2)."""
     start, end = piece[:2], piece[2:]
     candidates = [np.broadcast_to(start, (len(segments), 2)), np.broadcast_to(end, (len(segments), 2))]
-    others = [nearest_on_segments(start, segments), nearest_on_segments(end, segments)]
+    other_points = [nearest_on_segments(start, segments), nearest_on_segments(end, segments)]
     for corner in (segments[:, :2], segments[:, 2:]):
         candidates.append(nearest_on_segments(corner, piece[np.newaxis]))
-        others.append(corner)
-    places, others_array = np.stack(candidates), np.stack(others)
-    distances = np.hypot(*np.moveaxis(places - others_array, -1, 0))
+        other_points.append(corner)
+    places, other_array = np.stack(candidates), np.stack(other_points)
+    distances = np.hypot(*np.moveaxis(places - other_array, -1, 0))
     best = np.argmin(distances, axis=0)
     rows = np.arange(len(segments))
     crossing, crossing_places = _crossings(piece, segments)

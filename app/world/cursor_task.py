@@ -168,7 +168,7 @@ class CursorTask:
         self.ahead, self.left = ahead, left
         self._look(attempt, run_t)
 
-    def _look(self, attempt: OpenAttempt, t: float) -> None:
+    def _check_target(self, attempt: OpenAttempt, t: float) -> None:
         """Follow whether the cursor is in the target, and end the attempt when it is acquired or missed."""
         ahead, left = self.ahead - attempt.target.ahead, self.left - attempt.target.left
         if ahead * ahead + left * left > self._radius_square:

@@ -129,13 +129,13 @@ class FloorPlan(Document):
                 raise ValueError(f"mover '{name}' stands there twice: give each its own name")
         for path in self.paths:
             if isinstance(path.task, FollowLeader) and path.task.leader not in names:
-                known = f"use one of {', '.join(names)}" if names else "add it to movers"
-                raise ValueError(f"path '{path.name}': there is no mover '{path.task.leader}' to follow: {known}")
+                hint = f"use one of {', '.join(names)}" if names else "add it to movers"
+                raise ValueError(f"path '{path.name}': there is no mover '{path.task.leader}' to follow: {hint}")
         return self
 
     @model_validator(mode="after")
-    def _lines_are_free(self, given: ValidationInfo) -> Self:
-        if given.context == LINES_ARE_FREE:
+    def _lines_are_free(self, info: ValidationInfo) -> Self:
+        if info.context == LINES_ARE_FREE:
             return self
         # A cone does not stop the chair, but no path may lead over one.
         cones = [
@@ -144,19 +144,19 @@ class FloorPlan(Document):
         ]
         things = [*self.obstacles, *cones]
         clearance = Clearance(self.walls, self.wall_thickness, things)
-        for what, points, radius in self._lines():
+        for description, points, radius in self._lines():
             try:
                 line = Path(points).points if len(points) > 1 else (points[0], points[0])
             except ValueError as error:
-                raise ValueError(f"{what}: {error}") from error
-            found = clearance.along(line)
-            if found.distance < radius:
+                raise ValueError(f"{description}: {error}") from error
+            narrowest = clearance.along(line)
+            if narrowest.distance < radius:
                 raise ClearanceError(
-                    f"{what} comes within {max(found.distance, 0):.2f} m of {found.what} near "
-                    f"({found.x:.2f}, {found.y:.2f}), and {radius} m are needed on each side: "
-                    f"move it or the {found.kind}",
-                    found.x,
-                    found.y,
+                    f"{description} comes within {max(narrowest.distance, 0):.2f} m of {narrowest.what} near "
+                    f"({narrowest.x:.2f}, {narrowest.y:.2f}), and {radius} m are needed on each side: "
+                    f"move it or the {narrowest.kind}",
+                    narrowest.x,
+                    narrowest.y,
                 )
         return self
 
@@ -216,8 +216,8 @@ class FloorPlan(Document):
         for path in self.paths:
             if path.name == name:
                 return path
-        known = ", ".join(path.name for path in self.paths)
-        raise ValueError(f"floor plan '{self.name}' has no path '{name}': use one of {known}")
+        names = ", ".join(path.name for path in self.paths)
+        raise ValueError(f"floor plan '{self.name}' has no path '{name}': use one of {names}")
 
 
 def load_floorplan(file: FilePath) -> FloorPlan:

@@ -27,20 +27,20 @@ class Path:
     __slots__ = ("_directions", "_lengths", "_starts", "length", "points")
 
     def __init__(self, points: Sequence[Sequence[float]]) -> None:
-        kept: list[tuple[float, float]] = []
+        distinct: list[tuple[float, float]] = []
         for point in points:
             x, y = float(point[0]), float(point[1])
             if not (math.isfinite(x) and math.isfinite(y)):
                 raise ValueError("a point of the path is not a finite number: correct it")
-            if not kept or math.hypot(x - kept[-1][0], y - kept[-1][1]) > SHORTEST_PIECE:
-                kept.append((x, y))
-        if len(kept) < 2:
+            if not distinct or math.hypot(x - distinct[-1][0], y - distinct[-1][1]) > SHORTEST_PIECE:
+                distinct.append((x, y))
+        if len(distinct) < 2:
             raise ValueError("a path needs at least two different points: add one")
-        self.points = tuple(kept)
-        self._lengths = [math.dist(a, b) for a, b in pairwise(kept)]
+        self.points = tuple(distinct)
+        self._lengths = [math.dist(a, b) for a, b in pairwise(distinct)]
         self._starts = list(accumulate(self._lengths, initial=0.0))
         self._directions = [
-            ((b[0] - a[0]) / n, (b[1] - a[1]) / n) for (a, b), n in zip(pairwise(kept), self._lengths, strict=True)
+            ((b[0] - a[0]) / n, (b[1] - a[1]) / n) for (a, b), n in zip(pairwise(distinct), self._lengths, strict=True)
         ]
         self.length = self._starts[-1]
 

@@ -7,8 +7,8 @@ from app.world.floorplan import FloorPlan, load_floorplan
 from app.world.scene import find_place
 
 
-def find_floorplan(own: Path, name: str) -> FloorPlan | None:
-    """Return the bundled floor plan of this name, or the clinic's in the folder `own`; None when there is none.
+def find_floorplan(folder: Path, name: str) -> FloorPlan | None:
+    """Return the bundled floor plan of this name, or the clinic's in `folder`; None when there is none.
 
     Raises
     ------
@@ -18,14 +18,14 @@ def find_floorplan(own: Path, name: str) -> FloorPlan | None:
     bundled = find_place(name)
     if bundled is not None:
         return bundled
-    file = own / f"{name}.json"
-    return load_floorplan(file) if file.parent == own and file.is_file() else None
+    file = folder / f"{name}.json"
+    return load_floorplan(file) if file.parent == folder and file.is_file() else None
 
 
-def path_title(own: Path, floorplan: str, path: str) -> str:
+def path_title(folder: Path, floorplan: str, path: str) -> str:
     """Return the title of a path; its name where the floor plan or the path is gone, or the plan cannot be read."""
     with suppress(ValueError):
-        found = find_floorplan(own, floorplan)
-        if found is not None:
-            return found.path_named(path).title
+        plan = find_floorplan(folder, floorplan)
+        if plan is not None:
+            return plan.path_named(path).title
     return path

@@ -75,12 +75,12 @@ def load_scene(file: Path) -> Scene:
         except ValueError as error:
             raise ValueError(f"{where}, {error}") from error
         if level:
-            own = {"name": f"{head.name}.{level.name}", "title": f"{head.title}, {level.title.lower()}"}
+            names_of_level = {"name": f"{head.name}.{level.name}", "title": f"{head.title}, {level.title.lower()}"}
         else:
-            own = {"name": head.name, "title": head.title}
+            names_of_level = {"name": head.name, "title": head.title}
         try:
             plans[level.name if level else None] = FloorPlan.model_validate_json(
-                json.dumps({"walls": [], **base, **graded, **_merge_lists(base, graded), **own})
+                json.dumps({"walls": [], **base, **graded, **_merge_lists(base, graded), **names_of_level})
             )
         except ValidationError as error:
             raise ValueError(one_sentence(error, where)) from error
@@ -185,8 +185,8 @@ def at_level(value: Any, level: LevelName | None, levels: Sequence[LevelName], p
     if isinstance(value, dict):
         if value and value.keys() <= LEVEL_NAMES:
             if level not in value:
-                words = f"there is no value for level {level}, add it" if level else "without levels give one value"
-                raise ValueError(f"{place}: {words}")
+                problem = f"there is no value for level {level}, add it" if level else "without levels give one value"
+                raise ValueError(f"{place}: {problem}")
             if extra := sorted(value.keys() - set(levels)):
                 raise ValueError(f"{place}: the scene has no level {extra[0]}, add it to levels or leave it out")
             return at_level(value[level], level, levels, place, depth + 1)

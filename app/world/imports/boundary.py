@@ -29,10 +29,10 @@ def exact_outlines(region: NDArray[np.bool_]) -> list[list[Corner]]:
     Every corner has one horizontal and one vertical edge. Along a line of the grid, corners are start and end of an
     edge in turn: their order gives the edges.
     """
-    found = _corners(region)
-    if not found:
+    groups = _corners(region)
+    if not groups:
         return []
-    rows, columns, quadrants = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    rows, columns, quadrants = (np.concatenate(parts) for parts in zip(*groups, strict=True))
     # Two corners may share a place: the one whose edge comes from below or from the left is sorted before the other.
     east, north = quadrants % 2, quadrants // 2
     across = _partners(np.lexsort((east, columns, rows)))
@@ -45,12 +45,12 @@ def exact_outlines(region: NDArray[np.bool_]) -> list[list[Corner]]:
         # Begin with an edge that is followed along its direction, so that the region is on the left.
         if not unseen[first] or (places[across[first]] > places[first]) != above[first]:
             continue
-        loop, here = [], first
-        while unseen[here]:
-            there = across[here]
-            unseen[here] = unseen[there] = False
-            loop += [places[here], places[there]]
-            here = upward[there]
+        loop, corner = [], first
+        while unseen[corner]:
+            partner = across[corner]
+            unseen[corner] = unseen[partner] = False
+            loop += [places[corner], places[partner]]
+            corner = upward[partner]
         loops.append(loop)
     return loops
 
@@ -64,15 +64,15 @@ def _corners(region: NDArray[np.bool_]) -> list[tuple[NDArray[np.int64], NDArray
     """
     padded = np.pad(region, 1)
     cells = padded[:-1, :-1], padded[:-1, 1:], padded[1:, :-1], padded[1:, 1:]  # south-west, -east, north-west, -east
-    found = []
+    groups = []
     for quadrant, cell in enumerate(cells):
         beside, over = cells[quadrant ^ 1], cells[quadrant ^ 2]
         opposite = cells[quadrant ^ 3]
         convex = cell & ~beside & ~over
         concave = ~cell & beside & over & opposite
         rows, columns = np.nonzero(convex | concave)
-        found.append((rows, columns, np.full(len(rows), quadrant)))
-    return found
+        groups.append((rows, columns, np.full(len(rows), quadrant)))
+    return groups
 
 
 def _partners(order: NDArray[np.intp]) -> list[int]:
@@ -96,31 +96,31 @@ def _simplify(loop: list[Corner], tolerance: float) -> list[Corner]:
     if circumference <= SMALL:
         return loop
     corners = np.array([*loop, loop[0]], dtype=np.float64)
-    kept = [0]
+    indices = [0]
     last = len(loop)
-    while kept[-1] < last:
-        here = reach = kept[-1]
+    while indices[-1] < last:
+        start = reach = indices[-1]
         reach += 1
         misses = 0
-        for there in range(here + 2, last + 1):
-            if _can_skip(corners, here, there, tolerance):
-                reach, misses = there, 0
+        for end in range(start + 2, last + 1):
+            if _can_skip(corners, start, end, tolerance):
+                reach, misses = end, 0
             else:
                 misses += 1
                 if misses > 4:  # after a corner that cannot be reached, one of the next four may be reachable
                     break
-        kept.append(reach)
-    simplified = [loop[index] for index in kept[:-1]]
+        indices.append(reach)
+    simplified = [loop[index] for index in indices[:-1]]
     return simplified if len(simplified) >= 3 else loop
 
 
-def _can_skip(corners: NDArray[np.float64], here: int, there: int, tolerance: float) -> bool:
+def _can_skip(corners: NDArray[np.float64], start: int, end: int, tolerance: float) -> bool:
     """Return whether the corners between two others are within the tolerance of their chord, on its left or on it."""
-    chord = corners[there] - corners[here]
+    chord = corners[end] - corners[start]
     length = float(np.hypot(*chord))
     if length == 0.0:
         return False
-    away = corners[here + 1 : there] - corners[here]
+    away = corners[start + 1 : end] - corners[start]
     left = (chord[0] * away[:, 1] - chord[1] * away[:, 0]) / length
     along = away @ chord / length
     beside = left.min() >= -1e-9 and left.max() <= tolerance + 1e-9

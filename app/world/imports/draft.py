@@ -35,9 +35,9 @@ def path_document(points: list[list[float]], name: str = "main", title: str = "A
     }
 
 
-def plain_name(words: str) -> str:
-    """Return a valid name (letters, digits, dots, dashes) made of `words`."""
-    return re.sub(r"[^A-Za-z0-9_.-]+", "-", words).strip("-_.")[:64] or "map"
+def plain_name(text: str) -> str:
+    """Return a valid name (letters, digits, dots, dashes) made of `text`."""
+    return re.sub(r"[^A-Za-z0-9_.-]+", "-", text).strip("-_.")[:64] or "map"
 
 
 def plan_of(draft: Draft, where: str) -> FloorPlan:

@@ -22,13 +22,13 @@ from app.world.path import Path as Line
 
 MARK_STEP: Final = 0.4  # cells between two points along a wall whose cells are marked
 PATH_LAYER: Final = "path"
-WORDS_ON: Final = re.compile(
+TEXT_LAYERS: Final = re.compile(
     r"(te?xte?s?|beschriftung(en)?|label(s|ling)?|dim(s|ensions?)?|anno(tations?)?|(be|ver)?ma(ß|ss)(e|ung|ungen|ketten?)?"
     r"|cotes?|hatch(es|ing)?|schraffur(en)?|defpoints|title(s|block)?|border|frame|rahmen|grid(s|lines?)?|raster"
     r"|ax[ie]s|achsen?|axes)",
     re.IGNORECASE,
 )
-WALLS_ON: Final = re.compile(r"w(a|ae|ä)nde?|mauer|wall|mur|muro|parete|pared", re.IGNORECASE)
+WALL_LAYERS: Final = re.compile(r"w(a|ae|ä)nde?|mauer|wall|mur|muro|parete|pared", re.IGNORECASE)
 WALL_THICKNESS: Final = 0.02  # m; small, because the lines of drawings are surfaces of walls
 WIDEST: Final = 500.0  # m
 NARROWEST: Final = 1.0  # m
@@ -79,8 +79,8 @@ def import_dxf(
         raise ValueError(
             f"{file}: this drawing has {edges:,} wall pieces and at most {MAX_WALLS:,} are taken, choose fewer layers"
         )
-    drawn = _drawn_paths(drawing, (x, y))
-    paths = drawn or _propose_path(walls, (width, height))
+    drawn_paths = _drawn_paths(drawing, (x, y))
+    paths = drawn_paths or _propose_path(walls, (width, height))
     document: dict[str, Any] = {
         "name": name or plain_name(file.stem),
         "title": title or file.stem[:80],
@@ -88,30 +88,30 @@ def import_dxf(
         "wall_thickness": WALL_THICKNESS,
         "paths": paths,
     }
-    given = f"as given, in {drawing.unit}" if unit else _as_drawn(drawing.unit, width, height)
-    words = [
+    unit_sentence = f"as given, in {drawing.unit}" if unit else _as_drawn(drawing.unit, width, height)
+    sentences = [
         f"{edges} wall pieces.",
-        *_path_sentences(drawn, paths),
-        f"The drawing is {width:.1f} x {height:.1f} m large, {given}.",
+        *_path_sentences(drawn_paths, paths),
+        f"The drawing is {width:.1f} x {height:.1f} m large, {unit_sentence}.",
         *_left_out_sentences(drawing, () if layers else tuple(sorted(set(offered) - set(chosen)))),
     ]
-    return Draft(document, tuple(words), offered, chosen)
+    return Draft(document, tuple(sentences), offered, chosen)
 
 
 def _choose_layers(file: Path, offered: tuple[str, ...], layers: tuple[str, ...] | None) -> tuple[str, ...]:
     if layers is None:
-        return tuple(layer for layer in offered if not _is_for_words(layer))
+        return tuple(layer for layer in offered if not _is_for_text(layer))
     for layer in layers:
         if layer not in offered:
-            known = ", ".join(offered[:10]) or "none"
-            raise ValueError(f"{file}: there is no layer '{layer[:40]}' with lines, use some of these: {known}")
+            names = ", ".join(offered[:10]) or "none"
+            raise ValueError(f"{file}: there is no layer '{layer[:40]}' with lines, use some of these: {names}")
     return layers
 
 
-def _is_for_words(layer: str) -> bool:
+def _is_for_text(layer: str) -> bool:
     """Return whether one of the words in a layer's name means text or dimensions, and none means a wall."""
-    words = re.findall(r"[^\W\d_]+", layer)
-    return any(WORDS_ON.fullmatch(word) for word in words) and not WALLS_ON.search(layer)
+    parts = re.findall(r"[^\W\d_]+", layer)
+    return any(TEXT_LAYERS.fullmatch(part) for part in parts) and not WALL_LAYERS.search(layer)
 
 
 def _check_unit(file: Path, unit: str, width: float, height: float) -> None:
@@ -153,7 +153,9 @@ def _check_size(file: Path, width: float, height: float) -> None:
 
 def _drawn_paths(drawing: DxfDrawing, origin: Point) -> list[dict[str, Any]]:
     """Return the paths on the layer PATH; lines that meet are joined into one path."""
-    lines = [line for layer, found in drawing.layers.items() if layer.lower() == PATH_LAYER for line in found]
+    lines = [
+        line for layer, layer_lines in drawing.layers.items() if layer.lower() == PATH_LAYER for line in layer_lines
+    ]
     polylines = [line for line in lines if len(line) > 2]
     loose = [(line[0], line[1]) for line in lines if len(line) == 2]
     polylines += [_in_drawn_direction(chain, loose) for chain in chain_pieces(loose)]
@@ -186,10 +188,10 @@ def _propose_path(walls: list[list[Point]], size: tuple[float, float]) -> list[d
     return [path_document(points)] if Line(points).length > 0 else []
 
 
-def _path_sentences(drawn: list[dict[str, Any]], paths: list[dict[str, Any]]) -> list[str]:
-    if len(drawn) > 1:
-        return [f"{len(drawn)} paths are from the layer PATH."]
-    if drawn:
+def _path_sentences(drawn_paths: list[dict[str, Any]], paths: list[dict[str, Any]]) -> list[str]:
+    if len(drawn_paths) > 1:
+        return [f"{len(drawn_paths)} paths are from the layer PATH."]
+    if drawn_paths:
         return ["The path is that of the layer PATH."]
     if paths:
         return ["The path is a proposal: change it as you like."]
@@ -212,9 +214,9 @@ def _left_out_sentences(drawing: DxfDrawing, by_name: tuple[str, ...]) -> list[s
 
 
 def _listed(counts: Counter[str]) -> str:
-    shown = ", ".join(f"{count} {name[:60]}" for name, count in sorted(counts.items())[:MOST_LISTED])
-    more = len(counts) - MOST_LISTED
-    return f"{shown} and {more} more" if more > 0 else shown
+    list_text = ", ".join(f"{count} {name[:60]}" for name, count in sorted(counts.items())[:MOST_LISTED])
+    remaining = len(counts) - MOST_LISTED
+    return f"{list_text} and {remaining} more" if remaining > 0 else list_text
 
 
 def free_cells(

@@ -25,7 +25,7 @@ FARTHEST: Final = 1e7  # m; coordinates beyond are errors of the drawing and wou
 UNITS: Final = {"mm": 0.001, "cm": 0.01, "m": 1.0, "inch": 0.0254, "foot": 0.3048}  # m
 HEADER_UNITS: Final = {1: "inch", 2: "foot", 4: "mm", 5: "cm", 6: "m"}  # $INSUNITS, DXF reference, HEADER section
 LINES: Final = frozenset({"LINE", "LWPOLYLINE", "POLYLINE", "ARC", "CIRCLE", "ELLIPSE"})
-WORDS: Final = frozenset({"TEXT", "MTEXT", "DIMENSION", "ATTDEF", "ATTRIB", "LEADER", "MULTILEADER", "VIEWPORT"})
+TEXTS: Final = frozenset({"TEXT", "MTEXT", "DIMENSION", "ATTDEF", "ATTRIB", "LEADER", "MULTILEADER", "VIEWPORT"})
 
 
 class DxfDrawing(NamedTuple):
@@ -132,7 +132,7 @@ class _Reader:
                 self.left_out["invisible"] += 1
             elif layer.lower() in self._frozen or (layer.lower() in self._off and kind != "INSERT"):
                 self._hidden[layer] += 1
-            elif kind in WORDS:
+            elif kind in TEXTS:
                 self.left_out["texts and dimensions"] += 1
             elif kind == "INSERT":
                 self._read_block(entity, matrix, layer, depth)

@@ -62,7 +62,7 @@ def import_image(
     if not free.any():
         raise ValueError(f"{file}: nothing in this picture is as light as the threshold, lower it")
     occupancy = OccupancyMap(np.ascontiguousarray(free), scale * side)
-    return draft_of_map(occupancy, file, title, name, what="picture", outside=outside)
+    return draft_of_map(occupancy, file, title, name, noun="picture", outside=outside)
 
 
 def _pixels_per_cell(file: Path, rows: int, columns: int, scale: float) -> int:
@@ -95,8 +95,8 @@ def _read(file: Path) -> NDArray[np.uint8]:
             raise
         raise ValueError(f"{file}: this picture is damaged, save it anew") from error
     except OSError as error:
-        what = error.strerror or "it is damaged"
-        raise ValueError(f"{file}: this picture cannot be read ({what}), save it anew") from error
+        reason = error.strerror or "it is damaged"
+        raise ValueError(f"{file}: this picture cannot be read ({reason}), save it anew") from error
     except Exception as error:
         # Pillow may raise any exception for a damaged picture.
         raise ValueError(f"{file}: this picture is damaged, save it anew") from error

@@ -27,7 +27,7 @@ NARROW: Final = (
 COARSEST: Final = 0.2  # m per cell; in coarser cells doorways close
 MOST_CORNERS: Final = 20 * MAX_WALLS  # of exact outlines, to be simplified: more do not become few enough
 TOO_MANY: Final = 4 * MAX_WALLS  # pieces, which only coarser cells make few enough
-SEEN: Final = 0.99  # share of the cells from which on a map is a drawing, whose outside is as white as its rooms
+KNOWN_SHARE: Final = 0.99  # share of the cells from which on a map is a drawing, whose outside is as white as its rooms
 OPEN_EDGE: Final = 0.5  # share of a map's edge that is free, from which on its outside is free
 
 
@@ -45,7 +45,7 @@ def draft_of_map(
     file: Path,
     title: str | None = None,
     name: str | None = None,
-    what: str = "map",
+    noun: str = "map",
     *,
     outside: bool = False,
 ) -> Draft:
@@ -53,7 +53,7 @@ def draft_of_map(
 
     Only the free space connected with the proposed path is kept, and only the inside of a building unless `outside`;
     unknown cells count as walls. The walls lie in occupied or unknown cells, at most one cell behind the surface, never
-    in free cells. A map with too many wall pieces is made simpler and then coarser. `what` names the map's origin in
+    in free cells. A map with too many wall pieces is made simpler and then coarser. `noun` names the map's origin in
     sentences.
 
     Raises
@@ -63,14 +63,14 @@ def draft_of_map(
     """
     inside = Inside(occupancy.free, 0.0)
     if not outside and _has_open_edge(occupancy):
-        found = inside_of_building(occupancy.free, occupancy.resolution)
-        if found is None:
+        building = inside_of_building(occupancy.free, occupancy.resolution)
+        if building is None:
             raise ValueError(
-                f"{file}: all that is free in this {what} is connected to its edge, so that it shows no building, "
+                f"{file}: all that is free in this {noun} is connected to its edge, so that it shows no building, "
                 "choose to use the outside as well (--outside)"
             )
-        inside = found
-    walls = _walls(inside.free, occupancy.resolution, file, what)
+        inside = building
+    walls = _walls(inside.free, occupancy.resolution, file, noun)
     cell = OccupancyMap(walls.route.region, occupancy.resolution * walls.side, occupancy.origin)
     placed = [cell.place(np.array([*loop, loop[0]], dtype=np.float64)).round(DECIMALS).tolist() for loop in walls.loops]
     document = {
@@ -80,8 +80,8 @@ def draft_of_map(
         "wall_thickness": WALL_THICKNESS,
         "paths": [path_document(cell.place(walls.route.cells).round(DECIMALS).tolist())],
     }
-    words = [*_size_sentences(occupancy, walls, what), *_change_sentences(occupancy, inside, walls)]
-    return Draft(document, (*words, "The path is a proposal: change it as you like."))
+    sentences = [*_size_sentences(occupancy, walls, noun), *_change_sentences(occupancy, inside, walls)]
+    return Draft(document, (*sentences, "The path is a proposal: change it as you like."))
 
 
 def _has_open_edge(occupancy: OccupancyMap) -> bool:
@@ -91,11 +91,11 @@ def _has_open_edge(occupancy: OccupancyMap) -> bool:
     """
     free = occupancy.free
     edge = np.concatenate([free[0], free[-1], free[1:-1, 0], free[1:-1, -1]])
-    is_drawing = occupancy.unknown <= (1.0 - SEEN) * free.size
+    is_drawing = occupancy.unknown <= (1.0 - KNOWN_SHARE) * free.size
     return bool(edge.any() if is_drawing else edge.mean() > OPEN_EDGE)
 
 
-def _walls(free: NDArray[np.bool_], resolution: float, file: Path, what: str) -> _Walls:
+def _walls(free: NDArray[np.bool_], resolution: float, file: Path, noun: str) -> _Walls:
     """Return outlines of at most MAX_WALLS pieces: of the cells as they are, without narrow spaces, or coarser."""
     side, least = 1, 0
     while side == 1 or resolution * side <= COARSEST:
@@ -117,12 +117,12 @@ def _walls(free: NDArray[np.bool_], resolution: float, file: Path, what: str) ->
         side *= 2
     if least:
         raise ValueError(
-            f"{file}: this {what} has {least:,} wall pieces when it is made as simple as it can be, and at most "
+            f"{file}: this {noun} has {least:,} wall pieces when it is made as simple as it can be, and at most "
             f"{MAX_WALLS:,} are taken, keep about {percent(MAX_WALLS / least)} of it and paint the rest as wall, "
             "or paint over speckles and furniture"
         )
-    hint = "resolution" if what == "map" else "scale"
-    raise ValueError(f"{file}: a chair fits nowhere in this {what}, check its {hint} and thresholds")
+    hint = "resolution" if noun == "map" else "scale"
+    raise ValueError(f"{file}: a chair fits nowhere in this {noun}, check its {hint} and thresholds")
 
 
 def _without_narrow_spaces(free: NDArray[np.bool_], width: float) -> NDArray[np.bool_]:
@@ -132,33 +132,33 @@ def _without_narrow_spaces(free: NDArray[np.bool_], width: float) -> NDArray[np.
     return free & grown(wall_distances(free, width / 2 + 2.0) > width / 2, width / 2)
 
 
-def _size_sentences(occupancy: OccupancyMap, walls: _Walls, what: str) -> list[str]:
+def _size_sentences(occupancy: OccupancyMap, walls: _Walls, noun: str) -> list[str]:
     rows, columns = occupancy.free.shape
     area, cell = occupancy.resolution**2, occupancy.resolution * walls.side
-    taken_rows, taken_columns = (np.flatnonzero(walls.route.region.any(axis=axis)) for axis in (1, 0))
-    width, height = (float(taken[-1] - taken[0] + 1) * cell for taken in (taken_columns, taken_rows))
+    used_rows, used_columns = (np.flatnonzero(walls.route.region.any(axis=axis)) for axis in (1, 0))
+    width, height = (float(used[-1] - used[0] + 1) * cell for used in (used_columns, used_rows))
     free = np.count_nonzero(walls.route.region) * cell**2
-    words = [
+    sentences = [
         f"{sum(map(len, walls.loops)):,} wall pieces.",
-        f"The plan is {width:.1f} x {height:.1f} m large, with {free:.1f} m² free; the whole {what} is "
+        f"The plan is {width:.1f} x {height:.1f} m large, with {free:.1f} m² free; the whole {noun} is "
         f"{columns * occupancy.resolution:.1f} x {rows * occupancy.resolution:.1f} m.",
     ]
-    if what == "map":
-        words.append(f"{occupancy.unknown * area:.1f} m² of the map are unknown and count as wall.")
-    return words
+    if noun == "map":
+        sentences.append(f"{occupancy.unknown * area:.1f} m² of the map are unknown and count as wall.")
+    return sentences
 
 
 def _change_sentences(occupancy: OccupancyMap, inside: Inside, walls: _Walls) -> list[str]:
-    words = []
+    sentences = []
     if inside.opening > 0:
-        words.append(
+        sentences.append(
             f"The building is open to the outside: its openings of up to {inside.opening:.1f} m are closed in the plan."
         )
     if walls.narrow > 0:
-        words.append(f"There were too many wall pieces: spaces narrower than {walls.narrow} m are closed.")
+        sentences.append(f"There were too many wall pieces: spaces narrower than {walls.narrow} m are closed.")
     if walls.side > 1:
-        words.append(
+        sentences.append(
             f"{walls.side} x {walls.side} cells are joined to cells of {occupancy.resolution * walls.side:.2f} m; "
             "walls may be thicker by that."
         )
-    return words
+    return sentences

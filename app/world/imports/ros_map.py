@@ -176,8 +176,8 @@ def _read_image(image_file: Path, named_in: Path) -> tuple[NDArray[np.uint8], ND
     except (UnidentifiedImageError, Image.DecompressionBombError, Image.DecompressionBombWarning) as error:
         raise ValueError(f"{image_file}: this is not an image (PGM or PNG) that can be read, save it anew") from error
     except (OSError, SyntaxError, ValueError) as error:
-        what = getattr(error, "strerror", None) or error
-        raise ValueError(f"{image_file}: this image cannot be read ({what}), save it anew") from error
+        reason = getattr(error, "strerror", None) or error
+        raise ValueError(f"{image_file}: this image cannot be read ({reason}), save it anew") from error
     if read is None:
         raise ValueError(f"{image_file}: this image has more than {MOST_CELLS:,} pixels, make it coarser")
     return read

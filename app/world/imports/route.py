@@ -58,13 +58,13 @@ def _way(free: NDArray[np.bool_], resolution: float) -> NDArray[np.float64] | No
         ends = grid.room >= room
         if not ends.any():
             continue
-        one = _furthest(grid.costs(int(np.argmax(ends))), ends)
-        costs, before = grid.ways(one)
-        other = _furthest(costs, ends)
+        start = _furthest(grid.costs(int(np.argmax(ends))), ends)
+        costs, before = grid.ways(start)
+        end = _furthest(costs, ends)
         longest = costs[_furthest(costs, np.ones_like(ends))]
-        if room > least and costs[other] < ENOUGH * longest:
+        if room > least and costs[end] < ENOUGH * longest:
             continue
-        points = _straighten(grid.steps(before, one, other), clearance, least, resolution)
+        points = _straighten(grid.steps(before, start, end), clearance, least, resolution)
         if float(np.hypot(*np.diff(points, axis=0).T).sum()) * resolution >= SHORTEST:
             return points
     return None
@@ -197,18 +197,18 @@ def _straighten(
     steps: NDArray[np.int64], clearance: NDArray[np.float32], least: float, resolution: float
 ) -> NDArray[np.float64]:
     """Return few points of the way, such that `_is_straight` holds for each piece between two of them."""
-    kept, last = [0], len(steps) - 1
-    while kept[-1] < last:
-        here = kept[-1]
-        reach, stride = here + 1, 1
+    indices, last = [0], len(steps) - 1
+    while indices[-1] < last:
+        first = indices[-1]
+        reach, stride = first + 1, 1
         while stride:  # double the stride while the piece is straight, then halve it
-            there = min(reach + stride, last)
-            if there > reach and _is_straight(steps[here : there + 1], clearance, least, resolution):
-                reach, stride = there, stride * 2
+            end = min(reach + stride, last)
+            if end > reach and _is_straight(steps[first : end + 1], clearance, least, resolution):
+                reach, stride = end, stride * 2
             else:
                 stride //= 2
-        kept.append(reach)
-    return steps[kept].astype(np.float64)
+        indices.append(reach)
+    return steps[indices].astype(np.float64)
 
 
 def _is_straight(steps: NDArray[np.int64], clearance: NDArray[np.float32], least: float, resolution: float) -> bool:

@@ -39,9 +39,9 @@ def chain_pieces(pieces: Iterable[Piece]) -> list[list[Point]]:
 def _walk(start: Point, edges: list[tuple[Point, ...]], at: dict[Point, list[int]], unused: set[int]) -> list[Point]:
     """Return the line from `start` along unused edges to its end; an empty list when no unused edge is at `start`."""
     line: list[Point] = []
-    here = start
+    point = start
     while True:
-        numbers = at[here]
+        numbers = at[point]
         while numbers and numbers[-1] not in unused:
             numbers.pop()
         if not numbers:
@@ -49,9 +49,9 @@ def _walk(start: Point, edges: list[tuple[Point, ...]], at: dict[Point, list[int
         number = numbers.pop()
         unused.discard(number)
         a, b = edges[number]
-        there = b if a == here else a
-        line = [*line, there] if line else [here, there]
-        here = there
+        next_point = b if a == point else a
+        line = [*line, next_point] if line else [point, next_point]
+        point = next_point
 
 
 def _round(pieces: Iterable[Piece]) -> Iterable[Piece]:
