@@ -13,7 +13,7 @@ from contextlib import contextmanager, suppress
 from functools import partial
 from importlib import import_module
 from multiprocessing.connection import Connection
-from typing import Any, Final, ParamSpec, TypeVar
+from typing import Final, ParamSpec, TypeVar, cast
 
 from app.child_process import prepare_child, start_connected
 from app.clock import monotonic
@@ -129,7 +129,7 @@ class ComputingProcess:
             self._count_idle_time()
         if error is not None:
             raise error
-        return answer  # type: ignore[no-any-return]
+        return cast(Answer, answer)
 
     @contextmanager
     def _counted(self) -> Iterator[None]:
@@ -180,8 +180,8 @@ class _Running:
         self.process, self._connection = start_connected(__name__)
 
     def answer(
-        self, question: Callable[[], Any], leave_off: Callable[[], bool], progress: Callable[[], object]
-    ) -> tuple[Exception | None, Any]:
+        self, question: Callable[[], object], leave_off: Callable[[], bool], progress: Callable[[], object]
+    ) -> tuple[Exception | None, object]:
         """Return the error that the question raised, or None, and its answer."""
         until, before = monotonic() + ANSWER_LIMIT, progress()
         try:
@@ -193,7 +193,7 @@ class _Running:
                     until, before = monotonic() + ANSWER_LIMIT, now
                 elif monotonic() > until:
                     raise Unavailable(TOO_LONG)
-            answered: tuple[Exception | None, Any] = self._connection.recv()
+            answered: tuple[Exception | None, object] = self._connection.recv()
         except (EOFError, ConnectionError) as error:
             raise Unavailable(ENDED) from error
         return answered
@@ -217,7 +217,7 @@ def main(descriptor: int) -> None:
                 import_module(name)
 
 
-def answer(question: Callable[[], Any]) -> tuple[Exception | None, Any]:
+def answer(question: Callable[[], object]) -> tuple[Exception | None, object]:
     """Return the error that a question raised, or None, and its answer. Any pickle can carry the error."""
     try:
         return None, question()

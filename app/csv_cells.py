@@ -10,7 +10,7 @@ FORMULA_BEGINS = ("=", "+", "-", "@", "\t", "\r", "\n", *FULL_WIDTH)
 
 
 def safe_cell(text: str) -> str:
-    """Return a text that no spreadsheet takes for a formula: an apostrophe is put before one that begins like it."""
+    """Return a text that no spreadsheet runs as a formula: an apostrophe stands before one that begins like it."""
     return f"'{text}" if text.startswith(FORMULA_BEGINS) else text
 
 

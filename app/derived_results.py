@@ -21,18 +21,18 @@ class DerivedResults(Generic[Key, Value]):
         self._lock = threading.Lock()
 
     def of(self, key: Key, derive: Callable[[], Value]) -> Value:
-        """Return the result of a key, derived now where it is not known.
+        """Return the result of a key, derived now where it is not stored.
 
         Two threads that ask at once may both derive it. What `derive` raises is raised, and nothing is kept.
         """
-        stored = self.known([key])
+        stored = self.find([key])
         if key in stored:
             return stored[key]
         value = derive()
-        self.keep({key: value})
+        self.store({key: value})
         return value
 
-    def known(self, keys: Iterable[Key]) -> dict[Key, Value]:
+    def find(self, keys: Iterable[Key]) -> dict[Key, Value]:
         """Return the results of those keys that have one; each of them counts as used."""
         with self._lock:
             stored = {key: self._results[key] for key in keys if key in self._results}
@@ -40,8 +40,8 @@ class DerivedResults(Generic[Key, Value]):
                 self._results[key] = self._results.pop(key)
         return stored
 
-    def keep(self, results: Mapping[Key, Value]) -> None:
-        """Keep results, and forget those that were not used for the longest time where there are too many."""
+    def store(self, results: Mapping[Key, Value]) -> None:
+        """Store results, and forget those that were not used for the longest time where there are too many."""
         with self._lock:
             for key, value in results.items():
                 self._results.pop(key, None)

@@ -54,14 +54,14 @@ CONTINUE = ", then tap Continue."  # how the next step of a halted trial or driv
 
 
 class Explanation(NamedTuple):
-    """A fault in words: what happened, and what to do next."""
+    """The explanation of a fault: what happened, and what to do next."""
 
     happened: str
     next_step: str
 
     @property
     def remedy(self) -> str:
-        """What to do next without the word of the button, which is another one when no trial and no drive runs."""
+        """What to do next, without "tap Continue": that button exists only during a trial or a drive."""
         return self.next_step.replace(CONTINUE, ".")
 
 

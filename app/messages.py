@@ -15,7 +15,7 @@ from app.layout import MAX_CHANNELS, MAX_JOINTS
 MAX_GESTURES = MAX_JOINTS
 
 NO_CUE = -1
-ALIVE = 0.5  # s without a frame or a pose after which a device counts as silent, in words and in the status
+ALIVE = 0.5  # s without a frame or a pose after which a device counts as silent, in sentences and in the status
 
 
 @dataclass(slots=True)
@@ -55,7 +55,7 @@ class Tick:
     rate: list[float] = field(default_factory=list)  # FS/s (or FS for a displacement gesture)
     drive: list[float] = field(default_factory=list)  # max(0, rate - dead_zone), not clipped above
     activation: list[float] = field(default_factory=list)  # 0..1
-    estimated: int = 0  # bit i: channel i is bad, and gestures that read it go on by what its neighbours tell
+    estimated: int = 0  # bit i: channel i is bad, and gestures that read it use an estimate from its neighbours
     u1: float = 0.0
     u2: float = 0.0
     v: float = 0.0  # m/s, behind the safety gate
@@ -113,7 +113,7 @@ TICK = np.dtype(
         ("y", "f8"),
         ("theta", "f8"),
         ("scene_t", "f8"),
-        ("estimated", "u8"),  # bit i: channel i is bad, and its movements go on by what its neighbours tell
+        ("estimated", "u8"),  # bit i: channel i is bad, and gestures that read it use an estimate from its neighbours
         ("frame_seq", "u4"),
         ("lost", "u4"),  # frames missing by the shirt's counter since the shirt was opened
         ("late", "u4"),  # ticks late by more than a period since the process started

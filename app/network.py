@@ -8,7 +8,7 @@ FIRST = "A device that warns of the certificate opens {page} first: the page the
 
 @dataclass(frozen=True, slots=True)
 class CertificateTrust:
-    """What the machine's certificate says, and what a tablet installs in order to trust it."""
+    """The facts of the machine's certificate, and the root that a tablet installs in order to trust it."""
 
     names: tuple[str, ...]  # in lower case; *.clinic.example stands for every name of one label more
     addresses: tuple[str, ...]  # the one to show to people first
@@ -45,7 +45,7 @@ class NetworkService:
         return link("http", host or self.best_host, self.page_port)
 
     @property
-    def first_words(self) -> str:
+    def certificate_hint(self) -> str:
         """Return what a device that does not know the clinic's authority needs first; empty when there is none."""
         return "" if self.trust.root is None else FIRST.format(page=self.page_link())
 

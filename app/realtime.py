@@ -1,4 +1,4 @@
-"""Requests real-time scheduling and locked memory for the control loop, and reports in words what was granted.
+"""Requests real-time scheduling and locked memory for the control loop, and reports what was granted.
 
 It also keeps a process of many threads small, and frees memory at moments when no chair moves.
 """
@@ -18,7 +18,7 @@ IOPRIO_SET = {"x86_64": 251, "aarch64": 30, "armv7l": 314}  # numbers of the sys
 SWITCH_INTERVAL = 1e-4  # s for which the recorder may hold the interpreter when the loop needs it
 M_ARENA_MAX = -8  # mallopt(3)
 AREAS = 2  # of memory, for all threads
-SELDOM = 50_000  # new objects until the interpreter looks for garbage, where many are made and few are garbage
+SELDOM = 50_000  # new objects until the interpreter collects garbage, while many are made and few are garbage
 USUAL = gc.get_threshold()
 MCL_CURRENT, MCL_FUTURE, MCL_ONFAULT = 1, 2, 4
 LOCK = MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT  # lock pages when they are first used, not when they are reserved
@@ -38,7 +38,7 @@ def go_real_time() -> list[str]:
 
 
 def collect_seldom() -> None:
-    """Look for garbage seldom, until `collect_garbage`: a start makes many objects and little garbage."""
+    """Collect garbage seldom, until `collect_garbage`: a start makes many objects and little garbage."""
     gc.set_threshold(SELDOM)
 
 

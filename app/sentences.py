@@ -1,9 +1,9 @@
 """Turns the validation errors of a document into one sentence for the person who wrote it."""
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 from pydantic import ValidationError
+from pydantic_core import ErrorDetails
 
 LONGEST_QUOTE = 40
 
@@ -13,7 +13,7 @@ def one_sentence(error: ValidationError, where: str) -> str:
     return sentence_of(error.errors(include_url=False), where)
 
 
-def sentence_of(problems: Sequence[Mapping[str, Any]], where: str) -> str:
+def sentence_of(problems: Sequence[ErrorDetails], where: str) -> str:
     """Return one sentence on pydantic's list of problems: what is wrong, where in `where`, and what to do."""
     first = problems[0]
     place = _place(first["loc"])
@@ -37,8 +37,8 @@ def _place(location: tuple[int | str, ...]) -> str:
     return place
 
 
-def _problem(problem: Mapping[str, Any]) -> str:
-    """Return a problem in words: what is wrong, and what to do."""
+def _problem(problem: ErrorDetails) -> str:
+    """Return a problem as half a sentence: what is wrong, and what to do."""
     kind: str = problem["type"]
     message: str = problem["msg"]
     if kind == "value_error":

@@ -1,4 +1,4 @@
-"""Names that look alike: one must not be taken for another, whether by mistake or on purpose."""
+"""Detects names that look alike, so that one is not mistaken for another."""
 
 import re
 import unicodedata

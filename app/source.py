@@ -1,7 +1,7 @@
-"""The source of a recording: its shirt, the body inside a simulated shirt, its chair; and its words on all pages."""
+"""The source of a recording: its shirt, the body inside a simulated shirt, its chair; and its description."""
 
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import Field, ValidationError
 
@@ -11,11 +11,11 @@ UNKNOWN = "unknown"
 
 Kind = Annotated[str, Field(min_length=1, max_length=32)]
 SourceGroup = Literal["worn", "simulated", "unknown"]
-"""Trials of different groups are never put into one curve, one assessment or one warning."""
+"""Trials of different groups are never in one curve, one assessment or one warning."""
 
-SHIRT_WORDS = {"simulator": "Simulated shirt", "replay": "Recorded signals", "udp": "Worn shirt"}
-BODY_WORDS = {"person": "simulated person", "visitor": "moved on the screen", "recorded": "recorded body"}
-CHAIR_WORDS = {"virtual": "virtual chair", "udp": "real chair", UNKNOWN: "chair not recorded"}
+SHIRT_NAMES = {"simulator": "Simulated shirt", "replay": "Recorded signals", "udp": "Worn shirt"}
+BODY_NAMES = {"person": "simulated person", "visitor": "moved on the screen", "recorded": "recorded body"}
+CHAIR_NAMES = {"virtual": "virtual chair", "udp": "real chair", UNKNOWN: "chair not recorded"}
 
 
 class Source(Document):
@@ -34,14 +34,14 @@ class Source(Document):
         return "simulated" if self.simulated else "worn"
 
 
-def source_words(source: Source) -> str:
-    """Return a source in the words that pages, reports and exports use."""
+def source_description(source: Source) -> str:
+    """Return the description of a source on pages, in reports and in exports."""
     if source.shirt == UNKNOWN:
         shirt = "Shirt not recorded"
     else:
-        shirt = SHIRT_WORDS.get(source.shirt, f"Shirt of the kind '{source.shirt}'")
-    body = "" if source.body is None else f" ({BODY_WORDS.get(source.body, source.body)})"
-    chair = CHAIR_WORDS.get(source.chair, f"chair of the kind '{source.chair}'")
+        shirt = SHIRT_NAMES.get(source.shirt, f"Shirt of the kind '{source.shirt}'")
+    body = "" if source.body is None else f" ({BODY_NAMES.get(source.body, source.body)})"
+    chair = CHAIR_NAMES.get(source.chair, f"chair of the kind '{source.chair}'")
     practice = ": practice only" if source.simulated else ""
     return f"{shirt}{body}, {chair}{practice}"
 
@@ -50,7 +50,7 @@ STUDY_SOURCE = Source(shirt="simulator", body="person", chair="virtual", simulat
 UNKNOWN_SOURCE = Source(shirt=UNKNOWN, body=None, chair=UNKNOWN, simulated=None)
 
 
-def source_of_header(header: Mapping[str, Any]) -> Source:
+def source_of_header(header: Mapping[str, object]) -> Source:
     """Return the source in the header of a recording (`run.json`); an unknown one when the header cannot be read."""
     try:
         return Source.model_validate(header.get("source"))

@@ -25,9 +25,9 @@ def test_what_fails_is_derived_again():
 
 def test_what_was_replaced_is_forgotten():
     results = DerivedResults(9)
-    results.keep({("a", 1): 1, ("a", 2): 2, ("b", 1): 3})
+    results.store({("a", 1): 1, ("a", 2): 2, ("b", 1): 3})
     results.forget(lambda key: key[0] == "a")
-    assert results.known([("a", 1), ("a", 2), ("b", 1)]) == {("b", 1): 3}
+    assert results.find([("a", 1), ("a", 2), ("b", 1)]) == {("b", 1): 3}
 
 
 @given(st.lists(st.integers(0, 6), max_size=40), st.integers(1, 4))
@@ -36,4 +36,4 @@ def test_those_that_were_used_last_are_known(keys, most):
     for key in keys:
         assert results.of(key, lambda key=key: key) == key
         used = [*(one for one in used if one != key), key][-most:]
-    assert sorted(results.known(range(7))) == sorted(used)
+    assert sorted(results.find(range(7))) == sorted(used)

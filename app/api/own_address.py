@@ -47,7 +47,7 @@ def link_words(settings: Settings, address: OwnAddress) -> str:
 
 def first_words(settings: Settings) -> str:
     """Return what a device needs before it opens its first link; empty: nothing."""
-    return settings.network.first_words if settings.network else ""
+    return settings.network.certificate_hint if settings.network else ""
 
 
 def reach_words(settings: Settings, address: OwnAddress) -> str:

@@ -2,12 +2,13 @@
 
 import errno
 import logging
-from typing import Any, Final, Literal
+from typing import Any, Final, Literal, cast
 
 from fastapi import FastAPI, Request
 from fastapi.concurrency import run_in_threadpool
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
+from pydantic_core import ErrorDetails
 from starlette.exceptions import HTTPException
 
 from app.api.parts import parts_of
@@ -141,7 +142,9 @@ def install_refusals(app: FastAPI) -> None:
             return _answer(415, "What was sent is not declared as JSON: send it as application/json.")
         if first["type"] == "value_error" and "UploadFile" in first["msg"]:
             return _answer(422, "What was sent as a file is none: choose a file, then add it again.")
-        problems = [{**problem, "loc": tuple(problem["loc"])[1:]} for problem in error.errors()]
+        problems = cast(
+            "list[ErrorDetails]", [{**problem, "loc": tuple(problem["loc"])[1:]} for problem in error.errors()]
+        )
         return _answer(422, sentence_of(problems, WHERE.get(str(first["loc"][0]), "What was sent")))
 
     app.add_exception_handler(Exception, _broken)

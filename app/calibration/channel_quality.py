@@ -6,7 +6,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.number_words import percent
+from app.number_format import percent
 
 Condition = Literal["good", "near", "railed", "flat", "noisy", "nan"]
 

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from app.number_words import percent
+from app.number_format import percent
 
 LONGEST_GAP = 0.2  # s that are bridged
 LARGEST_SHARE = 0.01  # of a channel's samples that may be missing from the data to be fitted

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from app.calibration.profile import Grade
-from app.number_words import percent
+from app.number_format import percent
 
 # Limits come in pairs: beyond the first a map is `usable` only, beyond the second its movement has to be repeated.
 EVR_LIMITS = (0.80, 0.50)  # the paper reports 80-90 %

@@ -8,7 +8,7 @@ from pydantic import Field, model_validator
 
 from app.calibration.profile import CalibrationProfile
 from app.messages import MAX_GESTURES
-from app.number_words import percent
+from app.number_format import percent
 from app.quantities import Cutoff, Document, Gain, Name, Threshold
 from app.speeds import Speeds
 

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 import typer
 
 from app import __version__
+from app.cli.common_options import AsJson
 from app.cli.errors import InputError
-from app.cli.options import AsJson
 
 if TYPE_CHECKING:
     from packaging.requirements import Requirement

@@ -1,4 +1,4 @@
-"""`bodydrive decode`: the chain of the live loop over a file of signals, and the file of commands that comes of it."""
+"""`bodydrive decode`: the chain of the live loop over a file of signals, written as a file of commands."""
 
 import io
 import json
@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from app.cli.common_options import AsJson
 from app.cli.errors import InputError
-from app.cli.options import AsJson
 from app.cli.output import dialect_summary, print_dialect, warn, write_output
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ def decode(
     as_json: AsJson = False,
 ) -> None:
     """Decode a file of signals with the very chain of the live loop."""
-    from app.source import source_words
+    from app.source import source_description
 
     if out.suffix not in SUFFIXES:
         raise InputError(f"--out {out}: its name must end in {' or '.join(SUFFIXES)}")
@@ -50,14 +50,14 @@ def decode(
         "seconds": float(t[-1] - t[0]),
         "sample_rate": recorded.sample_rate,
         "out": str(out),
-        "source": {**source.model_dump(mode="json"), "words": source_words(source)},
+        "source": {**source.model_dump(mode="json"), "words": source_description(source)},
     }
     if as_json:
         typer.echo(json.dumps(summary | dialect_summary(recorded)))
     else:
         typer.echo(f"{summary['frames']} frames, {summary['seconds']:.1f} s, decoded into {out}")
         print_dialect(recorded, signals)
-        typer.echo(f"Source: {source_words(source)}")
+        typer.echo(f"Source: {source_description(source)}")
 
 
 def _decode_file(signals: Path, parameters: "DriveParameters") -> "tuple[Signals, DecodedRun]":
@@ -165,19 +165,19 @@ def _content_of(file: Path, columns: "dict[str, NDArray[np.float64]]", source: "
     """Return what columns of equal length are as a .parquet or .csv file, by the name of the file.
 
     Both have a column `simulated`: 1 where nobody wore the shirt, 0 where somebody did, NaN where that is unknown.
-    Parquet's own metadata carry the whole source in words (key `source`).
+    Parquet's own metadata hold the description of the source (key `source`).
     """
     import numpy as np
     import pyarrow as pa
     import pyarrow.csv
     import pyarrow.parquet
 
-    from app.source import source_words
+    from app.source import source_description
 
     simulated = np.nan if source.simulated is None else float(source.simulated)
     rows = len(next(iter(columns.values())))
     table = pa.table({**columns, "simulated": np.full(rows, simulated)})
-    table = table.replace_schema_metadata({"source": source_words(source)})
+    table = table.replace_schema_metadata({"source": source_description(source)})
     content = io.BytesIO()
     if file.suffix == ".csv":
         pyarrow.csv.write_csv(table, content)

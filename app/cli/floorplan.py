@@ -6,8 +6,8 @@ from typing import Annotated
 
 import typer
 
+from app.cli.common_options import AsJson
 from app.cli.errors import InputError
-from app.cli.options import AsJson
 from app.cli.output import write_output
 from app.world.imports.options import THRESHOLD
 

@@ -6,8 +6,8 @@ from dataclasses import asdict
 
 import typer
 
+from app.cli.common_options import AsJson, State, settings_of
 from app.cli.errors import InputError
-from app.cli.options import AsJson, State, settings_of
 
 CHANGED = 1  # exit code
 

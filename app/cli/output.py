@@ -49,5 +49,5 @@ def dialect_summary(recorded: "Signals") -> dict[str, dict[str, str]]:
 
 def print_dialect(recorded: "Signals", file: Path) -> None:
     """Write to stdout the dialect of a CSV file that does not use the usual signs."""
-    if recorded.dialect is not None and recorded.dialect.words:
-        typer.echo(f"{file}: {recorded.dialect.words}")
+    if recorded.dialect is not None and recorded.dialect.sentence:
+        typer.echo(f"{file}: {recorded.dialect.sentence}")

@@ -6,13 +6,13 @@ Who can read the clinic's files owns the clinic. So this is also the way in agai
 import json
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, TypedDict
 
 import typer
 
 from app.cli.clinic_folder import open_clinic
+from app.cli.common_options import COMMAND_LINE, AsJson, State, settings_of
 from app.cli.errors import InputError
-from app.cli.options import COMMAND_LINE, AsJson, State, settings_of
 from app.cli.qr import terminal_code
 from app.network import link
 from app.refusals import Refusal
@@ -41,6 +41,15 @@ people_app = typer.Typer(
 )
 
 
+class PersonFacts(TypedDict):
+    """A person of the clinic, as `--json` has it."""
+
+    name: str
+    role: str
+    patients: list[str] | None  # codes of the patients whom a reviewer may see; None: all
+    state: str
+
+
 @people_app.command("list")
 def list_people(
     state: State = None,
@@ -51,7 +60,7 @@ def list_people(
     from app.store.tables import Patient
 
     with open_clinic(settings_of(state)) as (database, _), database.transaction() as db:
-        people: list[dict[str, Any]] = []
+        people: list[PersonFacts] = []
         for person in people_of(db, _clinic_id(db)):
             codes = None
             if person.patients is not None:

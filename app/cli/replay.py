@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from app.cli.common_options import AsJson
 from app.cli.errors import InputError
-from app.cli.options import AsJson
 from app.cli.output import warn
 from app.clock import Clock, MonotonicClock
 from app.hardware.shirt.sender import STANDARD_ADDRESS
@@ -96,7 +96,7 @@ def play(
 
 
 def _send(sender: socket.socket, packet: bytes, address: tuple[str, int]) -> str:
-    """Send one datagram; return the error in words, empty when there is none."""
+    """Send one datagram; return the error as text, empty when there is none."""
     try:
         sender.sendto(packet, address)
     except OSError as error:

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.clinic_folder import keep_private, lock_folder
+from app.cli.common_options import State, folder_of
 from app.cli.errors import InputError
-from app.cli.options import State, folder_of
 from app.cli.port import bind, bind_here, proxy_network, public_name
 from app.files import write_atomically
 from app.network import link

@@ -148,7 +148,7 @@ class WebServer(uvicorn.Server):
         try:
             with suppress(TimeoutError):
                 await asyncio.wait_for(say_goodbye(self._app), GOODBYE)
-        finally:  # whether or not the pages could be told, the program ends
+        finally:  # the program ends, also when the pages could not be informed
             self.should_exit = True
 
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.source import STUDY_SOURCE, source_words
+from app.scoring.learning import CurveDocument
+from app.source import STUDY_SOURCE, source_description
 from app.study.choices import FigureFormat
 from app.study.experiment import StudyResult
 from app.study.seeds import MEASURES, comparable_table
@@ -178,7 +179,7 @@ def _errors_figure(
     dist: Sequence[float],
     e_diff: Sequence[float],
     path_length: float,
-    curves: dict[str, dict[str, Any]],
+    curves: Mapping[str, CurveDocument],
 ) -> Figure:
     """Draw Dist (m) and E_diff (m2) per trial, each with its learning curve and 95 % band where there is one."""
     with _paper_style():
@@ -190,7 +191,7 @@ def _draw_errors(
     dist: Sequence[float],
     e_diff: Sequence[float],
     path_length: float,
-    curves: dict[str, dict[str, Any]],
+    curves: Mapping[str, CurveDocument],
 ) -> Figure:
     figure, axes = _new_figure(7.0, 5.4, 2)
     panels = (
@@ -227,7 +228,9 @@ def _save_figure(figure: Figure, file: Path, file_format: FigureFormat) -> None:
     """Write a figure of a study, marked as simulated; equal figures give equal bytes."""
     metadata = {"Date": None} if file_format == "svg" else {"Software": None}
     with _paper_style():
-        figure.text(0.995, 0.005, source_words(STUDY_SOURCE), ha="right", va="bottom", size=MARK_SIZE, color="0.4")
+        figure.text(
+            0.995, 0.005, source_description(STUDY_SOURCE), ha="right", va="bottom", size=MARK_SIZE, color="0.4"
+        )
         figure.savefig(file, format=file_format, dpi=DOTS_PER_INCH, metadata=metadata)
 
 

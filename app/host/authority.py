@@ -159,7 +159,7 @@ def _builder(
     life: dt.timedelta,
     above: x509.Certificate | None = None,
 ) -> x509.CertificateBuilder:
-    """Return what all three have: names, a random number, the time, and whose keys they are."""
+    """Return the common part of the three certificates: names, serial number, validity, and key identifiers."""
     start = now - BACKDATED
     end = start + life
     if above is not None:  # a chain ends when its first certificate does

@@ -53,7 +53,7 @@ def root_pem(root: bytes) -> bytes:
 
 
 def _uuid(half: bytes) -> str:
-    """Return half a SHA-256 as a UUID of version 8, which is for values of one's own (RFC 9562)."""
+    """Return half a SHA-256 as a UUID of version 8, which is for application-specific values (RFC 9562)."""
     marked = bytearray(half)
     marked[6] = marked[6] & 0x0F | 0x80
     marked[8] = marked[8] & 0x3F | 0x80

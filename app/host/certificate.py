@@ -65,7 +65,7 @@ class ServerCertificate(Protocol):
     trust: CertificateTrust
 
     def refresh(self) -> list[str]:
-        """Renew the certificate, or read it anew, if that is due; return sentences for the person who runs this."""
+        """Renew the certificate or reload it when that is due; return sentences for the operator."""
         ...
 
 
@@ -103,7 +103,7 @@ class LocalCertificate:
         self.trust = self._trust(machine())
 
     def refresh(self) -> list[str]:
-        """Follow the machine's addresses, renew what is due, and return sentences, each as long as it is true."""
+        """Follow the machine's addresses, renew what is due, and return the sentences that hold at present."""
         words, self._words = self._words, []
         machine = self._machine()
         unusable = self._unusable()
@@ -169,7 +169,7 @@ class LocalCertificate:
 
 
 class OwnCertificate:
-    """A certificate that the clinic got elsewhere; read anew when its files change.
+    """A certificate from another authority; reloaded when its files change.
 
     Raises
     ------
@@ -184,7 +184,7 @@ class OwnCertificate:
         self._content, self.trust = self._load()
 
     def refresh(self) -> list[str]:
-        """Read the files anew if they changed; return in a sentence what is wrong with them."""
+        """Reload the files if they changed; return a sentence on each problem with them."""
         try:
             if self._contents() != self._content:
                 self._content, self.trust = self._load()

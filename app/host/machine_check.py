@@ -1,4 +1,4 @@
-"""What this machine grants the control loop and the clinic, measured, and in words."""
+"""Measurements of what this machine grants the control loop and the clinic, each with a sentence."""
 
 import errno
 import shutil
@@ -80,7 +80,7 @@ def free_room(folder: Path) -> int:
 def clock_finding(now: datetime, installed: datetime, *, is_kept: bool | None) -> Finding:
     """Return whether the clock can be right; certificates and the log depend on it.
 
-    `installed` is when the program was; `is_kept` tells whether a time server keeps the clock, None when unknown.
+    `installed` is when the program was; `is_kept`: whether a time server keeps the clock, None when unknown.
     """
     words = f"The clock shows {now:%Y-%m-%d %H:%M} UTC"
     if now < installed:
@@ -93,7 +93,7 @@ def clock_finding(now: datetime, installed: datetime, *, is_kept: bool | None) -
 
 
 def clock_is_kept() -> bool | None:
-    """Return whether a time server keeps this machine's clock, None when the system does not tell."""
+    """Return whether a time server keeps this machine's clock, None when the system gives no answer."""
     try:
         status = subprocess.run(
             ["timedatectl", "show", "--property=NTPSynchronized", "--value"],
@@ -147,7 +147,7 @@ def install_time() -> float:
 
 
 def summary(findings: Sequence[Finding]) -> Finding:
-    """Return in a sentence whether the machine will do."""
+    """Return whether the machine is good enough, by its worst finding."""
     verdicts = {finding.verdict for finding in findings}
     if "bad" in verdicts:
         return Finding("bad", "This computer is not good enough for driving as it is.")

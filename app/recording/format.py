@@ -8,7 +8,7 @@ and on its second line the checksum of the first line.
 
 import json
 from struct import Struct
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypedDict
 from zlib import crc32
 
 import numpy as np
@@ -36,6 +36,18 @@ PER_GESTURE = ("score", "rate", "activation")
 PER_CHANNEL = "values"
 
 CHECK = Struct("<QII")  # end of a piece in the segment, CRC-32 of the piece, CRC-32 of the twelve bytes before
+
+
+Columns = dict[str, NDArray[Any]]
+"""The columns of a recording by name, each of its own type of number."""
+
+
+class RecordingEnd(TypedDict):
+    """The document in `end.json`."""
+
+    rows: int
+    dropped: int  # ticks that were overwritten in the ring before they were written
+    checksums: dict[str, int]  # CRC-32 of `run.json` and `run.parquet`, by name
 
 
 class Piece(NamedTuple):
@@ -71,18 +83,18 @@ def end_bytes(rows: int, dropped: int, checksums: dict[str, int]) -> bytes:
     return line + b"\n" + str(crc32(line)).encode() + b"\n"
 
 
-def parse_end(content: bytes) -> dict[str, Any] | None:
+def parse_end(content: bytes) -> RecordingEnd | None:
     """Return the document in `end.json`, None when the file was cut or changed."""
     line, _, rest = content.partition(b"\n")
     if rest != str(crc32(line)).encode() + b"\n":
         return None
-    parsed: dict[str, Any] = json.loads(line)
+    parsed: RecordingEnd = json.loads(line)
     return parsed
 
 
-def rows_to_columns(rows: NDArray[np.void], n_channels: int, n_gestures: int) -> dict[str, NDArray[Any]]:
+def rows_to_columns(rows: NDArray[np.void], n_channels: int, n_gestures: int) -> Columns:
     """Return the columns of ticks (n,): scalars (n,), `values` (n, n_channels), per gesture (n, n_gestures)."""
-    columns: dict[str, NDArray[Any]] = {name: np.ascontiguousarray(rows[name]) for name in SCALARS}
+    columns: Columns = {name: np.ascontiguousarray(rows[name]) for name in SCALARS}
     for name in PER_GESTURE:
         columns[name] = np.ascontiguousarray(rows[name][:, :n_gestures])
     columns[PER_CHANNEL] = np.ascontiguousarray(rows[PER_CHANNEL][:, :n_channels])

@@ -6,15 +6,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from app.recording.format import END_FILE, META_KEY, PARQUET_FILE, parse_end
-from app.recording.reader import Columns, RunRecording, columns_of, file_checksum, read_run
+from app.recording.format import END_FILE, META_KEY, PARQUET_FILE, Columns, parse_end
+from app.recording.reader import RunRecording, columns_of, file_checksum, read_run
 
 GROUP = 20_000  # rows
 
 
 @dataclass(frozen=True, slots=True)
 class RunGroups:
-    """A recorded run whose rows come group by group; the groups can be taken once."""
+    """A recorded run that is read group by group; the groups can be iterated once."""
 
     meta: dict[str, Any]  # the content of `run.json`
     loss: str  # what is damaged, and how much a cut lost at most; empty when the recording is whole and closed

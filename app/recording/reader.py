@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 from zlib import crc32
 
 import numpy as np
-from numpy.typing import NDArray
 
 from app.messages import TICK
 from app.recording.format import (
@@ -23,6 +22,8 @@ from app.recording.format import (
     PER_GESTURE,
     SCALARS,
     SEGMENT,
+    Columns,
+    RecordingEnd,
     check_pieces,
     parse_end,
 )
@@ -36,8 +37,6 @@ CUT = "The recording was cut: what had been written by then is here."
 LOST_OF_A_CUT = "It ends {end:.2f} s after its first row; of the time until the cut, at most {lost:g} s are lost."
 UNREADABLE = (ValueError, TypeError, AttributeError, KeyError, NotImplementedError)
 """What a changed name or type of a column raises, which the Parquet file does not protect by a checksum."""
-
-Columns = dict[str, NDArray[Any]]
 
 
 @dataclass(slots=True)
@@ -111,7 +110,7 @@ def read_run(folder: str | Path, *, scalars_only: bool = False) -> RunRecording:
     return RunRecording(meta, columns, end["dropped"] if end else 0, damage or problem)
 
 
-def _read_parquet(file: Path, end: dict[str, Any] | None, scalars_only: bool) -> tuple[list["pa.Table"], str]:
+def _read_parquet(file: Path, end: RecordingEnd | None, scalars_only: bool) -> tuple[list["pa.Table"], str]:
     import pyarrow as pa
     import pyarrow.parquet as pa_parquet
 

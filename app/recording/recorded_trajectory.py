@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.faults import State
-from app.recording.reader import Columns, read_run
+from app.recording.format import Columns
+from app.recording.reader import read_run
 
 APART = 0.05  # m between two points that are shown
 

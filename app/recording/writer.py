@@ -27,7 +27,7 @@ from app.recording.format import (
 )
 
 WRITE_EVERY = 0.08  # s
-SYNC_EVERY = LOST_AT_MOST - WRITE_EVERY  # s: the next look is WRITE_EVERY later
+SYNC_EVERY = LOST_AT_MOST - WRITE_EVERY  # s: the next write is WRITE_EVERY later
 SEGMENT_SIZE = 32_000_000  # bytes, after which the next segment begins
 
 
@@ -79,7 +79,7 @@ class RunWriter:
         self._thread.start()
 
     def finish(self, until: int) -> None:
-        """Close the recording when tick number `until` is written; `done` tells when it is closed."""
+        """Close the recording when tick number `until` is written; `done` is true once it is closed."""
         self._until = until
         self._wake.set()
 
@@ -103,7 +103,7 @@ class RunWriter:
             while True:
                 self._wake.wait(WRITE_EVERY)
                 until = self._until
-                last = self._take(ring, last, run)
+                last = self._write_new_ticks(ring, last, run)
                 if monotonic() - synced >= SYNC_EVERY:
                     synced = monotonic()
                     self._sync()

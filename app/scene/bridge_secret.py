@@ -1,7 +1,7 @@
 """The secret between the view bridge and viser's servers: viser's ports refuse every connection without it.
 
 viser listens on ports of its own, without a sign-in and without a check of the Origin header. Without the secret, any
-page in a browser on this machine could read the scene from these ports. The secret is made anew at each start of the
+page in a browser on this machine could read the scene from these ports. A new secret is made at each start of the
 program, and only the bridge sends it.
 """
 
@@ -51,7 +51,7 @@ class _GuardedWebsockets:
     def __init__(self) -> None:
         self.asyncio = SimpleNamespace(server=SimpleNamespace(serve=_serve))
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> object:
         return getattr(websockets, name)
 
 

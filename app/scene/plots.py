@@ -22,7 +22,7 @@ SHAPE = 2.2  # width over height of the trajectory's drawing area, so that x and
 NO_RANGE: Final[Range] = (-1.0, 1.0)
 
 STROKE: Final = 2  # pixels
-GRID: Final[dict[str, Any]] = {"stroke": "#e4e8e6", "width": 1}
+GRID: Final = {"stroke": "#e4e8e6", "width": 1}
 TEXT: Final = "#53606c"
 ZERO_LINE: Final = "#9aa7b1"
 

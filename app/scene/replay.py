@@ -92,7 +92,7 @@ class Replay:
         self._server.stop()
 
     def _update_state(self, row: int) -> None:
-        """Bring task, cones and movers to the state after `row`; start them anew when `row` is an earlier one."""
+        """Bring task, cones and movers to the state after `row`; begin again when `row` is an earlier one."""
         if row < self._state_row:
             self._state.begin_again()
             self._state_row = -1

@@ -45,7 +45,7 @@ class SceneState:
         self.begin_again()
 
     def begin_again(self) -> None:
-        """Start the task anew, and stand all cones up."""
+        """Restart the task, and stand all cones up."""
         self._scene_t = 0.0
         if self._plan is not None and self._path is not None:
             self._progress = progress_of(self._plan, self._path)

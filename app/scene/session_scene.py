@@ -111,7 +111,7 @@ class LiveScene:
             self._flush()
 
     def new_trial(self) -> None:
-        """Remove the last trial's trajectory and error, start the task anew and stand the cones up."""
+        """Remove the last trial's trajectory and error, restart the task and stand the cones up."""
         with self._lock:
             self._clear_trajectories()
             self._state.begin_again()

@@ -5,7 +5,7 @@ KHR_materials_unlit: the renderer computes no light, which is much faster where 
 """
 
 import struct
-from typing import Any, Final
+from typing import Final
 
 import msgspec
 import numpy as np
@@ -55,7 +55,7 @@ def unlit_glb(part: PaintedPart) -> bytes:
     return MAGIC + struct.pack("<2I", 2, 12 + len(chunks)) + chunks
 
 
-def _accessor(view: int, numbers: int, count: int, kind: str) -> dict[str, Any]:
+def _accessor(view: int, numbers: int, count: int, kind: str) -> dict[str, object]:
     return {"bufferView": view, "componentType": numbers, "count": count, "type": kind}
 
 

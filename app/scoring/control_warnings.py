@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.grades import EVR_LIMITS, LARGEST_ANGLE
-from app.number_words import amount, percent
+from app.number_format import amount, percent
 from app.scoring.control_quality import BadChannel
 from app.scoring.trend import mann_kendall
 from app.scoring.trial_assessment import (
@@ -46,7 +46,7 @@ ORDER: tuple[Kind, ...] = ("sensor", "map", "noise", "span")
 
 
 class ControlWarnings(NamedTuple):
-    """All warnings; the note says what needs more trials, and is empty when there are enough."""
+    """All warnings, and a note on what needs more trials; empty when there are enough."""
 
     warnings: list[ControlWarning]
     note: str

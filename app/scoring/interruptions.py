@@ -1,21 +1,22 @@
-"""Interruptions of a trial: when the chair was not permitted to move, why, and what a trial is without that time.
+"""Interruptions of a trial: when the chair was not permitted to move, why, and the trial without that time.
 
 A tick's state decides over the time since the tick before.
 """
 
 from collections.abc import Mapping
 from itertools import pairwise
-from typing import Any, Final, Literal, NamedTuple
+from typing import Final, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from app.faults import PEOPLE_STOPS, Fault, State
+from app.scoring.measures import MeasureValues
 
 Numbers = NDArray[np.float64]
 Kind = Literal["machine", "pause", "person"]
 
-MOST_HALTS: Final = 1  # by the machine, pauses included; with more, a trial counts only when a person says so
+MOST_HALTS: Final = 1  # by the machine, pauses included; with more, a trial counts only when a person confirms it
 LARGEST_SHARE: Final = 0.1  # of the trial's time that the machine may have taken
 STANDING: Final = 1e-9  # m and rad between two ticks; the virtual chair that stands does not move at all
 POSE: Final = ("x", "y", "theta")
@@ -69,7 +70,7 @@ def _kinds(states: list[int], faults: list[int]) -> list[Kind | None]:
     return kinds
 
 
-def driven_rows(columns: Mapping[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
+def driven_rows(columns: Mapping[str, Numbers]) -> dict[str, Numbers]:
     """Return the rows in which the chair was permitted to move or still ran out, as if no wait had been between.
 
     Parameters
@@ -101,13 +102,13 @@ def _since_interruption(permitted: NDArray[np.bool_], stands: NDArray[np.bool_])
     return interrupted > moved
 
 
-def interruption_measures(all_interruptions: list[Interruption], time: float, *, reached: bool) -> dict[str, Any]:
+def interruption_measures(all_interruptions: list[Interruption], time: float, *, reached: bool) -> MeasureValues:
     """Return count and duration (s) of the interruptions, by kind, in the trial's first `time` s of permitted motion.
 
     `reached`: the trial was done after `time`; an interruption that began then is after it.
     """
     counted = [interruption for interruption in all_interruptions if interruption.at < time or not reached]
-    measures: dict[str, Any] = {}
+    measures: MeasureValues = {}
     kinds: dict[Kind, tuple[str, str]] = {
         "machine": ("halts", "halt_time"),
         "pause": ("pauses", "pause_time"),
@@ -125,7 +126,7 @@ MACHINE_KINDS: Final = (("halted", "halts", "halt_time"), ("paused", "pauses", "
 PERSON_KIND: Final = ("stopped by a person", "person_stops", "person_stop_time")
 
 
-def interruptions_of(measures: Mapping[str, Any] | None) -> dict[str, Any]:
+def interruptions_of(measures: MeasureValues | None) -> MeasureValues:
     """Return count and duration (s) of the interruptions in a trial's measures, of those kinds that there were."""
     if measures is None:
         return {}
@@ -133,19 +134,19 @@ def interruptions_of(measures: Mapping[str, Any] | None) -> dict[str, Any]:
     return {name: measures.get(name) for kind in kinds for name in kind}
 
 
-def interruption_words(measures: Mapping[str, Any] | None) -> str:
-    """Return the interruptions of a trial in words, such as "halted 3 times, 14 s"; empty when there was none."""
+def interruption_text(measures: MeasureValues | None) -> str:
+    """Return the interruptions of a trial as text, such as "halted 3 times, 14 s"; empty when there was none."""
     return _sentence(measures or {}, *MACHINE_KINDS, PERSON_KIND)
 
 
-def reason_to_ask(measures: Mapping[str, Any]) -> str | None:
-    """Return why a trial counts only when a person says so, None when it counts."""
+def reason_to_ask(measures: MeasureValues) -> str | None:
+    """Return why a trial counts only when a person confirms it, None when it counts."""
     if not measures.get("interrupted"):
         return None
     return f"the machine interrupted it ({_sentence(measures, *MACHINE_KINDS)}), and nobody has said yet that it counts"
 
 
-def _sentence(measures: Mapping[str, Any], *kinds: tuple[str, str, str]) -> str:
+def _sentence(measures: MeasureValues, *kinds: tuple[str, str, str]) -> str:
     parts = []
     for verb, count, duration in kinds:
         if times := int(measures.get(count) or 0):

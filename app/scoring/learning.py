@@ -1,11 +1,11 @@
 """Learning curves over trials, with the sentences that describe them."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 
-from app.number_words import amount, with_minus
+from app.number_format import amount, with_minus
 from app.scoring.learning_fit import (
     MIN_TRIALS,
     MIN_TRIALS_FOR_CONSTANT,
@@ -19,19 +19,23 @@ from app.scoring.retention import MeanChange, Retention, retention
 from app.scoring.trend import theil_sen
 from app.scoring.verdict.change_over_sessions import CourseChange, course_change
 from app.scoring.verdict.leading_measures import leading_of_task
+from app.scoring.verdict.measure_comparison import Row, Rows
 from app.scoring.verdict.measure_verdict import ClinicSpreads
 
 LARGEST = 1e100  # larger values are left out: sums of squares would overflow
 EDGE = 3  # trials at either end whose medians are compared
 
+CurveDocument = dict[str, Any]
+"""A learning curve with its sentences, as `learning_curves` describes it, ready for JSON."""
+
 
 def learning_curves(
-    trials: Sequence[Mapping[str, Any]],
+    trials: Rows,
     names: Iterable[str] = TRIAL_MEASURES,
     clinic: ClinicSpreads | None = None,
     *,
     every_model: bool = False,
-) -> dict[str, dict[str, Any]]:
+) -> dict[str, CurveDocument]:
     """Return, for each measure that the trials have, sentences and the fitted curve, ready for JSON.
 
     Parameters
@@ -55,7 +59,7 @@ def learning_curves(
     that leads in the task; `details` are the statistics behind them. With `every_model` also "form" ("exponential",
     "power", "level" or None) and "others": [{"form", "aicc_more", "n", "value", "low", "high"}], the better first.
     """
-    curves: dict[str, dict[str, Any]] = {}
+    curves: dict[str, CurveDocument] = {}
     leading = leading_of_task(trials)
     compared = [_row(index, trial) for index, trial in enumerate(trials, start=1)]
     for name in names:
@@ -88,7 +92,7 @@ def learning_curves(
     return curves
 
 
-def _row(index: int, trial: Mapping[str, Any]) -> Mapping[str, Any]:
+def _row(index: int, trial: Row) -> Row:
     """Return a trial as verdicts need it; without a number of its session, all are of one."""
     return {"id": index, "number": trial.get("trial", index), "session": 1, "familiarisation": False, **trial}
 
@@ -97,7 +101,7 @@ def _curve_document(n: Numbers, curve: Curve) -> dict[str, list[float]]:
     return {"n": n.tolist(), "value": curve.value.tolist(), "low": curve.low.tolist(), "high": curve.high.tolist()}
 
 
-def _other_curves(learning: LearningCurve) -> list[dict[str, Any]]:
+def _other_curves(learning: LearningCurve) -> list[CurveDocument]:
     best = learning.curve.aicc
     return [
         {"form": curve.form, "aicc_more": curve.aicc - best, **_curve_document(learning.n, curve)}

@@ -7,11 +7,14 @@ new measure is one entry here and its computation. The order is that of pages, r
 from dataclasses import dataclass
 from typing import Any, Final, Literal
 
-from app.number_words import with_minus
+from app.number_format import with_minus
 
 Scale = Literal["log", "root", "count", "plain"]
 Better = Literal["low", "high"]
 Word = Literal["better", "within", "worse", "too few", "number"]
+
+MeasureValues = dict[str, Any]
+"""The measures of a trial or a test by name, as they are stored: numbers, truth values, None where one has no value."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +33,7 @@ class Measure:
     meaning: str = ""  # one more sentence for people, where the name needs it
     needs_goal: bool = True  # a trial that did not reach the goal does not count
     of_whole: bool = False  # of the whole path or task: not shown of a trial that did not reach the goal
-    of: str | None = None  # the measure that says out of how many
+    of: str | None = None  # the measure that is the total, as in "2 of 5 cones"
 
     @property
     def as_subject(self) -> str:
@@ -274,6 +277,6 @@ VERDICT_WORDS: Final[dict[Word, str]] = {
 VERDICT_WORDS_OF_TESTS: Final[dict[Word, str]] = {**VERDICT_WORDS, "too few": "too few tests"}
 
 
-def is_number(value: Any) -> bool:
+def is_number(value: object) -> bool:
     """Return whether a measure was measured, and is no truth value."""
     return isinstance(value, int | float) and not isinstance(value, bool)

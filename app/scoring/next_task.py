@@ -2,8 +2,9 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
-from typing import Any, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
+from app.scoring.measures import MeasureValues
 from app.scoring.verdict.measure_comparison import Rows
 from app.scoring.verdict.measure_verdict import ClinicSpreads, compare, series_of
 from app.source import SourceGroup
@@ -12,7 +13,7 @@ from app.world.scene import DrivingPlace
 FIRST = ("clinic", "main")
 """Floor plan and path of the corridors of the published study: the first task of a new patient."""
 
-TRIALS = 3  # so many must have gone well, one after the other
+TRIALS = 3  # in succession must have gone well before a harder task is proposed
 
 Reason = Literal["first", "again", "next level"]
 
@@ -35,7 +36,7 @@ class NextTask(NamedTuple):
     reason: Reason
 
 
-def went_well(end: str | None, measures: Mapping[str, Any] | None) -> bool:
+def went_well(end: str | None, measures: MeasureValues | None) -> bool:
     """Return whether a trial reached its goal, the task done to its end, without any contact."""
     return end == "goal" and measures is not None and bool(measures.get("reached")) and measures.get("collisions") == 0
 
@@ -67,7 +68,7 @@ def next_task(
 
     Parameters
     ----------
-    trials : sequence of PastTrial
+    trials : sequence of DrivenTask
         The patient's trials that are over, the newest last.
     group : SourceGroup
         Only trials of this group count for the next level: what a simulated person can do says nothing of a patient.

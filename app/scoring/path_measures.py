@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -227,7 +227,7 @@ def _checked(t: ArrayLike, x: ArrayLike, y: ArrayLike) -> tuple[Numbers, Numbers
     return times, points
 
 
-def _column(name: str, values: Any, n: int) -> Numbers:
+def _column(name: str, values: ArrayLike, n: int) -> Numbers:
     column = np.asarray(values, dtype=np.float64)
     if column.shape != (n,):
         raise ValueError(f"{name} has {column.size} rows and t has {n}: give them equal length")

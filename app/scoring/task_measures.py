@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from app.geometry import Pose
 from app.scoring.command_counts import contact_beginnings, contact_rows
 from app.scoring.interruptions import driven_rows, interruption_measures, interruptions
+from app.scoring.measures import MeasureValues
 from app.scoring.path_measures import path_measures
 from app.world.collision import Collision
 from app.world.floorplan import Door, FloorPlan, PrescribedPath
@@ -20,8 +20,7 @@ from app.world.scenery import Gap
 from app.world.tasks import Course, FollowLeader, FollowPath
 
 Numbers = NDArray[np.float64]
-Columns = Mapping[str, NDArray[Any]]
-Measures = dict[str, Any]
+Columns = Mapping[str, Numbers]
 
 GAP_DEPTH = 0.6  # m before and behind a gap's middle over which the clearance is measured
 CONTACT_RADIUS = 0.9  # m around a gap's middle within which contacts are with the gap; includes a 0.5 m crate's front
@@ -29,7 +28,7 @@ LEADER_NEAR = 0.5  # m; a smaller error of the distance to the leader counts as 
 NEEDED = ("t", "x", "y", "theta", "v", "scene_t", "in_contact", "contacts", "u1", "u2")
 
 
-def task_measures(plan: FloorPlan, path: PrescribedPath, columns: Mapping[str, ArrayLike]) -> Measures:
+def task_measures(plan: FloorPlan, path: PrescribedPath, columns: Mapping[str, ArrayLike]) -> MeasureValues:
     """Return the measures of a trial, from the time that motion was first permitted until the task was done.
 
     Parameters
@@ -58,29 +57,29 @@ def task_measures(plan: FloorPlan, path: PrescribedPath, columns: Mapping[str, A
     rows = {name: np.asarray(columns[name], dtype=np.float64) for name in NEEDED}
     if "state" not in columns:
         return _measures(plan, path, {**rows, **_no_interruption(rows)})
-    measures = _measures(plan, path, driven_rows({**rows, "state": np.asarray(columns["state"])}))
+    measures = _measures(plan, path, driven_rows({**rows, "state": np.asarray(columns["state"], dtype=np.float64)}))
     all_interruptions = interruptions(rows["t"], columns["state"], columns["fault"])
     return measures | interruption_measures(all_interruptions, measures["time"], reached=measures["reached"])
 
 
-def _no_interruption(rows: Columns) -> dict[str, NDArray[Any]]:
+def _no_interruption(rows: Columns) -> dict[str, Numbers]:
     return {"permitted": np.ones(len(rows["t"])), "restart": np.zeros(len(rows["t"]))}
 
 
-def _measures(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Measures:
+def _measures(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> MeasureValues:
     if isinstance(path.task, Course):
         return _course_measures(plan, path, rows)
     return _single_task_measures(plan, path, rows)
 
 
-def _single_task_measures(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Measures:
+def _single_task_measures(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> MeasureValues:
     progress = progress_of(plan, path)
     if isinstance(path.task, FollowPath):
         # The path's measures end where the chair is nearest to the goal, not where it comes within the goal's radius.
         return _path_measures(path, rows) | _scene_measures(plan, _rows_until_done(rows, progress))
     rows = _rows_until_done(rows, progress)
     if isinstance(progress, TurnProgress):
-        measures: Measures = {
+        measures: MeasureValues = {
             "time": _duration(rows),
             "heading_error_deg": math.degrees(abs(progress.heading_error)),
             "turn_drift": float(np.hypot(rows["x"] - path.points[0][0], rows["y"] - path.points[0][1]).max()),
@@ -94,7 +93,7 @@ def _single_task_measures(plan: FloorPlan, path: PrescribedPath, rows: Columns) 
     return measures | _scene_measures(plan, rows) | {"reached": progress.reached}
 
 
-def _course_measures(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Measures:
+def _course_measures(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> MeasureValues:
     progress = progress_of(plan, path)
     assert isinstance(progress, CourseProgress)
     stage = np.empty(len(rows["t"]), dtype=np.intp)
@@ -110,7 +109,7 @@ def _course_measures(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Me
     parts = []
     for number, part in enumerate(progress.parts):
         stage_rows = {name: column[stage == number] for name, column in rows.items()}
-        measures: Measures = {"title": part.title, "kind": part.task.kind, "reached": False}
+        measures: MeasureValues = {"title": part.title, "kind": part.task.kind, "reached": False}
         if len(stage_rows["t"]) > 1:
             measures |= _single_task_measures(plan, part, stage_rows)
         measures["reached"] = number < progress.stage or progress.reached
@@ -128,16 +127,16 @@ def _course_measures(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Me
     }
 
 
-def _path_measures(path: PrescribedPath, rows: Columns) -> Measures:
+def _path_measures(path: PrescribedPath, rows: Columns) -> MeasureValues:
     names = ("in_contact", "contacts", "u1", "u2", "permitted", "restart")
     extras = {name: rows[name] for name in names}
     return dict(path_measures(rows["t"], rows["x"], rows["y"], path.points, path.goal_radius, **extras))
 
 
-def _scene_measures(plan: FloorPlan, rows: Columns) -> Measures:
+def _scene_measures(plan: FloorPlan, rows: Columns) -> MeasureValues:
     """Return the measures of cones, gaps and doors, for those that the plan has."""
     points = np.column_stack([rows["x"], rows["y"]])
-    measures: Measures = {}
+    measures: MeasureValues = {}
     if plan.cones:
         measures |= {"cones_touched": cones_touched(plan, points), "cones": len(plan.cones)}
     if plan.gaps:
@@ -205,7 +204,7 @@ def contacts_at_gaps(plan: FloorPlan, points: Numbers, t: Numbers, touching: NDA
     return int(near.sum())
 
 
-def following_errors(leader: Track, distance: float, rows: Mapping[str, NDArray[Any]]) -> dict[str, float]:
+def following_errors(leader: Track, distance: float, rows: Columns) -> dict[str, float]:
     """Return the errors of the distance between the middles of chair and leader against `distance` (m)."""
     places = np.array([leader.at(float(scene_t)).pose[:2] for scene_t in rows["scene_t"]])
     error = np.hypot(rows["x"] - places[:, 0], rows["y"] - places[:, 1]) - distance

@@ -3,8 +3,9 @@
 The columns are decimated to at most 2000 points.
 """
 
+from collections.abc import Sequence
 from pathlib import Path as FilePath
-from typing import Any, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +15,8 @@ from app.calibration.vocabulary import DriveParameters
 from app.faults import EXPLANATIONS, PEOPLE_STOPS, Fault, State
 from app.layout import ShirtLayout
 from app.quantities import Document
-from app.recording.reader import Columns, RunRecording, read_run
+from app.recording.format import Columns
+from app.recording.reader import RunRecording, read_run
 from app.scoring.decimation import Decimation
 from app.world.floorplan import FloorPlan
 from app.world.movers import Track
@@ -112,7 +114,7 @@ class Timeline(Document):
     words: str  # damage of the recording; empty when it is whole
 
 
-def timeline_of(folder: FilePath, path_points: list[Any], end: str | None) -> Timeline:
+def timeline_of(folder: FilePath, path_points: Sequence[Sequence[float]], end: str | None) -> Timeline:
     """Return the time line of a trial from its recording.
 
     Parameters
@@ -171,7 +173,7 @@ class Poses(NamedTuple):
 
 
 def recorded_poses(folder: FilePath, most_per_second: float) -> tuple[FloorPlan, Poses]:
-    """Return where a recorded trial was driven, and its poses; ValueError when the recording does not tell."""
+    """Return where a recorded trial was driven, and its poses; ValueError when the recording names no place."""
     run = read_run(folder)
     plan = plan_of(run)
     if plan is None:
@@ -204,7 +206,7 @@ def since_armed(rows: Columns) -> Numbers:
     return since
 
 
-def column(values: NDArray[Any]) -> Column:
+def column(values: NDArray[np.generic]) -> Column:
     """Return rounded numbers for JSON, None where one is not finite."""
     rounded = np.round(values.astype(np.float64), DIGITS)
     if np.isfinite(rounded).all():
@@ -213,7 +215,9 @@ def column(values: NDArray[Any]) -> Column:
     return [value if np.isfinite(value) else None for value in rounded.tolist()]
 
 
-def _path_coordinates(path_points: list[Any], x: NDArray[Any], y: NDArray[Any]) -> tuple[Column, Column]:
+def _path_coordinates(
+    path_points: Sequence[Sequence[float]], x: NDArray[np.generic], y: NDArray[np.generic]
+) -> tuple[Column, Column]:
     """Return each place's distance along the path and beside it (m); two empty columns for a path without length."""
     try:
         line = Path(path_points)
@@ -229,7 +233,7 @@ def _path_coordinates(path_points: list[Any], x: NDArray[Any], y: NDArray[Any]) 
     return column(both[:, 0]), column(both[:, 1])
 
 
-def _movers(plan: FloorPlan | None, scene_t: NDArray[Any]) -> list[MoverLine]:
+def _movers(plan: FloorPlan | None, scene_t: NDArray[np.generic]) -> list[MoverLine]:
     lines = []
     for mover in plan.movers if plan else ():
         track = Track(mover)
@@ -344,7 +348,7 @@ def _state_event(state: int, fault: int, t: float) -> Event:
     return _event(t, "stop" if reason in PEOPLE_STOPS else "fault", EXPLANATIONS[reason].happened)
 
 
-def _contacts(contacts: NDArray[Any], t: NDArray[np.float64]) -> list[Event]:
+def _contacts(contacts: NDArray[np.generic], t: NDArray[np.float64]) -> list[Event]:
     events: list[Event] = []
     for row in np.flatnonzero(np.diff(contacts.astype(np.int64), prepend=0) > 0):
         if not events or t[row] - events[-1].t > ONE_CONTACT:

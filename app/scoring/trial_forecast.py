@@ -11,7 +11,8 @@ from app.calibration.vocabulary import DriveParameters
 from app.faults import State
 from app.pipeline.replay.batch import DecodedRun, decode_block
 from app.quantities import Document
-from app.recording.reader import Columns, RunRecording
+from app.recording.format import Columns
+from app.recording.reader import RunRecording
 
 BRIEF = 0.1  # s; an activation shorter than this is shorter than any deliberate movement
 

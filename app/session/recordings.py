@@ -22,7 +22,8 @@ from app.calibration.vocabulary import DriveParameters
 from app.faults import State
 from app.json_values import JsonDocument
 from app.layout import ShirtLayout
-from app.recording.reader import Columns, read_run
+from app.recording.format import Columns
+from app.recording.reader import read_run
 from app.recording.recorded_trajectory import since_armed
 from app.scoring.control_quality import ControlQuality, control_quality
 from app.scoring.task_measures import task_measures

@@ -74,7 +74,7 @@ def require_column(table: Table, path: Path, name: str) -> NDArray[np.float64]:
 
 
 def row_place(path: Path, row: int) -> str:
-    """Return the place of row `row` (from 0) in words: the line of a CSV file, the row of a Parquet file."""
+    """Return the place of row `row` (from 0) as text: the line of a CSV file, the row of a Parquet file."""
     return f"{path}, row {row + 1}" if _is_parquet(path) else f"{path}, line {row + 2}"
 
 

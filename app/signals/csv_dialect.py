@@ -16,7 +16,7 @@ class Dialect(NamedTuple):
     decimal: str = "."
 
     @property
-    def words(self) -> str:
+    def sentence(self) -> str:
         """Return the dialect in a sentence; an empty string for the usual one, commas and decimal points."""
         if self == Dialect():
             return ""

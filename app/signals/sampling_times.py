@@ -20,7 +20,7 @@ GAP: Final = 1.5  # periods: a longer step is a gap
 NEW_GROUP: Final = 3.0  # of the first quartile of the steps: a longer one begins another group of samples
 FEWEST_GROUPS: Final = 4  # of which the first and the last may be cut
 OFTEN: Final = 0.8  # share of groups that have equally many samples
-FEW: Final = 0.1  # share of steps that may differ from whole periods, or be gaps, without a look at the whole file
+FEW: Final = 0.1  # share of steps that may differ from whole periods, or be gaps, without a check of the whole file
 FEW_EQUAL: Final = 3  # equal times that are mended where they stand: rows that were written twice
 UNEVEN: Final = 1 / 3  # of a period: what a step may differ from whole periods
 MOST_GAPS: Final = 0.25  # share of steps that are gaps; beyond it, nobody knows the rate
@@ -40,7 +40,10 @@ UNITS: Final = (
     ("days", 86400.0),
 )  # and how many seconds each is
 FAST: Final = 600.0  # Hz, and a rate of 10 Hz in minutes
-SHORT, BRIEF = 1.0, 20.0  # s: shorter recordings at such a rate are taken for minutes; at 60 times a usual rate, too
+SHORT, BRIEF = (
+    1.0,
+    20.0,
+)  # s: at such a rate shorter recordings count as minutes: all below SHORT, below BRIEF those at 60 times a usual rate
 USUAL_RATES: Final = (10.0, 12.5, 15.0, 16.0, 20.0, 24.0, 25.0, 30.0, 32.0, 40.0, 50.0, 60.0, 64.0, 75.0, 80.0)  # Hz
 
 
@@ -228,7 +231,7 @@ def _refuse_another_rate(gaps: NDArray[np.bool_], t: NDArray[np.float64], path: 
 
 
 def _refuse_units(t: NDArray[np.float64], period: float, path: Path) -> None:
-    """Raise ValueError unless `t` can be in seconds: what it looks like, and what to do."""
+    """Raise ValueError unless `t` can be in seconds; the sentence names the probable unit and the remedy."""
     span, slow, fast = float(t[-1] - t[0]), (1 + ROUNDING) / SLOWEST, (1 - ROUNDING) / FASTEST
     if not fast <= period <= slow:
         if abs(period - 1.0) < ROUNDING and np.ptp(np.diff(t)) < ROUNDING:

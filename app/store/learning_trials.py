@@ -8,7 +8,7 @@ from sqlalchemy import JSON, ColumnElement, Row, func, select, true
 from sqlalchemy.orm import Session
 
 from app.json_values import JsonDocument
-from app.source import SourceGroup, source_words
+from app.source import SourceGroup, source_description
 from app.store.consent import consented
 from app.store.tables import ParameterSet, Patient, PatientSession, Profile, Run, Trial
 
@@ -46,7 +46,7 @@ class CountedTrial(NamedTuple):
             "profile_version": self.profile_version,
             "origin": self.origin,
             "simulated": self.trial.run.simulated,
-            "source": source_words(self.trial.run.source),
+            "source": source_description(self.trial.run.source),
         }
 
 

@@ -1,4 +1,4 @@
-"""What can be chosen of a study: who the simulated person is, which map drives, whether it adapts."""
+"""The choices of a study: the kind of simulated person, the map that drives, and whether it adapts."""
 
 from typing import Literal
 

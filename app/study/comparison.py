@@ -1,12 +1,12 @@
 """Comparison of E_diff with a fixed and with an adapted map, for the same seeds of simulated people."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.number_words import percent, signed_percent
+from app.number_format import percent, signed_percent
 from app.study.sessions import StudySessionTrial
 
 RESAMPLES = 9999
@@ -15,8 +15,84 @@ CLAIM = -0.25  # relative difference of E_diff in the last session that is claim
 FELT_LIMIT = 0.10  # largest felt change of one adaptation step
 LEAST_AREA = 0.01  # m2, least divisor of a relative difference
 
+Interval = tuple[float, float]
 
-def compare(fixed: Sequence[StudySessionTrial], other: Sequence[StudySessionTrial]) -> dict[str, Any]:
+
+class SessionAreas(TypedDict):
+    """E_diff in one session with both maps."""
+
+    session: int
+    fixed: float  # m2
+    adapted: float  # m2
+    reached_fixed: float  # share of the trials
+    reached_adapted: float
+    seeds_that_always_drove: int  # with both maps
+    relative: float | None  # over those seeds
+    interval: Interval | None
+
+
+class SeedAreas(TypedDict):
+    """E_diff of one seed in the last session with both maps."""
+
+    seed: int
+    fixed: float  # m2
+    adapted: float  # m2
+    relative: float
+    reached_fixed: float  # share of the trials
+    reached_adapted: float
+
+
+class LastSession(TypedDict):
+    """The last session, seed by seed."""
+
+    session: int
+    per_seed: list[SeedAreas]
+    median_relative: float | None
+    interval: Interval | None
+
+
+class LaterSessions(TypedDict):
+    """All trials from the second session on."""
+
+    fixed: float  # m2, mean
+    adapted: float  # m2, mean
+    relative: float
+    interval: Interval | None
+    reached_fixed: float  # share of the trials
+    reached_adapted: float
+
+
+class Proposals(TypedDict):
+    """After how many trials of a seed something was proposed."""
+
+    per_seed: list[int]
+    median: float
+    most: int
+
+
+class AppliedSteps(TypedDict):
+    """The steps that were applied."""
+
+    steps: int
+    largest_felt_change: float
+    largest_turn_deg: float
+    sign_flips: int
+
+
+class MapComparison(TypedDict):
+    """A fixed and an adapted map over the same seeds, ready for JSON."""
+
+    seeds: int
+    sessions: list[SessionAreas]
+    last_session: LastSession
+    proposals: Proposals
+    later_sessions: LaterSessions | None  # None: there is one session only
+    last_session_in_which_most_drove_with_both: SessionAreas | None
+    applied: AppliedSteps
+    claim_holds: bool
+
+
+def compare(fixed: Sequence[StudySessionTrial], other: Sequence[StudySessionTrial]) -> MapComparison:
     """Return the comparison over seeds, ready for JSON.
 
     Per session: the median over seeds of each seed's mean E_diff (m2), the share of trials that reached the goal, and
@@ -76,7 +152,7 @@ def compare(fixed: Sequence[StudySessionTrial], other: Sequence[StudySessionTria
     }
 
 
-def table(comparison: dict[str, Any]) -> str:
+def table(comparison: MapComparison) -> str:
     """Return the comparison as text: the sessions, the seeds of the last session, and a sentence."""
     lines = [
         "Area off the path, m²",
@@ -117,13 +193,13 @@ def table(comparison: dict[str, Any]) -> str:
 
 def _later_sessions(
     fixed: Sequence[StudySessionTrial], other: Sequence[StudySessionTrial], seeds: list[int]
-) -> dict[str, Any]:
+) -> LaterSessions:
     """Return the means over all trials from the second session on, and the interval of their ratio - 1."""
     rows = [[row for row in every if row.session > 1] for every in (fixed, other)]
     before, after = (
         np.array([np.mean([row.e_diff for row in of if row.seed == seed]) for seed in seeds]) for of in rows
     )
-    document: dict[str, Any] = {
+    later: LaterSessions = {
         "fixed": float(before.mean()),
         "adapted": float(after.mean()),
         "relative": float(after.mean() / max(before.mean(), LEAST_AREA) - 1.0),
@@ -136,18 +212,18 @@ def _later_sessions(
 
         bounds = bootstrap(
             (before, after),
-            lambda one, two, axis: two.mean(axis=axis) / np.maximum(one.mean(axis=axis), LEAST_AREA) - 1.0,
+            lambda fixed, adapted, axis: adapted.mean(axis=axis) / np.maximum(fixed.mean(axis=axis), LEAST_AREA) - 1.0,
             paired=True,
             n_resamples=RESAMPLES,
             confidence_level=CONFIDENCE,
             method="percentile",
             rng=np.random.default_rng(1),
         ).confidence_interval
-        document["interval"] = (float(bounds.low), float(bounds.high))
-    return document
+        later["interval"] = (float(bounds.low), float(bounds.high))
+    return later
 
 
-def _proposals(rows: Sequence[StudySessionTrial], seeds: list[int]) -> dict[str, Any]:
+def _proposals(rows: Sequence[StudySessionTrial], seeds: list[int]) -> Proposals:
     """Return after how many trials of each seed something was proposed."""
     counts = [sum(row.proposed > 0 for row in rows if row.seed == seed) for seed in seeds]
     return {"per_seed": counts, "median": float(np.median(counts)), "most": max(counts)}
@@ -155,7 +231,7 @@ def _proposals(rows: Sequence[StudySessionTrial], seeds: list[int]) -> dict[str,
 
 def _session(
     fixed: Sequence[StudySessionTrial], other: Sequence[StudySessionTrial], seeds: list[int], session: int
-) -> dict[str, Any]:
+) -> SessionAreas:
     before, after = (_means(rows, seeds, session) for rows in (fixed, other))
     drove = np.array([min(_reached(fixed, seed, session), _reached(other, seed, session)) == 1.0 for seed in seeds])
     median, interval = _median(_relative(before, after)[drove])
@@ -185,7 +261,7 @@ def _reached(rows: Sequence[StudySessionTrial], seed: int, session: int) -> floa
     return float(np.mean([row.reached for row in rows if (row.seed, row.session) == (seed, session)]))
 
 
-def _median(values: NDArray[np.float64]) -> tuple[float | None, tuple[float, float] | None]:
+def _median(values: NDArray[np.float64]) -> tuple[float | None, Interval | None]:
     """Return the median with its bootstrap interval; no interval for fewer than 3 values, no median for none."""
     if len(values) < 3 or not np.isfinite(values).all():
         return (float(np.median(values)) if len(values) else None), None
@@ -206,5 +282,5 @@ def _percent(share: float | None, width: int) -> str:
     return f"{'-' if share is None else signed_percent(share):>{width}}"
 
 
-def _interval_text(interval: tuple[float, float] | None) -> str:
+def _interval_text(interval: Interval | None) -> str:
     return "-" if interval is None else f"{signed_percent(interval[0])} to {signed_percent(interval[1])}"

@@ -3,13 +3,12 @@
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor, Future
 from dataclasses import dataclass
-from typing import Any
 
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import NOVICE, PersonParameters
 from app.layout import ShirtLayout
-from app.scoring.learning import learning_curves
+from app.scoring.learning import CurveDocument, learning_curves
 from app.settings import data_folder
 from app.signals.signals import read_layout
 from app.study.participant import Participant
@@ -35,7 +34,7 @@ class StudyResult:
     sample_rate: float  # Hz
     parameters: DriveParameters
     trials: tuple[StudyTrial, ...]
-    learning: dict[str, dict[str, Any]]
+    learning: dict[str, CurveDocument]  # by measure
 
 
 def run_study(

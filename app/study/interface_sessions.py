@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +28,25 @@ COLUMNS = (
 )
 
 
+SessionRow = dict[str, Any]
+"""A session as one flat row: numbers by name, None where a measure has no value."""
+
+
+class RankCorrelation(TypedDict):
+    """Spearman's rank correlation of throughput with the area off the path; None below 8 pairs."""
+
+    between: float | None  # people
+    within: float | None  # people, the median over them
+
+
+class InterfaceSummary(TypedDict):
+    """The medians over people in each session, and how the test goes with the trials, ready for JSON."""
+
+    seeds: int
+    sessions: list[SessionRow]
+    rank_correlation: RankCorrelation
+
+
 @dataclass(frozen=True, slots=True)
 class InterfaceSession:
     """One session of one seed: the interface test, and the trials after it."""
@@ -38,7 +57,7 @@ class InterfaceSession:
     e_diff: float  # m2, mean of the session's trials
     reached: float  # share of the session's trials that reached the goal
 
-    def row(self) -> dict[str, Any]:
+    def row(self) -> SessionRow:
         """Return the session as one flat row."""
         flat = self.test.model_dump(exclude={"directions"})
         ways = {
@@ -105,7 +124,7 @@ def _run_seed(
     return run_interface_sessions(calibrated_participant(who, seed), sessions, trials, floorplan, path)
 
 
-def interface_summary(rows: Sequence[InterfaceSession]) -> dict[str, Any]:
+def interface_summary(rows: Sequence[InterfaceSession]) -> InterfaceSummary:
     """Return, ready for JSON, the medians over seeds in each session, and how the test goes with the trials.
 
     Returns
@@ -131,7 +150,7 @@ def interface_summary(rows: Sequence[InterfaceSession]) -> dict[str, Any]:
     }
 
 
-def interface_table(summary: dict[str, Any]) -> str:
+def interface_table(summary: InterfaceSummary) -> str:
     """Return the summary as text."""
     lines = [
         "Two-minute test, medians over people",
@@ -155,8 +174,8 @@ def interface_table(summary: dict[str, Any]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _session(rows: list[dict[str, Any]], number: int) -> dict[str, Any]:
-    document: dict[str, Any] = {"session": number}
+def _session(rows: list[SessionRow], number: int) -> SessionRow:
+    document: SessionRow = {"session": number}
     for name in COLUMNS:
         values = _columns(rows, (name,))[:, 0]
         document[name] = float(np.median(values)) if len(values) else None
@@ -167,7 +186,7 @@ def _session(rows: list[dict[str, Any]], number: int) -> dict[str, Any]:
     return document
 
 
-def _columns(rows: list[dict[str, Any]], names: tuple[str, ...]) -> NDArray[np.float64]:
+def _columns(rows: list[SessionRow], names: tuple[str, ...]) -> NDArray[np.float64]:
     """Return columns (n, n_names) of the rows that have all of them."""
     values = [[row[name] for name in names] for row in rows if all(row[name] is not None for name in names)]
     return np.array(values, dtype=np.float64).reshape(-1, len(names))

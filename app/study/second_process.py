@@ -21,7 +21,7 @@ DRAWING_LIBRARY = "matplotlib.backends.backend_agg"
 
 
 class SameProcess(Executor):
-    """Computes at once, in this process, what it is asked."""
+    """Computes at once, in this process."""
 
     def submit(
         self, ask: Callable[Arguments, Answer], /, *arguments: Arguments.args, **options: Arguments.kwargs

@@ -6,13 +6,13 @@ import io
 import json
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from app import __version__
 from app.scoring.measures import TRIAL_MEASURES
-from app.source import STUDY_SOURCE, source_words
+from app.source import STUDY_SOURCE, source_description
 from app.study.experiment import StudyResult
 from app.study.seeds import EARLY, MEASURES, MeasureOverSeeds, decimated, measure_over_seeds
 from app.study.study_files import (
@@ -62,12 +62,12 @@ def seeds_csv(results: Sequence[StudyResult]) -> str:
     return text.getvalue()
 
 
-def seeds_summary(results: Sequence[StudyResult]) -> dict[str, Any]:
+def seeds_summary(results: Sequence[StudyResult]) -> dict[str, object]:
     """Return the conditions, the measures over all seeds, and each study's trials, ready for JSON."""
     first = results[0]
     return {
         "software": f"bodydrive {__version__}",
-        "source": source_words(STUDY_SOURCE),
+        "source": source_description(STUDY_SOURCE),
         "seeds": [result.seed for result in results],
         "trials_per_seed": len(first.trials),
         "floorplan": first.floorplan.name,

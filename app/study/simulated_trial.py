@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from operator import attrgetter
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,7 @@ from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
 from app.pipeline.chain import Chain
 from app.pipeline.safety_gate import Conditions
+from app.scoring.measures import MeasureValues
 from app.scoring.task_measures import task_measures
 from app.study.participant import Participant
 from app.world.floorplan import FloorPlan, PrescribedPath
@@ -42,7 +43,7 @@ class StudyTrial:
     """One attempt along the path, scored."""
 
     number: int  # from 1
-    measures: dict[str, Any]
+    measures: MeasureValues
     faults: int  # latched stops on the way
     t: Numbers  # (n,) s since motion was permitted
     x: Numbers  # (n,) m

@@ -10,13 +10,14 @@ from concurrent.futures import Executor, wait
 from contextlib import contextmanager
 from dataclasses import fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app import __version__
 from app.hardware.body.person_parameters import PersonParameters, PracticeEffect
-from app.source import STUDY_SOURCE, source_words
+from app.source import STUDY_SOURCE, source_description
 from app.study.experiment import StudyResult
 from app.study.second_process import SameProcess
 
@@ -113,19 +114,19 @@ def trajectories_table(result: StudyResult) -> "pa.Table":
     import pyarrow as pa
 
     trials = result.trials
-    columns: dict[str, Any] = {
+    columns: dict[str, NDArray[np.generic]] = {
         "trial": np.repeat([trial.number for trial in trials], [len(trial.t) for trial in trials]).astype(np.int32)
     }
     for name in TRAJECTORY_COLUMNS:
         columns[name] = np.concatenate([getattr(trial, name) for trial in trials])
-    return pa.table(columns).replace_schema_metadata({"source": source_words(STUDY_SOURCE)})
+    return pa.table(columns).replace_schema_metadata({"source": source_description(STUDY_SOURCE)})
 
 
-def summary(result: StudyResult) -> dict[str, Any]:
+def summary(result: StudyResult) -> dict[str, object]:
     """Return the conditions, the calibration, the trials and the learning curves, ready for JSON."""
     return {
         "software": f"bodydrive {__version__}",
-        "source": source_words(STUDY_SOURCE),
+        "source": source_description(STUDY_SOURCE),
         "seed": result.seed,
         "floorplan": result.floorplan.name,
         "path": result.path.name,
@@ -144,7 +145,7 @@ def summary(result: StudyResult) -> dict[str, Any]:
     }
 
 
-def person_document(person: PersonParameters) -> dict[str, Any]:
+def person_document(person: PersonParameters) -> dict[str, object]:
     """Return a person's parameters by name, ready for JSON."""
     numbers = ((field.name, getattr(person, field.name)) for field in fields(person))
     return {name: value._asdict() if isinstance(value, PracticeEffect) else value for name, value in numbers}
@@ -166,6 +167,6 @@ def _put_in_place(part: Path, folder: Path) -> None:
         shutil.rmtree(old, ignore_errors=True)
 
 
-def cell(value: Any) -> str:
+def cell(value: object) -> str:
     """Return a cell of a table: numbers in full precision, true or false in small letters."""
     return str(value).lower() if isinstance(value, bool | np.bool_) else repr(value)

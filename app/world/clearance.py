@@ -23,7 +23,7 @@ class NarrowestPoint(NamedTuple):
     x: float  # m, of the point on the path
     y: float  # m
     kind: str  # "wall" or "obstacle"
-    what: str  # the wall or the obstacle in words
+    description: str  # "a wall", or the obstacle with its label
 
 
 NO_SURFACE = NarrowestPoint(np.inf, 0.0, 0.0, "wall", "a wall")

@@ -166,7 +166,7 @@ class CursorTask:
         left = min(1.0, max(-1.0, self.left + u2 * self.plan.speed * dt))
         attempt.way += math.hypot(ahead - self.ahead, left - self.left)
         self.ahead, self.left = ahead, left
-        self._look(attempt, run_t)
+        self._check_target(attempt, run_t)
 
     def _check_target(self, attempt: OpenAttempt, t: float) -> None:
         """Follow whether the cursor is in the target, and end the attempt when it is acquired or missed."""

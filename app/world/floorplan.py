@@ -22,7 +22,7 @@ from app.world.path import Path
 from app.world.scenery import Cone, Gap, Ground, Lights
 from app.world.tasks import Back, Course, FollowLeader, FollowPath, Task, Turn
 
-MAX_WALLS = 5000  # pieces of all walls: each of them is drawn, and looked at when the chair moves
+MAX_WALLS = 5000  # pieces of all walls: each is drawn, and compared with each movement of the chair
 MAX_LINE_POINTS = 2000  # points of all paths and movers: each piece of them is compared with every wall
 LINES_ARE_FREE = {"lines": "free"}  # context of the validation of a plan whose lines were found free before
 MAX_BYTES = 8_000_000  # a document larger than this is not a floor plan
@@ -152,7 +152,7 @@ class FloorPlan(Document):
             narrowest = clearance.along(line)
             if narrowest.distance < radius:
                 raise ClearanceError(
-                    f"{description} comes within {max(narrowest.distance, 0):.2f} m of {narrowest.what} near "
+                    f"{description} comes within {max(narrowest.distance, 0):.2f} m of {narrowest.description} near "
                     f"({narrowest.x:.2f}, {narrowest.y:.2f}), and {radius} m are needed on each side: "
                     f"move it or the {narrowest.kind}",
                     narrowest.x,
@@ -161,7 +161,7 @@ class FloorPlan(Document):
         return self
 
     def _lines(self) -> Iterator[tuple[str, Sequence[Point], float]]:
-        """Yield the lines that must keep clear of walls and obstacles: in words, their points, the room needed (m)."""
+        """Yield the lines that must keep clear of walls and obstacles: description, points, and the room needed (m)."""
         for path in self.paths:
             if isinstance(path.task, Course):
                 for stage in path.task.stages:

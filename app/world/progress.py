@@ -118,7 +118,7 @@ def progress_of(plan: FloorPlan, path: PrescribedPath) -> TaskProgress:
 
 
 def leader_of(plan: FloorPlan, path: PrescribedPath) -> Track | None:
-    """Return the track of the leader whom the path's task says to follow, None for another task."""
+    """Return the track of the leader that the path's task names, None for a task without a leader."""
     return Track(plan.mover_named(path.task.leader)) if isinstance(path.task, FollowLeader) else None
 
 

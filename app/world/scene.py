@@ -4,11 +4,12 @@ import json
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
-from typing import Annotated, Any, Literal, NamedTuple, get_args
+from typing import Annotated, Literal, NamedTuple, get_args
 
 from pydantic import Field, ValidationError
 
 from app.files import Stamp, stamp
+from app.json_values import JsonObject, JsonValue
 from app.quantities import Document, Line, Name, Title
 from app.sentences import one_sentence
 from app.settings import data_folder
@@ -147,11 +148,11 @@ def bundled_scenes() -> dict[str, Path]:
     return {file.stem: file for file in sorted((data_folder() / "scenes").glob("*.json"))}
 
 
-def _read(file: Path) -> dict[str, Any]:
+def _read(file: Path) -> JsonObject:
     try:
         if file.stat().st_size > MAX_BYTES:
             raise ValueError(f"{file}: this is larger than {MAX_BYTES // 1_000_000} MB and no scene, name another")
-        document = json.loads(file.read_bytes())
+        document: JsonValue = json.loads(file.read_bytes())
     except FileNotFoundError as error:
         raise ValueError(f"{file}: there is no such file, check its name") from error
     except OSError as error:
@@ -165,20 +166,26 @@ def _read(file: Path) -> dict[str, Any]:
     return document
 
 
-def _inherited_fields(file: Path, name: str) -> dict[str, Any]:
+def _inherited_fields(file: Path, name: str) -> JsonObject:
     bundled = bundled_floorplans()
     if name not in bundled:
         raise ValueError(f"{file}, floorplan: there is no floor plan '{name}', use one of {', '.join(bundled)}")
     return load_floorplan(bundled[name]).model_dump(mode="json", include=set(INHERITED))
 
 
-def _merge_lists(base: dict[str, Any], graded: dict[str, Any]) -> dict[str, Any]:
+def _merge_lists(base: JsonObject, graded: JsonObject) -> JsonObject:
     """Return the lists that both the floor plan and the scene have, each with the scene's items after the plan's."""
-    both = [name for name in base if isinstance(base[name], list) and isinstance(graded.get(name), list)]
-    return {name: [*base[name], *graded[name]] for name in both}
+    merged: JsonObject = {}
+    for name, items in base.items():
+        added = graded.get(name)
+        if isinstance(items, list) and isinstance(added, list):
+            merged[name] = [*items, *added]
+    return merged
 
 
-def at_level(value: Any, level: LevelName | None, levels: Sequence[LevelName], place: str, depth: int = 0) -> Any:
+def at_level(
+    value: JsonValue, level: LevelName | None, levels: Sequence[LevelName], place: str, depth: int = 0
+) -> JsonValue:
     """Return `value` with each graded value in it replaced by that of one level; raise ValueError with the place."""
     if depth > DEEPEST:
         raise ValueError(f"{place[:40]}...: a scene is not nested so deeply, correct it")

@@ -1,4 +1,4 @@
-"""The groups in which a person looks for a task."""
+"""The groups of tasks on the page where a person chooses one."""
 
 from typing import Literal
 

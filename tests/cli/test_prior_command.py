@@ -13,7 +13,7 @@ from app.calibration.prior.prior_file import read_prior
 from app.calibration.profile import CalibrationProfile
 from app.cli.errors import InputError
 from app.cli.main import build
-from app.number_words import percent
+from app.number_format import percent
 
 
 def run(command, *words):

@@ -10,7 +10,7 @@ import sys
 
 import pytest
 
-from app.file_modes import OTHERS
+from app.file_modes import NOT_OWNER
 from app.hardware.chair.key import read_key
 from app.hardware.shirt import sender
 from app.hardware.shirt.newest_frame import newest_file, read_newest
@@ -69,7 +69,7 @@ def test_a_pairing_writes_nothing_that_others_can_read(bodydrive, tmp_path):
     finally:
         os.umask(before)
     open_to_others = [
-        file.name for file in (tmp_path / "clinic").rglob("*") if stat.S_IMODE(file.stat().st_mode) & OTHERS
+        file.name for file in (tmp_path / "clinic").rglob("*") if stat.S_IMODE(file.stat().st_mode) & NOT_OWNER
     ]
     assert open_to_others == []
 

@@ -17,8 +17,8 @@ KEYS = {"id", "words", "built", "tests", "commands", "missing"}
 
 HEAD = """# Promises
 
-Made by `make page PAGE=promises` of [safety.md](safety.md) and [promises.toml](promises.toml). Each promise has the tests that
-show it (file in `tests/` and function): all of it, unless it says what is missing.
+Made by `make page PAGE=promises` of [safety.md](safety.md) and [promises.toml](promises.toml). Each promise has the
+tests that show it (file in `tests/` and function): all of it, unless it says what is missing.
 The promises on safety stand in [safety.md](safety.md#what-holds).
 
 """

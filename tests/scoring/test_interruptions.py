@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.faults import PEOPLE_STOPS, Fault, State
-from app.scoring.interruptions import interruption_words, interruptions, reason_to_ask
+from app.scoring.interruptions import interruption_text, interruptions, reason_to_ask
 from app.scoring.task_measures import task_measures
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.movers import Mover
@@ -216,7 +216,7 @@ def test_interruptions_in_words():
         "person_stops": 0,
         "person_stop_time": 0.0,
     }
-    assert interruption_words(measures) == "halted 3 times, 14 s; paused once, 3 s"
-    assert interruption_words(None) == interruption_words({"time": 3.0}) == ""
+    assert interruption_text(measures) == "halted 3 times, 14 s; paused once, 3 s"
+    assert interruption_text(None) == interruption_text({"time": 3.0}) == ""
     assert reason_to_ask(measures) is None
     assert "halted 3 times, 14 s; paused once, 3 s" in (reason_to_ask({**measures, "interrupted": True}) or "")

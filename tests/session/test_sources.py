@@ -4,15 +4,23 @@ import pytest
 
 from app.hardware.configs import SHIRTS
 from app.hardware.registry import BODIES, CHAIRS
-from app.source import BODY_WORDS, CHAIR_WORDS, SHIRT_WORDS, UNKNOWN_SOURCE, Source, source_of_header, source_words
+from app.source import (
+    BODY_NAMES,
+    CHAIR_NAMES,
+    SHIRT_NAMES,
+    UNKNOWN_SOURCE,
+    Source,
+    source_description,
+    source_of_header,
+)
 
 
 def test_every_source_declares_whether_it_is_simulated_and_has_its_words() -> None:
     assert all(isinstance(driver.simulated, bool) for driver in SHIRTS.values())
     assert {kind for kind, driver in SHIRTS.items() if driver.simulated} == {"simulator", "replay"}
-    assert set(SHIRT_WORDS) == set(SHIRTS)
-    assert set(BODY_WORDS) == set(BODIES)
-    assert set(CHAIR_WORDS) == {*CHAIRS, "unknown"}
+    assert set(SHIRT_NAMES) == set(SHIRTS)
+    assert set(BODY_NAMES) == set(BODIES)
+    assert set(CHAIR_NAMES) == {*CHAIRS, "unknown"}
 
 
 @pytest.mark.parametrize(
@@ -28,7 +36,7 @@ def test_every_source_declares_whether_it_is_simulated_and_has_its_words() -> No
     ],
 )  # fmt: skip
 def test_a_source_is_said_in_words(source: Source, words: str) -> None:
-    assert source_words(source) == words
+    assert source_description(source) == words
 
 
 def test_the_header_of_a_recording_tells_its_source_and_a_damaged_one_does_not() -> None:

@@ -51,6 +51,8 @@ def test_the_later_sessions_count_every_trial_also_those_that_stood_still() -> N
         trial(one.seed, "off", 2, 10.0, reached=False) if one.session == 2 and one.seed < 2 else one for one in fixed
     ]
     later = compare(fixed, other)["later_sessions"]
+    assert later is not None
+    assert later["interval"] is not None
     means = [(2 * 10.0 + sum(1.0 + 0.1 * seed for seed in range(2, 8))) / 8, 1.35]
     assert (later["fixed"], later["adapted"]) == pytest.approx(means)
     assert later["relative"] == pytest.approx(means[1] / means[0] - 1)
@@ -75,7 +77,9 @@ def test_seeds_that_did_not_reach_the_goal_are_not_compared() -> None:
     assert found["sessions"][1]["seeds_that_always_drove"] == 0
     assert found["sessions"][1]["relative"] is None
     assert found["sessions"][1]["reached_fixed"] == 0.0
-    assert found["last_session_in_which_most_drove_with_both"]["session"] == 1
+    last = found["last_session_in_which_most_drove_with_both"]
+    assert last is not None
+    assert last["session"] == 1
 
 
 def test_the_table_has_a_row_for_each_session_and_seed() -> None:

@@ -168,7 +168,7 @@ def _words(settings: SettingsPart, *, only_here: bool) -> str:
     network = settings.network
     if network is None:
         return ONLY_HERE if only_here else ""
-    return network.first_words
+    return network.certificate_hint
 
 
 @router.post("/pair", dependencies=[ForEveryone])

@@ -44,11 +44,11 @@ class Trajectories:
 
     def all(self, folders: Sequence[Path]) -> list[Trajectory | None]:
         """Return the trajectory of each ended trial; those that are not known yet are read in one go."""
-        known = self._trajectories.known(folders)
+        known = self._trajectories.find(folders)
         unread = [folder for folder in folders if folder not in known]
         answers = self._computing.ask(shown_trajectories, unread) if unread else []
         read = {folder: found for folder, found in zip(unread, answers, strict=True) if found is not None}
-        self._trajectories.keep(read)
+        self._trajectories.store(read)
         return [known.get(folder) or read.get(folder) for folder in folders]
 
     def lines(self, trials: Sequence[tuple[int, Path]]) -> list[TrialLine]:

@@ -6,7 +6,7 @@ from fastapi import Depends, Query
 from pydantic import model_validator
 
 from app.api.deps import SettingsPart
-from app.source import Source, SourceGroup, source_words
+from app.source import Source, SourceGroup, source_description
 
 
 class SourceView(Source):
@@ -18,7 +18,7 @@ class SourceView(Source):
     @classmethod
     def _add_words(cls, source: Any) -> Any:
         if isinstance(source, Source) and not isinstance(source, SourceView):
-            return {**source.model_dump(), "words": source_words(source)}
+            return {**source.model_dump(), "words": source_description(source)}
         return source
 
 

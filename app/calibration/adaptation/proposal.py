@@ -30,7 +30,7 @@ from app.calibration.adaptation.proposal_document import JointChange, Proposal, 
 from app.calibration.adaptation.thresholds import Thresholds, full_for, step_thresholds
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
-from app.number_words import percent
+from app.number_format import percent
 
 ANEW = "calibrate this joint again"
 AT_ITS_END = f"It cannot follow any further: {ANEW}."

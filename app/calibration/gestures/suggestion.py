@@ -9,7 +9,7 @@ from app.calibration.grades import CROSS_TALK_LIMIT, signal_word
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import Binding, Control, Gesture
 from app.messages import MAX_GESTURES
-from app.number_words import percent
+from app.number_format import percent
 from app.quantities import Document
 
 FORWARD_PART = "elbow"  # the paper drives forward and back with the elbows, and turns with the shoulders

@@ -17,7 +17,7 @@ from app.calibration.guided.labels import CuedMovement, labels, lags_of
 from app.calibration.linear_map import KINDS, RATE_LAGS, LinearMap, MapCheck, map_parts
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.ridge import ridge
-from app.number_words import amount
+from app.number_format import amount
 
 LARGEST_WEIGHT = 1e12  # FS per signal unit, as `app.quantities.Finite`
 FEWEST = 3  # repetitions: one is held out, and two are fitted to

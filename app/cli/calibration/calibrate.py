@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.calibration.map_choice import MapChoice, check_facts, checks, choose, comparison
+from app.cli.common_options import AsJson
 from app.cli.errors import InputError
-from app.cli.options import AsJson
 from app.cli.output import dialect_summary, print_dialect, warn, write_output
-from app.number_words import percent
+from app.number_format import percent
 
 if TYPE_CHECKING:
     from app.calibration.gestures.discovery import Discovery
@@ -202,7 +202,7 @@ def _share(value: float | None) -> str:
 
 
 def _prior_summary(prior_fit: "PriorFit") -> dict[str, object]:
-    """Return what `--json` says of the maps from other people and of how the shirt sits."""
+    """Return the part of `--json` on the maps from other people and on the arrangement of the rings."""
     return {
         "prior": {joint.name: _prior_facts(joint, prior_fit.reasons) for joint in prior_fit.profile.joints},
         "arrangement": {
@@ -212,7 +212,7 @@ def _prior_summary(prior_fit: "PriorFit") -> dict[str, object]:
 
 
 def _prior_report(prior_fit: "PriorFit") -> list[str]:
-    """Return the lines about maps from other people, one per joint, and about how the shirt sits, one per ring."""
+    """Return the lines on maps from other people, one per joint, and on the arrangement of the rings, one per ring."""
     joints = [_joint_sentence(joint, prior_fit.reasons) for joint in prior_fit.profile.joints]
     return joints + [_ring_sentence(ring, arrangement) for ring, arrangement in prior_fit.arrangement.items()]
 

@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING, Literal
 
 from app.cli.errors import InputError
-from app.number_words import percent
+from app.number_format import percent
 
 if TYPE_CHECKING:
     from app.calibration.linear_map import MapCheck, MapKind
@@ -78,7 +78,7 @@ def checks(joint: "JointMap", reasons: dict[str, str]) -> dict[str, object]:
 
 
 def check_facts(check: "MapCheck | None") -> object:
-    """Return what `--json` says of a check."""
+    """Return a check as `--json` has it."""
     return None if check is None else check.model_dump(mode="json")
 
 

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.clinic_folder import open_clinic
+from app.cli.common_options import COMMAND_LINE, AsJson, State, settings_of
 from app.cli.errors import InputError
-from app.cli.options import COMMAND_LINE, AsJson, State, settings_of
 from app.cli.output import write_output
 from app.features import names
-from app.number_words import amount, percent
+from app.number_format import amount, percent
 from app.settings import Settings
 
 if TYPE_CHECKING:

@@ -13,6 +13,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import Any, Protocol
 
+from h11 import Request
 from uvicorn.config import Config
 from uvicorn.protocols.http.h11_impl import H11Protocol
 from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
@@ -23,7 +24,7 @@ RESERVE = 200  # descriptors that are no connection of a page: database, recordi
 EACH = 2  # descriptors for each connection: a websocket of the 3D view needs further ones
 MOST = 4096  # connections in all, however many descriptors there are
 SHARE = 0.75  # of all connections: the most of one address
-HANDSHAKES = 0.25  # of all connections: the most whose encryption is being agreed upon
+HANDSHAKES = 0.25  # of all connections: the most that may be in their TLS handshake
 REQUEST = 10.0  # s in which a connection has to send a request, from its beginning or from the request's first byte
 SEND_BUFFER = 131_072  # bytes that wait in the kernel for a websocket: of a page that reads too slowly it is full soon
 ACCEPTED_AT_ONCE = 16  # new connections in one turn of the event loop, before the limits see them
@@ -76,7 +77,7 @@ class Connections:
         return self._count
 
     def add(self, connection: Connection, address: str) -> bool:
-        """Add a new connection, and close another where there are too many; False when none gives way."""
+        """Add a new connection, and close another where there are too many; False when none can be closed."""
         connections = self._open.get(address, {})
         if len(connections) >= self._most_of_one and not self._is_shared(address) and not self._make_room_of(address):
             return False
@@ -117,7 +118,7 @@ class Connections:
         self._handshakes.pop(number, None)
 
     def _make_room(self) -> bool:
-        """Close a connection of the address that has most; of the next one where none of its own gives way."""
+        """Close a connection of the address that has most; of the next address when none of these can be closed."""
         by_number = sorted(self._open, key=lambda address: len(self._open[address]), reverse=True)
         return any(self._make_room_of(address) for address in by_number)
 
@@ -186,7 +187,7 @@ def limited(connections: Connections) -> type[H11Protocol]:
     websockets = InTurn()
 
     class LimitedConnection(H11Protocol):
-        """A connection, which is closed when it sends no request, and gives way while it has none."""
+        """A connection, closed when it sends no request, or when it has none and another one needs its place."""
 
         def __init__(self, config: Config, *arguments: Any, **options: Any) -> None:
             super().__init__(config, *arguments, **options)
@@ -216,12 +217,12 @@ def limited(connections: Connections) -> type[H11Protocol]:
             super().data_received(data)
             self._await_request()
 
-        def handle_websocket_upgrade(self, event: Any) -> None:
+        def handle_websocket_upgrade(self, event: Request) -> None:
             self._is_websocket = True
             self.transport.pause_reading()  # what follows the request is for the websocket
             websockets.call(lambda: self._become_websocket(event))
 
-        def _become_websocket(self, event: Any) -> None:
+        def _become_websocket(self, event: Request) -> None:
             if self.transport.is_closing():
                 return
             super().handle_websocket_upgrade(event)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.cli.options import State, folder_of
+from app.cli.common_options import State, folder_of
 
 if TYPE_CHECKING:
     from app.host.machine_check import Finding

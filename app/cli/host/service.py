@@ -7,8 +7,8 @@ from typing import Annotated
 
 import typer
 
+from app.cli.common_options import State, folder_of
 from app.cli.errors import InputError
-from app.cli.options import State, folder_of
 from app.refusals import Refusal
 
 service_app = typer.Typer(help="Let the machine start the clinic by itself.", no_args_is_help=True)

@@ -7,8 +7,8 @@ from typing import Annotated
 import typer
 
 from app.cli.clinic_folder import open_clinic
+from app.cli.common_options import COMMAND_LINE, State, settings_of
 from app.cli.errors import InputError
-from app.cli.options import COMMAND_LINE, State, settings_of
 from app.cli.records.written_files import patient_named, written_whole
 from app.refusals import Refusal
 

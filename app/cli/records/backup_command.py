@@ -5,13 +5,13 @@ import os
 import sys
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from app.cli.clinic_folder import FolderInUseError, lock_folder, open_clinic
+from app.cli.common_options import COMMAND_LINE, AsJson, State, settings_of
 from app.cli.errors import InputError
-from app.cli.options import COMMAND_LINE, AsJson, State, settings_of
 from app.file_modes import keep_new_files_private
 from app.refusals import Refusal
 from app.settings import Settings
@@ -97,7 +97,7 @@ def restore(
         raise InputError(f"The clinic in {settings.state} is open: restore into an empty folder.") from error
     except Refusal as refusal:
         raise InputError(str(refusal)) from refusal
-    facts: dict[str, Any] = {
+    facts: dict[str, object] = {
         "made": restored.manifest.made,
         "files": len(restored.manifest.files),
         "bytes": restored.manifest.size,

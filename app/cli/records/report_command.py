@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.clinic_folder import open_clinic
+from app.cli.common_options import COMMAND_LINE, State, settings_of
 from app.cli.errors import InputError
-from app.cli.options import COMMAND_LINE, State, settings_of
 from app.cli.output import check_new_folder, write_output
 from app.cli.records.written_files import patient_named
 from app.refusals import Conflict, Refusal

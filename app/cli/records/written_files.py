@@ -1,4 +1,4 @@
-"""A file about a patient that a command writes: whose it is, and written as a whole or not at all."""
+"""Output files about a patient: the patient of a code, and files that are written completely or not at all."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager

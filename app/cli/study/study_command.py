@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from app.cli.common_options import AsJson
 from app.cli.errors import InputError
-from app.cli.options import AsJson
 from app.cli.output import check_new_folder
 from app.study.choices import FigureChoice, Mode, PersonKind, StudyMap
 
@@ -63,7 +63,7 @@ def study(
     as_json: AsJson = False,
 ) -> None:
     """Let a simulated person calibrate, then drive a path again and again, and score every trial."""
-    from app.cli.study.study_trials import study_interface, study_sessions, study_trials
+    from app.cli.study.study_runs import study_interface, study_sessions, study_trials
     from app.realtime import collect_seldom
 
     if seed + seeds - 1 > LARGEST_SEED:

@@ -16,7 +16,7 @@ from app.cli.errors import InputError
 from app.clock import stopwatch
 from app.figures.study_figures import draw_seeds, draw_study
 from app.hardware.body.person_parameters import NOVICE
-from app.source import STUDY_SOURCE, source_words
+from app.source import STUDY_SOURCE, source_description
 from app.study.choices import FigureChoice, Mode, PersonKind, StudyMap
 from app.study.comparison import compare, table
 from app.study.experiment import StudyResult, run_study
@@ -130,7 +130,7 @@ def study_sessions(
     processes: int,
     as_json: bool,
 ) -> None:
-    """Run every seed with the map fixed, and beside it as `adapt` says; write rows, table and summary into `out`.
+    """Run every seed with a fixed map and with one in the mode `adapt`; write rows, table and summary into `out`.
 
     Raises
     ------
@@ -152,7 +152,7 @@ def study_sessions(
             if not as_json:
                 _report_session_trials(of_seed)
         conditions = {
-            "source": source_words(STUDY_SOURCE),
+            "source": source_description(STUDY_SOURCE),
             "adapt": adapt,
             "person": person,
             "map": map_kind,
@@ -213,20 +213,21 @@ def study_interface(
             if not as_json:
                 sys.stderr.write(f"seed {of_seed[0].seed}: {len(of_seed)} sessions\n")
         conditions = {
-            "source": source_words(STUDY_SOURCE),
+            "source": source_description(STUDY_SOURCE),
             "person": person,
             "trials": trials,
             "seed_list": list(seeds),
             "floorplan": floorplan.name,
             "path": path.name,
         }
-        document = {**conditions, **interface_summary(rows)}
-        (out / TEST_TABLE).write_text(interface_table(document), encoding="utf-8")
+        tests_summary = interface_summary(rows)
+        document = {**conditions, **tests_summary}
+        (out / TEST_TABLE).write_text(interface_table(tests_summary), encoding="utf-8")
         (out / TEST_SUMMARY).write_text(json.dumps(document, indent=1, allow_nan=False) + "\n", encoding="utf-8")
     if as_json:
         typer.echo(json.dumps({"out": str(out), **document}, allow_nan=False))
         return
-    typer.echo(interface_table(document))
+    typer.echo(interface_table(tests_summary))
     typer.echo(f"{len(rows)} two-minute tests in {stopwatch() - started:.1f} s, written to {out}")
 
 

@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.features.exports.flat_table import channel_names
+from app.recording.format import Columns
 from app.recording.groups import RunGroups
-from app.recording.reader import Columns
 
 LATENCY = ("latency", "n/a", "LATENCY", "n/a", "s")
 CHAIR = {  # recorded column -> name, component, type, tracked point, unit

@@ -6,9 +6,9 @@ from typing import Any
 
 from app.features.exports.recorded_runs import RecordedRun, recorded_runs
 from app.refusals import DiskFull, NotFound
-from app.scoring.interruptions import interruption_words
+from app.scoring.interruptions import interruption_text
 from app.scoring.verdict.spread import Spread, SpreadsOf
-from app.source import source_words
+from app.source import source_description
 from app.store.consent import require_consent
 from app.store.database import Database
 from app.store.files.room_for_files import room_refusal
@@ -109,10 +109,10 @@ def run_facts(code: str, run: RecordedRun, meta: dict[str, Any], damage: str) ->
         "kind": run.kind,
         "task": run.task,
         "trial": "" if trial is None else str(trial.number),
-        "interruptions": "" if trial is None else interruption_words(trial.measures),
+        "interruptions": "" if trial is None else interruption_text(trial.measures),
         "test": "" if run.test is None else str(run.test.number),
         "started": run.started.isoformat(),
-        "source": source_words(run.source),
+        "source": source_description(run.source),
         "simulated": SIMULATED_WORDS[run.source.simulated],
         "software": str(meta.get("software", "unknown")),
         "parameters_hash": "" if done is None else done.parameters_hash,

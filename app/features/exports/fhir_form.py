@@ -11,7 +11,7 @@ from app.features.exports.export_material import ExportMaterial
 from app.features.exports.recorded_runs import RecordedRun, RecordedTest, RecordedTrial
 from app.scoring.interface_test.interface_course import COMPLETE
 from app.scoring.measures import EXPORTED, TEST_MEASURES, Measure, is_number
-from app.source import source_words
+from app.source import source_description
 
 UCUM = "http://unitsofmeasure.org"
 MEASURE_CODES = "urn:bodydrive:measure"
@@ -53,7 +53,7 @@ def _observations(
 ) -> dict[str, dict[str, Any]]:
     """Return an Observation for each measure that a trial or a test has, without its patient and device."""
     note = (
-        f"{source_words(run.source)}. Session {run.session}, {what}. "
+        f"{source_description(run.source)}. Session {run.session}, {what}. "
         f"Map version {done.map_version}, parameter set {done.parameters_hash}."
     )
     return {

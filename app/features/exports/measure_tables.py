@@ -12,7 +12,7 @@ from app.recording.format import META_FILE
 from app.scoring.interface_test.workload import Workload
 from app.scoring.measures import EXPORTED, TEST_MEASURES, VERDICT_WORDS, is_number
 from app.scoring.verdict.verdicts import trial_verdicts
-from app.source import source_words
+from app.source import source_description
 
 UNKNOWN = "unknown"
 
@@ -59,7 +59,7 @@ def _trial_cells(code: str, run: RecordedRun, verdicts: dict[int, dict[str, str]
     assert trial is not None
     yield from (code, run.session, run.number, trial.number, trial.title, trial.path)
     yield from (trial.started.isoformat(), trial.end or "", "yes" if trial.kept else "no", trial.reason or "")
-    yield from (source_words(run.source), SIMULATED_WORDS[run.source.simulated])
+    yield from (source_description(run.source), SIMULATED_WORDS[run.source.simulated])
     yield from (trial.map_version, trial.parameters_hash, recorded_with(run.folder), __version__)
     yield from ("", "", "") if (origin := run.origin) is None else (origin.clinic, origin.person, origin.at.isoformat())
     for name in EXPORTED:
@@ -86,7 +86,7 @@ def interface_test_csv(code: str, runs: tuple[RecordedRun, ...]) -> str:
 
 def _test_cells(code: str, run: RecordedRun, test: RecordedTest) -> Iterator[str | float | None]:
     yield from (code, run.session, run.number, test.number, test.started.isoformat(), test.end or "")
-    yield from (source_words(run.source), SIMULATED_WORDS[run.source.simulated])
+    yield from (source_description(run.source), SIMULATED_WORDS[run.source.simulated])
     yield from (test.map_version, test.parameters_hash, recorded_with(run.folder), __version__)
     yield from (test.measures.get(name) for name in TEST_MEASURES)
     yield from (test.workload.get(name) for name in Workload.model_fields)

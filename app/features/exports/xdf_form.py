@@ -14,9 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.features.exports.flat_table import channel_names, gesture_names
-from app.recording.format import PER_CHANNEL, PER_GESTURE
+from app.recording.format import PER_CHANNEL, PER_GESTURE, Columns
 from app.recording.groups import RunGroups
-from app.recording.reader import Columns
 
 HEADER, STREAM_HEADER, SAMPLES, STREAM_FOOTER = 1, 2, 3, 6  # tags of chunks
 COMMANDS = ("u1", "u2", "v", "omega", "driven_v", "driven_omega", "dial")

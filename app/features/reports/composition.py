@@ -21,7 +21,7 @@ from app.features.reports.material import (
 )
 from app.features.reports.rendering import render_html, render_pdf
 from app.features.reports.task_report import task_report
-from app.number_words import amount, with_minus
+from app.number_format import amount, with_minus
 from app.store.log_chain import ChainHead
 from app.store.origins import Origin
 

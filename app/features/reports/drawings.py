@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from typing import Any, Final, NamedTuple
 
 from app.features.reports.document import Drawing, Tone
-from app.number_words import with_minus
+from app.number_format import with_minus
 from app.scoring.measures import Measure
 from app.scoring.verdict.measure_verdict import Verdict
 

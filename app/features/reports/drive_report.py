@@ -6,7 +6,7 @@ from datetime import datetime
 from typing import Final
 
 from app.features.reports.document import NO_TABLE, ReportTable
-from app.source import SourceGroup, source_words
+from app.source import SourceGroup, source_description
 from app.store.database import Transaction
 from app.store.drives import drives_of
 from app.store.tables import PairedChair
@@ -43,7 +43,7 @@ def reported_drives(db: Transaction, clinic_id: int, patient_id: int, sessions: 
             end=drive.end,
             distance=drive.distance,
             group=drive.source.group,
-            source=source_words(drive.source),
+            source=source_description(drive.source),
             parameters_id=drive.parameters_id,
         )
         for drive in drives_of(db, clinic_id, patient_id)

@@ -4,7 +4,7 @@ from typing import Final
 
 from app.features.reports.document import InterfaceTestReport, ReportTable
 from app.features.reports.material import InterfaceTestMaterial, ReportedTest
-from app.number_words import amount
+from app.number_format import amount
 from app.scoring.interface_test.interface_course import counted_tests
 from app.scoring.interface_test.interface_verdicts import InterfaceVerdicts, interface_verdicts
 from app.scoring.measures import TEST_MEASURES, VERDICT_WORDS_OF_TESTS, WORKLOAD_NAME

@@ -14,7 +14,7 @@ from app.scoring.interface_test.interface_course import StoredTest
 from app.scoring.interface_test.workload import Workload
 from app.scoring.verdict.spread import Spread, SpreadsOf
 from app.settings import Settings
-from app.source import SourceGroup, source_words
+from app.source import SourceGroup, source_description
 from app.store.database import Database, Transaction
 from app.store.interface_tests import interface_tests_of
 from app.store.learning_trials import CountedTrial, counted_trials
@@ -214,7 +214,7 @@ def _task(
         title=f"{newest.floorplan_title}: {path_title(settings.floorplans, floorplan, path)}",
         path=tuple((x, y) for x, y in newest.path_points),
         group=group,
-        source=source_words(newest.run.source),
+        source=source_description(newest.run.source),
         rows=[one.row() for one in counted],
         folders=tuple(settings.runs / one.trial.run.folder for one in counted),
         clinic={},
@@ -230,7 +230,7 @@ def _tests(db: Transaction, patient: Patient, reported: set[int], last: int) -> 
     return [
         InterfaceTestMaterial(
             group=group,
-            source=source_words(own[-1][0].source),
+            source=source_description(own[-1][0].source),
             tests=tuple(_reported_test(test, session) for test, session in own),
         )
         for group, own in found.items()

@@ -8,9 +8,9 @@ from typing import Any, Final
 from app.features.reports.document import Drawing, MeasureRow, TaskReport, Tone
 from app.features.reports.drawings import CurvePoint, Trajectory, band_drawing, curve_drawing, trajectory_drawing
 from app.features.reports.material import Rows, TaskMaterial
-from app.number_words import amount
+from app.number_format import amount
 from app.recording.recorded_trajectory import read_trajectory, thinned
-from app.scoring.interruptions import interruption_words
+from app.scoring.interruptions import interruption_text
 from app.scoring.learning import learning_curves
 from app.scoring.measures import REACHED, REACHED_NAME, TRIAL_MEASURES, VERDICT_WORDS, Word
 from app.scoring.verdict.leading_measures import leading_of_task
@@ -102,7 +102,7 @@ def _trials_words(rows: Rows, session: int | None) -> str:
     used = sum(row["familiarisation"] for row in own)
     getting_used = f", {used} of them to get used to the task" if used else ""
     counted = f"{amount(len(own), 'trial')} counted{getting_used}; the goal was reached in {reached}."
-    interrupted = [f"trial {row['number']} ({words})" for row in own if (words := interruption_words(row))]
+    interrupted = [f"trial {row['number']} ({words})" for row in own if (words := interruption_text(row))]
     if not interrupted:
         return counted
     more = f" and {len(interrupted) - MOST_NAMED} more" if len(interrupted) > MOST_NAMED else ""

@@ -55,7 +55,7 @@ class Deteriorations:
     def known(self, clinic_id: int, tasks: Sequence[CountedTask]) -> dict[CountedTask, Deterioration | None]:
         """Return what is known of these tasks, and begin to work out the others; None: no worse than noise explains."""
         with self._lock:
-            found = self._known.known(tasks)
+            found = self._known.find(tasks)
             self._missing.update({task: clinic_id for task in tasks if task not in found})
             begin = bool(self._missing) and not self._is_working
             self._is_working = self._is_working or begin
@@ -82,7 +82,7 @@ class Deteriorations:
     def _keep(self, task: tuple[CountedTask, int], found: Deterioration | None) -> None:
         with self._lock:
             self._known.forget(lambda one: one[:4] == task[0][:4])  # with the trials that counted before
-            self._known.keep({task[0]: found})
+            self._known.store({task[0]: found})
             self._missing.pop(task[0], None)
 
     def _found(self, task: CountedTask, clinic_id: int) -> Deterioration | None:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from app.hardware.chair.packet import Telemetry
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
-from app.number_words import percent
+from app.number_format import percent
 
 SILENT = 0.3  # s without telemetry, which comes every 0.1 s
 DRIFT = 1e-3  # s per s by which the chair's clock may differ from ours

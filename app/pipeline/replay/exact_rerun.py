@@ -22,7 +22,8 @@ from app.messages import SensorFrame
 from app.pipeline.chain import Chain
 from app.pipeline.replay.rerun import chair_of, sample_rate_of
 from app.pipeline.safety_gate import BadGestures, Conditions, SafetyGate
-from app.recording.reader import Columns, RunRecording
+from app.recording.format import Columns
+from app.recording.reader import RunRecording
 from app.sentences import one_sentence
 from app.speeds import Speeds
 

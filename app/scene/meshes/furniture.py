@@ -1,4 +1,4 @@
-"""The meshes of obstacles, by the words of their labels; each fills the footprint at which the chair stops."""
+"""The meshes of obstacles, chosen by their labels; each fills the footprint at which the chair stops."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -23,7 +23,7 @@ SIDES = 12
 
 
 def no_model(_name: str) -> Model | None:
-    """Return None: every obstacle is drawn as its label says."""
+    """Return None: every obstacle is drawn by its label."""
     return None
 
 

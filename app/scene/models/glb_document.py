@@ -2,6 +2,7 @@
 
 import json
 import struct
+from collections.abc import Mapping
 from typing import Annotated, Any, Final
 
 import msgspec
@@ -15,6 +16,8 @@ BIN_CHUNK: Final = 0x004E4942
 
 Index = Annotated[int, msgspec.Meta(ge=0)]
 Vector = tuple[float, float, float]
+Extensions = dict[str, Any]
+"""What extensions of glTF say, by the name of the extension."""
 
 
 class SparseIndices(msgspec.Struct, rename="camel"):
@@ -59,7 +62,7 @@ class View(msgspec.Struct, rename="camel"):
     byte_length: Index = 0
     byte_offset: Index = 0
     byte_stride: Index | None = None
-    extensions: dict[str, Any] = {}
+    extensions: Extensions = {}
 
 
 class Primitive(msgspec.Struct):
@@ -70,7 +73,7 @@ class Primitive(msgspec.Struct):
     mode: Index = TRIANGLES
     material: Index | None = None
     targets: list[dict[str, Index]] = []
-    extensions: dict[str, Any] = {}
+    extensions: Extensions = {}
 
 
 class GlbMesh(msgspec.Struct):
@@ -91,7 +94,7 @@ class Node(msgspec.Struct):
     rotation: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)  # x, y, z, w
     scale: Vector = (1.0, 1.0, 1.0)
     weights: list[float] = []
-    extensions: dict[str, Any] = {}
+    extensions: Extensions = {}
 
 
 class Skin(msgspec.Struct, rename="camel"):
@@ -157,7 +160,7 @@ def chunks(content: bytes) -> tuple[bytes, bytes]:
     return content[20:end], content[end + 8 : end + 8 + length] if kind == BIN_CHUNK else b""
 
 
-def packed(document: dict[str, Any], body: bytes) -> bytes:
+def packed(document: Mapping[str, object], body: bytes) -> bytes:
     """Return the GLB file of a JSON document and a binary chunk."""
     description = json.dumps(document).encode()
     description += b" " * (-len(description) % 4)

@@ -70,8 +70,8 @@ class _Plain:
         self._raw, binary = chunks(content)
         self._buffers = [binary if source.uri is None else _from_uri(source.uri) for source in document.buffers]
         self._body = bytearray()
-        self._views: list[dict[str, Any]] = []
-        self._accessors: list[dict[str, Any]] = []
+        self._views: list[dict[str, int]] = []
+        self._accessors: list[dict[str, int | str]] = []
         self._corners: list[Numbers] = []
 
     def written(self) -> tuple[bytes, Numbers]:
@@ -121,7 +121,7 @@ class _Plain:
             waiting += [(child, matrices[number]) for child in reversed(node.children)]
         return matrices
 
-    def _parts(self, node: Node, mesh: GlbMesh, matrix: Numbers) -> Iterator[dict[str, Any]]:
+    def _parts(self, node: Node, mesh: GlbMesh, matrix: Numbers) -> Iterator[dict[str, object]]:
         """Yield the primitives of one node's mesh in world coordinates."""
         for primitive in mesh.primitives:
             listed = primitive.attributes.get("POSITION")
@@ -145,7 +145,11 @@ class _Plain:
                     values = self._values(accessor)
                     if len(values) == len(places):
                         attributes[name] = self._added(values.astype("<f4"), accessor.type)
-            part = {"attributes": attributes, "indices": self._added(faces.astype("<u4").ravel(), "SCALAR"), "mode": 4}
+            part: dict[str, object] = {
+                "attributes": attributes,
+                "indices": self._added(faces.astype("<u4").ravel(), "SCALAR"),
+                "mode": 4,
+            }
             if primitive.material is not None:
                 part["material"] = primitive.material
             yield part
@@ -241,7 +245,7 @@ class _Plain:
         data = self._buffers[view.buffer][view.byte_offset : view.byte_offset + view.byte_length]
         return image | {"bufferView": self._viewed(data)}
 
-    def _added(self, values: NDArray[Any], kind: str) -> int:
+    def _added(self, values: NDArray[np.generic], kind: str) -> int:
         component = FLOAT if values.dtype.kind == "f" else UNSIGNED
         view = self._viewed(values.tobytes())
         self._accessors.append({"bufferView": view, "componentType": component, "count": len(values), "type": kind})

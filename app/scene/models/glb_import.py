@@ -6,7 +6,7 @@
 import io
 import json
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, Final, TypedDict
 
 import numpy as np
 import trimesh
@@ -25,10 +25,18 @@ MOST_COLOURS: Final = 12  # each needs a draw call
 COARSE: Final = 5  # of the 8 bits of a colour; colours that differ only in these lower bits are joined
 
 
-def answer(question: dict[str, Any]) -> dict[str, Any]:
+class ObjectQuestion(TypedDict):
+    """The file of an object, the folder of the readings, and how long one unit of the file is, m; None: not known."""
+
+    file: str
+    readings: str
+    metres_per_unit: float | None
+
+
+def answer(question: ObjectQuestion) -> dict[str, object]:
     """Read the object in the file `question["file"]`, write its meshes into `question["readings"]`, return its size.
 
-    One unit of the file is `question["metres_per_unit"]` long: the file is written anew in metres when that is not 1.
+    One unit of the file is `question["metres_per_unit"]` long: the file is rewritten in metres when that is not 1.
     When it is null, the meshes of an object of an improbable size are not written.
 
     Raises
@@ -44,7 +52,7 @@ def answer(question: dict[str, Any]) -> dict[str, Any]:
 
 
 def _in_metres(file: Path, scale: float) -> Model:
-    """Write an object anew, `scale` times as large, and read it."""
+    """Rewrite an object `scale` times as large, and read it."""
     size = scaled(read_model(file).size, scale)
     file.write_bytes(scaled_glb(file.read_bytes(), scale))
     model = read_model(file)
@@ -96,7 +104,7 @@ def _model(document: GlbDocument, content: bytes) -> Model:
         except UnreadableError:
             raise
         except Exception as error:
-            # The lists of a damaged file do not fit together, which NumPy says with any exception.
+            # The lists of a damaged file do not fit together: NumPy may raise any exception.
             raise ValueError("it is damaged: export it again") from error
     by_colour: dict[Colour, list[Mesh]] = {}
     try:

@@ -79,7 +79,7 @@ def _stored(file: Path, _changed_at: int) -> Model:
 def read_isolated_into(folder: Path, file: Path, metres_per_unit: float | None = None) -> None:
     """Read an object before it is stored in `folder`, and store its reading; a refused object leaves nothing there.
 
-    The file is written anew in metres when one of its units is given as another length (m).
+    The file is rewritten in metres when `metres_per_unit` is given and not 1.
 
     Raises
     ------

@@ -1,12 +1,13 @@
 """A person's interface tests over sessions: which of them count, their curves, and what has changed."""
 
-from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Sequence
+from typing import NamedTuple
 
+from app.json_values import JsonObject
 from app.quantities import Document
-from app.scoring.interface_test.interface_verdicts import InterfaceVerdicts, interface_verdicts
+from app.scoring.interface_test.interface_verdicts import InterfaceVerdicts, Tests, interface_verdicts
 from app.scoring.learning_fit import fit_learning_curve
-from app.scoring.measures import TEST_MEASURES
+from app.scoring.measures import TEST_MEASURES, MeasureValues
 from app.world.cursor_task import CursorPlan
 
 COMPLETE = "complete"
@@ -17,8 +18,8 @@ class StoredTest(NamedTuple):
 
     number: int
     end: str | None
-    plan: dict[str, Any]  # of app.world.cursor_task.CursorPlan
-    measures: dict[str, Any] | None  # None: the recording could not be read
+    plan: JsonObject  # of app.world.cursor_task.CursorPlan
+    measures: MeasureValues | None  # None: the recording could not be read
 
 
 class CurveBand(Document):
@@ -38,7 +39,7 @@ class InterfaceCourse(Document):
     comparisons: list[InterfaceVerdicts]  # of the newest test that counts
 
 
-def counted_tests(tests: Sequence[StoredTest]) -> list[dict[str, Any]]:
+def counted_tests(tests: Sequence[StoredTest]) -> list[MeasureValues]:
     """Return number and measures of the complete tests that asked the same as the newest of them; keep the order."""
     complete = [test for test in tests if test.end == COMPLETE and test.measures is not None]
     plans = [CursorPlan.model_validate(test.plan) for test in complete]
@@ -49,7 +50,7 @@ def counted_tests(tests: Sequence[StoredTest]) -> list[dict[str, Any]]:
     ]
 
 
-def interface_course(tests: Sequence[Mapping[str, Any]]) -> InterfaceCourse:
+def interface_course(tests: Tests) -> InterfaceCourse:
     """Return the course of complete tests, in the order done; each has `number` and its measures by name."""
     curves = {}
     for name in TEST_MEASURES:

@@ -1,4 +1,4 @@
-"""What one trial tells of a gesture, read with a parameter set: noise at rest, size of its strokes, what was missed.
+"""The figures of a gesture in one trial, read with a parameter set: noise at rest, size of its strokes, time missed.
 
 The figures are of the rate that the decoder gives, whatever kind of map the joint has.
 """
@@ -28,8 +28,10 @@ from app.pipeline.projection import projections
 from app.pipeline.replay.batch import decode_block
 
 FEWEST_STROKES = 3  # of a gesture in a trial
-OWN_FACTOR = 2.0  # a stroke is this gesture's own while it is so many times as strong as any other (rate / full)
-MOST_BAD = 0.2  # share of a trial; a gesture that read bad channels for longer says nothing of its movement
+OWN_FACTOR = (
+    2.0  # a stroke is this gesture's own where it is at least this many times as strong as any other (rate / full)
+)
+MOST_BAD = 0.2  # share of a trial; a gesture that read bad channels for longer has no figures of its movement
 
 Numbers = NDArray[np.float64]
 Flags = NDArray[np.bool_]

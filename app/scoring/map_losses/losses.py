@@ -2,7 +2,7 @@
 
 Five figures of each gesture are added up over the trials (CUSUM), each as its distance from what would be no loss, in
 standard deviations of this person: noise at rest, size of the strokes (both ways), time missed, blindness of the
-direction, and the time that S5 silenced. A figure without a loss is left unsaid.
+direction, and the time that S5 silenced. There is a sentence only on figures with a loss.
 """
 
 import math
@@ -16,7 +16,7 @@ from app.calibration.adaptation.movement import Movement, gesture_of
 from app.calibration.adaptation.thresholds import dead_zone_for
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
-from app.number_words import percent
+from app.number_format import percent
 from app.scoring.map_losses.gesture_trial import GestureTrial, gesture_trials
 from app.scoring.verdict.cusum import LIMIT, cumulative_sum, normal_score
 from app.scoring.verdict.spread import CLINIC_WEIGHT, Series, Spread, Variance, own_spread, pool_spreads, weighted_sum
@@ -72,7 +72,7 @@ def read_trials(
 def losses_of(
     parameters: DriveParameters, calibrated: CalibrationProfile, trials: Sequence[PastTrial], read: ReadTrials
 ) -> dict[str, JointLoss]:
-    """Return what the present map of each joint loses, told from trials, oldest first (see `joint_losses`)."""
+    """Return what the present map of each joint loses; `trials` oldest first (see `joint_losses`)."""
     evidence = [TrialEvidence(read.figures[trial.name], trial.fulls) for trial in trials[-MOST_TRIALS:]]
     return joint_losses(parameters, calibrated, evidence)
 

@@ -27,8 +27,8 @@ PARTS: Final = 3
 def course_differences(name: str, series: Series, clinic: Spread | None) -> list[Difference]:
     """Return how a measure differs between parts of its course; nothing without two trials.
 
-    The last third of the sessions against the first third finds what goes on, the newest session against all before it
-    what is new. Within one session the last and the first third of its trials are compared.
+    The last third of the sessions against the first third finds a lasting change, the newest session against all before
+    it a new one. Within one session the last and the first third of its trials are compared.
     """
     sessions = np.unique(series.session)
     if len(sessions) > 1:
@@ -43,7 +43,7 @@ def course_differences(name: str, series: Series, clinic: Spread | None) -> list
 def _thirds(name: str, series: Series, unit: Sessions, clinic: Spread | None) -> Difference:
     """Return the difference between the last and the first third of the units (n,): sessions, or trials of one session.
 
-    Successive trials resemble each other, so within one session their variance is taken for a correlation of 0.5.
+    Successive trials resemble each other, so within one session their variance assumes a correlation of 0.5.
     Source: Bayley and Hammersley, Supplement to the Journal of the Royal Statistical Society 8 (1946).
     """
     units = np.unique(unit)
@@ -65,7 +65,7 @@ class CourseChange(NamedTuple):
 
     word: Word
     falls: bool  # in the difference that is clearest; without a meaning where the word is neither better nor worse
-    p_value: float | None  # of that difference, doubled as two are looked at (Bonferroni)
+    p_value: float | None  # of that difference, doubled for two tests (Bonferroni)
     level: float = 0.0  # a change has a smaller p-value
 
 

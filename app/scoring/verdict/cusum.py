@@ -13,14 +13,14 @@ MOST_OF_ONE = 3.0  # standard deviations that one value adds at most: one outlie
 def next_sum(total: float, surprise: float) -> float:
     """Return the sum after one more value: max(0, total + min(surprise, MOST_OF_ONE) - ALLOWANCE).
 
-    `surprise` is the value's deviation in the direction that is looked for, in standard deviations. Source: Page,
+    `surprise` is the value's deviation in the tested direction, in standard deviations. Source: Page,
     Biometrika 41 (1954); the bound of a single value is ours.
     """
     return max(0.0, total + min(surprise, MOST_OF_ONE) - ALLOWANCE)
 
 
 def cumulative_sum(surprises: Sequence[float]) -> float:
-    """Return the sum after all `surprises`, oldest first; beyond LIMIT it tells a change."""
+    """Return the sum after all `surprises`, oldest first; a sum beyond LIMIT is a change."""
     total = 0.0
     for surprise in surprises:
         total = next_sum(total, surprise)

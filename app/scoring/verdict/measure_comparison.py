@@ -9,7 +9,9 @@ from numpy.typing import NDArray
 from app.scoring.measures import TEST_MEASURES, TRIAL_MEASURES, Measure
 
 Numbers = NDArray[np.float64]
-Rows = Sequence[Mapping[str, Any]]
+Row = Mapping[str, Any]
+"""A trial as it is compared: `id`, `number`, `session`, `familiarisation`, and its measures by name."""
+Rows = Sequence[Row]
 
 LARGEST = 1e100  # larger values are left out, as in a learning curve
 SMALLEST = 1e-9  # on the log scale; smaller values count as this one
@@ -24,7 +26,7 @@ def measure_of(name: str) -> Measure:
     return TRIAL_MEASURES.get(name) or TEST_MEASURES[name]
 
 
-def value_of(trial: Mapping[str, Any], name: str) -> float | None:
+def value_of(trial: Row, name: str) -> float | None:
     """Return a trial's measure where it counts; None where it was not measured or the goal was not reached."""
     value = trial.get(name)
     if value is None or not abs(value) < LARGEST:
@@ -39,7 +41,7 @@ def with_missed(name: str, values: Numbers, missed: NDArray[np.bool_]) -> Number
 
     How a trial would have ended that was not driven to its end is not known; a trial that missed the goal counts as no
     better than the worst tenth of the trials before it that reached it. Source of the rank: Lachin, Controlled Clinical
-    Trials 20 (1999). `values` are in the order driven; those of missed trials are not looked at.
+    Trials 20 (1999). `values` are in the order driven; those of missed trials are not used.
     """
     rank = MISSED_RANK if measure_of(name).better == "low" else 1.0 - MISSED_RANK
     bounded = values.copy()

@@ -165,7 +165,7 @@ def holm_levels(p_values: Sequence[float], together: float) -> list[float]:
     """
     levels = [0.0] * len(p_values)
     level, passed = 0.0, True
-    for rank, place in enumerate(sorted(range(len(p_values)), key=lambda one: p_values[one])):
+    for rank, place in enumerate(sorted(range(len(p_values)), key=lambda test: p_values[test])):
         if passed:
             level = together / (len(p_values) - rank)
             passed = p_values[place] <= level
@@ -185,9 +185,11 @@ def verdicts_on(
     ones are numbers only.
     """
     p_values = {name: differences[name].p_value for name in leading if name in differences}
-    tests = {name: one for name, one in p_values.items() if one is not None} | dict(others or {})
+    tests = {name: p_value for name, p_value in p_values.items() if p_value is not None} | dict(others or {})
     levels = dict(zip(tests, holm_levels(list(tests.values()), together), strict=True))
-    verdicts = {name: _verdict(name, one, levels.get(name), name in leading) for name, one in differences.items()}
+    verdicts = {
+        name: _verdict(name, difference, levels.get(name), name in leading) for name, difference in differences.items()
+    }
     return verdicts, levels
 
 
@@ -226,19 +228,20 @@ def people_variances(people: Mapping[int, Rows]) -> PeopleVariances:
     """
     by_measure: PeopleVariances = {}
     for name in TRIAL_MEASURES:
-        series = {person: one for person, rows in people.items() if len((one := series_of(rows, name)[0]).value)}
+        series = {person: series_of(rows, name)[0] for person, rows in people.items()}
+        series = {person: trials for person, trials in series.items() if len(trials.value)}
         if not series:
             continue
-        least = least_spread(name, np.concatenate([one.value for one in series.values()]))
-        variances = {person: person_variances(one, least) for person, one in series.items()}
-        by_measure[name] = {person: one for person, one in variances.items() if one is not None}
+        least = least_spread(name, np.concatenate([trials.value for trials in series.values()]))
+        variances = {person: person_variances(trials, least) for person, trials in series.items()}
+        by_measure[name] = {person: own for person, own in variances.items() if own is not None}
     return by_measure
 
 
 def clinic_spreads(variances: PeopleVariances, person: int | None = None) -> dict[str, Spread]:
     """Return the median spread of everybody but `person`, for each measure that enough people have."""
     medians = {
-        name: median_spread([one for other, one in people.items() if other != person])
+        name: median_spread([own for other, own in people.items() if other != person])
         for name, people in variances.items()
     }
     return {name: spread for name, spread in medians.items() if spread is not None}

@@ -83,10 +83,10 @@ def _best(rows: Rows) -> dict[str, float]:
 
 
 def task_verdicts(rows: Rows, clinic: ClinicSpreads, names: Collection[str] = TRIAL_MEASURES) -> TaskVerdicts:
-    """Compare the newest session with the one before and the first, and look for a deterioration in `names`.
+    """Compare the newest session with the one before and the first, and search `names` for a deterioration.
 
-    `rows` and `clinic` as for `trial_verdicts`. Sessions without a trial that is compared do not count. To look for a
-    deterioration takes ten times as long as the comparison: name the measures whose sentence is shown.
+    `rows` and `clinic` as for `trial_verdicts`. Sessions without a trial that is compared do not count. The search
+    takes ten times as long as the comparison: name the measures whose sentence is shown.
     """
     sessions = list(dict.fromkeys(row["session"] for row in rows if not row["familiarisation"]))
     if len(sessions) < 2:

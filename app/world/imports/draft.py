@@ -2,7 +2,7 @@
 
 import json
 import re
-from typing import Any, NamedTuple
+from typing import NamedTuple, TypedDict
 
 from pydantic import ValidationError
 
@@ -15,16 +15,36 @@ SHORTEST_TIME = 60.0  # s
 INSTRUCTION = "Follow the white line to its end."
 
 
+class PathDocument(TypedDict):
+    """A proposed or drawn path, as a document of a floor plan has it."""
+
+    name: str
+    title: str
+    points: list[list[float]]  # m
+    time_limit: float  # s
+    instruction: str
+
+
+class PlanDocument(TypedDict):
+    """The document of a FloorPlan, except that paths may be missing."""
+
+    name: str
+    title: str
+    walls: list[list[tuple[float, float]]]  # m
+    wall_thickness: float  # m
+    paths: list[PathDocument]
+
+
 class Draft(NamedTuple):
     """The draft of a floor plan, with sentences on how it was made."""
 
-    document: dict[str, Any]  # of a FloorPlan, except that paths may be missing
+    document: PlanDocument
     words: tuple[str, ...] = ()  # sentences
     layers: tuple[str, ...] = ()  # of a drawing, to choose from
-    taken: tuple[str, ...] = ()  # the layers whose lines have become walls
+    taken: tuple[str, ...] = ()  # the layers whose lines are walls
 
 
-def path_document(points: list[list[float]], name: str = "main", title: str = "Across the building") -> dict[str, Any]:
+def path_document(points: list[list[float]], name: str = "main", title: str = "Across the building") -> PathDocument:
     """Return the document of a path through `points` (m)."""
     return {
         "name": name,

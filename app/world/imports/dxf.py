@@ -5,14 +5,14 @@ from collections import Counter
 from collections.abc import Iterable
 from itertools import pairwise
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt
 
 from app.world.floorplan import MAX_WALLS
-from app.world.imports.draft import Draft, path_document, plain_name
+from app.world.imports.draft import Draft, PathDocument, PlanDocument, path_document, plain_name
 from app.world.imports.dxf_lines import UNITS, DxfDrawing, read_dxf
 from app.world.imports.inside import inside_of_building
 from app.world.imports.route import propose_route
@@ -81,7 +81,7 @@ def import_dxf(
         )
     drawn_paths = _drawn_paths(drawing, (x, y))
     paths = drawn_paths or _propose_path(walls, (width, height))
-    document: dict[str, Any] = {
+    document: PlanDocument = {
         "name": name or plain_name(file.stem),
         "title": title or file.stem[:80],
         "walls": walls,
@@ -115,7 +115,7 @@ def _is_for_text(layer: str) -> bool:
 
 
 def _check_unit(file: Path, unit: str, width: float, height: float) -> None:
-    """Ask for the unit when the drawing's own makes a storey of an improbable size."""
+    """Raise ValueError when the drawing's own unit gives a storey an improbable size."""
     if PROBABLE[0] <= max(width, height) <= PROBABLE[1]:
         return
     raise ValueError(
@@ -125,7 +125,7 @@ def _check_unit(file: Path, unit: str, width: float, height: float) -> None:
 
 
 def _as_drawn(unit: str, width: float, height: float) -> str:
-    """Return in which unit a drawing says that it is drawn; many are marked as inch or foot without being so."""
+    """Return the drawing's own unit, and its size in metric units: many drawings are marked as inch or foot wrongly."""
     metric = [] if unit in {"mm", "cm", "m"} else ["mm", "cm", "m"]
     return f"in {unit} as it says{_other_units(unit, width, height, metric)}"
 
@@ -151,7 +151,7 @@ def _check_size(file: Path, width: float, height: float) -> None:
         raise ValueError(f"{file}: this drawing is only {width:.3f} x {height:.3f} m large, give its unit")
 
 
-def _drawn_paths(drawing: DxfDrawing, origin: Point) -> list[dict[str, Any]]:
+def _drawn_paths(drawing: DxfDrawing, origin: Point) -> list[PathDocument]:
     """Return the paths on the layer PATH; lines that meet are joined into one path."""
     lines = [
         line for layer, layer_lines in drawing.layers.items() if layer.lower() == PATH_LAYER for line in layer_lines
@@ -159,7 +159,7 @@ def _drawn_paths(drawing: DxfDrawing, origin: Point) -> list[dict[str, Any]]:
     polylines = [line for line in lines if len(line) > 2]
     loose = [(line[0], line[1]) for line in lines if len(line) == 2]
     polylines += [_in_drawn_direction(chain, loose) for chain in chain_pieces(loose)]
-    paths: list[dict[str, Any]] = []
+    paths: list[PathDocument] = []
     for line in polylines[:MOST_PATHS]:
         points = [[round(x - origin[0], DECIMALS), round(y - origin[1], DECIMALS)] for x, y in line]
         if any(point != points[0] for point in points):
@@ -176,7 +176,7 @@ def _in_drawn_direction(chain: list[Point], pieces: list[tuple[Point, Point]]) -
     return chain if ahead >= back else chain[::-1]
 
 
-def _propose_path(walls: list[list[Point]], size: tuple[float, float]) -> list[dict[str, Any]]:
+def _propose_path(walls: list[list[Point]], size: tuple[float, float]) -> list[PathDocument]:
     """Return a list of one path through the largest part of the building; an empty list when a chair fits nowhere."""
     resolution = max(FINEST, float(np.sqrt(size[0] * size[1] / MOST_CELLS)), max(size) / MOST_CELLS)
     free = free_cells(walls, WALL_THICKNESS, size, resolution)
@@ -188,7 +188,7 @@ def _propose_path(walls: list[list[Point]], size: tuple[float, float]) -> list[d
     return [path_document(points)] if Line(points).length > 0 else []
 
 
-def _path_sentences(drawn_paths: list[dict[str, Any]], paths: list[dict[str, Any]]) -> list[str]:
+def _path_sentences(drawn_paths: list[PathDocument], paths: list[PathDocument]) -> list[str]:
     if len(drawn_paths) > 1:
         return [f"{len(drawn_paths)} paths are from the layer PATH."]
     if drawn_paths:

@@ -4,12 +4,13 @@ import math
 from collections import Counter, defaultdict
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any, Final, NamedTuple
+from typing import Any, Final, NamedTuple, TypeAlias
 
 import ezdxf.path
 import ezdxf.recover
 from ezdxf.audit import AuditError
-from ezdxf.math import Matrix44
+from ezdxf.document import Drawing
+from ezdxf.math import Matrix44, Vec3
 from ezdxf.xclip import XClip
 
 from app.world.imports.wall_pieces import Point
@@ -28,12 +29,16 @@ LINES: Final = frozenset({"LINE", "LWPOLYLINE", "POLYLINE", "ARC", "CIRCLE", "EL
 TEXTS: Final = frozenset({"TEXT", "MTEXT", "DIMENSION", "ATTDEF", "ATTRIB", "LEADER", "MULTILEADER", "VIEWPORT"})
 
 
+Entity: TypeAlias = Any
+"""An entity of ezdxf, whose attributes are those of its kind."""
+
+
 class DxfDrawing(NamedTuple):
     """The lines of a drawing, and how many things were not read."""
 
     layers: dict[str, list[list[Point]]]  # layer -> lines, m
     unit: str  # a key of UNITS
-    left_out: Counter[str]  # by kind of entity, or in words
+    left_out: Counter[str]  # by kind of entity, or by a description
     hidden: Counter[str]  # by layer, of those that are off or frozen
     files: Counter[str]  # by block, of blocks that are other drawings
 
@@ -66,7 +71,7 @@ def read_dxf(file: Path, unit: str | None = None) -> DxfDrawing:
         raise ValueError(f"{file}: something in this drawing is damaged, save it again as DXF") from error
 
 
-def _document(file: Path) -> tuple[Any, int]:
+def _document(file: Path) -> tuple[Drawing, int]:
     """Return the drawing, and the number of references to blocks that it does not have."""
     try:
         with file.open("rb") as opened:
@@ -88,7 +93,7 @@ def _document(file: Path) -> tuple[Any, int]:
     return document, sum(fix.code == AuditError.UNDEFINED_BLOCK for fix in auditor.fixes)
 
 
-def _unit(file: Path, document: Any, unit: str | None) -> str:
+def _unit(file: Path, document: Drawing, unit: str | None) -> str:
     """Return the unit of the drawing."""
     name = unit or HEADER_UNITS.get(document.header.get("$INSUNITS", 0))
     if name is None:
@@ -101,11 +106,11 @@ def _unit(file: Path, document: Any, unit: str | None) -> str:
 class _Reader:
     """Visits the entities of a drawing and counts them, so that nested blocks cannot take unlimited time."""
 
-    def __init__(self, file: Path, document: Any, unit: str) -> None:
+    def __init__(self, file: Path, document: Drawing, unit: str) -> None:
         self._file = file
         self._document = document
         self._unit = unit
-        self._seen = self._points = 0
+        self._visited = self._points = 0
         self._layers: defaultdict[str, list[list[Point]]] = defaultdict(list)
         self.left_out: Counter[str] = Counter()
         self._hidden: Counter[str] = Counter()
@@ -117,11 +122,11 @@ class _Reader:
         self._walk(self._document.modelspace(), Matrix44.scale(UNITS[self._unit]), None, 0)
         return DxfDrawing(dict(self._layers), self._unit, +self.left_out, self._hidden, self._files)
 
-    def _walk(self, entities: Iterable[Any], matrix: Matrix44, inherited: str | None, depth: int) -> None:
+    def _walk(self, entities: Iterable[Entity], matrix: Matrix44, inherited: str | None, depth: int) -> None:
         """Read entities in a block's coordinates; layer 0 of a block means the layer that the block is placed on."""
         for entity in entities:
-            self._seen += 1
-            if self._seen > MOST_ENTITIES:
+            self._visited += 1
+            if self._visited > MOST_ENTITIES:
                 raise ValueError(
                     f"{self._file}: this has more than {MOST_ENTITIES:,} things in it, draw only the walls"
                 )
@@ -143,7 +148,7 @@ class _Reader:
             else:
                 self.left_out[kind] += 1
 
-    def _read_block(self, insert: Any, matrix: Matrix44, layer: str, depth: int) -> None:
+    def _read_block(self, insert: Entity, matrix: Matrix44, layer: str, depth: int) -> None:
         block = insert.block()
         if block is None or block.is_any_layout:
             self.left_out["missing blocks"] += 1
@@ -155,17 +160,17 @@ class _Reader:
         if XClip(insert).is_clipping_enabled:
             self.left_out["clipped blocks, which are read whole"] += 1
         for place in self._places(insert):
-            self._seen += 1
+            self._visited += 1
             self._walk(block, place.matrix44() * matrix, layer, depth + 1)
 
-    def _places(self, insert: Any) -> Iterable[Any]:
+    def _places(self, insert: Entity) -> Iterable[Entity]:
         """Return the block references that an array of rows and columns stands for."""
         times = max(1, insert.dxf.row_count) * max(1, insert.dxf.column_count)
         if times > MOST_ENTITIES:
             raise ValueError(f"{self._file}: a block stands there {times:,} times, draw only the walls")
         return insert.multi_insert() if insert.mcount > 1 else (insert,)
 
-    def _read_line(self, entity: Any, matrix: Matrix44, layer: str) -> None:
+    def _read_line(self, entity: Entity, matrix: Matrix44, layer: str) -> None:
         try:
             path = ezdxf.path.make_path(entity, segments=SMALLEST_ARC)
         except TypeError:  # a POLYLINE may also be a mesh
@@ -183,5 +188,5 @@ class _Reader:
         self._layers[layer].append(line)
 
 
-def _is_near(vertex: Any) -> bool:
+def _is_near(vertex: Vec3) -> bool:
     return all(math.isfinite(value) and abs(value) <= FARTHEST for value in (vertex.x, vertex.y, vertex.z))

@@ -1,4 +1,4 @@
-"""Tells the inside of a building from its outside on a grid of free cells, also when entrances stand open."""
+"""Separates the inside of a building from its outside on a grid of free cells, also when entrances are open."""
 
 from typing import Final, NamedTuple
 
@@ -12,8 +12,8 @@ from app.world.imports.distances import grown, joined, wall_distances
 # through windows that are drawn as gaps.
 HALF_OPENINGS: Final = (0.0, 0.3, 0.45, 0.65, 0.9, 1.2, 1.6, 2.0)
 ENOUGH: Final = 0.6  # share of the inside behind the widest openings, from which on no wider opening is closed
-CELL: Final = 0.05  # m, least size of the cells in which openings are looked for
-MOST_CELLS: Final = 1_000_000  # in which openings are looked for
+CELL: Final = 0.05  # m, least size of the cells of the search for openings
+MOST_CELLS: Final = 1_000_000  # of the search for openings
 
 
 class Inside(NamedTuple):

@@ -6,11 +6,11 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.number_words import percent
+from app.number_format import percent
 from app.world.floorplan import MAX_WALLS
 from app.world.imports.boundary import TOLERANCE, Corner, corner_count, outlines
 from app.world.imports.distances import grown, joined, wall_distances
-from app.world.imports.draft import Draft, path_document, plain_name
+from app.world.imports.draft import Draft, PlanDocument, path_document, plain_name
 from app.world.imports.inside import Inside, inside_of_building
 from app.world.imports.ros_map import OccupancyMap
 from app.world.imports.route import Route, propose_route
@@ -27,7 +27,7 @@ NARROW: Final = (
 COARSEST: Final = 0.2  # m per cell; in coarser cells doorways close
 MOST_CORNERS: Final = 20 * MAX_WALLS  # of exact outlines, to be simplified: more do not become few enough
 TOO_MANY: Final = 4 * MAX_WALLS  # pieces, which only coarser cells make few enough
-KNOWN_SHARE: Final = 0.99  # share of the cells from which on a map is a drawing, whose outside is as white as its rooms
+KNOWN_SHARE: Final = 0.99  # share of known cells from which on a map is a drawing: its outside is as white as its rooms
 OPEN_EDGE: Final = 0.5  # share of a map's edge that is free, from which on its outside is free
 
 
@@ -73,7 +73,7 @@ def draft_of_map(
     walls = _walls(inside.free, occupancy.resolution, file, noun)
     cell = OccupancyMap(walls.route.region, occupancy.resolution * walls.side, occupancy.origin)
     placed = [cell.place(np.array([*loop, loop[0]], dtype=np.float64)).round(DECIMALS).tolist() for loop in walls.loops]
-    document = {
+    document: PlanDocument = {
         "name": name or plain_name(file.stem),
         "title": title or file.stem[:80],
         "walls": placed,

@@ -2,10 +2,11 @@
 
 import json
 from pathlib import Path
-from typing import Any
+from typing import TypedDict
 
 from pydantic import ValidationError
 
+from app.json_values import JsonObject
 from app.sentences import one_sentence
 from app.world.imports.draft import Draft
 from app.world.imports.dxf import import_dxf
@@ -42,8 +43,16 @@ def import_plan(file: Path, options: Options, image: Path | None = None) -> Draf
     raise ValueError(f"{file}: this is no {', '.join(SUFFIXES)} file, name another")
 
 
-def answer(question: dict[str, Any]) -> dict[str, Any]:
-    """Return the fields of a draft for the question `{"file", "image", "options"}`; called by `app.isolated_reader`.
+class PlanQuestion(TypedDict):
+    """A file to import, the image of a ROS map where it lies elsewhere, and the document of its options."""
+
+    file: str
+    image: str | None
+    options: JsonObject
+
+
+def answer(question: PlanQuestion) -> dict[str, object]:
+    """Return the fields of a draft of a file; called by `app.isolated_reader`.
 
     Raises
     ------

@@ -67,7 +67,7 @@ class OccupancyMap:
     free: NDArray[np.bool_]  # (rows, columns); False for occupied and for unknown cells
     resolution: float  # m per cell
     origin: tuple[float, float, float] = (0.0, 0.0, 0.0)  # x (m), y (m), yaw (rad) of the lower left corner
-    unknown: int = 0  # cells of which the map says that nobody has seen them
+    unknown: int = 0  # number of cells that the map marks as unknown
 
     def place(self, cells: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the coordinates (n, 2) in m of `cells` (n, 2): (column, row) from the lower left corner."""
@@ -130,7 +130,7 @@ def _stands_out(counts: NDArray[np.intp], grey: int) -> bool:
 
 
 def _image_beside(file: Path, named: str) -> Path:
-    """Return the image that a map names; a name that leads nowhere is looked for beside the map.
+    """Return the image that a map names; when there is no such file, one of the same name beside the map.
 
     Map savers write the image's whole path on the robot, which is wrong once the two files are copied.
     """
@@ -138,7 +138,7 @@ def _image_beside(file: Path, named: str) -> Path:
     beside = file.parent / PureWindowsPath(named).name  # which takes / and \\ as separators
     try:
         return beside if not image_file.exists() and beside.is_file() else image_file
-    except OSError:  # no file can have such a name; reading it says so
+    except OSError:  # no file can have such a name; the read that follows refuses it
         return image_file
 
 
@@ -166,7 +166,7 @@ def _read_document(file: Path) -> MapDocument:
 
 
 def _read_image(image_file: Path, named_in: Path) -> tuple[NDArray[np.uint8], NDArray[np.bool_] | None]:
-    """Return the grey values (rows, columns), 0..255, and which pixels are opaque when the image says so."""
+    """Return the grey values (rows, columns), 0..255, and which pixels are opaque; None without transparency."""
     try:
         with Image.open(image_file, formats=FORMATS) as image:
             too_large = image.width * image.height > MOST_CELLS

@@ -1,6 +1,6 @@
 """Proposes a drivable path through a map: between two distant places, with clearance where the map allows it."""
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -164,7 +164,7 @@ class _Grid:
         return np.column_stack([self.columns[order], self.rows[order]])
 
 
-def _squares(cells: NDArray[Any], side: int, beyond: Any) -> NDArray[Any]:
+def _squares(cells: NDArray[np.float32], side: int, beyond: float) -> NDArray[np.float32]:
     """Return the cells by squares, (rows, columns, side * side)."""
     rows, columns = cells.shape
     padded = np.pad(cells, ((0, -rows % side), (0, -columns % side)), constant_values=beyond)

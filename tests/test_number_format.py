@@ -1,6 +1,6 @@
 """Numbers as people read them: shares, changes, and counts with their nouns."""
 
-from app.number_words import amount, percent, signed_percent
+from app.number_format import amount, percent, signed_percent
 
 
 def test_a_share_has_a_space_before_its_sign() -> None:

@@ -4,7 +4,7 @@ MINUS = "\u2212"
 
 
 def percent(share: float, digits: int = 0) -> str:
-    """Return a share in percent with so many decimals, with a space before the sign as the SI has it."""
+    """Return a share in percent with `digits` decimals and a space before the sign, as in the SI."""
     return with_minus(f"{100.0 * share:.{digits}f} %")
 
 
