@@ -3,6 +3,7 @@
 import re
 from contextlib import suppress
 
+from browser.tablets import headers_of
 from playwright.sync_api import Error, expect
 
 from app.world.scene import bundled_places
@@ -20,6 +21,12 @@ SHOW = """() => {
   document.dispatchEvent(new Event("visibilitychange"));
 }"""
 
+WITHOUT_WEBGL = """{
+  const get = HTMLCanvasElement.prototype.getContext;
+  HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+    return kind.startsWith("webgl") ? null : get.call(this, kind, ...more);
+  };
+}"""
 
 GROUPS: dict[TaskGroup, str] = {
     "first": "First steps",
@@ -34,6 +41,13 @@ GROUPS: dict[TaskGroup, str] = {
 def drive_by_plan(page):
     """Begin the next trial of this page with the drawn plan, as one does who chose it before."""
     page.evaluate("() => sessionStorage.setItem('bodydrive-view', 'plan')")
+
+
+def end_trial(page, link):
+    """End the trial that runs in a demonstration, if one does, so that the next test begins without one."""
+    base, calls = link.split("/#")[0], page.context.request
+    ended = calls.post(f"{base}/api/v1/trials/current/end", data={"reason": "by hand"}, headers=headers_of(calls, base))
+    assert ended.ok or ended.status in {409, 503}, ended.text()  # there is none, or it is still being measured
 
 
 def choose_task(page, floorplan, path):

@@ -1,7 +1,7 @@
 """A halted trial: its end ends its stop, and Continue waits for a patient's screen that the trial uses."""
 
 import pytest
-from browser.driving import choose_task, go_on_until
+from browser.driving import WITHOUT_WEBGL, choose_task, end_trial, go_on_until
 from browser.tablets import headers_of
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
@@ -13,28 +13,36 @@ pytestmark = [pytest.mark.browser]
 SEEN = 1500  # ms: what is tapped sooner was meant for what stood there before
 
 
-@pytest.fixture
-def pages(browser, page_log):
-    """Yield the clinician's page, and what opens the patient's screen."""
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+@pytest.fixture(scope="module")
+def demo():
+    """Yield the link of a running demonstration."""
     with running_demo() as link:
-        log = page_log(link)
-        contexts = [browser.new_context(in_3d=True, viewport={"width": 768, "height": 1024}) for _ in range(2)]
-        page = log.watch(contexts[0].new_page())
-        page.goto(link)
+        yield link
 
-        def patient():
-            base = link.split("/#")[0]
-            calls = page.context.request
-            offer = calls.post(f"{base}/api/v1/patient-screen/pairing", headers=headers_of(calls, base)).json()
-            screen = log.watch(contexts[1].new_page())
-            screen.goto(offer["url"])
-            return screen
 
-        yield page, patient
-        log.assert_clean()
-        for context in contexts:
-            context.close()
+@pytest.fixture
+def pages(browser, page_log, demo):
+    """Yield the clinician's page, and what opens the patient's screen, which draws the plan."""
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    log = page_log(demo)
+    contexts = [browser.new_context(viewport={"width": 768, "height": 1024}) for _ in range(2)]
+    contexts[1].add_init_script(WITHOUT_WEBGL)
+    page = log.watch(contexts[0].new_page())
+    page.goto(demo)
+
+    def patient():
+        base = demo.split("/#")[0]
+        calls = page.context.request
+        offer = calls.post(f"{base}/api/v1/patient-screen/pairing", headers=headers_of(calls, base)).json()
+        screen = log.watch(contexts[1].new_page())
+        screen.goto(offer["url"])
+        return screen
+
+    yield page, patient
+    end_trial(page, demo)
+    log.assert_clean()
+    for context in contexts:
+        context.close()
 
 
 def keep(page, name):

@@ -12,6 +12,7 @@ from folders import SCREENSHOTS
 pytestmark = [pytest.mark.browser]
 
 LEFT_FOR = 1500  # ms
+SMALL = {"width": 640, "height": 800}  # software draws few pixels of a 3D view faster
 OUTSIDE = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
 
 
@@ -20,7 +21,7 @@ def page(browser, page_log):
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     with running_demo() as link:
         log = page_log(link)
-        context = browser.new_context(in_3d=True, viewport={"width": 768, "height": 1024})
+        context = browser.new_context(in_3d=True, viewport=SMALL)
         page = log.watch(context.new_page())
         page.goto(link)
         yield page
@@ -35,6 +36,7 @@ def keep(page, name):
         page.wait_for_timeout(200)
         assert page.evaluate(OUTSIDE) <= 0
         page.screenshot(path=SCREENSHOTS / f"pause-{name}-{width}.png")
+    page.set_viewport_size(SMALL)
 
 
 def clock_of(page):

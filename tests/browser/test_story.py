@@ -54,8 +54,14 @@ def reaches_the_goal(page):
     go_on_until(page, goal.is_visible, "the goal", seconds=DRIVE_LIMIT)
 
 
-def test_from_the_shirt_to_a_scored_drive(tablet):
+def test_a_clinic_drives_stops_and_loses_its_control_process(tablet, demo):
     page, keep = tablet
+    from_the_shirt_to_a_scored_drive(page, keep)
+    the_visitor_drives_by_pads_stops_and_goes_on(page, keep)
+    the_loss_of_the_control_process_is_said(page, keep, demo[0])
+
+
+def from_the_shirt_to_a_scored_drive(page, keep):
     keep("drive-choose")
     expect(page.get_by_text("demonstration", exact=False).first).to_be_visible()
 
@@ -90,6 +96,7 @@ def test_from_the_shirt_to_a_scored_drive(tablet):
 
     page.get_by_role("button", name="Next trial").click()
     expect(page.locator(".place")).to_be_visible()
+    page.get_by_text("Plan", exact=True).click()
     reaches_the_goal(page)
     one_of_the_first = page.get_by_text("one of the first three trials of this task")
     count_it = page.get_by_role("button", name="Count it")  # where a busy machine interrupted the trial
@@ -105,8 +112,7 @@ def test_from_the_shirt_to_a_scored_drive(tablet):
     keep("review")
 
 
-def test_the_visitor_drives_by_pads_stops_and_goes_on(tablet, demo):
-    page, keep = tablet
+def the_visitor_drives_by_pads_stops_and_goes_on(page, keep):
     drive_by_plan(page)
     go_to(page, "shirt")
     become_the_body(page)
@@ -126,9 +132,11 @@ def test_the_visitor_drives_by_pads_stops_and_goes_on(tablet, demo):
     page.get_by_role("button", name="Continue").click()
     expect(page.get_by_role("button", name="Continue")).to_be_hidden()
 
+
+def the_loss_of_the_control_process_is_said(page, keep, process):
     control = next(
         child
-        for child in psutil.Process(demo[0].pid).children(recursive=True)
+        for child in psutil.Process(process.pid).children(recursive=True)
         if "app.pipeline.process" in child.cmdline()
     )
     os.kill(control.pid, signal.SIGKILL)

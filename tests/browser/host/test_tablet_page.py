@@ -27,6 +27,14 @@ from app.host.authority import make_leaf, read_identity
 from app.host.certificate import KEY
 
 FOREIGN = "bank.example"
+# For one page; Playwright's own clock would be that of every page of the tablet.
+WRONG_CLOCK = """(() => {
+  const Right = Date, behind = Right.now() - Right.UTC(2001, 0);
+  window.Date = class extends Right {
+    constructor(...given) { super(...(given.length ? given : [Right.now() - behind])); }
+    static now() { return Right.now() - behind; }
+  };
+})()"""
 
 
 @pytest.fixture(scope="module")
@@ -70,65 +78,83 @@ def tablet(playwright: Playwright, home: Path, root: str | None = None, **option
         context.close()
 
 
-def test_from_the_page_that_explains_to_a_green_tick_and_the_pages(
-    playwright: Playwright, lan: ServedLan, tmp_path: Path, until: Callable[..., Any]
-) -> None:
-    with tablet(playwright, tmp_path / "stranger") as context:
-        page = context.pages[0]
-        page.goto(lan.page)
-        until(page, "document.querySelector('.check').dataset.state === 'not-yet'")
-        assert page.locator("button[aria-pressed=true]").inner_text() == "Linux"
-        for button in page.locator(".devices button").all():
-            button.click()
-            assert page.locator(".steps li").count() >= 2
-        page.get_by_role("button", name="iPad or iPhone").click()
-        assert page.locator(".steps svg").count() == 4
-        with page.expect_download() as profile:
-            page.get_by_role("link", name="Load the profile").click()
-        assert profile.value.suggested_filename == "bodydrive.mobileconfig"
-        assert page.evaluate("[...document.querySelectorAll('button, .go')].every((e) => e.offsetHeight >= 44)")
-        with pytest.raises(Error, match="ERR_CERT_AUTHORITY_INVALID"):
-            page.goto(lan.facts["link"])
+@pytest.fixture(scope="module")
+def stranger(
+    playwright: Playwright, lan: ServedLan, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[BrowserContext]:
+    """Yield a tablet that does not know the clinic's authority: to start one takes longer than most tests of it."""
+    with tablet(playwright, tmp_path_factory.mktemp("stranger")) as context:
+        yield context
 
-    with tablet(playwright, tmp_path / "trusting", lan.root) as context:
-        page = context.pages[0]
-        for host in (HOSTS[0], NAME):
-            page.goto(lan.page.replace(HOSTS[0], host))
-            until(page, "document.querySelector('.check').dataset.state === 'trusted'")
-            assert page.locator(".steps").is_hidden()
-            page.get_by_role("link", name="Go on").click()
-            page.wait_for_url(f"https://{host}:{lan.port}/**")
-            assert page.evaluate("isSecureContext") is True
+
+@pytest.fixture(scope="module")
+def trusting(
+    playwright: Playwright, lan: ServedLan, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[BrowserContext]:
+    """Yield a tablet into which the clinic's authority was installed."""
+    with tablet(playwright, tmp_path_factory.mktemp("trusting"), lan.root) as context:
+        yield context
+
+
+def test_from_the_page_that_explains_to_a_green_tick_and_the_pages(
+    stranger: BrowserContext, trusting: BrowserContext, lan: ServedLan, until: Callable[..., Any]
+) -> None:
+    page = stranger.new_page()
+    page.goto(lan.page)
+    until(page, "document.querySelector('.check').dataset.state === 'not-yet'")
+    assert page.locator("button[aria-pressed=true]").inner_text() == "Linux"
+    for button in page.locator(".devices button").all():
+        button.click()
+        assert page.locator(".steps li").count() >= 2
+    page.get_by_role("button", name="iPad or iPhone").click()
+    assert page.locator(".steps svg").count() == 4
+    with page.expect_download() as profile:
+        page.get_by_role("link", name="Load the profile").click()
+    assert profile.value.suggested_filename == "bodydrive.mobileconfig"
+    assert page.evaluate("[...document.querySelectorAll('button, .go')].every((e) => e.offsetHeight >= 44)")
+    with pytest.raises(Error, match="ERR_CERT_AUTHORITY_INVALID"):
+        page.goto(lan.facts["link"])
+    page.close()
+
+    page = trusting.new_page()
+    for host in (HOSTS[0], NAME):
+        page.goto(lan.page.replace(HOSTS[0], host))
+        until(page, "document.querySelector('.check').dataset.state === 'trusted'")
+        assert page.locator(".steps").is_hidden()
+        page.get_by_role("link", name="Go on").click()
+        page.wait_for_url(f"https://{host}:{lan.port}/**")
+        assert page.evaluate("isSecureContext") is True
+    page.close()
 
 
 def test_a_first_owner_drives_the_pages_over_https(
-    playwright: Playwright, lan: ServedLan, tmp_path: Path, until: Callable[..., Any]
+    trusting: BrowserContext, lan: ServedLan, until: Callable[..., Any]
 ) -> None:
-    with tablet(playwright, tmp_path, lan.root) as context:
-        page = context.pages[0]
-        page.goto(f"https://{HOSTS[1]}:{lan.port}/")
-        code = {"code": lan.code, **OWNER}
-        made = page.evaluate(
-            "async (body) => (await fetch('/api/v1/auth/setup', {method: 'POST', "
-            "headers: {'Content-Type': 'application/json'}, body: JSON.stringify(body)})).status",
-            code,
-        )
-        assert made == 200
-        sockets: list[str] = []
-        page.on("websocket", lambda opened: sockets.append(opened.url))
-        page.reload()
-        until(page, "document.querySelector('nav') !== null")
-        while not any("/api/v1/" in url for url in sockets):
-            page.wait_for_timeout(50)
-        assert all(url.startswith(f"wss://{HOSTS[1]}:{lan.port}/") for url in sockets)
-        cookies = {cookie["name"]: cookie for cookie in context.cookies()}
-        assert cookies["__Host-bodydrive_sign_in"]["secure"]
-        devtools = context.new_cdp_session(page)
-        manifest = devtools.send("Page.getAppManifest")
-        assert manifest["errors"] == []
-        assert manifest["url"].endswith("/bodydrive.webmanifest")
-        assert devtools.send("Page.getInstallabilityErrors") == {"installabilityErrors": []}
-        assert page.evaluate("'wakeLock' in navigator && 'mediaDevices' in navigator") is True
+    page = trusting.new_page()
+    page.goto(f"https://{HOSTS[1]}:{lan.port}/")
+    code = {"code": lan.code, **OWNER}
+    made = page.evaluate(
+        "async (body) => (await fetch('/api/v1/auth/setup', {method: 'POST', "
+        "headers: {'Content-Type': 'application/json'}, body: JSON.stringify(body)})).status",
+        code,
+    )
+    assert made == 200
+    sockets: list[str] = []
+    page.on("websocket", lambda opened: sockets.append(opened.url))
+    page.reload()
+    until(page, "document.querySelector('nav') !== null")
+    while not any("/api/v1/" in url for url in sockets):
+        page.wait_for_timeout(50)
+    assert all(url.startswith(f"wss://{HOSTS[1]}:{lan.port}/") for url in sockets)
+    cookies = {cookie["name"]: cookie for cookie in trusting.cookies()}
+    assert cookies["__Host-bodydrive_sign_in"]["secure"]
+    devtools = trusting.new_cdp_session(page)
+    manifest = devtools.send("Page.getAppManifest")
+    assert manifest["errors"] == []
+    assert manifest["url"].endswith("/bodydrive.webmanifest")
+    assert devtools.send("Page.getInstallabilityErrors") == {"installabilityErrors": []}
+    assert page.evaluate("'wakeLock' in navigator && 'mediaDevices' in navigator") is True
+    page.close()
 
 
 @pytest.mark.parametrize(
@@ -136,7 +162,7 @@ def test_a_first_owner_drives_the_pages_over_https(
     [(NAME, "ERR_EMPTY_RESPONSE"), (FOREIGN, "ERR_CERT_INVALID|ERR_CERT_NAME_CONSTRAINT_VIOLATION")],
 )
 def test_chromium_trusts_the_root_for_this_machine_and_not_for_the_internet(
-    playwright: Playwright, lan: ServedLan, tmp_path: Path, name: str, error: str
+    trusting: BrowserContext, lan: ServedLan, tmp_path: Path, name: str, error: str
 ) -> None:
     """Somebody has the intermediate's key: their certificate of this machine is trusted, that of a bank is not."""
     certificate, mark, key = (lan.state / "authority" / "intermediate.pem").read_bytes().partition(KEY)
@@ -145,7 +171,8 @@ def test_chromium_trusts_the_root_for_this_machine_and_not_for_the_internet(
     leaf = make_leaf(intermediate, [x509.DNSName(name)], utc_now())
     (tmp_path / "leaf.pem").write_bytes(leaf.certificate_pem + certificate + leaf.key_pem)
     serving.load_cert_chain(tmp_path / "leaf.pem")
-    with socket.create_server((HOSTS[1], 0)) as listening, tablet(playwright, tmp_path, lan.root) as context:
+    page = trusting.new_page()
+    with socket.create_server((HOSTS[1], 0)) as listening:
 
         def answer_nothing() -> None:
             while True:
@@ -161,29 +188,32 @@ def test_chromium_trusts_the_root_for_this_machine_and_not_for_the_internet(
         thread.start()
         try:
             with pytest.raises(Error, match=error):
-                context.pages[0].goto(f"https://{name}:{listening.getsockname()[1]}/")
+                page.goto(f"https://{name}:{listening.getsockname()[1]}/")
         finally:
             listening.shutdown(socket.SHUT_RDWR)
             thread.join()
+    page.close()
 
 
-def test_a_replaced_authority_and_a_wrong_clock_are_said(
-    playwright: Playwright, lan: ServedLan, tmp_path: Path, until: Callable[..., Any]
-) -> None:
-    with tablet(playwright, tmp_path) as context:
-        page = context.pages[0]
-        page.goto(lan.page)
-        page.evaluate("localStorage.setItem('bodydrive_trusted', 'another')")
-        page.reload()
-        until(page, "document.querySelector('.check').dataset.state === 'replaced'")
+def test_a_replaced_authority_is_said(stranger: BrowserContext, lan: ServedLan, until: Callable[..., Any]) -> None:
+    page = stranger.new_page()
+    page.goto(lan.page)
+    page.evaluate("localStorage.setItem('bodydrive_trusted', 'another')")
+    page.reload()
+    until(page, "document.querySelector('.check').dataset.state === 'replaced'")
+    page.evaluate("localStorage.clear()")
+    page.close()
 
-        page.clock.install()
-        page.clock.set_system_time("2001-01-01T00:00:00Z")
-        page.reload()
-        until(page, "document.querySelector('.check').dataset.state === 'clock'")
-        said = page.locator(".check").inner_text()
-        assert re.search(r"This device shows (Dec 31, 2000|Jan 1, 2001), \d\d:\d\d, the machine shows", said)
-        assert "set date and time by itself" in said
+
+def test_a_wrong_clock_is_said(stranger: BrowserContext, lan: ServedLan, until: Callable[..., Any]) -> None:
+    page = stranger.new_page()
+    page.add_init_script(WRONG_CLOCK)
+    page.goto(lan.page)
+    until(page, "document.querySelector('.check').dataset.state === 'clock'")
+    said = page.locator(".check").inner_text()
+    assert re.search(r"This device shows (Dec 31, 2000|Jan 1, 2001), \d\d:\d\d, the machine shows", said)
+    assert "set date and time by itself" in said
+    page.close()
 
 
 DEVICES = [
@@ -196,14 +226,14 @@ DEVICES = [
 ]
 
 
-def test_the_page_knows_the_device(playwright: Playwright, lan: ServedLan, tmp_path: Path) -> None:
-    with tablet(playwright, tmp_path) as context:
-        page = context.pages[0]
-        page.goto(lan.page)
-        for agent, platform, touches, name in DEVICES:
-            found = page.evaluate(
-                "async (browser) => (await import('/js/tablet/steps.js')).deviceOf(browser)",
-                {"userAgent": agent, "platform": platform, "maxTouchPoints": touches},
-            )
-            texts = page.evaluate("async () => (await import('/js/texts/en/tablet.js')).default")
-            assert texts[found] == name
+def test_the_page_knows_the_device(stranger: BrowserContext, lan: ServedLan) -> None:
+    page = stranger.new_page()
+    page.goto(lan.page)
+    for agent, platform, touches, name in DEVICES:
+        found = page.evaluate(
+            "async (browser) => (await import('/js/tablet/steps.js')).deviceOf(browser)",
+            {"userAgent": agent, "platform": platform, "maxTouchPoints": touches},
+        )
+        texts = page.evaluate("async () => (await import('/js/texts/en/tablet.js')).default")
+        assert texts[found] == name
+    page.close()
