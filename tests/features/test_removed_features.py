@@ -4,9 +4,10 @@ import json
 import os
 import subprocess
 import sys
-from pathlib import Path
+from collections.abc import Callable
 
 import pytest
+from features.without_feature import WHOLE
 from rules.test_imports import feature_of, imports_of_all
 
 from app.cli.main import COMMANDS, OF_FEATURES
@@ -17,21 +18,28 @@ from folders import ROOT
 ENDS = ("DELETE /session", "DELETE /patients/1", "POST /deleted-patients/1/erasure")
 
 
-def answers(folder: Path, *without: str) -> dict[str, int]:
-    """Return the status of each answer of a program without these features."""
-    paths = os.pathsep.join(str(ROOT / folder) for folder in ("", "tests"))
-    command = [sys.executable, "-m", "features.without_feature", str(folder), *without]
+@pytest.fixture(scope="module")
+def answers(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], dict[str, int]]:
+    """Return a function that returns the status of each answer of a program without a feature."""
+    folder = tmp_path_factory.mktemp("features")
+    paths = os.pathsep.join(str(ROOT / part) for part in ("", "tests"))
+    command = [sys.executable, "-m", "features.without_feature", str(folder)]
     ended = subprocess.run(
         command, cwd=ROOT, env=os.environ | {"PYTHONPATH": paths}, check=False, capture_output=True, text=True
     )
     assert ended.returncode == 0, ended.stderr
-    found: dict[str, int] = json.loads(ended.stdout)
-    return found
+
+    def of(name: str) -> dict[str, int]:
+        found = json.loads((folder / f"{name}.json").read_text())
+        assert isinstance(found, dict), found
+        return found
+
+    return of
 
 
 @pytest.fixture(scope="module")
-def with_all(tmp_path_factory: pytest.TempPathFactory) -> dict[str, int]:
-    return answers(tmp_path_factory.mktemp("all"))
+def with_all(answers: Callable[[str], dict[str, int]]) -> dict[str, int]:
+    return answers(WHOLE)
 
 
 def test_the_program_answers_while_all_features_are_there(with_all: dict[str, int]) -> None:
@@ -42,8 +50,10 @@ def test_the_program_answers_while_all_features_are_there(with_all: dict[str, in
 
 
 @pytest.mark.parametrize("name", NEEDS)
-def test_the_program_runs_without_a_feature(name: str, with_all: dict[str, int], tmp_path: Path) -> None:
-    without = answers(tmp_path, name)
+def test_the_program_runs_without_a_feature(
+    name: str, with_all: dict[str, int], answers: Callable[[str], dict[str, int]]
+) -> None:
+    without = answers(name)
     if name == "backup":  # the page of backups is where an owner erases now; who is due is erased without it, too
         del without[ENDS[2]]
     refused = {409} if name == "consents" else set()  # nobody has consented to anything

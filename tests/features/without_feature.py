@@ -1,34 +1,54 @@
-"""`python -m features.without_feature FOLDER [NAME]`: run the program as if a feature's folder and line were gone.
+"""`python -m features.without_feature FOLDER`: run the program as it is, then without each of its features.
 
-Prints each request and the status of its answer, as JSON: of every page, and of every route that reads, asked about a
-patient who was calibrated and has driven a trial; then the end of the session and the erasure of the patient.
+Without a feature: as if its folder and its line were gone. Writes `whole.json` and one file for each feature, with the
+status of each answer: of every page, and of every route that reads, asked about a patient who was calibrated and has
+driven a trial; then of the end of the session and the erasure of the patient.
+
+All but the features is imported once, while no feature can be found: nothing outside of them needs one to be imported.
+Each run is a fork of the process that imported it, so that it imports its features itself.
 """
 
 import json
+import os
 import re
 import sys
-from collections.abc import Iterator
+import traceback
+from collections.abc import Iterable, Iterator
+from importlib import import_module
 from importlib.abc import MetaPathFinder
 from pathlib import Path
 
 from app import features
 
+# What the features import late, of others.
+OF_FEATURES = ("matplotlib.figure", "pyarrow.parquet", "scipy.signal")
+WHOLE = "whole"
 
-class WithoutFolder(MetaPathFinder):
-    """Finds no module of a feature."""
 
-    def __init__(self, name: str) -> None:
-        self._folder = f"app.features.{name}"
+class WithoutFolders(MetaPathFinder):
+    """Finds no module of these features."""
+
+    def __init__(self, names: Iterable[str]) -> None:
+        self._folders = tuple(f"app.features.{name}" for name in names)
 
     def find_spec(self, name, path=None, target=None):  # noqa: ARG002  (as importlib calls it)
-        if name == self._folder or name.startswith(f"{self._folder}."):
+        if any(name == folder or name.startswith(f"{folder}.") for folder in self._folders):
             raise ModuleNotFoundError(f"No module named '{name}'", name=name)
 
 
 def hide(name: str) -> None:
     """Take a feature out of the program: its line, and its folder."""
     features.NEEDS = {each: needs for each, needs in features.NEEDS.items() if each != name}  # type: ignore[misc]
-    sys.meta_path.insert(0, WithoutFolder(name))
+    sys.meta_path.insert(0, WithoutFolders([name]))
+
+
+def import_all_but_features() -> None:
+    """Import the program, its web application, and what the tests of this import, while no feature can be found."""
+    without = WithoutFolders(features.NEEDS)
+    sys.meta_path.insert(0, without)
+    for name in (*OF_FEATURES, "api.conftest", "app.cli.main"):
+        import_module(name)
+    sys.meta_path.remove(without)
 
 
 GIVEN = {
@@ -96,7 +116,23 @@ def answers(folder: Path) -> dict[str, int]:
     return found
 
 
+def answer_apart(folder: Path, name: str) -> None:
+    """Write the answers of a program without a feature, or what went wrong, from a process of its own."""
+    child = os.fork()
+    if child != 0:
+        os.waitpid(child, 0)
+        return
+    try:
+        if name != WHOLE:
+            hide(name)
+        (folder / f"{name}.json").write_text(json.dumps(answers(folder / name)))
+    except BaseException:
+        (folder / f"{name}.json").write_text(json.dumps(traceback.format_exc()))
+    finally:
+        os._exit(0)
+
+
 if __name__ == "__main__":
-    for name in sys.argv[2:]:
-        hide(name)
-    sys.stdout.write(json.dumps(answers(Path(sys.argv[1]))))
+    import_all_but_features()
+    for each in (WHOLE, *features.NEEDS):
+        answer_apart(Path(sys.argv[1]), each)
