@@ -61,7 +61,7 @@ class CountedScene:
     def follow(self, found):
         pass
 
-    def tell_time(self, *_):
+    def send_time(self, *_):
         self.stamps += 1
 
 
