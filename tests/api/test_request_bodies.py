@@ -12,6 +12,7 @@ from starlette.requests import HTTPConnection
 from app.api import request_bodies as module
 from app.api.deps import NOBODY
 from app.api.request_bodies import BODY_LIMIT, FIRST, LIMITS, MOST_AT_ONCE, SLOWEST, SMALL, Bodies
+from app.store.database import Database
 
 PIECE = 10_000  # bytes
 FILES = "/api/v1/equipment/files"
@@ -27,7 +28,7 @@ class Sent:
 
     def __init__(self, pieces, length=None, path=FILES):
         headers = [] if length is None else [(b"content-length", str(length).encode())]
-        state = SimpleNamespace(people=SimpleNamespace(database=None))
+        state = SimpleNamespace(parts={Database: None})
         scope = {"type": "http", "path": path, "headers": headers, "app": SimpleNamespace(state=state)}
         self.connection = HTTPConnection(scope)
         self.left = pieces
