@@ -15,6 +15,8 @@ from app.features import NEEDS
 from app.features.registration import features
 from folders import ROOT
 
+# Commands of the kernel that add commands of a feature themselves, when it is there.
+ADDS = {"prior": "prior"}
 ENDS = ("DELETE /session", "DELETE /patients/1", "POST /deleted-patients/1/erasure")
 
 
@@ -68,5 +70,20 @@ def test_the_program_runs_without_a_feature(
 
 def test_a_command_that_imports_a_feature_goes_with_it() -> None:
     uses = {word: {*map(feature_of, imports_of_all()[module])} - {""} for word, (module, _) in COMMANDS.items()}
-    assert {word: found for word, found in uses.items() if found - {OF_FEATURES.get(word)}} == {}
+    assert {word: found for word, found in uses.items() if found - {OF_FEATURES.get(word), ADDS.get(word)}} == {}
     assert OF_FEATURES.keys() <= COMMANDS.keys()
+
+
+@pytest.mark.parametrize(("hidden", "added"), [("", {"export", "import"}), ("prior", set())])
+def test_the_command_of_priors_adds_those_of_the_clinic_with_the_feature(hidden: str, added: set[str]) -> None:
+    code = f"""if True:
+        from features.without_feature import hide
+        if {hidden!r}:
+            hide({hidden!r})
+        from app.cli.calibration.prior_command import prior_app
+        print(*(command.name for command in prior_app.registered_commands))
+    """
+    paths = os.pathsep.join(str(ROOT / part) for part in ("", "tests"))
+    environment = os.environ | {"PYTHONPATH": paths}
+    names = subprocess.run([sys.executable, "-c", code], env=environment, check=True, capture_output=True, text=True)
+    assert {"export", "import"} & set(names.stdout.split()) == added
