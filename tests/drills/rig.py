@@ -31,6 +31,7 @@ STUCK_NOISE = 0.1  # of a good sensor's noise: what a stuck one still shows
 CRUISE = 0.15  # m/s, least speed of cruising
 AFTER = 0.75  # s of observation after the fault
 TRIES = 6
+REASON_LASTS = 0.5  # s between two tries: after a hold, frames count as lost for up to a second, and nothing is armed
 
 
 class DrillShirt(UdpShirtSender):
@@ -147,6 +148,7 @@ class Rig:
                 if self.control.newest()["state"] == State.ARMED and self.receiver.newest["v"] > CRUISE:
                     return
             reasons.append(Fault(int(self.control.newest()["fault"])).name)
+            await asyncio.sleep(REASON_LASTS)
         raise AssertionError(f"the chair could not be brought to cruise: {', '.join(reasons)}")
 
     async def _beat(self, control):
