@@ -146,9 +146,7 @@ def study_sessions(
             person, seeds, modes, sessions, trials, floorplan, path, processes, map_kind=map_kind
         ):
             rows += of_seed
-            _write_csv(
-                out / SESSION_ROWS, [dataclasses.asdict(row) for row in rows]
-            )  # after each person, so that a failure loses one person's results only
+            _write_rows(out / SESSION_ROWS, [dataclasses.asdict(row) for row in rows])
             if not as_json:
                 _report_session_trials(of_seed)
         conditions = {
@@ -163,14 +161,10 @@ def study_sessions(
             "path": path.name,
         }
         comparison = compare([row for row in rows if row.mode == "off"], [row for row in rows if row.mode == modes[-1]])
-        summary_text = json.dumps({**conditions, **comparison}, indent=1, allow_nan=False)
-        (out / SESSION_TABLE).write_text(table(comparison), encoding="utf-8")
-        (out / SESSION_SUMMARY).write_text(f"{summary_text}\n", encoding="utf-8")
-    if as_json:
-        typer.echo(json.dumps({"out": str(out), **conditions, **comparison}, allow_nan=False))
-        return
-    typer.echo(table(comparison))
-    typer.echo(f"{len(rows)} trials in {stopwatch() - started:.1f} s, written to {out}")
+        document, text = {**conditions, **comparison}, table(comparison)
+        _write_summary(out / SESSION_SUMMARY, document, out / SESSION_TABLE, text)
+    what = f"{len(rows)} trials in {stopwatch() - started:.1f} s"
+    _report_results(out, document, text, what, as_json=as_json)
 
 
 def _report_session_trials(rows: Sequence[StudySessionTrial]) -> None:
@@ -207,9 +201,7 @@ def study_interface(
         out.mkdir(parents=True, exist_ok=True)
         for of_seed in run_interface_seeds(person, seeds, sessions, trials, floorplan, path, processes):
             rows += of_seed
-            _write_csv(
-                out / TEST_ROWS, [row.row() for row in rows]
-            )  # after each person, so that a failure loses one person's results only
+            _write_rows(out / TEST_ROWS, [row.row() for row in rows])
             if not as_json:
                 sys.stderr.write(f"seed {of_seed[0].seed}: {len(of_seed)} sessions\n")
         conditions = {
@@ -221,18 +213,29 @@ def study_interface(
             "path": path.name,
         }
         tests_summary = interface_summary(rows)
-        document = {**conditions, **tests_summary}
-        (out / TEST_TABLE).write_text(interface_table(tests_summary), encoding="utf-8")
-        (out / TEST_SUMMARY).write_text(json.dumps(document, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+        document, text = {**conditions, **tests_summary}, interface_table(tests_summary)
+        _write_summary(out / TEST_SUMMARY, document, out / TEST_TABLE, text)
+    what = f"{len(rows)} two-minute tests in {stopwatch() - started:.1f} s"
+    _report_results(out, document, text, what, as_json=as_json)
+
+
+def _write_summary(file: Path, document: Mapping[str, object], table_file: Path, text: str) -> None:
+    """Write a study's summary as JSON, and its table."""
+    table_file.write_text(text, encoding="utf-8")
+    file.write_text(json.dumps(document, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+
+
+def _report_results(out: Path, document: Mapping[str, object], text: str, what: str, *, as_json: bool) -> None:
+    """Print a study's summary as JSON, or its table and what was done."""
     if as_json:
         typer.echo(json.dumps({"out": str(out), **document}, allow_nan=False))
         return
-    typer.echo(interface_table(tests_summary))
-    typer.echo(f"{len(rows)} two-minute tests in {stopwatch() - started:.1f} s, written to {out}")
+    typer.echo(text)
+    typer.echo(f"{what}, written to {out}")
 
 
-def _write_csv(file: Path, rows: Sequence[Mapping[str, object]]) -> None:
-    """Write rows with equal names to a CSV file."""
+def _write_rows(file: Path, rows: Sequence[Mapping[str, object]]) -> None:
+    """Write rows with equal names to a CSV file; after each person, so that a failure loses one person's only."""
     with file.open("w", encoding="utf-8", newline="") as opened:
         writer = csv.DictWriter(opened, list(rows[0]), lineterminator="\n")
         writer.writeheader()
