@@ -1,9 +1,10 @@
 """Make, list and revoke the share links of a patient."""
 
 import asyncio
+from dataclasses import dataclass
 from typing import Annotated
 
-from fastapi import APIRouter, Request
+from fastapi import APIRouter, Depends, Request
 from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
@@ -71,6 +72,53 @@ class MadeShare(SharesView):
     words: str
 
 
+@dataclass(frozen=True)
+class NewLinks:
+    """Makes share links for a request."""
+
+    request: Request
+    passwords: Passwords
+    settings: SettingsPart
+    database: Db
+    live: LivePart
+
+    async def make(
+        self, who: SignedInPerson, days: int, *, patient_id: int = 0, session_id: int | None = None
+    ) -> MadeShare:
+        """Make a link to one session, or to all sessions of a patient."""
+
+        def whose(db: Transaction) -> int:
+            found = patient_id if session_id is None else find_session(db, who.clinic_id, session_id).patient_id
+            find_patient(db, who.clinic_id, found)
+            require_consent(db, found, "sharing")
+            return found
+
+        def check() -> None:
+            with self.database.transaction() as db:
+                whose(db)
+
+        def store(pin_hash: str) -> MadeShare:
+            with self.database.transaction() as db:
+                patient = whose(db)
+                link, token = add_share(db, who.clinic_id, patient, session_id, pin_hash, days, who.name)
+                details = {"patient": patient, "session": session_id, "share": link.id, "days": days}
+                write_log(db, who.name, "share link made", **details)
+                return MadeShare(
+                    patient_id=patient,
+                    shares=_rows(db, patient),
+                    url=f"{address.base}{PAGE}{token}",
+                    pin=pin,
+                    words=" ".join(filter(None, (reach_words(self.settings, address), first_words(self.settings)))),
+                )
+
+        await run_in_threadpool(check)  # before the PIN is hashed, which takes long
+        address = await asyncio.to_thread(own_address, self.settings, self.request)
+        pin = new_pin()
+        made = await run_in_threadpool(store, await self.passwords.hash_of(pin))
+        self.live.tell(CHANGED)
+        return made
+
+
 @router.get("/patients/{patient_id}/shares")
 def list_shares(patient_id: RowId, who: Clinician, database: Db) -> SharesView:
     """List the share links of a patient.
@@ -88,21 +136,15 @@ def list_shares(patient_id: RowId, who: Clinician, database: Db) -> SharesView:
 async def share_course(
     patient_id: RowId,
     body: NewShare,
-    request: Request,
     who: Clinician,
-    passwords: Passwords,
-    settings: SettingsPart,
-    database: Db,
-    live: LivePart,
+    links: Annotated[NewLinks, Depends()],
 ) -> MadeShare:
     """Make a link to all sessions of a patient, who consents to sharing.
 
     For owners and clinicians. `days` 1 to 14; link and PIN are answered once, with `words` where the link does not
     work.
     """
-    made = await _make(passwords, settings, database, request, who, body.days, patient_id=patient_id)
-    live.tell(CHANGED)
-    return made
+    return await links.make(who, body.days, patient_id=patient_id)
 
 
 @router.post("/sessions/{session_id}/shares", status_code=201)
@@ -110,20 +152,14 @@ async def share_course(
 async def share_session(
     session_id: RowId,
     body: NewShare,
-    request: Request,
     who: Clinician,
-    passwords: Passwords,
-    settings: SettingsPart,
-    database: Db,
-    live: LivePart,
+    links: Annotated[NewLinks, Depends()],
 ) -> MadeShare:
     """Make a link to one session of a patient, who consents to sharing.
 
     As for all sessions of a patient.
     """
-    made = await _make(passwords, settings, database, request, who, body.days, session_id=session_id)
-    live.tell(CHANGED)
-    return made
+    return await links.make(who, body.days, session_id=session_id)
 
 
 @router.delete("/shares/{share_id}")
@@ -137,47 +173,6 @@ def no_share(share_id: RowId, who: Clinician, database: Db, live: LivePart) -> S
         answer = SharesView(patient_id=link.patient_id, shares=_rows(db, link.patient_id))
     live.tell(CHANGED)
     return answer
-
-
-async def _make(
-    passwords: Passwords,
-    settings: SettingsPart,
-    database: Db,
-    request: Request,
-    who: SignedInPerson,
-    days: int,
-    *,
-    patient_id: int = 0,
-    session_id: int | None = None,
-) -> MadeShare:
-    def whose(db: Transaction) -> int:
-        found = patient_id if session_id is None else find_session(db, who.clinic_id, session_id).patient_id
-        find_patient(db, who.clinic_id, found)
-        require_consent(db, found, "sharing")
-        return found
-
-    def check() -> None:
-        with database.transaction() as db:
-            whose(db)
-
-    def make(pin_hash: str) -> MadeShare:
-        with database.transaction() as db:
-            patient = whose(db)
-            link, token = add_share(db, who.clinic_id, patient, session_id, pin_hash, days, who.name)
-            details = {"patient": patient, "session": session_id, "share": link.id, "days": days}
-            write_log(db, who.name, "share link made", **details)
-            return MadeShare(
-                patient_id=patient,
-                shares=_rows(db, patient),
-                url=f"{address.base}{PAGE}{token}",
-                pin=pin,
-                words=" ".join(filter(None, (reach_words(settings, address), first_words(settings)))),
-            )
-
-    await run_in_threadpool(check)  # before the PIN is hashed, which takes long
-    address = await asyncio.to_thread(own_address, settings, request)
-    pin = new_pin()
-    return await run_in_threadpool(make, await passwords.hash_of(pin))
 
 
 def _rows(db: Transaction, patient_id: int) -> list[ShareRow]:
