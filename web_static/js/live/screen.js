@@ -50,8 +50,9 @@ export class Screen {
   }
 
   #report(visible = document.visibilityState === "visible") {
+    const inUse = REFERENCE?.numbers.screen_in_use ?? 0;
     /** @type {import("./screen_worker.js").ScreenReport} */
-    const report = { screen: this.word, visible, picture: this.#picture, isWanted: this.#isWanted, inUse: REFERENCE?.numbers.screen_in_use ?? 0 };
+    const report = { screen: this.word, visible, picture: this.#picture, isWanted: this.#isWanted, inUse };
     this.#worker.postMessage(report);
   }
 }

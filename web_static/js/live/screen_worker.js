@@ -14,9 +14,10 @@ const ACCEPTED_AFTER = 500; // ms after which an open socket counts as accepted
 /**
  * What a page shows to drive by: the 3D view, the drawn plan, nothing, or a picture that is too old to drive by.
  * @typedef {"view" | "plan" | "none" | "late"} Picture
- * @typedef {{screen: string, visible: boolean, picture: Picture, isWanted: boolean, inUse: number}} ScreenReport from the page to this
- *   worker; screen: the page's word; isWanted: whether heartbeats are sent at all; inUse: the close code when another socket
- *   has that word
+ * @typedef {object} ScreenReport from the page to this worker
+ * @property {string} screen the page's word @property {boolean} visible @property {Picture} picture
+ * @property {boolean} isWanted whether heartbeats are sent at all
+ * @property {number} inUse the close code when another socket has that word
  */
 
 /** The newest report of the page. @type {ScreenReport} */
