@@ -4,6 +4,7 @@ from fastapi import APIRouter, HTTPException
 
 from app.api.answers import Answer
 from app.api.deps import Anyone, ComputingPart, Db, PlacesPart, RowId, SpreadPart
+from app.api.driving.clinic_places import ClinicPlaces
 from app.api.routes.source_view import RequestedGroup
 from app.quantities import Document, Name
 from app.refusals import NotFound
@@ -93,7 +94,7 @@ def _floorplan_view(offer: DrivingPlace) -> FloorPlanView:
     )
 
 
-def needed_plan(places: PlacesPart, name: str) -> FloorPlan:
+def needed_plan(places: ClinicPlaces, name: str) -> FloorPlan:
     """Return a floor plan; 404 when there is none of this name, 409 when it cannot be read."""
     try:
         plan = places.plan(name)

@@ -9,12 +9,13 @@ from fastapi import APIRouter, WebSocket
 from pydantic import Field, ValidationError
 from starlette.websockets import WebSocketDisconnect
 
-from app.api.computer.graphics import PicturesPerSecond
+from app.api.computer.graphics import Graphics, PicturesPerSecond
 from app.api.deps import ControlPart, Db, GraphicsPart, LivePart, SessionFlowPart, SocketsPart
 from app.api.live.hub import Viewer
 from app.api.sockets import OpenSockets
 from app.layout import MAX_JOINTS
 from app.quantities import Document, Fraction, Name, Radians
+from app.session.control_link import ControlLink
 from app.session.open_session import SessionFlow
 from app.store.database import Database
 from app.store.log import log_viewing
@@ -127,7 +128,7 @@ async def live(
 
 
 async def _take(
-    text: str, websocket: WebSocket, sockets: SocketsPart, control: ControlPart, graphics: GraphicsPart
+    text: str, websocket: WebSocket, sockets: OpenSockets, control: ControlLink, graphics: Graphics
 ) -> None:
     """Carry out a message of a page. An invalid message is ignored, but a Stop in it counts; so on a locked page."""
     if len(text) > MESSAGE_LIMIT:

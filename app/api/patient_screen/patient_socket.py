@@ -8,10 +8,11 @@ from fastapi import APIRouter, WebSocket
 from fastapi.concurrency import run_in_threadpool
 from pydantic import ValidationError
 
-from app.api.computer.graphics import PicturesPerSecond
+from app.api.computer.graphics import Graphics, PicturesPerSecond
 from app.api.deps import Db, GraphicsPart, LivePart, PatientLivePart, PatientPicturePart, PicturesPart, SocketsPart
 from app.api.live.hub import Viewer
-from app.api.live.screen_pictures import Picture
+from app.api.live.live_picture import ClinicLive
+from app.api.live.screen_pictures import Picture, ScreenPictures
 from app.api.sockets import cut_off
 from app.clock import monotonic
 from app.quantities import Document
@@ -75,7 +76,7 @@ async def patient_live(
 
 
 async def _take(
-    websocket: WebSocket, screen_id: int, pictures: PicturesPart, live: LivePart, graphics: GraphicsPart
+    websocket: WebSocket, screen_id: int, pictures: ScreenPictures, live: ClinicLive, graphics: Graphics
 ) -> None:
     """Receive picture reports until the page leaves, or has sent more than `FLOOD` messages within 10 s.
 

@@ -34,6 +34,7 @@ from app.api.sockets import OpenSockets
 from app.quantities import Document
 from app.refusals import Conflict
 from app.session.open_session import SessionFlow
+from app.settings import Settings
 from app.store.database import Database
 from app.store.patient_screens import (
     PAIRED_FOR,
@@ -164,7 +165,7 @@ async def offer(
     )
 
 
-def _words(settings: SettingsPart, *, only_here: bool) -> str:
+def _words(settings: Settings, *, only_here: bool) -> str:
     network = settings.network
     if network is None:
         return ONLY_HERE if only_here else ""

@@ -22,6 +22,7 @@ from app.api.deps import (
 from app.api.page_session import LOOKS, any_session
 from app.api.replay.trial_replay import require_ended
 from app.api.view.view_bridge import NO_VIEW, ViewPage, bridge
+from app.computing_process import ComputingProcess
 from app.quantities import Count, Document
 from app.refusals import Conflict, NotFound
 from app.scene.cameras import View
@@ -29,6 +30,10 @@ from app.scene.client_messages import SUBPROTOCOL
 from app.scene.replay import Replay, ReplayPoses
 from app.scene.viewer_page import client_page
 from app.scoring.timeline import recorded_poses
+from app.session.real_drive import RealDriveFlow
+from app.session.runs import SessionRuns
+from app.session.trial import TrialFlow
+from app.settings import Settings
 from app.store.log import write_log
 from app.store.runs import find_trial
 from app.store.tables import Trial
@@ -117,13 +122,13 @@ def close_replay(word: Word, who: Anyone, replays: ReplaysPart) -> None:
     replays.close(word, who.person_id)
 
 
-def refuse_while_driving(trial_flow: TrialFlowPart, drive_flow: DriveFlowPart) -> None:
+def refuse_while_driving(trial_flow: TrialFlow, drive_flow: RealDriveFlow) -> None:
     """Refuse while a chair may move: building the place could delay the live picture."""
     if trial_flow.running or drive_flow.running:
         raise Conflict(BUSY)
 
 
-def _replay_of(settings: SettingsPart, computing: ComputingPart, runs: RunsPart, trial: Trial) -> Replay:
+def _replay_of(settings: Settings, computing: ComputingProcess, runs: SessionRuns, trial: Trial) -> Replay:
     try:
         plan, poses = computing.ask(recorded_poses, runs.folder_of(trial.run_id), MOMENTS_PER_SECOND)
         return Replay(plan, trial.path, ReplayPoses(*poses), settings.models)

@@ -15,9 +15,12 @@ from app.calibration.linear_map import MapKind
 from app.calibration.vocabulary import standard_parameters
 from app.quantities import Document, Line, Name
 from app.refusals import Conflict
+from app.session.calibration.calibration_flow import CalibrationFlow
 from app.session.calibration.map_choice import choose_map
 from app.session.calibration.ring_override import override_rotation
+from app.session.open_session import SessionFlow
 from app.store.calibrations import is_calibration_simulated
+from app.store.database import Database
 from app.store.log import write_log
 from app.store.parameters import save_parameters, save_profile
 from app.store.tables import PatientSession
@@ -48,7 +51,7 @@ class SittingChoice(Document):
     is_right: bool
 
 
-async def _view(calibration_flow: CalibrationFlowPart, session: PatientSession) -> CalibrationView:
+async def _view(calibration_flow: CalibrationFlow, session: PatientSession) -> CalibrationView:
     return view_of(await calibration_flow.progress(session.id))
 
 
@@ -231,9 +234,9 @@ async def accept(
 
 async def _accept(
     who: SignedInPerson,
-    database: Db,
-    calibration_flow: CalibrationFlowPart,
-    session_flow: SessionFlowPart,
+    database: Database,
+    calibration_flow: CalibrationFlow,
+    session_flow: SessionFlow,
     session: PatientSession,
 ) -> None:
     progress = await calibration_flow.progress(session.id)

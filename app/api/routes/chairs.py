@@ -13,11 +13,11 @@ from app.hardware.addresses import Host
 from app.hardware.chair.key import Key
 from app.hardware.configs import RECEIVER_PORT, ReceiverPort
 from app.quantities import Document, Title
-from app.session.equipment.chairs import Dynamics
+from app.session.equipment.chairs import Chairs, Dynamics
 from app.session.equipment.pairing import pair_chair, unpair_chair
 from app.speeds import Speeds
 from app.store.chairs import chairs_of, find_chair
-from app.store.database import Transaction
+from app.store.database import Database, Transaction
 from app.store.log import write_log
 from app.store.tables import Clinic, PairedChair
 
@@ -68,7 +68,7 @@ class PairedView(ChairsView):
     qr: str
 
 
-async def _view(database: Db, chairs: ChairsPart, who: SignedInPerson) -> ChairsView:
+async def _view(database: Database, chairs: Chairs, who: SignedInPerson) -> ChairsView:
     def _read() -> list[ChairView]:
         with database.transaction() as db:
             return [ChairView.of(chair) for chair in chairs_of(db, own_clinic(db, who))]
@@ -158,11 +158,11 @@ async def choose(
     return await _view(database, chairs, who)
 
 
-def _find(database: Db, who: SignedInPerson, chair_id: int) -> PairedChair:
+def _find(database: Database, who: SignedInPerson, chair_id: int) -> PairedChair:
     with database.transaction() as db:
         return find_chair(db, own_clinic(db, who), chair_id)
 
 
-def _note(database: Db, who: SignedInPerson, choice: Choice) -> None:
+def _note(database: Database, who: SignedInPerson, choice: Choice) -> None:
     with database.transaction() as db:
         write_log(db, who.name, "chair chosen", chair=choice.id, dynamics=choice.dynamics)

@@ -30,6 +30,7 @@ from app.refusals import Conflict
 from app.session.parameter_differences import Difference
 from app.session.run_watch import Starter
 from app.speeds import Speeds
+from app.store.database import Database
 from app.store.drives import drives_of, find_drive
 from app.store.log import log_viewing
 from app.store.patients import find_patient
@@ -185,6 +186,6 @@ def list_drives(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, dat
         return [DriveView.of(drive) for drive in drives_of(db, who.clinic_id, patient)]
 
 
-def _one(database: Db, clinic_id: int, drive_id: int) -> DriveView:
+def _one(database: Database, clinic_id: int, drive_id: int) -> DriveView:
     with database.transaction() as db:
         return DriveView.of(find_drive(db, clinic_id, drive_id))

@@ -14,6 +14,7 @@ from app.api.page_session import OF_CLINIC, any_session
 from app.api.routes.uploads import harmless_name
 from app.quantities import Document
 from app.scene.models.objects import MOST_BYTES, read_isolated_into, stored_model
+from app.store.database import Database
 from app.store.files.name_conflicts import SameName, log_details
 from app.store.files.replacements import ReplacedFiles
 from app.store.log import write_log
@@ -107,6 +108,6 @@ async def bring_model(
     return await readings.run(keep)
 
 
-def _log(database: Db, person: str, name: str, same_name: SameName) -> None:
+def _log(database: Database, person: str, name: str, same_name: SameName) -> None:
     with database.transaction() as db:
         write_log(db, person, "object added", model=name, **log_details(same_name))

@@ -23,8 +23,9 @@ from app.api.routes.obstacle_view import ObstacleView
 from app.api.sign_in.identity import SignedInPerson
 from app.api.view.view_keeper import open_view
 from app.quantities import Count, Document, Line, Name, Note, Title
+from app.session.open_session import SessionFlow
 from app.store.consent import has_consented
-from app.store.database import Transaction
+from app.store.database import Database, Transaction
 from app.store.files.disk_watch import require_room_to_record
 from app.store.log import log_listing, log_viewing, write_log
 from app.store.patients import (
@@ -171,7 +172,7 @@ def undo_removal(patient_id: RowId, who: Clinician, database: Db) -> PatientView
         return _view(db, patient)
 
 
-def current_session(database: Db, session_flow: SessionFlowPart, who: SignedInPerson) -> CurrentSession:
+def current_session(database: Database, session_flow: SessionFlow, who: SignedInPerson) -> CurrentSession:
     """Return the open session and its patient, whom this person then has seen."""
     obstacle = ObstacleView.of(session_flow.current_obstacle())
     with database.transaction(closing=True) as db:

@@ -13,6 +13,7 @@ from app.api.page_session import OF_CLINIC, any_session
 from app.api.qr import qr_picture
 from app.api.sign_in.auth import PersonName
 from app.quantities import Count, Document
+from app.settings import Settings
 from app.store.access.invitations import MadeInvitation, invite, open_invitation
 from app.store.access.person_tables import Person
 from app.store.access.rights import (
@@ -86,7 +87,7 @@ def _view(db: Transaction, person: Person, own_id: int) -> PersonView:
     )
 
 
-async def _link(settings: SettingsPart, request: Request, person: PersonView, made: MadeInvitation) -> LinkView:
+async def _link(settings: Settings, request: Request, person: PersonView, made: MadeInvitation) -> LinkView:
     address = await asyncio.to_thread(own_address, settings, request)
     url = f"{address.base}#invite={made.code}"  # the part behind # is not sent to a server, so it appears in no log
     return LinkView(

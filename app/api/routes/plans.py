@@ -12,6 +12,7 @@ from app.api.page_session import OF_CLINIC, any_session
 from app.api.routes.plan_files import draft_of_uploads
 from app.quantities import Document, Name
 from app.sentences import one_sentence
+from app.store.database import Database
 from app.store.files.name_conflicts import SameName, log_details
 from app.store.log import write_log
 from app.world.floorplan import ClearanceError, FloorPlan
@@ -82,7 +83,7 @@ def _checked(content: bytes) -> CheckView:
     return CheckView(good=True, sentence="", place=[], at=None)
 
 
-def _log(database: Db, person: str, what: str, **details: Any) -> None:
+def _log(database: Database, person: str, what: str, **details: Any) -> None:
     with database.transaction() as db:
         write_log(db, person, what, **details)
 

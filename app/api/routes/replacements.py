@@ -10,7 +10,8 @@ from app.api.answers import Answer, MomentText
 from app.api.deps import Clinician, Db, OwnPlansPart, ReplacedFilesPart
 from app.api.page_session import OF_CLINIC, any_session
 from app.quantities import Document
-from app.store.files.replacements import Kind
+from app.store.files.plans import OwnPlans
+from app.store.files.replacements import Kind, ReplacedFiles
 from app.store.log import write_log
 from app.world.floorplan import FloorPlan
 
@@ -61,7 +62,7 @@ async def restore(
     return await asyncio.to_thread(put_back)
 
 
-def _restored_plan(replaced: ReplacedFilesPart, own_plans: OwnPlansPart, identity: str) -> str:
+def _restored_plan(replaced: ReplacedFiles, own_plans: OwnPlans, identity: str) -> str:
     """Save a replaced floor plan again, under the name in its document."""
     found, content = replaced.content("floorplan", identity)
     try:

@@ -21,6 +21,8 @@ from app.api.sign_in.identity import COOKIE, find_sign_in
 from app.faults import Fault, State
 from app.quantities import Count, Document
 from app.session.control_link import ControlLink
+from app.session.fault_log import FaultLog
+from app.store.database import Database
 from app.store.log import write_log
 
 NEXT_TICK_LOOKS = 30  # of 10 ms each, to wait for a tick after the clearing
@@ -73,7 +75,7 @@ async def stop(
     return ControlView(state="fault", fault=Fault.CONTROL_LOST.name.lower())  # it has ended, or is being replaced
 
 
-async def _note_who(request: Request, database: Db, fault_log: FaultLogPart) -> None:
+async def _note_who(request: Request, database: Database, fault_log: FaultLog) -> None:
     if read_cookie(request, COOKIE):
         who = await asyncio.to_thread(find_sign_in, database, request)
         if who is not None:
@@ -126,6 +128,6 @@ async def turn_dial(
     return DialShare(share=share)
 
 
-def _note(database: Db, person: str, share: float) -> None:
+def _note(database: Database, person: str, share: float) -> None:
     with database.transaction(closing=True) as db:
         write_log(db, person, "dial turned", share=share)

@@ -26,6 +26,7 @@ from app.api.deps import (
     ViewKeeperPart,
 )
 from app.api.driving.places import needed_plan
+from app.api.live.live_picture import ClinicLive
 from app.api.live.screen_pictures import NO_PICTURE, Picture
 from app.api.live.screen_socket import ScreenWord
 from app.api.live.screens import Screen
@@ -37,7 +38,7 @@ from app.quantities import Count, Document, Line, Name
 from app.refusals import Conflict, NotFound, Unavailable
 from app.scoring.control_quality import ControlQuality
 from app.session.run_watch import Starter
-from app.store.database import Transaction
+from app.store.database import Database, Transaction
 from app.store.learning_trials import compared_trials
 from app.store.log import log_viewing, write_log
 from app.store.origins import Origin, PatientImport, origin_of, origins_of
@@ -171,7 +172,7 @@ async def start_trial(
     return await asyncio.to_thread(_one, database, who.clinic_id, trial_id)
 
 
-def _one(database: Db, clinic_id: int, trial_id: int) -> TrialView:
+def _one(database: Database, clinic_id: int, trial_id: int) -> TrialView:
     with database.transaction() as db:
         return _view(db, find_trial(db, clinic_id, trial_id))
 
@@ -262,7 +263,9 @@ async def keep_again(trial_id: RowId, who: Clinician, database: Db, live: LivePa
     return await _keep(database, live, who, trial_id, None)
 
 
-async def _keep(database: Db, live: LivePart, who: SignedInPerson, trial_id: int, reason: str | None) -> TrialView:
+async def _keep(
+    database: Database, live: ClinicLive, who: SignedInPerson, trial_id: int, reason: str | None
+) -> TrialView:
     def _write() -> TrialView:
         with database.transaction() as db:
             trial = keep_trial(db, who.clinic_id, trial_id, reason)

@@ -7,9 +7,10 @@ from app.api.deps import Db, ForEveryone, SettingsPart, SignInLimitsPart, Socket
 from app.api.page_session import SIGN_IN, any_session
 from app.api.sign_in.auth import Code, Me, Password, let_in
 from app.api.sign_in.passwords import Passwords, weakness
-from app.api.sign_in.sign_in_limits import address_of
+from app.api.sign_in.sign_in_limits import SignInLimits, address_of
 from app.quantities import Document
 from app.store.access.invitations import accept_invitation, find_invited
+from app.store.database import Database
 
 router = APIRouter(prefix="/auth/invitation", tags=["sign-in"], dependencies=[ForEveryone])
 
@@ -42,7 +43,7 @@ class _Invited(Document):
     view: InvitedView
 
 
-async def _require_invited(database: Db, sign_in_limits: SignInLimitsPart, request: Request, code: str) -> _Invited:
+async def _require_invited(database: Database, sign_in_limits: SignInLimits, request: Request, code: str) -> _Invited:
     """Return for whom a code is valid; 401 for a wrong one, which is counted by address."""
     attempt = await sign_in_limits.code(address_of(request))
     found = await run_in_threadpool(_look_up, database, code)
@@ -52,7 +53,7 @@ async def _require_invited(database: Db, sign_in_limits: SignInLimitsPart, reque
     return found
 
 
-def _look_up(database: Db, code: str) -> _Invited | None:
+def _look_up(database: Database, code: str) -> _Invited | None:
     with database.transaction() as db:
         person = find_invited(db, code)
         if person is None:

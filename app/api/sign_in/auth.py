@@ -17,8 +17,9 @@ from app.api.sign_in.sign_in_limits import address_of
 from app.api.who_asks import WhoAsks
 from app.quantities import Document, Line
 from app.refusals import Conflict
+from app.settings import Settings
 from app.store.browsers import KNOWN_FOR, remember_browser
-from app.store.database import Transaction
+from app.store.database import Database, Transaction
 from app.store.people import (
     add_clinic,
     add_person,
@@ -79,16 +80,14 @@ class OwnPassword(Document):
     password: Password
 
 
-def me_view(settings: SettingsPart, database: Db, who: SignedInPerson | None) -> Me:
+def me_view(settings: Settings, database: Database, who: SignedInPerson | None) -> Me:
     """Return the view of who is signed in, None for nobody."""
-    return (
-        _me(settings, database, None, None)
-        if who is None
-        else _me(settings, database, who.name, who.role, locked=who.locked)
-    )
+    if who is None:
+        return _me(settings, database, None, None)
+    return _me(settings, database, who.name, who.role, locked=who.locked)
 
 
-def _me(settings: SettingsPart, database: Db, name: str | None, role: str | None, *, locked: bool = False) -> Me:
+def _me(settings: Settings, database: Database, name: str | None, role: str | None, *, locked: bool = False) -> Me:
     with database.transaction() as db:
         needs_setup = not settings.demo and count_people(db) == 0
         person = None if name is None else find_person(db, name)
@@ -105,7 +104,7 @@ def _me(settings: SettingsPart, database: Db, name: str | None, role: str | None
     )
 
 
-def let_in(settings: SettingsPart, database: Db, request: Request, response: Response, name: str, how: str) -> Me:
+def let_in(settings: Settings, database: Database, request: Request, response: Response, name: str, how: str) -> Me:
     """Open a sign-in, end the one that this browser had, and make the browser a known one of this person."""
     with database.transaction(closing=True) as db:
         old = read_cookie(request, COOKIE)
@@ -258,7 +257,7 @@ async def unlock_here(
     return await run_in_threadpool(_me, settings, database, who.name, who.role)
 
 
-def _unlock(database: Db, sign_in_id: int) -> None:
+def _unlock(database: Database, sign_in_id: int) -> None:
     with database.transaction(closing=True) as db:
         unlock(db, sign_in_id)
 

@@ -11,6 +11,7 @@ from app.api.answers import Answer, MomentText
 from app.api.deps import ComputingPart, Db, Owner, RowId, SettingsPart
 from app.api.page_session import OF_CLINIC, OWN_NAME, any_session
 from app.api.parts import part
+from app.computing_process import ComputingProcess
 from app.features.backup.contents import clinic_mark
 from app.features.backup.made_backups import backup_warning, last_good_backup, newest_backups
 from app.features.backup.night_backups import NightBackups
@@ -19,6 +20,8 @@ from app.features.backup.signature import clinic_fingerprint
 from app.file_modes import OWNER_FOLDER
 from app.quantities import Document, Line
 from app.refusals import Conflict
+from app.settings import Settings
+from app.store.database import Database
 from app.store.keeping.erasure import deleted_patients, erase_patient
 from app.store.keeping.incidents import all_incidents, lift_incident
 from app.store.keeping.passed_time import clock_warning
@@ -122,7 +125,7 @@ class BackupsView(Document):
     fingerprint: str  # of the public key that signs archives; empty before the first one
 
 
-def _view(own: SettingsPart, database: Db, backups: NightBackups, clinic_id: int) -> BackupsView:
+def _view(own: Settings, database: Database, backups: NightBackups, clinic_id: int) -> BackupsView:
     with database.transaction() as db:
         kept, good = record_keeping(db, clinic_id), last_good_backup(db)
         folder_is_there = kept.folder is not None and Path(kept.folder).is_dir()
@@ -191,9 +194,9 @@ def _choose(
     body: BackupSettings,
     person: str,
     clinic_id: int,
-    own: SettingsPart,
-    database: Db,
-    computing: ComputingPart,
+    own: Settings,
+    database: Database,
+    computing: ComputingProcess,
     backups: NightBackups,
 ) -> None:
     if backups.course is not None:

@@ -19,7 +19,7 @@ from app.scoring.interface_test.workload import Workload
 from app.scoring.verdict.measure_verdict import FEWEST
 from app.session.run_watch import Starter
 from app.source import SourceGroup
-from app.store.database import Transaction
+from app.store.database import Database, Transaction
 from app.store.interface_tests import interface_tests_of
 from app.store.log import log_viewing, write_log
 from app.store.patients import find_patient
@@ -114,7 +114,7 @@ async def put_workload(
     return saved
 
 
-def _one(database: Db, clinic_id: int, test_id: int) -> InterfaceTestView:
+def _one(database: Database, clinic_id: int, test_id: int) -> InterfaceTestView:
     with database.transaction() as db:
         return _view(db, find_interface_test(db, clinic_id, test_id))
 

@@ -8,6 +8,7 @@ from app.calibration.prior.documents import FEWEST_PEOPLE
 from app.features.prior.entries import count_entries, is_prior_on, switch_prior
 from app.quantities import Document
 from app.session.calibration.calibration_fit import garment
+from app.session.equipment.shirt import Equipment
 from app.store.database import Transaction
 from app.store.log import write_log
 
@@ -47,7 +48,7 @@ def choose(body: PriorChoice, who: Owner, database: Db, equipment: EquipmentPart
     return answer
 
 
-def _view(db: Transaction, clinic_id: int, equipment: EquipmentPart) -> PriorView:
+def _view(db: Transaction, clinic_id: int, equipment: Equipment) -> PriorView:
     layout = equipment.layout
     shirt = None if layout is None else garment(layout, equipment)
     people = 0 if shirt is None else count_entries(db, clinic_id, shirt.hash, simulated=shirt.simulated)

@@ -10,13 +10,14 @@ from pydantic import Field
 
 from app.api.answers import OriginView
 from app.api.deps import Anyone, Clinician, Db, LivePart, Owner, RowId, SessionFlowPart, SocketsPart, ViewKeeperPart
+from app.api.live.live_picture import ClinicLive
 from app.api.page_session import OWN_NAME, any_session
 from app.api.sign_in.identity import SignedInPerson
 from app.features.records.service import add_note, add_scale, remove_scale, revise_note, write_goal
 from app.features.records.session_views import SessionRecordView, SessionRow, record_view, sign_off_view
 from app.features.records.sign_off import require_unsigned, sign_off, sign_offs_of, unlock
 from app.quantities import Document, Finite, Line, Note, Title
-from app.store.database import Transaction
+from app.store.database import Database, Transaction
 from app.store.log import log_viewing, write_log
 from app.store.origins import origins_of
 from app.store.patients import find_patient, find_session, sessions_of
@@ -146,8 +147,8 @@ def no_scale(session_id: RowId, scale_id: RowId, who: Clinician, database: Db, l
 
 
 def _changed(
-    database: Db,
-    live: LivePart,
+    database: Database,
+    live: ClinicLive,
     who: SignedInPerson,
     session_id: int,
     what: str,

@@ -200,7 +200,7 @@ def shared(
     )
 
 
-def _visit(database: Db, request: Request) -> SharedRecords:
+def _visit(database: Database, request: Request) -> SharedRecords:
     """Return what the browser may read; 401 when it may read nothing, or nothing any more."""
     token = read_cookie(request, COOKIE, COOKIE_PATH)
     with database.transaction() as db:
@@ -210,18 +210,18 @@ def _visit(database: Db, request: Request) -> SharedRecords:
     return before
 
 
-def _count(database: Db, token: str) -> tuple[int, int, str] | None:
+def _count(database: Database, token: str) -> tuple[int, int, str] | None:
     with database.transaction(closing=True) as db:
         link = count_try(db, token)
         return None if link is None else (link.id, link.patient_id, link.pin_hash)
 
 
-def _take_back(database: Db, share_id: int) -> None:
+def _take_back(database: Database, share_id: int) -> None:
     with database.transaction(closing=True) as db:
         take_back_try(db, share_id)
 
 
-def _note(database: Db, share_id: int, patient_id: int, *, is_right: bool) -> str | None:
+def _note(database: Database, share_id: int, patient_id: int, *, is_right: bool) -> str | None:
     with database.transaction(closing=True) as db:
         token = begin_visit(db, share_id) if is_right else None
         what = "share refused" if token is None else "share opened"
