@@ -10,7 +10,6 @@ from pydantic import Field
 
 from app.api.answers import OriginView
 from app.api.deps import Anyone, Clinician, Db, LivePart, Owner, RowId, SessionFlowPart, SocketsPart, ViewKeeperPart
-from app.api.live.live_picture import ClinicLive
 from app.api.page_session import OWN_NAME, any_session
 from app.api.sign_in.identity import SignedInPerson
 from app.features.records.service import add_note, add_scale, remove_scale, revise_note, write_goal
@@ -148,7 +147,7 @@ def no_scale(session_id: RowId, scale_id: RowId, who: Clinician, database: Db, l
 
 def _changed(
     database: Database,
-    live: ClinicLive,
+    live: LivePart,
     who: SignedInPerson,
     session_id: int,
     what: str,
