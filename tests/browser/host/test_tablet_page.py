@@ -54,7 +54,11 @@ def _programs() -> None:
 
 @contextmanager
 def tablet(playwright: Playwright, home: Path, root: str | None = None, **options: Any) -> Iterator[BrowserContext]:
-    """Yield a browser with a home of its own, which trusts `root` (PEM)."""
+    """Yield a browser with a home of its own, which trusts `root` (PEM).
+
+    A page that could not be loaded is not closed by its test but with the browser: Chromium drops a page's close that
+    comes while the error page takes its place, and Playwright then waits for ever (crbug.com/536385539).
+    """
     home.mkdir(exist_ok=True)
     store = home / ".pki" / "nssdb"
     if root is not None:
@@ -113,8 +117,7 @@ def test_from_the_page_that_explains_to_a_green_tick_and_the_pages(
     assert profile.value.suggested_filename == "bodydrive.mobileconfig"
     assert page.evaluate("[...document.querySelectorAll('button, .go')].every((e) => e.offsetHeight >= 44)")
     with pytest.raises(Error, match="ERR_CERT_AUTHORITY_INVALID"):
-        page.goto(lan.facts["link"])
-    page.close()
+        page.goto(lan.facts["link"])  # this page stays open: see `tablet`
 
     page = trusting.new_page()
     for host in (HOSTS[0], NAME):
@@ -191,8 +194,7 @@ def test_chromium_trusts_the_root_for_this_machine_and_not_for_the_internet(
                 page.goto(f"https://{name}:{listening.getsockname()[1]}/")
         finally:
             listening.shutdown(socket.SHUT_RDWR)
-            thread.join()
-    page.close()
+            thread.join()  # the page stays open: see `tablet`
 
 
 def test_a_replaced_authority_is_said(stranger: BrowserContext, lan: ServedLan, until: Callable[..., Any]) -> None:
