@@ -55,10 +55,12 @@ def channel_quality(
         False for a recording at rest: then `flat` and `noisy` are not tested.
     """
     quality = [GOOD] * values.shape[1]
-    frames = values[~np.isnan(values).all(axis=1)]
-    if not len(frames):
+    missing = np.isnan(values)
+    lost = missing.all(axis=1)
+    if lost.all():
         return [ChannelQuality("nan", "gives no numbers")] * values.shape[1]
-    gaps = np.isnan(frames).sum(axis=0)
+    frames = values[~lost] if lost.any() else values
+    gaps = missing.sum(axis=0) - lost.sum()
     thinned = frames[:: max(1, round(sample_rate / NOISE_RATE))]
     block = max(2, round(STILL_TIME * min(sample_rate, NOISE_RATE)))
     for channels in groups:

@@ -1,6 +1,6 @@
 """What a step of the signals is: a change at once, with stillness before and after it, as no body moves."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import Final, NamedTuple
 
@@ -36,15 +36,14 @@ def step_times(sample_rate: float) -> list[StepTimes]:
     return [StepTimes(max(1, round(fast / period)), max(2, round(still / period))) for fast, still in TIMES]
 
 
-def steps_of(values: NDArray[np.float64], sample_rate: float) -> Iterator[NDArray[np.float64]]:
-    """Yield the changes (3, m) of frames (n, n_channels) after, within and before the time of each kind of step."""
-    sampled = values[:: frames_per_check(sample_rate)]
+def steps_of(values: NDArray[np.float64], channels: Sequence[int], sample_rate: float) -> Iterator[NDArray[np.float64]]:
+    """Yield the changes (3, m) of channels after, within and before the time of each kind of step.
+
+    `values` are frames (n, n_channels), of which m have the whole time of a step before them.
+    """
+    sampled = values[:: frames_per_check(sample_rate), list(channels)]
     for fast, still in step_times(sample_rate):
-        ages = np.array([0, still, still + fast, 2 * still + fast])
-        newest = np.arange(ages[-1], len(sampled))
-        yield np.stack(
-            [
-                np.linalg.norm(sampled[newest - newer] - sampled[newest - older], axis=1)
-                for newer, older in pairwise(ages)
-            ]
-        )
+        oldest = 2 * still + fast
+        count = max(0, len(sampled) - oldest)
+        of_age = [sampled[oldest - age :][:count] for age in (0, still, still + fast, oldest)]
+        yield np.stack([np.linalg.norm(newer - older, axis=1) for newer, older in pairwise(of_age)])

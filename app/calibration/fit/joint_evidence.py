@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from app.calibration.fit.repetitions import Repetition
@@ -75,7 +76,12 @@ def prompt_sign(direction: Direction, repetitions: Sequence[Repetition], span: f
 
 def rate_of(direction: Direction, values: NDArray[np.float64], scale: float, sample_rate: float) -> NDArray[np.float64]:
     """Return the rate (n,) in FS/s of frames (n, n_channels); `scale` is sign / span."""
-    smoothed = smooth(direction.place(values) * scale, CUTOFF, sample_rate)
+    return rate_along(direction.place(values), scale, sample_rate)
+
+
+def rate_along(place: NDArray[np.float64], scale: float, sample_rate: float) -> NDArray[np.float64]:
+    """Return the rate (n,) in FS/s of a place (n,) in signal units; `scale` is sign / span."""
+    smoothed = smooth(place * scale, CUTOFF, sample_rate)
     return np.diff(smoothed, prepend=smoothed[0]) * sample_rate
 
 
@@ -86,9 +92,9 @@ def rest_rate(rate: NDArray[np.float64], sample_rate: float, at_rest: bool) -> f
         settled = rate
     if at_rest:
         return float(settled.std())
-    length = max(2, round(STILLEST * sample_rate))
-    starts = range(0, max(1, len(settled) - length + 1), max(1, length // 2))
-    return min(float(settled[start : start + length].std()) for start in starts)
+    length = min(len(settled), max(2, round(STILLEST * sample_rate)))
+    windows = sliding_window_view(settled, length)[:: max(1, length // 2)]
+    return float(windows.std(axis=1).min())
 
 
 def full_rate(rates: Sequence[NDArray[np.float64]], dead_zone: float) -> float | None:

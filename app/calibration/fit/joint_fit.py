@@ -13,6 +13,7 @@ from app.calibration.fit.joint_evidence import (
     percentile_span,
     prompt_sign,
     prompted_span,
+    rate_along,
     rate_of,
     repeatability,
     rest_rate,
@@ -83,7 +84,8 @@ def fit_joint(
         angle = angle_between(direction.weights, prompted)
         if angle > LARGEST_ANGLE:
             direction = Direction(channels, prompted, pca.mean_)
-    free_span = percentile_span(direction.place(free))
+    place = direction.place(free)
+    free_span = percentile_span(place)
     own_span = prompted_span(direction, own) if own else 0.0
     from_prompts = own_span > SPAN_FACTOR * free_span
     span = own_span if from_prompts else free_span
@@ -91,7 +93,7 @@ def fit_joint(
     # Without prompts the sign is arbitrary: a positive weight of the heaviest channel makes it reproducible.
     sign = pointing.sign if pointing else (1 if direction.weights[np.abs(direction.weights).argmax()] > 0 else -1)
     scale = sign / span
-    quiet = rate_of(direction, free if rest is None else rest, scale, sample_rate)
+    quiet = rate_along(place if rest is None else direction.place(rest), scale, sample_rate)
     noise = min(rest_rate(quiet, sample_rate, at_rest=rest is not None), LARGEST_THRESHOLD)
     dead_zone = round(min(max(REST_NOISE_FACTOR * noise, SMALLEST_DEAD_ZONE), LARGEST_THRESHOLD), 4)
     if own:
@@ -100,7 +102,7 @@ def fit_joint(
             for repetition in own
         ]
     else:
-        rates = [np.abs(rate_of(direction, free, scale, sample_rate))]
+        rates = [np.abs(quiet if rest is None else rate_along(place, scale, sample_rate))]
     reached = full_rate(rates, dead_zone)
     full = round(min(max(reached or 0.0, dead_zone + LEAST_RANGE), LARGEST_THRESHOLD + LEAST_RANGE), 4)
     return FittedJoint(
@@ -146,7 +148,7 @@ def least_steps(
     for piece in (free, rest, *(repetition.values for repetition in own)):
         if piece is None:
             continue
-        changes = [step / span for step in steps_of(piece[:, list(channels)], sample_rate)]
+        changes = [step / span for step in steps_of(piece, channels, sample_rate)]
         for kind, (after, at, before) in enumerate(changes):
             steep = at[at > STEEPNESS * np.maximum(after, before)]
             least[kind] = max(least[kind], STEP_MARGIN * float(steep.max(initial=0.0)))

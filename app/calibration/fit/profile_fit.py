@@ -168,8 +168,7 @@ def movement_covariance(channels: Sequence[int], pieces: Sequence[Frames]) -> tu
     """
     used = [piece[:, list(channels)] for piece in pieces if len(piece)]
     centred = [piece - piece.mean(axis=0) for piece in used]
-    rows = np.concatenate(centred)
-    covariance = rows.T @ rows / len(rows)
+    covariance = sum(rows.T @ rows for rows in centred) / sum(map(len, centred))
     return tuple(tuple(_rounded(value) for value in row) for row in np.maximum(covariance, covariance.T).tolist())
 
 
@@ -182,8 +181,9 @@ def channel_noise(values: Frames, sample_rate: float) -> tuple[float, ...]:
     """
     length = min(len(values), max(5, round(NOISE_BLOCK * sample_rate)))
     blocks = values[: len(values) // length * length].reshape(-1, length, values.shape[1])
-    deviation = np.sqrt((np.diff(blocks, n=2, axis=1) ** 2).mean(axis=1) / SECOND_DIFFERENCE)
-    return tuple(_rounded(value) for value in np.quantile(deviation, QUIET_SHARE, axis=0).tolist())
+    # Block by block: what a processor's cache holds is read several times as fast.
+    variance = [(np.diff(block, n=2, axis=0) ** 2).mean(axis=0) / SECOND_DIFFERENCE for block in blocks]
+    return tuple(_rounded(value) for value in np.quantile(np.sqrt(variance), QUIET_SHARE, axis=0).tolist())
 
 
 def _rounded(value: float) -> float:
