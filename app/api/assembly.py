@@ -222,7 +222,7 @@ async def start_parts(parts: Parts) -> None:
 
 
 def _is_session_open(database: Database) -> bool:
-    with database.transaction() as db:
+    with database.reading() as db:
         clinic = the_clinic(db)
         return clinic is not None and open_session(db, clinic.id) is not None
 

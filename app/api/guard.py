@@ -10,6 +10,7 @@ from app.api.origin import host_is_ours, may_pass
 from app.api.request_bodies import Bodies
 from app.api.sign_in.cookies import is_encrypted
 from app.settings import Settings
+from app.store.access.visible_patients import NOBODY, VISIBLE_PATIENTS
 
 # Our pages run only scripts of this program. The 3D view has its own policy (view_bridge.py).
 PAGE_POLICY = "; ".join(
@@ -54,6 +55,8 @@ class Guard:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Check and answer a request; websockets are checked by their own routes before they are accepted."""
+        if scope["type"] != "lifespan":
+            VISIBLE_PATIENTS.set(NOBODY)  # until it is known who asks
         if scope["type"] != "http":
             await self._app(scope, receive, send)
             return

@@ -60,7 +60,7 @@ async def require_open(database: Database, shown: str) -> None:
     PAGE_SESSION.set(_page_session(shown))
 
     def check() -> None:
-        with database.transaction() as db:
+        with database.reading() as db:
             require_page_session(db)
 
     await asyncio.to_thread(check)

@@ -20,8 +20,8 @@ BY_THEMSELVES = frozenset({"/replays/{word}/at"})  # changes that a page sends w
 async def who_asks(connection: HTTPConnection) -> SignedInPerson | None:
     """Return the person who is signed in, locked or not; None for nobody. Every later query shows their patients only.
 
-    Async, so that what it sets holds for the route, too. A request that changes something counts as an action.
-    A websocket is admitted by its own route (`app/api/sockets.py`), and reads no patient from the database.
+    For nobody, no patient exists (`app/api/guard.py`). Async, so that what it sets holds for the route, too. A request
+    that changes something counts as an action. A websocket is admitted by its own route (`app/api/sockets.py`).
     """
     if connection.scope["type"] != "http" or not read_cookie(connection, COOKIE) or _route_path(connection) in AT_ONCE:
         return None
@@ -29,7 +29,8 @@ async def who_asks(connection: HTTPConnection) -> SignedInPerson | None:
     acts = method not in READS and _route_path(connection) not in BY_THEMSELVES
     database = parts_of(connection.app)[Database]
     who = await asyncio.to_thread(find_sign_in, database, connection, acts=acts)
-    VISIBLE_PATIENTS.set(None if who is None else who.patients)
+    if who is not None:
+        VISIBLE_PATIENTS.set(who.patients)
     return who
 
 

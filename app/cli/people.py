@@ -59,7 +59,7 @@ def list_people(
     from app.store.access.rights import people_of
     from app.store.tables import Patient
 
-    with open_clinic(settings_of(state)) as (database, _), database.transaction() as db:
+    with open_clinic(settings_of(state)) as (database, _), database.reading() as db:
         people: list[PersonFacts] = []
         for person in people_of(db, _clinic_id(db)):
             codes = None

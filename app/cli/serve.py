@@ -198,7 +198,7 @@ def _nobody_yet(folder: Path) -> bool:
     except Refusal as refusal:
         raise InputError(str(refusal)) from refusal
     try:
-        with database.transaction() as db:
+        with database.reading() as db:
             return count_people(db) == 0
     finally:
         database.close()

@@ -218,7 +218,7 @@ class AdaptationFlow:
         return self._ending.is_set() or self._session.driving
 
     def _propose(self, patient_id: int, session_id: int) -> None:
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             material = material_for(db, patient_id, session_id, simulated=self._session.simulated)
         folders = [self._runs.folder_of(run_id) for run_id in material.run_ids]
         self._newest, result = None, None
@@ -294,6 +294,6 @@ class AdaptationFlow:
         return row.version
 
     def _trial(self, trial_id: int) -> tuple[Trial, str]:
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             trial = db.get_one(Trial, trial_id)
             return trial, mode_of(db, trial.patient_id)

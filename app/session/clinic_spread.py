@@ -44,7 +44,7 @@ class ClinicSpread:
         return lambda floorplan, path, group: self.of_others(Task(clinic_id, floorplan, path, group), patient_id)
 
     def _variances(self, task: Task) -> PeopleVariances:
-        with every_patient(), self._database.transaction() as db:
+        with every_patient(), self._database.reading() as db:
             count = count_of_everybody(db, task.floorplan, task.path)
             consents = prior_consents(db, task.group)
             then, then_consents, before = self._known.get(task, (0, consents, None))

@@ -55,7 +55,7 @@ class MeasuresRenewal:
             self._notify("trial")
 
     def _older(self) -> dict[int, str]:
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             return trials_of_older_measures(db, MEASURES_VERSION)
 
     def _renew(self, trial: int, folder: str) -> bool:

@@ -72,7 +72,7 @@ class SessionFlow:
             yield
 
     def _require_page_session(self) -> None:
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             require_page_session(db)
 
     @property
@@ -103,7 +103,7 @@ class SessionFlow:
         """Return the open session; Conflict when there is none."""
 
         def _read() -> PatientSession | None:
-            with self._database.transaction() as db:
+            with self._database.reading() as db:
                 require_page_session(db)
                 return open_session(db, clinic_id)
 
@@ -173,13 +173,13 @@ class SessionFlow:
             await self.load_parameters()
 
     def _open_ids(self) -> tuple[int | None, int | None]:
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             clinic = the_clinic(db)
             session = None if clinic is None else open_session(db, clinic.id)
             return (None, None) if session is None else (session.id, session.patient_id)
 
     def _current(self) -> tuple[DriveParameters, bool | None] | None:
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             clinic = the_clinic(db)
             session = None if clinic is None else open_session(db, clinic.id)
             if session is None or newest_profile(db, session.patient_id) is None:

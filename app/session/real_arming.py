@@ -153,7 +153,7 @@ class RealArming:
 
     def _read(self, clinic_id: int) -> _StoredSet:
         simulated = self._equipment.simulated
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             session = open_session(db, clinic_id)
             if session is None or newest_profile(db, session.patient_id) is None:
                 return _StoredSet(session)

@@ -119,7 +119,7 @@ class SessionRuns:
         return run
 
     def _require_consent(self, session_id: int) -> None:
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             require_consent(db, db.get_one(PatientSession, session_id).patient_id, "recording")
 
     def _store(self, run_id: str, session_id: int, kind: str, source: Source) -> None:
@@ -141,7 +141,7 @@ class SessionRuns:
             Names of recordings that no row of the database names: a program was killed before it could store one. They
             are kept; the start that finds them names them in the log.
         """
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             interrupted, named = open_runs(db), run_folders(db)
         rows = {run: kept_rows(self.folder_of(folder)) for run, folder in interrupted.items()}
         nameless = sorted(place.name for place in self._folder.glob("*") if place.is_dir() and place.name not in named)

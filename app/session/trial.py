@@ -131,7 +131,7 @@ class TrialFlow(RunFlow[RunningTrial]):
             )
 
     def _parameters(self, patient_id: int) -> tuple[int, str]:
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             row, profile = current_parameters(db, patient_id)
             return row.id, as_document(row, profile).hash  # computed as the control process does
 

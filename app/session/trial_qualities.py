@@ -25,14 +25,14 @@ class TrialQualities:
 
     def of(self, trial: Trial) -> ControlQuality | None:
         """Return how well a trial was controlled; None while it runs or when its recording cannot be read."""
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             stored = stored_qualities(db, [trial.id])
         return stored.get(trial.id) or self._measure(trial)
 
     def assessments(self, trials: list[Trial]) -> list[TrialAssessment]:
         """Return the assessments of the kept trials whose recording can be read, in the order driven."""
         kept = {trial.id: trial for trial in trials if trial.kept}
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             stored = stored_qualities(db, kept)
             places = sessions_and_versions(db, kept)
         assessments = []

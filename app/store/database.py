@@ -1,4 +1,4 @@
-"""Open the database: SQLite with its settings and migrations, one transaction at a time."""
+"""Open the database: SQLite with its settings and migrations, one transaction that writes at a time."""
 
 import logging
 import sqlite3
@@ -31,25 +31,34 @@ PRAGMAS = (
 )
 
 
-def make_engine(file: Path) -> Engine:
-    """Return an engine on `file`; every connection is durable (WAL, FULL) and checks foreign keys."""
-    engine = create_engine(f"sqlite:///{file}")
+def make_engine(file: Path, *, writes: bool = True) -> Engine:
+    """Return an engine on `file`; every connection is durable (WAL, FULL) and checks foreign keys.
+
+    One that does not write sees the database as it was when a transaction began, and has a connection for each thread.
+    """
+    engine = create_engine(f"sqlite:///{file}", max_overflow=10 if writes else -1)
+    pragmas = PRAGMAS if writes else (*PRAGMAS, "query_only=ON")
 
     @event.listens_for(engine, "connect")
     def _prepare(connection: sqlite3.Connection, _record: object) -> None:
         connection.isolation_level = None  # we begin transactions ourselves, below
         cursor = connection.cursor()
-        for pragma in PRAGMAS:
+        for pragma in pragmas:
             cursor.execute(f"PRAGMA {pragma}")
         cursor.close()
 
     @event.listens_for(engine, "begin")
     def _begin(connection: Connection) -> None:
         # Lock at once: otherwise a transaction that reads first could be refused when it begins to write.
-        connection.exec_driver_sql("BEGIN IMMEDIATE")
+        connection.exec_driver_sql("BEGIN IMMEDIATE" if writes else "BEGIN")
 
     return engine
 
+
+LOG_HELD = (
+    "The erasure is done, but the database is being read, so that its write-ahead log still holds bytes of what was "
+    "erased: they go when the program ends."
+)
 
 logger = logging.getLogger("bodydrive")
 
@@ -69,6 +78,7 @@ class Database:
         self.ballast = Ballast(file.with_name(f"{file.name}.ballast"))
         self._head_file = HeadFile(file)
         self._engine = make_engine(file)
+        self._reader = make_engine(file, writes=False)
         self._one_at_a_time = threading.Lock()
         self.ballast.make_room()
         try:
@@ -80,6 +90,21 @@ class Database:
         except BaseException:
             self.close()
             raise
+
+    @contextmanager
+    def reading(self) -> Iterator[Transaction]:
+        """Yield a database session that cannot write; it waits for no transaction, and none waits for it.
+
+        It shows the patients of who asks, as `transaction`.
+
+        Raises
+        ------
+        Unavailable
+            When the file is damaged.
+        """
+        with self._as_refusals(), Session(self._reader, expire_on_commit=False) as db, db.begin():
+            restrict(db)
+            yield db
 
     @contextmanager
     def transaction(self, *, closing: bool = False) -> Iterator[Transaction]:
@@ -110,13 +135,22 @@ class Database:
                 self._write_head(head)
 
     def empty_write_ahead_log(self) -> None:
-        """Move the write-ahead log into the database, and empty its file, in which deleted rows may still stand."""
+        """Move the write-ahead log into the database, and empty its file, in which deleted rows may still stand.
+
+        Raises
+        ------
+        Unavailable
+            When somebody reads in the database for longer than BUSY_TIMEOUT. The end of the program empties it then.
+        """
         with self._as_refusals(), self._one_at_a_time, closing_connection(self._engine.raw_connection()) as connection:
-            connection.cursor().execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchall()
+            [(busy, *_)] = connection.cursor().execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchall()
+        if busy:
+            raise Unavailable(LOG_HELD)
 
     def close(self) -> None:
         """Close every connection."""
         self._engine.dispose()
+        self._reader.dispose()
 
     def _open_head(self) -> None:
         """Bring the head of the log to its newest row, and log it when the head was missing or behind."""

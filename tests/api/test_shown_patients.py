@@ -1,5 +1,6 @@
 """A reviewer of chosen patients: every other patient does not exist, in any route, list, socket or 3D view."""
 
+import asyncio
 import json
 import re
 from contextlib import ExitStack
@@ -12,10 +13,15 @@ from api.routes_with_ids import MISSING, places
 from api.test_roles import FOR_REVIEWERS, contexts, requested
 from api.view.served_view import VIEW, serve_view
 from fastapi.routing import APIRoute
+from starlette.responses import Response
+from starlette.testclient import TestClient
+from starlette.types import Receive, Scope, Send
 from starlette.websockets import WebSocketDisconnect
 
+from app.api.guard import Guard
 from app.scene.client_messages import SUBPROTOCOL
-from app.store.access.visible_patients import VISIBLE_PATIENTS
+from app.settings import Settings
+from app.store.access.visible_patients import VISIBLE_PATIENTS, VisiblePatients
 from app.store.people import add_person, sign_in, the_clinic
 from app.store.tables import ParameterSet, Patient, PatientSession, Profile, Run, Table, Trial
 
@@ -133,6 +139,21 @@ def test_a_session_of_a_shown_patient_appears_at_once(reviewed: Clinic) -> None:
             if not picture["hidden"]:
                 break
     assert picture["session"] == reviewed.good("GET", "/session")["session"]["id"]
+
+
+def test_until_it_is_known_who_asks_no_patient_exists(settings: Settings) -> None:
+    visible: dict[str, VisiblePatients] = {}
+
+    async def note(scope: Scope, receive: Receive, send: Send) -> None:
+        visible[scope["type"]] = VISIBLE_PATIENTS.get()
+        if scope["type"] == "http":
+            await Response()(scope, receive, send)
+
+    guard = Guard(note, settings)
+    TestClient(guard, base_url=BASE).get("/api/v1/patients")
+    for kind in ("websocket", "lifespan"):  # whose start is the program's own work
+        asyncio.run(guard({"type": kind}, None, None))  # type: ignore[arg-type]
+    assert visible == {"http": frozenset(), "websocket": frozenset(), "lifespan": None}
 
 
 def test_what_is_of_a_patient_is_left_out_of_every_query(reviewed: Clinic) -> None:

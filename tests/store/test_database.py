@@ -90,6 +90,45 @@ def test_a_database_that_another_program_holds_is_a_refusal(tmp_path: Path, monk
     database.close()
 
 
+def test_who_reads_waits_for_nobody_and_sees_what_was_committed(tmp_path: Path) -> None:
+    database = Database(tmp_path / "a.sqlite")
+    with database.transaction() as db:
+        clinic = add_clinic(db, "Kept")
+        db.flush()
+        with database.reading() as beside:
+            assert beside.query(Clinic).count() == 0
+    with database.reading() as beside:
+        assert beside.query(Clinic).count() == 1
+        with database.transaction() as db:
+            add_patient(db, clinic.id, "P-1", "Heron", "")
+        assert beside.query(Patient).count() == 0
+    database.close()
+
+
+def test_who_reads_cannot_write(tmp_path: Path) -> None:
+    database = Database(tmp_path / "a.sqlite")
+    with pytest.raises(OperationalError, match="readonly"), database.reading() as db:
+        add_clinic(db, "Lost")
+    with database.reading() as db:
+        assert db.query(Clinic).count() == 0
+    database.close()
+
+
+def test_who_reads_keeps_the_write_ahead_log_from_being_emptied_and_it_is_said(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(database_module, "PRAGMAS", (*PRAGMAS, "busy_timeout=1"))
+    database = Database(tmp_path / "a.sqlite")
+    with database.reading() as reader:
+        reader.query(Clinic).count()
+        with database.transaction() as db:
+            add_clinic(db, "Kept")
+        with pytest.raises(Unavailable, match="they go when the program ends"):
+            database.empty_write_ahead_log()
+    database.close()
+    assert not (tmp_path / "a.sqlite-wal").exists()
+
+
 def test_a_mistake_of_ours_is_no_full_disk(tmp_path: Path) -> None:
     database = Database(tmp_path / "a.sqlite")
     with pytest.raises(OperationalError), database.transaction() as db:

@@ -135,7 +135,7 @@ def propose_task(
         trials = [_past(trial) for trial in trials_of(db, who.clinic_id, patient_id) if trial.status == "done"]
 
     def _is_worse(floorplan: str, path: str) -> bool:
-        with database.transaction() as db:
+        with database.reading() as db:
             counted = counted_trials(db, who.clinic_id, patient_id, floorplan, path)
         clinic = spread.of_others(Task(who.clinic_id, floorplan, path, source), patient_id)
         rows = [one.row() for one in counted if one.group == source]

@@ -52,7 +52,7 @@ async def patient_live(
     session_id = who.session_id
 
     def _read() -> None:
-        with database.transaction() as db:
+        with database.reading() as db:
             patient_picture.settings = screen_settings_of(db, session_id)
 
     await run_in_threadpool(_read)

@@ -35,6 +35,7 @@ from app.quantities import Document
 from app.refusals import Conflict
 from app.session.open_session import SessionFlow
 from app.settings import Settings
+from app.store.access.visible_patients import every_patient
 from app.store.database import Database
 from app.store.patient_screens import (
     PAIRED_FOR,
@@ -111,7 +112,7 @@ class PatientScreens:
         connected, shown_now = self.sockets.screens(), self.pictures.patients()
 
         def read() -> ScreensView:
-            with self.database.transaction() as db:
+            with self.database.reading() as db:
                 shown = [
                     ScreenView(
                         id=screen.id,
@@ -193,7 +194,7 @@ async def pair(
     attempt.take_back()
 
     def _pair() -> str:
-        with database.transaction() as db:
+        with every_patient(), database.transaction() as db:
             return add_screen(db, offered.session_id, offered.person, read_cookie(request, SCREEN_COOKIE))
 
     token = await run_in_threadpool(_pair)
@@ -209,7 +210,7 @@ def who_am_i(request: Request, database: Db) -> ScreenStateView:
 
     Without sign-in.
     """
-    with database.transaction() as db:
+    with every_patient(), database.reading() as db:
         return ScreenStateView(state=find_screen(db, read_cookie(request, SCREEN_COOKIE) or "")[1])
 
 

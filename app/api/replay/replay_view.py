@@ -88,7 +88,7 @@ def open_replay(
     drives.
     """
     refuse_while_driving(trial_flow, drive_flow)
-    with database.transaction() as db:
+    with database.reading() as db:
         trial = find_trial(db, who.clinic_id, body.trial)
     require_ended(trial)
     word = replays.add(who.person_id, lambda: _replay_of(settings, computing, runs, trial))

@@ -31,7 +31,7 @@ def trial_timeline(
     `state`: 0 disarmed, 1 checking, 2 armed, 3 fault. null: not known then; `along`, `across` empty: the path has no
     length. 404 for an unreadable recording, 409 while the trial runs.
     """
-    with database.transaction() as db:
+    with database.reading() as db:
         trial = find_trial(db, who.clinic_id, trial_id)
     require_ended(trial)
     folder = runs.folder_of(trial.run_id)

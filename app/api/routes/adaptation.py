@@ -155,7 +155,7 @@ class AdaptationState:
         session = await self.session_flow.needed_session(clinic_id)
 
         def read() -> AdaptationView:
-            with self.database.transaction() as db:
+            with self.database.reading() as db:
                 return _view(db, self.flow, session.patient_id, simulated=self.session_flow.simulated)
 
         return await asyncio.to_thread(read)

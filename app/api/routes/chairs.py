@@ -70,7 +70,7 @@ class PairedView(ChairsView):
 
 async def _view(database: Database, chairs: Chairs, who: SignedInPerson) -> ChairsView:
     def _read() -> list[ChairView]:
-        with database.transaction() as db:
+        with database.reading() as db:
             return [ChairView.of(chair) for chair in chairs_of(db, own_clinic(db, who))]
 
     chosen = chairs.chosen
@@ -159,7 +159,7 @@ async def choose(
 
 
 def _find(database: Database, who: SignedInPerson, chair_id: int) -> PairedChair:
-    with database.transaction() as db:
+    with database.reading() as db:
         return find_chair(db, own_clinic(db, who), chair_id)
 
 

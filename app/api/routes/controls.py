@@ -116,7 +116,7 @@ class PatientControls:
 
         def read() -> ControlsView:
             suggestion = self._suggestion(session.patient_id)
-            with self.database.transaction() as db:
+            with self.database.reading() as db:
                 return self._view(db, session.patient_id, suggestion)
 
         return await asyncio.to_thread(read)

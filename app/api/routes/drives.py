@@ -187,5 +187,5 @@ def list_drives(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, dat
 
 
 def _one(database: Database, clinic_id: int, drive_id: int) -> DriveView:
-    with database.transaction() as db:
+    with database.reading() as db:
         return DriveView.of(find_drive(db, clinic_id, drive_id))

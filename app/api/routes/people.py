@@ -105,7 +105,7 @@ def list_people(who: Owner, database: Db) -> list[PersonView]:
 
     For owners. `patients` null: the person sees all.
     """
-    with database.transaction() as db:
+    with database.reading() as db:
         return [_view(db, person, who.person_id) for person in people_of(db, who.clinic_id)]
 
 

@@ -173,7 +173,7 @@ async def start_trial(
 
 
 def _one(database: Database, clinic_id: int, trial_id: int) -> TrialView:
-    with database.transaction() as db:
+    with database.reading() as db:
         return _view(db, find_trial(db, clinic_id, trial_id))
 
 

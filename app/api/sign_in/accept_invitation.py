@@ -54,7 +54,7 @@ async def _require_invited(database: Database, sign_in_limits: SignInLimits, req
 
 
 def _look_up(database: Database, code: str) -> _Invited | None:
-    with database.transaction() as db:
+    with database.reading() as db:
         person = find_invited(db, code)
         if person is None:
             return None

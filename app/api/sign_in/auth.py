@@ -88,7 +88,7 @@ def me_view(settings: Settings, database: Database, who: SignedInPerson | None) 
 
 
 def _me(settings: Settings, database: Database, name: str | None, role: str | None, *, locked: bool = False) -> Me:
-    with database.transaction() as db:
+    with database.reading() as db:
         needs_setup = not settings.demo and count_people(db) == 0
         person = None if name is None else find_person(db, name)
         introduced = person is not None and person.introduced
@@ -175,7 +175,7 @@ async def make_first_owner(
             raise Conflict("This clinic is set up already: sign in with your name and password.")
 
     def _check() -> None:
-        with database.transaction() as db:
+        with database.reading() as db:
             _require_no_owner(db)
 
     def _make(password_hash: str) -> Me:

@@ -5,10 +5,11 @@ from dataclasses import dataclass
 from starlette.requests import HTTPConnection
 
 from app.api.sign_in.cookies import read_cookie
-from app.store.access.visible_patients import VisiblePatients
+from app.store.access.visible_patients import VisiblePatients, every_patient
 from app.store.database import Database
 from app.store.patient_screens import find_screen
 from app.store.people import is_locked, signed_in, store_action
+from app.store.tables import PatientSession
 
 COOKIE = "bodydrive_sign_in"
 DRIVERS = frozenset({"owner", "clinician"})  # roles whose people change what drives; a reviewer reads and comments
@@ -45,7 +46,7 @@ def find_sign_in(database: Database, connection: HTTPConnection, *, acts: bool =
     token = read_cookie(connection, COOKIE)
     if not token:
         return None
-    with database.transaction() as db:
+    with database.transaction() if acts else database.reading() as db:
         found = signed_in(db, token)
         if found is None:
             return None
@@ -69,6 +70,7 @@ class PairedScreen:
 
     screen_id: int
     session_id: int
+    patients: frozenset[int]  # the one of the session
 
     def sees(self, _patient_id: int | None) -> bool:
         """Return True: the screen is paired with the open session, and shows no other patient."""
@@ -80,9 +82,12 @@ def find_paired_screen(database: Database, connection: HTTPConnection) -> Paired
     token = read_cookie(connection, SCREEN_COOKIE)
     if not token:
         return None
-    with database.transaction() as db:
+    with every_patient(), database.reading() as db:
         screen, _ = find_screen(db, token)
-        return None if screen is None else PairedScreen(screen.id, screen.session_id)
+        if screen is None:
+            return None
+        patient_id = db.get_one(PatientSession, screen.session_id).patient_id
+        return PairedScreen(screen.id, screen.session_id, frozenset({patient_id}))
 
 
 def find_viewer(database: Database, connection: HTTPConnection) -> SignedInPerson | PairedScreen | None:

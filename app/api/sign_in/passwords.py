@@ -91,7 +91,7 @@ class PasswordCheck:
         attempt.take_back()
 
     def _look_up(self, request: Request, name: str) -> _StoredCredentials:
-        with self.database.transaction() as db:
+        with self.database.reading() as db:
             person = find_person(db, name)
             if person is None or person.disabled is not None:
                 return _StoredCredentials(None, None)

@@ -57,7 +57,7 @@ def import_file(
 
     settings = settings_of(state)
     with open_clinic(settings) as (database, _):
-        with database.transaction() as db:
+        with database.reading() as db:
             clinic = the_clinic(db)
         if clinic is None:
             raise InputError(f"The clinic in {settings.state} is not set up yet: open its pages first.")

@@ -34,7 +34,7 @@ def patient_named(database: "Database", code: str) -> tuple[int, int]:
     from app.store.patients import all_patients
     from app.store.people import the_clinic
 
-    with database.transaction() as db:
+    with database.reading() as db:
         clinic = the_clinic(db)
         matching = [] if clinic is None else [row for row in all_patients(db, clinic.id) if row.code == code]
         if not matching:

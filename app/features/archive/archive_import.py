@@ -148,12 +148,12 @@ def import_archive(
         When the code or a recording is another patient's, when the patient cannot be replaced, or there is no room.
     """
     with open_archive(file) as archive:
-        with database.transaction() as db:
+        with database.reading() as db:
             known = earlier_import(db, clinic_id, archive.listed.hash)
             if known is not None:
                 return Imported(known.id, known.code, is_new=False)
         rows = checked_rows(archive)
-        with database.transaction() as db:
+        with database.reading() as db:
             patient = patient_of_rows(db, clinic_id, rows)
             if patient is not None and shelf is None:
                 raise PatientHere(HERE.format(code=patient.code))
@@ -176,7 +176,7 @@ def import_archive(
 
 def _put_on_shelf(database: Database, clinic_id: int, rows: Rows, runs: Path, shelf: Path) -> str:
     """Write an archive of the patient as it is here, and return its place on the shelf."""
-    with database.transaction() as db:
+    with database.reading() as db:
         patient = patient_of_rows(db, clinic_id, rows)
         if patient is None:
             return ""

@@ -115,7 +115,7 @@ def archive_room(database: Database, clinic_id: int, patient_id: int, runs: Path
 
     NotFound when there is no such patient.
     """
-    with database.transaction() as db:
+    with database.reading() as db:
         find_patient(db, clinic_id, patient_id)
         folders = [runs / one for one in run_ids(db, patient_id)]
     return room_for(folders, place)

@@ -68,7 +68,7 @@ def log_lines(database: Database, since: datetime, newest: int) -> Iterator[str]
     last = 0
     while True:
         query = select(LogEntry).where(LogEntry.id > last, LogEntry.id <= newest, LogEntry.at >= since)
-        with database.transaction() as db:
+        with database.reading() as db:
             found = [(row.id, _document(row)) for row in db.scalars(query.order_by(LogEntry.id).limit(AT_ONCE))]
         if not found:
             return
@@ -165,7 +165,7 @@ def archive_incident(
         raise Refusal(f"There is a file {target} already: choose another name.")
     now = utc_now()
     since = now - PERIOD
-    with database.transaction() as db:
+    with database.reading() as db:
         sessions = sessions_since(db, since)
         rows = incident_rows(db, sessions)
         newest, head = newest_log_row(db)

@@ -148,7 +148,7 @@ class NightBackups:
             await asyncio.sleep(LOOK_EVERY)
 
     def _kept(self) -> RecordKeeping | None:
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             clinic = the_clinic(db)
             return None if clinic is None else record_keeping(db, clinic.id)
 
@@ -156,7 +156,7 @@ class NightBackups:
         kept = self._kept()
         if kept is None or kept.folder is None:
             return False
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             good, tried = last_in_folder(db, good=True), last_in_folder(db, good=False)
         local = [None if moment is None else moment.astimezone() for moment in (good, tried)]
         return is_due(utc_now().astimezone(), kept.hour, *local)

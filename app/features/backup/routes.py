@@ -25,7 +25,7 @@ from app.store.database import Database
 from app.store.keeping.erasure import deleted_patients, erase_patient
 from app.store.keeping.incidents import all_incidents, lift_incident
 from app.store.keeping.passed_time import clock_warning
-from app.store.keeping.record_time import MOST_YEARS, record_keeping
+from app.store.keeping.record_time import MOST_YEARS, record_keeping, set_record_time
 from app.store.log import write_log
 
 router = APIRouter(tags=["backup"])
@@ -126,7 +126,7 @@ class BackupsView(Document):
 
 
 def _view(own: Settings, database: Database, backups: NightBackups, clinic_id: int) -> BackupsView:
-    with database.transaction() as db:
+    with database.reading() as db:
         kept, good = record_keeping(db, clinic_id), last_good_backup(db)
         folder_is_there = kept.folder is not None and Path(kept.folder).is_dir()
         course = backups.course
@@ -221,6 +221,7 @@ def _choose(
     with database.transaction() as db:
         settings = record_keeping(db, clinic_id)
         settings.folder, settings.hour, settings.with_keys = body.folder, body.hour, body.with_keys
+        db.add(settings)
         details = {"hour": body.hour, "with_keys": body.with_keys, "encrypted": body.encrypted}
         write_log(db, person, "backup settings changed", has_folder=body.folder is not None, **details)
 
@@ -233,7 +234,7 @@ def keep_records(body: RecordTime, who: Owner, own: SettingsPart, database: Db, 
     For owners.
     """
     with database.transaction() as db:
-        record_keeping(db, who.clinic_id).years = body.years
+        set_record_time(db, who.clinic_id, body.years)
         write_log(db, who.name, "record time changed", years=body.years)
     return _view(own, database, backups, who.clinic_id)
 

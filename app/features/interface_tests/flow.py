@@ -81,7 +81,7 @@ class InterfaceTestFlow(RunFlow[RunningInterfaceTest]):
             return self._go_on(await self._begin(run, partial(self._add, session, parameters_id, who, plan)))
 
     def _prepared(self, patient_id: int) -> tuple[int, int]:
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             return current_parameters(db, patient_id)[0].id, next_number(db, patient_id)
 
     def _add(

@@ -115,7 +115,7 @@ async def put_workload(
 
 
 def _one(database: Database, clinic_id: int, test_id: int) -> InterfaceTestView:
-    with database.transaction() as db:
+    with database.reading() as db:
         return _view(db, find_interface_test(db, clinic_id, test_id))
 
 

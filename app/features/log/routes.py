@@ -62,7 +62,7 @@ def look(
     For owners: the newest 100 first. A row belongs to a patient when it names the patient, or a session, trial, drive
     or screen of the patient.
     """
-    with database.transaction() as db:
+    with database.reading() as db:
         if patient is not None:
             find_patient(db, who.clinic_id, patient, deleted=True)
         found = read_log(db, PAGE + 1, person=person, patient=patient, before=before)

@@ -59,7 +59,7 @@ def exported_lines(database: Database, as_csv: bool) -> Iterator[str]:
         yield SPREADSHEET_BEGIN + csv_line(COLUMNS)
     last = 0
     while True:
-        with database.transaction() as db:
+        with database.reading() as db:
             query = select(LogEntry).where(LogEntry.id > last).order_by(LogEntry.id).limit(AT_ONCE)
             entries = list(db.scalars(query))
         if not entries:

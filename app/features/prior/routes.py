@@ -32,7 +32,7 @@ class PriorView(Document):
 @router.get("")
 def look(who: Anyone, database: Db, equipment: EquipmentPart) -> PriorView:
     """Return the switch, and how many people are known in the shirt in use."""
-    with database.transaction() as db:
+    with database.reading() as db:
         return _view(db, who.clinic_id, equipment)
 
 

@@ -28,7 +28,7 @@ class ClinicPrior:
 
     def people(self, session_id: int, garment: Garment) -> int:
         """Return how many other people are known in this shirt; 0 when they are too few, or the owner wants none."""
-        with every_patient(), self._database.transaction() as db:
+        with every_patient(), self._database.reading() as db:
             session = db.get_one(PatientSession, session_id)
             if not is_prior_on(db, session.clinic_id):
                 return 0
@@ -46,7 +46,7 @@ class ClinicPrior:
 
     def of_others(self, session_id: int, garment: Garment) -> MapPrior | None:
         """Return what is known of other people in this shirt; None when they are too few, or the owner wants none."""
-        with every_patient(), self._database.transaction() as db:
+        with every_patient(), self._database.reading() as db:
             session = db.get_one(PatientSession, session_id)
             if not is_prior_on(db, session.clinic_id):
                 return None
@@ -62,7 +62,7 @@ class ClinicPrior:
 
     def may_learn(self, session_id: int, garment: Garment) -> bool:
         """Return whether the calibration of a session may add to the prior: consent, and the owner's switch."""
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             patient = db.get_one(Patient, db.get_one(PatientSession, session_id).patient_id)
             return may_add(db, patient, simulated=garment.simulated)
 

@@ -133,7 +133,7 @@ def report_material(
     NotFound
         When the clinic has no such patient, or the patient no such session.
     """
-    with database.transaction() as db:
+    with database.reading() as db:
         own = _own_material(db, find_patient(db, clinic_id, patient_id), session, settings)
     tasks = [replace(task, clinic=spreads_of(task.floorplan, task.path_name, task.group)) for task in own.tasks]
     return replace(own, tasks=tuple(tasks))

@@ -60,7 +60,7 @@ def exported_material(
 
 
 def _require_consent(database: Database, subject: Subject) -> None:
-    with database.transaction() as db:
+    with database.reading() as db:
         patient = find_patient(db, subject.clinic_id, subject.patient_id)
         try:
             require_consent(db, patient.id, "sharing")
@@ -75,7 +75,7 @@ def report_of_archive(
 
     The log has a row for the archive: this adds none.
     """
-    with database.transaction() as db:
+    with database.reading() as db:
         if not sessions_of(db, patient_id):
             return None
     material = report_material(database, clinic_id, patient_id, None, settings, spreads_of)

@@ -86,7 +86,7 @@ class Deteriorations:
             self._missing.pop(task[0], None)
 
     def _found(self, task: CountedTask, clinic_id: int) -> Deterioration | None:
-        with every_patient(), self._database.transaction() as db:
+        with every_patient(), self._database.reading() as db:
             every = counted_trials(db, clinic_id, task.patient_id, task.floorplan, task.path)
             trials = [one for one in every if one.group == task.group]
             rows = [one.row() for one in trials]

@@ -94,7 +94,7 @@ class NewLinks:
             return found
 
         def check() -> None:
-            with self.database.transaction() as db:
+            with self.database.reading() as db:
                 whose(db)
 
         def store(pin_hash: str) -> MadeShare:

@@ -35,7 +35,7 @@ from app.scoring.verdict.verdicts import task_verdicts
 from app.session.clinic_spread import ClinicSpread, Task
 from app.session.runs import SessionRuns
 from app.source import SourceGroup
-from app.store.access.visible_patients import VISIBLE_PATIENTS
+from app.store.access.visible_patients import VISIBLE_PATIENTS, every_patient
 from app.store.database import Database
 from app.store.learning_trials import CountedTrial, counted_trials
 from app.store.log import write_log
@@ -81,7 +81,7 @@ class SharedLearning:
     def of_patient(self, clinic_id: int, patient_id: int, session_id: int | None) -> list[TaskLearning]:
         """Return what a patient drove, by task; with a session, its trials only, and verdicts up to it."""
         found = []
-        with self.database.transaction() as db:
+        with self.database.reading() as db:
             tasks = tasks_of(db, clinic_id, patient_id)
             counted = {task: counted_trials(db, clinic_id, patient_id, task[0], task[1]) for task in tasks}
         for (floorplan, path, source), every in counted.items():
@@ -203,7 +203,7 @@ def shared(
 def _visit(database: Database, request: Request) -> SharedRecords:
     """Return what the browser may read; 401 when it may read nothing, or nothing any more."""
     token = read_cookie(request, COOKIE, COOKIE_PATH)
-    with database.transaction() as db:
+    with every_patient(), database.reading() as db:
         before = find_visit(db, token) if token else None
     if before is None:
         raise HTTPException(401, NO_VISIT)
@@ -211,18 +211,18 @@ def _visit(database: Database, request: Request) -> SharedRecords:
 
 
 def _count(database: Database, token: str) -> tuple[int, int, str] | None:
-    with database.transaction(closing=True) as db:
+    with every_patient(), database.transaction(closing=True) as db:
         link = count_try(db, token)
         return None if link is None else (link.id, link.patient_id, link.pin_hash)
 
 
 def _take_back(database: Database, share_id: int) -> None:
-    with database.transaction(closing=True) as db:
+    with every_patient(), database.transaction(closing=True) as db:
         take_back_try(db, share_id)
 
 
 def _note(database: Database, share_id: int, patient_id: int, *, is_right: bool) -> str | None:
-    with database.transaction(closing=True) as db:
+    with every_patient(), database.transaction(closing=True) as db:
         token = begin_visit(db, share_id) if is_right else None
         what = "share refused" if token is None else "share opened"
         write_log(db, None, what, share=share_id, patient=patient_id)

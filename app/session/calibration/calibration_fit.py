@@ -45,7 +45,7 @@ class CalibrationFit:
         """Fit the map from the done steps, and store it as the session's result."""
         layout, recorded = self._recorded(session_id, progress)
         prior = self._prior.of_others(session_id, garment(layout, self._equipment))
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             as_worn = rings_as_worn(db, db.get_one(PatientSession, session_id))
         profile = self._computing.ask(fit_recordings, layout, recorded, self._equipment.unused, prior, as_worn)
         with self._database.transaction() as db:
@@ -65,7 +65,7 @@ class CalibrationFit:
 
     def earlier(self, session_id: int, layout: ShirtLayout) -> EarlierCalibration | None:
         """Return the calibration that the patient drives with, None without one in this kind of shirt."""
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             row = newest_profile(db, db.get_one(PatientSession, session_id).patient_id)
             if row is None or row.simulated is not self._equipment.simulated:
                 return None
@@ -78,7 +78,7 @@ class CalibrationFit:
         """Fit the patient's earlier calibration to this session's free movement, as the next map where it differs."""
         layout, recorded = self._recorded(session_id, progress)
         prior = self._prior.of_others(session_id, garment(layout, self._equipment))
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             patient = db.get_one(PatientSession, session_id).patient_id
             row, profile = current_parameters(db, patient)
             before, calibrated = as_document(row, profile), calibration_behind(db, profile)
@@ -117,7 +117,7 @@ class CalibrationFit:
         """Return the layout and the done steps with their recordings; Conflict when they cannot be used together."""
         if progress.layout is None:
             raise Conflict("There is no shirt: choose one on the Shirt page, then begin the calibration anew.")
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             folders = recordings_of(db, session_id)
             is_calibration_simulated(db, session_id)  # refuse a mixture of worn and simulated recordings
         done = [step for step in progress.steps if progress.status[step.id][0] == "done"]

@@ -288,7 +288,7 @@ class CalibrationFlow:
     def _progress(self, session_id: int) -> Progress:
         running = self._running  # read before the rows: a step has its last status before it stops running
         started_run = self._runs.open.number if running and self._runs.open else None
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             session = db.get_one(PatientSession, session_id)
             rows = calibration_steps(db, session_id)
             script, current, result = session.script, session.current_step, session.result

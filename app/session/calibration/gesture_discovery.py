@@ -42,7 +42,7 @@ class GestureDiscoveries:
         Conflict
             When nothing is calibrated.
         """
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             session = db.get_one(PatientSession, session_id)
             document, patient_id = session.result, session.patient_id
             is_waiting = document is not None and not session.accepted
@@ -59,7 +59,7 @@ class GestureDiscoveries:
         Conflict
             When nothing is calibrated.
         """
-        with self._database.transaction() as db:
+        with self._database.reading() as db:
             row = newest_profile(db, patient_id)
             if row is None:
                 raise Conflict(NOTHING)

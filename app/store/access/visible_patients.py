@@ -1,8 +1,8 @@
 """Restrict every query of a transaction to the patients that the signed-in person may see.
 
-The web application finds the person of a request once (`app/api/who_asks.py`), and each transaction of the request is
-restricted here. So a route needs no rule of its own, and a new one cannot forget it: for a reviewer of chosen patients,
-other patients do not exist.
+Nobody's patients exist for a request until the web application has found its person (`app/api/who_asks.py`); each
+transaction of the request is restricted here. So a route needs no rule of its own, and a new one cannot forget it: for
+a reviewer of chosen patients, other patients do not exist. The program's own work sees every patient.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -20,8 +20,9 @@ from app.store.tables import Patient, Table
 VisiblePatients = frozenset[int] | None
 """Ids of the patients that exist for somebody; None: all of them."""
 
+NOBODY: Final[frozenset[int]] = frozenset()
+
 _OPTION, _DELETED = "with_deleted_patients", "deleted_patients"
-_NOBODY: frozenset[int] = frozenset()
 WITH_DELETED: Final[Mapping[str, bool]] = {_OPTION: True}
 """Execution options of a query that finds deleted patients, too."""
 
@@ -32,8 +33,9 @@ VISIBLE_PATIENTS: ContextVar[VisiblePatients] = ContextVar("VISIBLE_PATIENTS", d
 def every_patient() -> Iterator[None]:
     """Let transactions that begin in here see every patient of the clinic.
 
-    For figures of the whole clinic only, in which nobody can be recognised: such a figure must be the same for
-    everybody, because a verdict is derived from it. Nothing else that was read in here may be answered.
+    For a row that a secret names (a patient's screen, a share link), and for figures of the whole clinic in which
+    nobody can be recognised: such a figure must be the same for everybody, because a verdict is derived from it.
+    Nothing else that was read in here may be answered.
     """
     before = VISIBLE_PATIENTS.set(None)
     try:
@@ -52,7 +54,7 @@ def restrict(db: Session) -> None:
 
     @event.listens_for(db, "do_orm_execute")
     def _leave_out(state: ORMExecuteState) -> None:
-        deleted = _NOBODY if state.execution_options.get(_OPTION) else db.info[_DELETED]
+        deleted = NOBODY if state.execution_options.get(_OPTION) else db.info[_DELETED]
         if state.is_select and (deleted or visible is not None):
             state.statement = state.statement.options(*_loader_criteria(visible, deleted))
 

@@ -90,7 +90,7 @@ def erase_due(database: Database, settings: Settings) -> None:
 
     30 days must really have passed: a clock that was set forward erases nobody (`app/store/keeping/passed_time.py`).
     """
-    with database.transaction() as db:
+    with database.reading() as db:
         query = select(Patient).where(Patient.deleted <= passed_now(db) - UNDO_FOR)
         deleted = list(db.scalars(query, execution_options=WITH_DELETED))
         due = [(patient.clinic_id, patient.id) for patient in deleted if not _refusal(db, patient)]
@@ -123,7 +123,7 @@ def remove_erased_files(database: Database, settings: Settings) -> None:
     The temporary folders of killed imports and exports are removed as well: they can hold recordings of anybody.
     """
     remove_temporary_folders(settings.state)
-    with database.transaction(closing=True) as db:
+    with database.reading() as db:
         remaining = {row.id: list(row.files) for row in db.scalars(select(ErasedPatient)) if row.files}
     if not remaining:
         return

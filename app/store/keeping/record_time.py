@@ -17,13 +17,16 @@ MOST_YEARS: Final = 100
 
 
 def record_keeping(db: Session, clinic_id: int) -> RecordKeeping:
-    """Return the clinic's settings; made when there are none yet."""
-    settings = db.get(RecordKeeping, clinic_id)
-    if settings is None:
-        settings = RecordKeeping(clinic_id=clinic_id, years=None, folder=None, hour=2, with_keys=False)
-        db.add(settings)
-        db.flush()
-    return settings
+    """Return the clinic's settings; the usual ones, which are not stored, when nobody has chosen any."""
+    usual = RecordKeeping(clinic_id=clinic_id, years=None, folder=None, hour=2, with_keys=False)
+    return db.get(RecordKeeping, clinic_id) or usual
+
+
+def set_record_time(db: Session, clinic_id: int, years: int | None) -> None:
+    """Set for how many years after the last session records must be kept; None: no longer than somebody wants."""
+    settings = record_keeping(db, clinic_id)
+    settings.years = years
+    db.add(settings)
 
 
 def must_be_kept_until(db: Session, patient: Patient) -> datetime | None:

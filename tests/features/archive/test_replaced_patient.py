@@ -29,7 +29,7 @@ from app.store.files.replacements import replaced_files
 from app.store.keeping.erasure import erase_patient
 from app.store.keeping.incidents import lift_incident, mark_incident
 from app.store.keeping.keeping_tables import PatientFile
-from app.store.keeping.record_time import record_keeping
+from app.store.keeping.record_time import set_record_time
 from app.store.origins import origin_of
 from app.store.parameters import current_parameters, save_parameters, save_profile
 from app.store.patients import delete_patient, sessions_of
@@ -180,11 +180,11 @@ def test_what_stands_against_a_replacement_is_one_sentence_and_nothing_changes(
     refused(archives.second, "=P-1 is part of the incident of .*an owner lifts the mark")
     with closing(Database(settings.database)) as database, database.transaction() as db:
         lift_incident(db, 1, incident, "It is closed", "Ana")
-        record_keeping(db, 1).years = 10
+        set_record_time(db, 1, 10)
     add_session(settings, patient, OWN, "Own")
     refused(archives.second, "Sessions of =P-1 were held in this clinic, and their records must be kept until 20")
     with closing(Database(settings.database)) as database, database.transaction() as db:
-        record_keeping(db, 1).years = None
+        set_record_time(db, 1, None)
         now = utc_now() + timedelta(seconds=1)
         db.add(PatientSession(clinic_id=1, patient_id=patient, number=3, started=now, accepted=False))
     refused(archives.second, "=P-1 is open here")

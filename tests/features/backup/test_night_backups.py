@@ -43,6 +43,7 @@ def night(settings: Settings, tmp_path: Path) -> Path:
             known = the_clinic(db) or add_clinic(db, "Clinic")
             kept = record_keeping(db, known.id)
             kept.folder, kept.hour = str(stick), utc_now().astimezone().hour
+            db.add(kept)
     return stick
 
 

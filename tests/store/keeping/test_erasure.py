@@ -23,7 +23,7 @@ from app.store.keeping.incidents import lift_incident, mark_incident
 from app.store.keeping.keeping_tables import ErasedPatient
 from app.store.keeping.owned_rows import foreign_keys
 from app.store.keeping.passed_time import DAY, store_clocks
-from app.store.keeping.record_time import record_keeping, years_later
+from app.store.keeping.record_time import set_record_time, years_later
 from app.store.keeping.tombstones import add_tombstones, read_tombstones
 from app.store.log_chain import verify_log
 from app.store.patients import add_patient, delete_patient, restore_patient, start_session
@@ -165,7 +165,7 @@ def test_no_id_of_an_erased_row_is_given_again(filled: Filled) -> None:
 
 def test_records_that_must_be_kept_are_deleted_early_only_for_a_reason(filled: Filled) -> None:
     with filled.database.transaction() as db:
-        record_keeping(db, CLINIC).years = 10
+        set_record_time(db, CLINIC, 10)
     with pytest.raises(Conflict, match=r"must be kept until 20\d\d-\d\d-\d\d: give a reason"):
         filled.delete(filled.goes)
     filled.delete(filled.goes, "The patient's own wish")
@@ -178,7 +178,7 @@ def test_records_that_must_be_kept_are_deleted_early_only_for_a_reason(filled: F
 def test_a_setting_that_came_after_the_deletion_holds_as_well(filled: Filled, monkeypatch: pytest.MonkeyPatch) -> None:
     filled.delete(filled.goes)
     with filled.database.transaction() as db:
-        record_keeping(db, CLINIC).years = 10
+        set_record_time(db, CLINIC, 10)
     with pytest.raises(Conflict, match="undo the deletion"):
         filled.erase(filled.goes)
     filled.look()

@@ -15,7 +15,7 @@ from app.store.files.replacements import replaced_files
 from app.store.keeping import passed_time
 from app.store.keeping.erasure import erase_due
 from app.store.keeping.passed_time import DAY, Reading, clock_warning, compare_clocks, passed_now, store_clocks
-from app.store.keeping.record_time import record_keeping
+from app.store.keeping.record_time import set_record_time
 from app.store.patients import delete_patient, restore_patient
 from app.store.tables import LogEntry
 
@@ -130,7 +130,7 @@ def test_before_the_first_look_the_log_says_when_the_program_ran(filled: Any, cl
 def test_records_that_must_be_kept_are_not_free_because_the_clock_is_years_ahead(filled: Any, clocks: Any) -> None:  # noqa: F811
     filled.look()
     with filled.database.transaction() as db:
-        record_keeping(db, CLINIC).years = 10
+        set_record_time(db, CLINIC, 10)
     clocks(after(passed_time._reading(), wall=4000, count=0, boot="another"))
     with pytest.raises(Conflict, match="must be kept"), filled.database.transaction() as db:
         delete_patient(db, CLINIC, filled.goes, "")
