@@ -38,7 +38,7 @@ def store_course(database: Database, runs: Path, sessions: int, seconds: float =
     _record(recorded, seconds)
     with database.transaction() as db:
         clinic = add_clinic(db, "Bench")
-        patient = add_patient(db, clinic.id, "P-1", "Heron", "")
+        patient = add_patient(db, "P-1", "Heron", "")
         now = utc_now()
         for number in range(sessions):
             day = now - timedelta(days=sessions - number)
@@ -55,7 +55,6 @@ def store_course(database: Database, runs: Path, sessions: int, seconds: float =
                 stored = add_trial(
                     db,
                     run=add_run(db, name, session.id, "drive", name, STUDY_SOURCE),
-                    clinic_id=clinic.id,
                     patient_id=patient.id,
                     parameters_id=row.id,
                     floorplan=plan.name,

@@ -46,10 +46,10 @@ def _maker(
     spread = ClinicSpread(database, computing)
 
     def spreads_of(floorplan: str, path: str, group: SourceGroup) -> dict[str, Spread]:
-        return spread.of_others(Task(1, floorplan, path, group), 1)
+        return spread.of_others(Task(floorplan, path, group), 1)
 
     def make() -> None:
-        subject = Subject(1, 1, session)
+        subject = Subject(1, session)
         material = exported_material(database, settings, subject, form, "bench", spreads_of, for_patient=True)
         computing.ask(report_file, material, form, "a4")
 

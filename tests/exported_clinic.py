@@ -39,7 +39,7 @@ def make_clinic(state: Path, *, consent: bool = True) -> Settings:
         clinic = Clinic(name="Riverside", created=utc_now(), unused=[])
         db.add(clinic)
         db.flush()
-        patient = add_patient(db, clinic.id, CODE, "Heron", "=1+1")
+        patient = add_patient(db, CODE, "Heron", "=1+1")
         if consent:
             give_consent(db, patient.id, "sharing", utc_now().astimezone().date(), "Ana")
         session = PatientSession(

@@ -110,7 +110,6 @@ def store_trial(db, run, owners, plan, source, measures):
     trial = add_trial(
         db,
         run=add_run(db, run, session.id, "drive", run, source),
-        clinic_id=1,
         patient_id=session.patient_id,
         parameters_id=parameters.id,
         floorplan=plan.name,

@@ -58,13 +58,13 @@ def test_a_name_looks_like_itself_and_nothing_is_raised(name: str) -> None:
 def test_people_patients_and_files_are_told_apart(db: Session) -> None:
     clinic = add_clinic(db, "Clinic")
     add_person(db, clinic, "Cop", "owner", None)
-    add_patient(db, clinic.id, "P-1", "Heron", "")
+    add_patient(db, "P-1", "Heron", "")
     with pytest.raises(Conflict, match=r"There is somebody called 'Cop' already, and '.*' looks the same"):
         add_person(db, clinic, "\u0421\u043e\u0440", "reviewer", None)
     with pytest.raises(Conflict, match="a patient of the code 'P-1' already"):
-        add_patient(db, clinic.id, "P-l", "Wren", "")
+        add_patient(db, "P-l", "Wren", "")
     with pytest.raises(Conflict, match="of two scripts"):
-        add_patient(db, clinic.id, "P-2", "W\u0433en", "")
+        add_patient(db, "P-2", "W\u0433en", "")
     with pytest.raises(Conflict, match="looks the same"):
         name_for("walk-l.csv", ["walk-1.csv"], "ask")
     assert name_for("walk-l.csv", ["walk-1.csv"], "keep-both") == "walk-l.csv"

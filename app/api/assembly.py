@@ -224,7 +224,7 @@ async def start_parts(parts: Parts) -> None:
 def _is_session_open(database: Database) -> bool:
     with database.reading() as db:
         clinic = the_clinic(db)
-        return clinic is not None and open_session(db, clinic.id) is not None
+        return clinic is not None and open_session(db) is not None
 
 
 def _close_interrupted(database: Database, runs: SessionRuns) -> None:

@@ -9,7 +9,7 @@ from starlette.requests import HTTPConnection
 from app.api.parts import parts_of
 from app.api.sign_in.cookies import read_cookie
 from app.api.sign_in.identity import COOKIE, SignedInPerson, find_sign_in
-from app.store.access.visible_patients import VISIBLE_PATIENTS
+from app.store.access.visible_patients import OWN_CLINIC, VISIBLE_PATIENTS
 from app.store.database import Database
 
 AT_ONCE = frozenset({"/control/stop"})  # it asks nobody's name, and must not wait for the database
@@ -31,6 +31,7 @@ async def who_asks(connection: HTTPConnection) -> SignedInPerson | None:
     who = await asyncio.to_thread(find_sign_in, database, connection, acts=acts)
     if who is not None:
         VISIBLE_PATIENTS.set(who.patients)
+        OWN_CLINIC.set(who.clinic_id)
     return who
 
 

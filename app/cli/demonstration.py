@@ -25,9 +25,9 @@ def furnish(database: Database) -> None:
     shipped = CalibrationProfile.model_validate_json(profile_file().read_bytes())
     profile = shipped.model_copy(update={"created": utc_now().isoformat(timespec="seconds")})
     with database.transaction() as db:
-        clinic = add_clinic(db, "Demonstration")
-        patient = add_patient(db, clinic.id, *PATIENT)
-        add_patient(db, clinic.id, *NEWCOMER)
-        session = start_session(db, clinic.id, patient.id)
+        add_clinic(db, "Demonstration")
+        patient = add_patient(db, *PATIENT)
+        add_patient(db, *NEWCOMER)
+        session = start_session(db, patient.id)
         row = save_profile(db, patient.id, session.id, profile, simulated=True)
         save_parameters(db, row, standard_parameters(profile))

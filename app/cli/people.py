@@ -61,7 +61,7 @@ def list_people(
 
     with open_clinic(settings_of(state)) as (database, _), database.reading() as db:
         people: list[PersonFacts] = []
-        for person in people_of(db, _clinic_id(db)):
+        for person in people_of(db):
             codes = None
             if person.patients is not None:
                 rows = [db.get(Patient, patient) for patient in person.patients]
@@ -99,8 +99,8 @@ def invite_person(
                 person = find_person(db, name)
                 if person is None:
                     clinic = the_clinic(db) or add_clinic(db, "Clinic")
-                    ids = None if patients is None else _patient_ids(db, clinic.id, patients)
-                    ids = checked_patients(db, clinic.id, role, ids)
+                    ids = None if patients is None else _patient_ids(db, patients)
+                    ids = checked_patients(db, role, ids)
                     person = add_person(db, clinic, name, role, None, patients=ids, by=COMMAND_LINE)
                 invitation = invite(db, person, COMMAND_LINE)
         except Refusal as refusal:
@@ -126,13 +126,6 @@ def enable_person(name: Name, state: State = None) -> None:
     typer.echo(f"{name} can sign in again, with the password of before.")
 
 
-def _clinic_id(db: "Transaction") -> int:
-    from app.store.people import the_clinic
-
-    clinic = the_clinic(db)
-    return 0 if clinic is None else clinic.id
-
-
 def _state_of(person: "Person") -> str:
     if person.disabled is not None:
         return "disabled"
@@ -150,10 +143,10 @@ def _require_name(name: str) -> None:
         raise InputError("This name cannot be used: give 1 to 80 visible characters.") from error
 
 
-def _patient_ids(db: "Transaction", clinic_id: int, codes: list[str]) -> list[int]:
+def _patient_ids(db: "Transaction", codes: list[str]) -> list[int]:
     from app.store.patients import all_patients
 
-    by_code = {patient.code: patient.id for patient in all_patients(db, clinic_id)}
+    by_code = {patient.code: patient.id for patient in all_patients(db)}
     unknown = next((code for code in codes if code not in by_code), None)
     if unknown is not None:
         raise InputError(f"--patient {unknown}: there is no patient of this code, see the Patients page.")

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     MakeBackground = Callable[[Database, Settings, Callable[[str], None]], "Background"]
 
     MakeReport = Callable[[], bytes]
-    ReportOf = Callable[[Database, Settings, int, int, SpreadsOf], MakeReport | None]
+    ReportOf = Callable[[Database, Settings, int, SpreadsOf], MakeReport | None]
 
 EventKind = Literal[
     "begin",
@@ -155,7 +155,7 @@ def _no_events(_db: Session, _session: PatientSession) -> Iterator[StoryEvent]:
     return iter(())
 
 
-def _no_attention(_db: Session, _clinic_id: int, _person_id: int) -> Iterator[tuple[int, Attention]]:
+def _no_attention(_db: Session, _person_id: int) -> Iterator[tuple[int, Attention]]:
     return iter(())
 
 
@@ -193,7 +193,7 @@ class Feature:
     prior: "Callable[[Database], OthersPrior] | None" = None
     """Returns what is known of other people, for calibrations."""
     story: Callable[[Session, PatientSession], Iterator[StoryEvent]] = _no_events
-    attention: Callable[[Session, int, int], Iterator[tuple[int, Attention]]] = _no_attention
+    attention: Callable[[Session, int], Iterator[tuple[int, Attention]]] = _no_attention
     """Of a clinic, for a person: yields patients, each with a reason to look at them."""
     remarks: Callable[[Session, int], Sequence[TrialRemark]] = _no_remarks
     """Of a patient."""
@@ -215,12 +215,10 @@ def feature_routers() -> Iterator["APIRouter"]:
 
 
 def report_for_archive(
-    database: "Database", settings: "Settings", clinic_id: int, patient_id: int, spreads_of: "SpreadsOf"
+    database: "Database", settings: "Settings", patient_id: int, spreads_of: "SpreadsOf"
 ) -> "MakeReport | None":
     """Return what makes the report that an archive holds; None: there is none."""
     made = (
-        one.report(database, settings, clinic_id, patient_id, spreads_of)
-        for one in features().values()
-        if one.report is not None
+        one.report(database, settings, patient_id, spreads_of) for one in features().values() if one.report is not None
     )
     return next(made, None)

@@ -136,21 +136,21 @@ class AdaptationFlow:
             await asyncio.to_thread(self._propose, session.patient_id, session.id)
         self._notify("adaptation")
 
-    async def apply(self, clinic_id: int, proposal: str, person: str | None) -> int:
+    async def apply(self, proposal: str, person: str | None) -> int:
         """Make a proposal the patient's next map, and return the version; `person` None: it applies by itself."""
         async with self._session.undisturbed("apply the adapted calibration"):
             self._require_standstill()
-            session = await self._session.needed_session(clinic_id)
+            session = await self._session.needed_session()
             version = await asyncio.to_thread(self._save, session, proposal, person)
             await self._session.try_load_parameters()
         self._notify("controls")
         self._notify("adaptation")
         return version
 
-    async def back(self, clinic_id: int, person: str) -> int:
+    async def back(self, person: str) -> int:
         """Go back to the map before the current one, and return the version that it becomes."""
         async with self._session.undisturbed("go back"):
-            session = await self._session.needed_session(clinic_id)
+            session = await self._session.needed_session()
             version = await asyncio.to_thread(self._back, session, person)
             await self._session.try_load_parameters()
         self._notify("controls")
@@ -191,19 +191,19 @@ class AdaptationFlow:
             async with self._one_at_a_time:
                 await asyncio.to_thread(self._propose, trial.patient_id, trial.session_id)
             if mode == "auto":
-                await self._apply_by_itself(trial.clinic_id, trial.patient_id)
+                await self._apply_by_itself(trial.patient_id)
         except (Refusal, ValueError, OSError):  # the next trial makes another
             logger.exception("No proposal was made after trial %d", trial_id)
         self._notify("adaptation")
 
-    async def _apply_by_itself(self, clinic_id: int, patient_id: int) -> None:
+    async def _apply_by_itself(self, patient_id: int) -> None:
         waiting = self.proposal_for(patient_id)
         if waiting is None or waiting.result.proposal.parameters is None:
             return
         try:
             if waiting.result.proposal.warns:
                 raise Conflict(LARGE)
-            await self.apply(clinic_id, waiting.id, None)
+            await self.apply(waiting.id, None)
         except Refusal as refusal:
             if self._newest is waiting:
                 self._newest = replace(waiting, reason=str(refusal))

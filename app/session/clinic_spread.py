@@ -14,9 +14,8 @@ MORE = 0.05  # of the trials, driven or gone since, after which the variances ar
 
 
 class Task(NamedTuple):
-    """One path of a floor plan in one clinic, driven with one kind of source."""
+    """One path of a floor plan, driven with one kind of source."""
 
-    clinic_id: int
     floorplan: str
     path: str
     group: SourceGroup
@@ -39,9 +38,9 @@ class ClinicSpread:
         """Return the median spread of all patients but this one, for each measure that enough of them have."""
         return clinic_spreads(self._variances(task), patient_id)
 
-    def for_patient(self, clinic_id: int, patient_id: int) -> SpreadsOf:
+    def for_patient(self, patient_id: int) -> SpreadsOf:
         """Return a function that returns the median spread of all patients but this one in a task."""
-        return lambda floorplan, path, group: self.of_others(Task(clinic_id, floorplan, path, group), patient_id)
+        return lambda floorplan, path, group: self.of_others(Task(floorplan, path, group), patient_id)
 
     def _variances(self, task: Task) -> PeopleVariances:
         with every_patient(), self._database.reading() as db:

@@ -99,13 +99,13 @@ class SessionFlow:
         if self._calibration.running:
             raise Conflict(f"A calibration step is running: wait for its end, or cancel it, then {what}.")
 
-    async def needed_session(self, clinic_id: int) -> PatientSession:
+    async def needed_session(self) -> PatientSession:
         """Return the open session; Conflict when there is none."""
 
         def _read() -> PatientSession | None:
             with self._database.reading() as db:
                 require_page_session(db)
-                return open_session(db, clinic_id)
+                return open_session(db)
 
         session = await asyncio.to_thread(_read)
         if session is None:
@@ -175,13 +175,13 @@ class SessionFlow:
     def _open_ids(self) -> tuple[int | None, int | None]:
         with self._database.reading() as db:
             clinic = the_clinic(db)
-            session = None if clinic is None else open_session(db, clinic.id)
+            session = None if clinic is None else open_session(db)
             return (None, None) if session is None else (session.id, session.patient_id)
 
     def _current(self) -> tuple[DriveParameters, bool | None] | None:
         with self._database.reading() as db:
             clinic = the_clinic(db)
-            session = None if clinic is None else open_session(db, clinic.id)
+            session = None if clinic is None else open_session(db)
             if session is None or newest_profile(db, session.patient_id) is None:
                 return None
             row, profile = current_parameters(db, session.patient_id)

@@ -26,7 +26,7 @@ def require_page_session(db: Transaction) -> None:
     page, clinic = PAGE_SESSION.get(), the_clinic(db)
     if page is None or clinic is None:
         return
-    now = open_session(db, clinic.id)
+    now = open_session(db)
     if page.id == (None if now is None else now.id):
         return
     before = None if page.id is None else db.get(PatientSession, page.id)

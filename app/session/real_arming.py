@@ -80,9 +80,9 @@ class RealArming:
         self._limits = limits
         self._practice = PracticeHistory()
 
-    async def summary(self, clinic_id: int) -> ArmingSummary:
+    async def summary(self) -> ArmingSummary:
         """Return what arming would apply now."""
-        stored = await asyncio.to_thread(self._read, clinic_id)
+        stored = await asyncio.to_thread(self._read)
         parameters, last = stored.parameters, stored.last_practised
         changed = [] if parameters is None or last is None else differences(parameters, last)
         return ArmingSummary(
@@ -151,10 +151,10 @@ class RealArming:
             return f"The stop switch of {name} is pressed: look around, then release it."
         return fault_sentence(int(tick["chair_fault"])) if int(tick["chair_state"]) == CHAIR_FAULT else ""
 
-    def _read(self, clinic_id: int) -> _StoredSet:
+    def _read(self) -> _StoredSet:
         simulated = self._equipment.simulated
         with self._database.reading() as db:
-            session = open_session(db, clinic_id)
+            session = open_session(db)
             if session is None or newest_profile(db, session.patient_id) is None:
                 return _StoredSet(session)
             row, profile = current_parameters(db, session.patient_id)

@@ -79,7 +79,6 @@ class RealDriveFlow(RunFlow[RunningDrive]):
             drive = add_drive(
                 db,
                 run=db.get_one(Run, run.id),
-                clinic_id=session.clinic_id,
                 patient_id=session.patient_id,
                 chair_id=chair.id,
                 parameters_id=parameters_id,

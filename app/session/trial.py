@@ -148,7 +148,6 @@ class TrialFlow(RunFlow[RunningTrial]):
             trial = add_trial(
                 db,
                 run=db.get_one(Run, run.id),
-                clinic_id=session.clinic_id,
                 patient_id=session.patient_id,
                 parameters_id=parameters_id,
                 floorplan=plan.name,

@@ -9,6 +9,7 @@ from app.clock import utc_now
 from app.json_values import JsonDocument
 from app.refusals import Conflict, NotFound
 from app.speeds import HIGHEST_SPEEDS, Speeds
+from app.store.access.visible_patients import own_clinic_id
 from app.store.own_rows import own_row
 from app.store.tables import Clinic, PairedChair
 
@@ -18,7 +19,7 @@ KEY_ELSEWHERE = 0  # no chair here ever has a key of this number
 
 def add_chair(db: Session, clinic: Clinic, name: str, host: str, port: int, key_id: int, speeds: Speeds) -> PairedChair:
     """Add a chair that was just paired; the caller writes its key into `<state>/keys/<key_id>.key`."""
-    if any(chair.name == name for chair in chairs_of(db, clinic)):
+    if any(chair.name == name for chair in chairs_of(db)):
         raise Conflict(f"There is already a chair called '{name}': choose another name, or unpair that one first.")
     chair = PairedChair(
         clinic_id=clinic.id,
@@ -42,15 +43,13 @@ def free_key_ids(db: Session, clinic: Clinic) -> Iterator[int]:
     raise Conflict("Every number of a key was used: begin with a new state folder.")
 
 
-def chair_elsewhere(db: Session, clinic_id: int) -> PairedChair:
+def chair_elsewhere(db: Session) -> PairedChair:
     """Return the row to which drives of other clinics' chairs refer: removed, without address and key."""
-    chair = db.scalar(
-        select(PairedChair).where(PairedChair.clinic_id == clinic_id, PairedChair.key_id == KEY_ELSEWHERE)
-    )
+    chair = db.scalar(select(PairedChair).where(PairedChair.key_id == KEY_ELSEWHERE))
     if chair is None:
         now = utc_now()
         chair = PairedChair(
-            clinic_id=clinic_id,
+            clinic_id=own_clinic_id(db),
             name="A chair of another clinic",
             host="",
             port=0,
@@ -64,29 +63,23 @@ def chair_elsewhere(db: Session, clinic_id: int) -> PairedChair:
     return chair
 
 
-def chairs_of(db: Session, clinic: Clinic) -> list[PairedChair]:
+def chairs_of(db: Session) -> list[PairedChair]:
     """Return the chairs that are paired, the newest last."""
-    return list(
-        db.scalars(
-            select(PairedChair)
-            .where(PairedChair.clinic_id == clinic.id, PairedChair.removed.is_(None))
-            .order_by(PairedChair.id)
-        )
-    )
+    return list(db.scalars(select(PairedChair).where(PairedChair.removed.is_(None)).order_by(PairedChair.id)))
 
 
-def find_chair(db: Session, clinic: Clinic, chair_id: int) -> PairedChair:
+def find_chair(db: Session, chair_id: int) -> PairedChair:
     """Return one of the chairs that are paired."""
     missing = f"There is no chair {chair_id}: choose one of the list, or pair it first."
-    chair = own_row(db, PairedChair, clinic.id, chair_id, missing)
+    chair = own_row(db, PairedChair, chair_id, missing)
     if chair.removed is not None:
         raise NotFound(missing)
     return chair
 
 
-def remove_chair(db: Session, clinic: Clinic, chair_id: int) -> PairedChair:
+def remove_chair(db: Session, chair_id: int) -> PairedChair:
     """Unpair a chair; the row stays, because drives refer to it."""
-    chair = find_chair(db, clinic, chair_id)
+    chair = find_chair(db, chair_id)
     chair.removed = utc_now()
     db.flush()
     return chair

@@ -4,16 +4,15 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
+from app.store.access.visible_patients import own_clinic_id
 from app.store.own_rows import own_row
 from app.store.tables import Drive, Run
 
 
-def add_drive(
-    db: Session, *, run: Run, clinic_id: int, patient_id: int, chair_id: int, parameters_id: int, digest: str
-) -> Drive:
+def add_drive(db: Session, *, run: Run, patient_id: int, chair_id: int, parameters_id: int, digest: str) -> Drive:
     """Add a drive that begins; `digest` is the hash of the parameter set that is armed."""
     drive = Drive(
-        clinic_id=clinic_id,
+        clinic_id=own_clinic_id(db),
         patient_id=patient_id,
         session_id=run.session_id,
         run=run,
@@ -37,14 +36,14 @@ def finish_drive(db: Session, drive_id: int, end: str, distance: float | None) -
     return drive
 
 
-def find_drive(db: Session, clinic_id: int, drive_id: int) -> Drive:
+def find_drive(db: Session, drive_id: int) -> Drive:
     """Return one of the clinic's drives."""
-    return own_row(db, Drive, clinic_id, drive_id, f"There is no drive {drive_id}: choose one from the list of drives.")
+    return own_row(db, Drive, drive_id, f"There is no drive {drive_id}: choose one from the list of drives.")
 
 
-def drives_of(db: Session, clinic_id: int, patient_id: int) -> list[Drive]:
+def drives_of(db: Session, patient_id: int) -> list[Drive]:
     """Return a patient's drives, the newest last."""
-    query = select(Drive).where(Drive.clinic_id == clinic_id, Drive.patient_id == patient_id).order_by(Drive.id)
+    query = select(Drive).where(Drive.patient_id == patient_id).order_by(Drive.id)
     return list(db.scalars(query))
 
 

@@ -6,12 +6,12 @@ from sqlalchemy.orm import Session
 from app.store.tables import InterfaceTest, PatientSession
 
 
-def interface_tests_of(db: Session, clinic_id: int, patient_id: int) -> list[tuple[InterfaceTest, int]]:
+def interface_tests_of(db: Session, patient_id: int) -> list[tuple[InterfaceTest, int]]:
     """Return a patient's interface tests with the numbers of their sessions, the newest last."""
     query = (
         select(InterfaceTest, PatientSession.number)
         .join(PatientSession, PatientSession.id == InterfaceTest.session_id)
-        .where(InterfaceTest.clinic_id == clinic_id, InterfaceTest.patient_id == patient_id)
+        .where(InterfaceTest.patient_id == patient_id)
         .order_by(InterfaceTest.number)
     )
     return [(test, number) for test, number in db.execute(query)]

@@ -50,23 +50,21 @@ class CountedTrial(NamedTuple):
         }
 
 
-def counted_trials(db: Session, clinic_id: int, patient_id: int, floorplan: str, path: str) -> list[CountedTrial]:
+def counted_trials(db: Session, patient_id: int, floorplan: str, path: str) -> list[CountedTrial]:
     """Return a patient's trials on one path over all sessions, of every source, the newest last."""
     rows = db.execute(
         select(Trial, PatientSession.number, Profile.version, Profile.origin)
         .join(PatientSession, PatientSession.id == Trial.session_id)
         .join(ParameterSet, ParameterSet.id == Trial.parameters_id)
         .join(Profile, Profile.id == ParameterSet.profile_id)
-        .where(Trial.patient_id == patient_id, *_measured(clinic_id, floorplan, path))
+        .where(Trial.patient_id == patient_id, *_measured(floorplan, path))
         .order_by(Trial.id)
     ).all()
     familiarisation = _familiarisation((trial.id, trial.run.source.group) for trial, *_ in rows)
     return [CountedTrial(*row, row[0].id in familiarisation) for row in rows if row[0].kept]
 
 
-def trials_of_everybody(
-    db: Session, clinic_id: int, floorplan: str, path: str, group: SourceGroup
-) -> dict[int, list[JsonDocument]]:
+def trials_of_everybody(db: Session, floorplan: str, path: str, group: SourceGroup) -> dict[int, list[JsonDocument]]:
     """Return the rows of each patient's trials on one path, the newest 2000, for the clinic's median spread.
 
     Trials that a person drove are those of patients who have consented to it; nobody drove the simulated ones.
@@ -80,7 +78,7 @@ def trials_of_everybody(
         .join(Patient, Patient.id == Trial.patient_id)
         .join(Run, Run.id == Trial.run_id)
         .where(Patient.deleted.is_(None), Run.simulated.is_(SIMULATED[group]), _may_be_used(group))
-        .where(*_measured(clinic_id, floorplan, path))
+        .where(*_measured(floorplan, path))
         .order_by(Trial.id.desc())
         .limit(MOST_TRIALS)
     ).all()[::-1]
@@ -122,10 +120,9 @@ def _numbers(rows: Sequence[_TrialRow], group: SourceGroup) -> list[JsonDocument
     ]
 
 
-def _measured(clinic_id: int, floorplan: str, path: str) -> tuple[ColumnElement[bool], ...]:
+def _measured(floorplan: str, path: str) -> tuple[ColumnElement[bool], ...]:
     """Return the conditions of a measured trial on this path; it may have been discarded."""
     return (
-        Trial.clinic_id == clinic_id,
         Trial.floorplan == floorplan,
         Trial.path == path,
         Trial.status == "done",

@@ -1,11 +1,11 @@
-"""Find a row by its id, in the person's own clinic only."""
+"""Find a row by its id, and say when it is one of another clinic."""
 
 from typing import Protocol, TypeVar
 
 from sqlalchemy.orm import Session
 
 from app.refusals import NotFound, OtherClinicRow
-from app.store.access.visible_patients import WITH_DELETED
+from app.store.access.visible_patients import OF_ANY_CLINIC, WITH_DELETED
 
 
 class ClinicRow(Protocol):
@@ -21,8 +21,8 @@ class ClinicRow(Protocol):
 Row = TypeVar("Row", bound=ClinicRow)
 
 
-def own_row(db: Session, kind: type[Row], clinic_id: int, row_id: int, missing: str, *, deleted: bool = False) -> Row:
-    """Return a row of this clinic; what belongs to a deleted patient only with `deleted`.
+def own_row(db: Session, kind: type[Row], row_id: int, missing: str, *, deleted: bool = False) -> Row:
+    """Return a row of the own clinic; what belongs to a deleted patient only with `deleted`.
 
     Raises
     ------
@@ -31,9 +31,10 @@ def own_row(db: Session, kind: type[Row], clinic_id: int, row_id: int, missing: 
     OtherClinicRow
         With the same sentence, when it belongs to another clinic; the handler of this error logs it.
     """
-    row = db.get(kind, row_id, execution_options=WITH_DELETED if deleted else {})
-    if row is None:
-        raise NotFound(missing)
-    if row.clinic_id != clinic_id:
+    options = WITH_DELETED if deleted else {}
+    row = db.get(kind, row_id, execution_options=options)
+    if row is not None:
+        return row
+    if db.get(kind, row_id, execution_options={**options, **OF_ANY_CLINIC}) is not None:
         raise OtherClinicRow(missing, kind.__tablename__, row_id)
-    return row
+    raise NotFound(missing)

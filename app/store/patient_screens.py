@@ -102,10 +102,10 @@ def find_screen(db: Session, token: str) -> tuple[PatientScreen | None, ScreenSt
     return screen, "paired"
 
 
-def unpair_screen(db: Session, clinic_id: int, screen_id: int, person: str) -> None:
+def unpair_screen(db: Session, screen_id: int, person: str) -> None:
     """End a pairing."""
     missing = f"There is no paired screen {screen_id}: choose one of the list."
-    screen = own_row(db, PatientScreen, clinic_id, screen_id, missing)
+    screen = own_row(db, PatientScreen, screen_id, missing)
     if screen.unpaired is not None:
         raise NotFound(missing)
     screen.unpaired = utc_now()

@@ -11,7 +11,7 @@ from app import __version__
 from app.clock import utc_now
 from app.refusals import Conflict, NotFound
 from app.similar_names import require_distinct
-from app.store.access.visible_patients import WITH_DELETED, read_deleted
+from app.store.access.visible_patients import WITH_DELETED, own_clinic_id, read_deleted
 from app.store.keeping.record_time import require_reason
 from app.store.own_rows import own_row
 from app.store.tables import CalibrationStep, Patient, PatientSession, Profile, Trial
@@ -25,9 +25,9 @@ class PatientFigures(NamedTuple):
     last_seen: datetime | None  # the start of the newest session
 
 
-def add_patient(db: Session, clinic_id: int, code: str, pseudonym: str, note: str) -> Patient:
+def add_patient(db: Session, code: str, pseudonym: str, note: str) -> Patient:
     """Add a patient; Conflict when another patient of the clinic has the code."""
-    query = select(Patient).where(Patient.clinic_id == clinic_id, Patient.code == code)
+    query = select(Patient).where(Patient.code == code)
     same = db.scalar(query, execution_options=WITH_DELETED)
     if same is not None and same.deleted is None:
         raise Conflict(f"The code '{code}' already belongs to {same.pseudonym}: choose another code.")
@@ -36,11 +36,11 @@ def add_patient(db: Session, clinic_id: int, code: str, pseudonym: str, note: st
             f"The code '{code}' belongs to a deleted patient: choose another code, "
             f"or undo the deletion of patient {same.id}."
         )
-    codes = select(Patient.code).where(Patient.clinic_id == clinic_id)
+    codes = select(Patient.code)
     require_distinct(code, db.scalars(codes, execution_options=WITH_DELETED), "a patient of the code")
     require_distinct(pseudonym, (), "")
     patient = Patient(
-        clinic_id=clinic_id,
+        clinic_id=own_clinic_id(db),
         code=code,
         pseudonym=pseudonym,
         note=note,
@@ -53,34 +53,34 @@ def add_patient(db: Session, clinic_id: int, code: str, pseudonym: str, note: st
     return patient
 
 
-def find_patient(db: Session, clinic_id: int, patient_id: int, *, deleted: bool = False) -> Patient:
+def find_patient(db: Session, patient_id: int, *, deleted: bool = False) -> Patient:
     """Return one of the clinic's patients, a deleted one only with `deleted`."""
     missing = f"There is no patient {patient_id}: choose one from the list of patients."
-    patient = own_row(db, Patient, clinic_id, patient_id, missing, deleted=deleted)
+    patient = own_row(db, Patient, patient_id, missing, deleted=deleted)
     if patient.deleted is not None and not deleted:
         raise NotFound(missing)
     return patient
 
 
-def all_patients(db: Session, clinic_id: int) -> list[Patient]:
+def all_patients(db: Session) -> list[Patient]:
     """Return the clinic's patients, those with the latest sessions first."""
     last = select(func.max(PatientSession.started)).where(PatientSession.patient_id == Patient.id).scalar_subquery()
     return list(
         db.scalars(
             select(Patient)
-            .where(Patient.clinic_id == clinic_id, Patient.deleted.is_(None))
+            .where(Patient.deleted.is_(None))
             .order_by(func.coalesce(last, Patient.created).desc(), Patient.id.desc())
         )
     )
 
 
-def delete_patient(db: Session, clinic_id: int, patient_id: int, reason: str = "") -> Patient:
+def delete_patient(db: Session, patient_id: int, reason: str = "") -> Patient:
     """Hide a patient and everything that belongs to the patient; it can be undone for 30 days.
 
     Conflict while the patient is here, and when records must be kept for longer and no `reason` is given.
     """
-    patient = find_patient(db, clinic_id, patient_id)
-    session = open_session(db, clinic_id)
+    patient = find_patient(db, patient_id)
+    session = open_session(db)
     if session is not None and session.patient_id == patient_id:
         raise Conflict(f"The patient {patient.pseudonym} has an open session: end it first, then delete the patient.")
     require_reason(db, patient, reason)
@@ -88,40 +88,38 @@ def delete_patient(db: Session, clinic_id: int, patient_id: int, reason: str = "
     return patient
 
 
-def restore_patient(db: Session, clinic_id: int, patient_id: int) -> Patient:
+def restore_patient(db: Session, patient_id: int) -> Patient:
     """Undo a deletion."""
-    patient = find_patient(db, clinic_id, patient_id, deleted=True)
+    patient = find_patient(db, patient_id, deleted=True)
     patient.deleted = patient.deletion_reason = None
     db.flush()
     read_deleted(db)
     return patient
 
 
-def open_session(db: Session, clinic_id: int) -> PatientSession | None:
+def open_session(db: Session) -> PatientSession | None:
     """Return the open session, None when there is none."""
-    return db.scalar(
-        select(PatientSession).where(PatientSession.clinic_id == clinic_id, PatientSession.ended.is_(None))
-    )
+    return db.scalar(select(PatientSession).where(PatientSession.ended.is_(None)))
 
 
 def start_session(
-    db: Session, clinic_id: int, patient_id: int, person: str | None = None, *, ends: int | None = None
+    db: Session, patient_id: int, person: str | None = None, *, ends: int | None = None
 ) -> PatientSession:
     """Open a session; a session of the same patient stays open.
 
     `person` is the name of the person who opens it, which other screens show. An open session of another patient is
     ended only if `ends` is its id; otherwise Conflict says whose it is.
     """
-    find_patient(db, clinic_id, patient_id)
-    session = open_session(db, clinic_id)
+    find_patient(db, patient_id)
+    session = open_session(db)
     if session is not None and session.patient_id == patient_id:
         return session
     if session is not None and session.id != ends:
         raise Conflict(_other_session(db, session))
-    end_session(db, clinic_id)
+    end_session(db)
     last = db.scalar(select(func.max(PatientSession.number)).where(PatientSession.patient_id == patient_id)) or 0
     session = PatientSession(
-        clinic_id=clinic_id,
+        clinic_id=own_clinic_id(db),
         patient_id=patient_id,
         number=last + 1,
         started=utc_now(),
@@ -144,7 +142,7 @@ def _other_session(db: Session, session: PatientSession) -> str:
     count = session_trials(db, session)
     trials = "1 trial" if count == 1 else f"{count} trials"
     return (
-        f"A session of {find_patient(db, session.clinic_id, session.patient_id).code} is open: begun{by} at "
+        f"A session of {find_patient(db, session.patient_id).code} is open: begun{by} at "
         f"{session.started.astimezone():%H:%M}, {trials}. End it first, or confirm that this session ends it."
     )
 
@@ -154,9 +152,9 @@ def session_trials(db: Session, session: PatientSession) -> int:
     return db.scalar(select(func.count(Trial.id)).where(Trial.session_id == session.id, Trial.status == "done")) or 0
 
 
-def end_session(db: Session, clinic_id: int) -> None:
+def end_session(db: Session) -> None:
     """End the open session, if there is one."""
-    session = open_session(db, clinic_id)
+    session = open_session(db)
     if session is not None:
         session.ended = utc_now()
         db.flush()
@@ -192,11 +190,11 @@ def session_progress(db: Session, session: PatientSession) -> tuple[bool, list[s
     return bool(has_profile), list(done)
 
 
-def find_session(db: Session, clinic_id: int, session_id: int) -> PatientSession:
+def find_session(db: Session, session_id: int) -> PatientSession:
     """Return one of the clinic's sessions; the patient is visible and not deleted."""
     missing = f"There is no session {session_id}: choose one of the patient's list."
-    session = own_row(db, PatientSession, clinic_id, session_id, missing)
-    find_patient(db, clinic_id, session.patient_id)
+    session = own_row(db, PatientSession, session_id, missing)
+    find_patient(db, session.patient_id)
     return session
 
 

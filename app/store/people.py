@@ -11,6 +11,7 @@ from app.clock import utc_now
 from app.refusals import Conflict, NotFound
 from app.similar_names import require_distinct
 from app.store.access.person_tables import Person, SignIn
+from app.store.access.visible_patients import own_clinic_id
 from app.store.log import write_log
 from app.store.tables import Clinic
 
@@ -33,9 +34,9 @@ def the_clinic(db: Session) -> Clinic | None:
     return db.scalar(select(Clinic).order_by(Clinic.id).limit(1))
 
 
-def clinic_mark(db: Session, clinic_id: int) -> str:
+def clinic_mark(db: Session) -> str:
     """Return the identity of a clinic, which a restored copy of it shares: see `mark_of`."""
-    return mark_of(f"{db.get_one(Clinic, clinic_id).created:%Y-%m-%d %H:%M:%S.%f}")
+    return mark_of(f"{db.get_one(Clinic, own_clinic_id(db)).created:%Y-%m-%d %H:%M:%S.%f}")
 
 
 def mark_of(created: str) -> str:

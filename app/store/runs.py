@@ -11,7 +11,7 @@ from app.json_values import JsonDocument, JsonValue
 from app.refusals import Conflict
 from app.scoring.interruptions import reason_to_ask
 from app.source import UNKNOWN_SOURCE, Source
-from app.store.access.visible_patients import WITH_DELETED
+from app.store.access.visible_patients import WITH_DELETED, own_clinic_id
 from app.store.own_rows import own_row
 from app.store.tables import PatientSession, Run, Trial
 
@@ -61,7 +61,6 @@ def add_trial(
     db: Session,
     *,
     run: Run,
-    clinic_id: int,
     patient_id: int,
     parameters_id: int,
     floorplan: str,
@@ -76,7 +75,7 @@ def add_trial(
         )
     )
     trial = Trial(
-        clinic_id=clinic_id,
+        clinic_id=own_clinic_id(db),
         patient_id=patient_id,
         session_id=run.session_id,
         parameters_id=parameters_id,
@@ -155,16 +154,14 @@ def _storable(value: JsonValue) -> JsonValue:
     return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
-def find_trial(db: Session, clinic_id: int, trial_id: int) -> Trial:
+def find_trial(db: Session, trial_id: int) -> Trial:
     """Return one of the clinic's trials."""
-    return own_row(db, Trial, clinic_id, trial_id, f"There is no trial {trial_id}: choose one from the list of trials.")
+    return own_row(db, Trial, trial_id, f"There is no trial {trial_id}: choose one from the list of trials.")
 
 
-def trials_of(
-    db: Session, clinic_id: int, patient_id: int, floorplan: str | None = None, path: str | None = None
-) -> list[Trial]:
+def trials_of(db: Session, patient_id: int, floorplan: str | None = None, path: str | None = None) -> list[Trial]:
     """Return a patient's trials, the newest last; of one path only when it is named."""
-    query = select(Trial).where(Trial.clinic_id == clinic_id, Trial.patient_id == patient_id).order_by(Trial.id)
+    query = select(Trial).where(Trial.patient_id == patient_id).order_by(Trial.id)
     if floorplan is not None:
         query = query.where(Trial.floorplan == floorplan)
     if path is not None:
@@ -172,9 +169,9 @@ def trials_of(
     return list(db.scalars(query))
 
 
-def keep_trial(db: Session, clinic_id: int, trial_id: int, discard_reason: str | None) -> Trial:
+def keep_trial(db: Session, trial_id: int, discard_reason: str | None) -> Trial:
     """Keep a trial, or discard it for a reason; its recording stays."""
-    trial = find_trial(db, clinic_id, trial_id)
+    trial = find_trial(db, trial_id)
     if trial.status != "done":
         raise Conflict("This trial is still running: end it first.")
     _require_unlocked(db, trial.session_id)

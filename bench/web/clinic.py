@@ -33,7 +33,7 @@ def furnish_clinic(state: Path) -> list[str]:
     furnish(database)
     with database.transaction() as db:
         clinic = the_clinic(db)
-        session = None if clinic is None else open_session(db, clinic.id)
+        session = None if clinic is None else open_session(db)
         if clinic is None or session is None:
             raise RuntimeError("the clinic of the benchmark was not made")
         parameters, _ = current_parameters(db, session.patient_id)
@@ -42,7 +42,6 @@ def furnish_clinic(state: Path) -> list[str]:
             trial = add_trial(
                 db,
                 run=add_run(db, run, session.id, "drive", run, SIMULATED),
-                clinic_id=clinic.id,
                 patient_id=session.patient_id,
                 parameters_id=parameters.id,
                 floorplan=plan.name,
@@ -52,7 +51,7 @@ def furnish_clinic(state: Path) -> list[str]:
             )
             measures = {"reached": True, "e_diff": 1.0 + math.exp(-number / 5), "time": 60.0 - number}
             finish_trial(db, trial.id, "goal", measures)
-        end_session(db, clinic.id)
+        end_session(db)
         token = sign_in(db, add_person(db, clinic, "Ada", "owner", None), "bench")
     database.close()
     learning = f"learning?floorplan={plan.name}&path={path.name}&source={SIMULATED.group}"

@@ -1,6 +1,8 @@
 """Ids of another clinic: 404, as for ids that do not exist, and a row in the log; for every id of every route."""
 
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import pytest
@@ -16,6 +18,7 @@ from app.features.sharing.service import add_share
 from app.refusals import DiskFull
 from app.speeds import HIGHEST_SPEEDS
 from app.store import tables
+from app.store.access.visible_patients import OWN_CLINIC
 from app.store.chairs import add_chair
 from app.store.keeping.incidents import mark_incident
 from app.store.patient_screens import add_screen
@@ -45,63 +48,73 @@ NUMBERS = {
 }
 
 
+@contextmanager
+def of_clinic(clinic_id: int) -> Iterator[None]:
+    """Let transactions be those of somebody of a clinic."""
+    before = OWN_CLINIC.set(clinic_id)
+    try:
+        yield
+    finally:
+        OWN_CLINIC.reset(before)
+
+
 @pytest.fixture
 def theirs(signed_in: Clinic) -> dict[str, int]:
     """Return the ids of what another clinic has in the same database, by table."""
     with signed_in.database.transaction() as db:
         clinic = add_clinic(db, "Another clinic")
-        patient = add_patient(db, clinic.id, "P-9", "Otter", "")
-        session = start_session(db, clinic.id, patient.id)
-        run = add_run(db, "their-run", session.id, "drive", "their-run")
-        chair = add_chair(db, clinic, "Red", "10.0.0.9", 5354, 1, HIGHEST_SPEEDS)
-        add_screen(db, session.id, "Eve", None)
-        screen = db.query(tables.PatientScreen).one()
-        profile = tables.Profile(
-            patient_id=patient.id, session_id=session.id, version=1, document={}, created=utc_now(), parent=None
-        )
-        db.add(profile)
-        db.flush()
-        parameters = tables.ParameterSet(
-            profile_id=profile.id,
-            title="Set",
-            settings={},
-            hash="0" * 64,
-            created=utc_now(),
-            current=True,
-            abandoned=False,
-        )
-        db.add(parameters)
-        db.flush()
-        trial = add_trial(
-            db,
-            run=run,
-            clinic_id=clinic.id,
-            patient_id=patient.id,
-            parameters_id=parameters.id,
-            floorplan="apartment",
-            floorplan_title="Apartment",
-            path="main",
-            path_points=[[0.0, 0.0]],
-        )
-        trial.status = "done"
-        test = add_interface_test(db, run=run, session=session, parameters_id=parameters.id, plan={})
-        test.status = "done"
-        person = add_person(db, clinic, "Eve", "owner", None)
-        comment = add_comment(db, trial, person.id, 1.0, "Theirs.")
-        give_consent(db, patient.id, "sharing", utc_now().date(), "Eve")
-        link, _ = add_share(db, clinic.id, patient.id, None, "hash", 14, "Eve")
-        return {
-            "person": person.id,
-            "patient": patient.id,
-            "trial": trial.id,
-            "interface_test": test.id,
-            "session": session.id,
-            "chair": chair.id,
-            "patient_screen": screen.id,
-            "incident": mark_incident(db, clinic.id, utc_now(), "0" * 64, [patient.id], None).id,
-            "moment_comment": comment.id,
-            "share_link": link.id,
-        }
+        with of_clinic(clinic.id):
+            patient = add_patient(db, "P-9", "Otter", "")
+            session = start_session(db, patient.id)
+            run = add_run(db, "their-run", session.id, "drive", "their-run")
+            chair = add_chair(db, clinic, "Red", "10.0.0.9", 5354, 1, HIGHEST_SPEEDS)
+            add_screen(db, session.id, "Eve", None)
+            screen = db.query(tables.PatientScreen).one()
+            profile = tables.Profile(
+                patient_id=patient.id, session_id=session.id, version=1, document={}, created=utc_now(), parent=None
+            )
+            db.add(profile)
+            db.flush()
+            parameters = tables.ParameterSet(
+                profile_id=profile.id,
+                title="Set",
+                settings={},
+                hash="0" * 64,
+                created=utc_now(),
+                current=True,
+                abandoned=False,
+            )
+            db.add(parameters)
+            db.flush()
+            trial = add_trial(
+                db,
+                run=run,
+                patient_id=patient.id,
+                parameters_id=parameters.id,
+                floorplan="apartment",
+                floorplan_title="Apartment",
+                path="main",
+                path_points=[[0.0, 0.0]],
+            )
+            trial.status = "done"
+            test = add_interface_test(db, run=run, session=session, parameters_id=parameters.id, plan={})
+            test.status = "done"
+            person = add_person(db, clinic, "Eve", "owner", None)
+            comment = add_comment(db, trial, person.id, 1.0, "Theirs.")
+            give_consent(db, patient.id, "sharing", utc_now().date(), "Eve")
+            link, _ = add_share(db, patient.id, None, "hash", 14, "Eve")
+            return {
+                "person": person.id,
+                "patient": patient.id,
+                "trial": trial.id,
+                "interface_test": test.id,
+                "session": session.id,
+                "chair": chair.id,
+                "patient_screen": screen.id,
+                "incident": mark_incident(db, utc_now(), "0" * 64, [patient.id], None).id,
+                "moment_comment": comment.id,
+                "share_link": link.id,
+            }
 
 
 def test_every_whole_number_of_every_route_is_known_as_an_id_or_as_none(signed_in: Clinic) -> None:
@@ -133,6 +146,18 @@ def test_another_clinics_ids_do_not_exist_here_and_asking_for_one_is_noted(
         ), place.route
         asked.append(place.route)
     assert len(asked) >= 15
+
+
+def test_no_query_finds_what_is_of_another_clinic(signed_in: Clinic, theirs: dict[str, int]) -> None:
+    kinds: list[Any] = [
+        mapper.class_ for mapper in tables.Table.registry.mappers if "clinic_id" in mapper.local_table.columns
+    ]
+    with signed_in.database.reading() as db:
+        both = {kind.__tablename__ for kind in kinds if len({row.clinic_id for row in db.query(kind)} - {1}) > 0}
+    assert both >= {"person", "patient", "session", "trial", "chair", "share_link", "moment_comment", "incident"}
+    with of_clinic(1), signed_in.database.reading() as db:
+        assert {row.clinic_id for kind in kinds for row in db.query(kind)} == {1}
+        assert db.get(tables.Patient, theirs["patient"]) is None
 
 
 def test_a_full_disk_does_not_tell_that_it_exists(

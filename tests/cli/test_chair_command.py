@@ -30,7 +30,7 @@ def in_database(tmp_path, read):
 
 
 def paired(tmp_path):
-    return in_database(tmp_path, lambda db, clinic: [] if clinic is None else chairs_of(db, clinic))
+    return in_database(tmp_path, lambda db, clinic: [] if clinic is None else chairs_of(db))
 
 
 def kept_keys(tmp_path):
@@ -117,7 +117,7 @@ def test_a_clinic_that_is_served_meanwhile_gets_the_chair(bodydrive, tmp_path):
             add_person(db, add_clinic(db, "Clinic"), "Ada", "owner", None)
         assert bodydrive(*BLUE)[0] == 0
         with serving.transaction() as db:
-            assert [chair.name for chair in chairs_of(db, the_clinic(db))] == ["Blue"]
+            assert [chair.name for chair in chairs_of(db)] == ["Blue"]
         serving.close()
 
 

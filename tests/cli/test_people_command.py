@@ -24,7 +24,7 @@ def database(tmp_path):
     with opened.transaction() as db:
         clinic = add_clinic(db, "Clinic")
         add_person(db, clinic, "Ada", "owner", "a hash")
-        add_patient(db, clinic.id, "P-1", "Heron", "")
+        add_patient(db, "P-1", "Heron", "")
     yield opened
     opened.close()
 
@@ -68,9 +68,7 @@ def test_an_owner_who_is_locked_out_gets_a_new_password_while_the_program_runs(b
     assert "does not run" not in out
     with database.transaction() as db:
         accept_invitation(db, find_invited(db, link.partition("#invite=")[2]), "another hash")
-        assert [(one.name, one.role, one.password_hash) for one in people_of(db, 1)] == [
-            ("Ada", "owner", "another hash")
-        ]
+        assert [(one.name, one.role, one.password_hash) for one in people_of(db)] == [("Ada", "owner", "another hash")]
 
 
 def test_disabling_ends_sign_ins_while_the_program_runs(bodydrive, database, tmp_path):
@@ -112,7 +110,7 @@ def test_what_cannot_be_done_is_one_sentence_and_changes_nobody(bodydrive, datab
     assert (code, out, err.count("\n")) == (2, "", 1)
     assert sentence in err
     with database.transaction() as db:
-        assert [(one.name, one.disabled) for one in people_of(db, 1)] == [("Ada", None)]
+        assert [(one.name, one.disabled) for one in people_of(db)] == [("Ada", None)]
 
 
 def test_without_a_clinic_or_beside_a_program_of_another_version_nothing_is_touched(

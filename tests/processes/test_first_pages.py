@@ -55,7 +55,7 @@ def furnish_with_trials(settings: Settings) -> str:
         clinic = the_clinic(db)
         assert clinic is not None
         add_person(db, clinic, "Ada", "owner", None)
-        session = open_session(db, clinic.id)
+        session = open_session(db)
         assert session is not None
         row, _ = current_parameters(db, session.patient_id)
         for number in range(TRIALS):

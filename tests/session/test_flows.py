@@ -57,9 +57,9 @@ def test_a_run_that_cannot_be_noted_is_not_left_running(tmp_path: Any) -> None:
 def test_a_run_whose_end_nobody_answers_is_open_no_more(database: Database, tmp_path: Any, refusal: Exception) -> None:
     """A control process that does not answer is ended (test_control_link.py), and so records no more."""
     with database.transaction() as db:
-        clinic = add_clinic(db, "Clinic")
-        patient = add_patient(db, clinic.id, "P-1", "Heron", "")
-        session = start_session(db, clinic.id, patient.id)
+        add_clinic(db, "Clinic")
+        patient = add_patient(db, "P-1", "Heron", "")
+        session = start_session(db, patient.id)
 
     class SilentControl(FakeControl):
         async def call(self, do: str, **fields: Any) -> dict[str, Any]:
@@ -90,8 +90,8 @@ def test_a_run_is_followed_from_its_beginning_and_no_tick_before_it_is_read(
 ) -> None:
     """A control process that was replaced meanwhile numbers its ticks anew."""
     with database.transaction() as db:
-        clinic = add_clinic(db, "Clinic")
-        session = start_session(db, clinic.id, add_patient(db, clinic.id, "P-1", "Heron", "").id)
+        add_clinic(db, "Clinic")
+        session = start_session(db, add_patient(db, "P-1", "Heron", "").id)
     asked: list[int] = []
 
     class Ticking(FakeControl):

@@ -42,8 +42,8 @@ def interrupted(database: Database, tmp_path: Path) -> tuple[Database, SessionRu
     """A clinic that was killed while it recorded `known`; of `unknown` there is no row yet."""
     runs = tmp_path / "runs"
     with database.transaction() as db:
-        clinic = add_clinic(db, "Clinic")
-        session = start_session(db, clinic.id, add_patient(db, clinic.id, "P-1", "Heron", "").id)
+        add_clinic(db, "Clinic")
+        session = start_session(db, add_patient(db, "P-1", "Heron", "").id)
         add_run(db, "known", session.id, "drive", "known")
         add_run(db, "gone", session.id, "drive", "gone")
         session.ended = utc_now()

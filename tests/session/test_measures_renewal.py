@@ -36,7 +36,7 @@ def database(tmp_path):
 def stored(database: Database, *trials) -> list[int]:
     with database.transaction() as db:
         clinic = add_clinic(db, "A")
-        patient = add_patient(db, clinic.id, "P1", "P. One", "")
+        patient = add_patient(db, "P1", "P. One", "")
         return store_course(db, clinic.id, patient.id, PLAN, [trials])
 
 
@@ -59,12 +59,12 @@ def test_a_trial_that_the_machine_interrupted_counts_when_a_person_says_so(datab
         first, halted = (db.get_one(Trial, each) for each in ids)
         assert (first.kept, first.discard_reason, halted.kept) == (True, None, False)
         assert "halted 3 times, 14 s" in halted.discard_reason
-        task = (halted.clinic_id, halted.patient_id, halted.floorplan, halted.path)
+        task = (halted.patient_id, halted.floorplan, halted.path)
         assert [one.trial.id for one in counted_trials(db, *task)] == [first.id]
         reason = halted.discard_reason
-        keep_trial(db, halted.clinic_id, halted.id, None)
+        keep_trial(db, halted.id, None)
         assert [one.trial.id for one in counted_trials(db, *task)] == ids
-        keep_trial(db, halted.clinic_id, halted.id, reason)  # undone
+        keep_trial(db, halted.id, reason)  # undone
         assert [one.trial.id for one in counted_trials(db, *task)] == [first.id]
 
 
@@ -92,7 +92,7 @@ def test_an_old_trial_that_was_interrupted_is_left_out_until_a_person_says_so(da
     renewed(database, tmp_path, again)
     with database.transaction() as db:
         assert not db.get_one(Trial, trial).kept
-        keep_trial(db, 1, trial, None)
+        keep_trial(db, trial, None)
     renewed(database, tmp_path, {**again, "time": 21.0})  # its measures are of this version: nothing is done
     with database.transaction() as db:
         assert db.get_one(Trial, trial).kept

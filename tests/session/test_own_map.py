@@ -17,16 +17,15 @@ COMMANDS = ("v", "omega", "u1", "u2")
 
 def test_an_old_trial_gives_its_own_commands_and_the_new_map_gives_others(database, tmp_path):
     with database.transaction() as db:
-        clinic = add_clinic(db, "Clinic")
-        patient = add_patient(db, clinic.id, "P-1", "Heron", "")
-        session = start_session(db, clinic.id, patient.id)
+        add_clinic(db, "Clinic")
+        patient = add_patient(db, "P-1", "Heron", "")
+        session = start_session(db, patient.id)
         first = make_parameters()
         save_parameters(db, save_profile(db, patient.id, session.id, first.profile), first)
         row, _ = current_parameters(db, patient.id)
         trial = add_trial(
             db,
             run=add_run(db, "r1", session.id, "drive", "r1"),
-            clinic_id=clinic.id,
             patient_id=patient.id,
             parameters_id=row.id,
             floorplan="room",

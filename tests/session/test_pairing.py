@@ -28,17 +28,17 @@ def paired(db: Session, clinic: Clinic, keys: Path, name: str) -> int:
 def test_each_chair_has_a_key_of_its_own(db: Session, clinic: Clinic, tmp_path: Path) -> None:
     keys = tmp_path / "keys"
     ids = [paired(db, clinic, keys, name) for name in ("Blue", "Red")]
-    assert [chair.key_id for chair in chairs_of(db, clinic)] == [1, 2]
+    assert [chair.key_id for chair in chairs_of(db)] == [1, 2]
     secrets = {read_key(key_file(keys, key_id)).secret for key_id in (1, 2)}
     assert len(secrets) == 2
     assert all(stat.S_IMODE(file.stat().st_mode) == 0o600 for file in keys.iterdir())
-    unpair_chair(db, clinic, keys, ids[0])
-    assert [chair.name for chair in chairs_of(db, clinic)] == ["Red"]
+    unpair_chair(db, keys, ids[0])
+    assert [chair.name for chair in chairs_of(db)] == ["Red"]
     assert [file.name for file in keys.iterdir()] == ["2.key"]
     with pytest.raises(NotFound):
-        find_chair(db, clinic, ids[0])
+        find_chair(db, ids[0])
     assert paired(db, clinic, keys, "Blue") == ids[1] + 1
-    assert chairs_of(db, clinic)[-1].key_id == 3
+    assert chairs_of(db)[-1].key_id == 3
 
 
 def test_a_key_that_an_interrupted_pairing_left_is_not_written_over(
@@ -46,7 +46,7 @@ def test_a_key_that_an_interrupted_pairing_left_is_not_written_over(
 ) -> None:
     (tmp_path / "1.key").write_text("left")
     paired(db, clinic, tmp_path, "Blue")
-    assert chairs_of(db, clinic)[0].key_id == 2
+    assert chairs_of(db)[0].key_id == 2
     assert (tmp_path / "1.key").read_text() == "left"
 
 

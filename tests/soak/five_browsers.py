@@ -42,11 +42,11 @@ def furnish(state: Path) -> None:
         for name, role in PEOPLE.items():
             add_person(db, clinic, name, role, hashed)
         for code, pseudonym in PATIENTS.items():
-            patient = add_patient(db, clinic.id, code, pseudonym, "")
-            session = start_session(db, clinic.id, patient.id)
+            patient = add_patient(db, code, pseudonym, "")
+            session = start_session(db, patient.id)
             row = save_profile(db, patient.id, session.id, profile, simulated=True)
             save_parameters(db, row, standard_parameters(profile))
-            end_session(db, clinic.id)
+            end_session(db)
     database.close()
 
 

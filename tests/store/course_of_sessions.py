@@ -47,7 +47,6 @@ def store_course(
             trial = add_trial(
                 db,
                 run=add_run(db, run, session.id, "drive", run, source),
-                clinic_id=clinic_id,
                 patient_id=patient_id,
                 parameters_id=row.id,
                 floorplan=plan.name,

@@ -19,14 +19,14 @@ def test_worn_simulated_and_unknown_trials_are_never_material_together(
     db: Session, profile: CalibrationProfile
 ) -> None:
     """Safety S26: a movement that nobody made does not change the map of a person, nor the other way round."""
-    patient = add_patient(db, add_clinic(db, "Clinic").id, "P-1", "Heron", "")
-    session = start_session(db, patient.clinic_id, patient.id)
+    add_clinic(db, "Clinic")
+    patient = add_patient(db, "P-1", "Heron", "")
+    session = start_session(db, patient.id)
     save_parameters(db, save_profile(db, patient.id, session.id, profile), standard_parameters(profile))
     for name, source in (("worn", WORN), ("simulated", SIMULATED), ("unknown", UNKNOWN_SOURCE)):
         trial = add_trial(
             db,
             run=add_run(db, name, session.id, "drive", name, source),
-            clinic_id=patient.clinic_id,
             patient_id=patient.id,
             parameters_id=current_parameters(db, patient.id)[0].id,
             floorplan="hall",

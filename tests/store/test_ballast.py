@@ -39,7 +39,7 @@ def add_without_end(database: Database) -> None:
     while True:
         with database.transaction() as db:
             for _ in range(50):
-                add_patient(db, 1, os.urandom(8).hex(), "Heron", "n" * 2000)
+                add_patient(db, os.urandom(8).hex(), "Heron", "n" * 2000)
 
 
 def test_a_session_ends_and_people_sign_out_on_a_full_disk(disk: Path) -> None:
@@ -49,18 +49,18 @@ def test_a_session_ends_and_people_sign_out_on_a_full_disk(disk: Path) -> None:
     assert database.ballast.file.stat().st_blocks * 512 >= SIZE
     with database.transaction() as db:
         clinic = add_clinic(db, "Clinic")
-        start_session(db, clinic.id, add_patient(db, clinic.id, "P-1", "Heron", "").id)
+        start_session(db, add_patient(db, "P-1", "Heron", "").id)
         token = sign_in(db, add_person(db, clinic, "Ada", "owner", None), "password")
     fill_all(database, disk)
 
     with database.transaction(closing=True) as db:
-        end_session(db, clinic.id)
+        end_session(db)
         write_log(db, "Ada", "session ended")
     with database.transaction(closing=True) as db:
         assert sign_out(db, token) is not None
     assert SIZE - 2 * PART <= database.ballast.size < SIZE
     with database.transaction() as db:  # what was written is readable
-        assert open_session(db, clinic.id) is None
+        assert open_session(db) is None
         assert signed_in(db, token) is None
         assert db.execute(text("PRAGMA integrity_check")).scalar() == "ok"
     assert verify_log(file).whole

@@ -56,20 +56,20 @@ def test_a_patient_of_no_clinic_is_refused(tmp_path: Path) -> None:
     database.close()
 
 
-def add_many_patients(database: Database, clinic_id: int) -> None:
+def add_many_patients(database: Database) -> None:
     with database.transaction() as db:
         for number in range(100):
-            add_patient(db, clinic_id, f"P-{number}", "Heron", "n" * 2000)
+            add_patient(db, f"P-{number}", "Heron", "n" * 2000)
 
 
 def test_a_full_disk_is_a_refusal_in_a_sentence_and_what_was_there_stays(tmp_path: Path) -> None:
     database = Database(tmp_path / "a.sqlite")
     with database.transaction() as db:
-        clinic = add_clinic(db, "Kept")
+        add_clinic(db, "Kept")
         pages = db.execute(text("PRAGMA page_count")).scalar_one()
         db.execute(text(f"PRAGMA max_page_count = {pages + 1}"))  # of this connection, which the pool keeps
     with pytest.raises(DiskFull, match="make room"):
-        add_many_patients(database, clinic.id)
+        add_many_patients(database)
     with database.transaction() as db:
         assert db.query(Patient).count() == 0
         assert [kept.name for kept in db.query(Clinic)] == ["Kept"]
@@ -93,14 +93,14 @@ def test_a_database_that_another_program_holds_is_a_refusal(tmp_path: Path, monk
 def test_who_reads_waits_for_nobody_and_sees_what_was_committed(tmp_path: Path) -> None:
     database = Database(tmp_path / "a.sqlite")
     with database.transaction() as db:
-        clinic = add_clinic(db, "Kept")
+        add_clinic(db, "Kept")
         db.flush()
         with database.reading() as beside:
             assert beside.query(Clinic).count() == 0
     with database.reading() as beside:
         assert beside.query(Clinic).count() == 1
         with database.transaction() as db:
-            add_patient(db, clinic.id, "P-1", "Heron", "")
+            add_patient(db, "P-1", "Heron", "")
         assert beside.query(Patient).count() == 0
     database.close()
 

@@ -28,7 +28,7 @@ def patient(db: Session) -> Patient:
     clinic = Clinic(name="Clinic", created=utc_now(), unused=[])
     db.add(clinic)
     db.flush()
-    return add_patient(db, clinic.id, "P-1", "Heron", "")
+    return add_patient(db, "P-1", "Heron", "")
 
 
 def add_session(db: Session, patient: Patient, number: int) -> PatientSession:
@@ -57,7 +57,6 @@ def drive(
     trial = add_trial(
         db,
         run=add_run(db, run, session.id, "drive", run, source),
-        clinic_id=patient.clinic_id,
         patient_id=patient.id,
         parameters_id=current_parameters(db, patient.id)[0].id,
         floorplan="clinic",
@@ -79,7 +78,7 @@ def test_each_trial_names_its_session_and_the_version_of_its_map(
     two = drive(db, patient, second, "b", {"dist": 11.0})
     save_profile(db, patient.id, second.id, profile, origin="back", parent=2, difference={})
     three = drive(db, patient, second, "c", {"dist": 10.0})
-    rows = [trial.row() for trial in counted_trials(db, patient.clinic_id, patient.id, "clinic", "corridor")]
+    rows = [trial.row() for trial in counted_trials(db, patient.id, "clinic", "corridor")]
     assert [(row["id"], row["number"], row["session"], row["profile_version"], row["origin"]) for row in rows] == [
         (one, 1, 1, 1, "calibration"),
         (two, 2, 2, 2, "adaptation"),
@@ -95,12 +94,11 @@ def test_only_measured_and_kept_trials_of_this_path_count(
     save_profile(db, patient.id, session.id, profile)
     drive(db, patient, session, "a", None)
     discarded = drive(db, patient, session, "b", {"dist": 11.0})
-    keep_trial(db, patient.clinic_id, discarded, "tired")
+    keep_trial(db, discarded, "tired")
     kept = drive(db, patient, session, "c", {"dist": 10.0})
-    found = counted_trials(db, patient.clinic_id, patient.id, "clinic", "corridor")
+    found = counted_trials(db, patient.id, "clinic", "corridor")
     assert [one.trial.id for one in found] == [kept]
-    assert counted_trials(db, patient.clinic_id, patient.id, "clinic", "other") == []
-    assert counted_trials(db, patient.clinic_id + 1, patient.id, "clinic", "corridor") == []
+    assert counted_trials(db, patient.id, "clinic", "other") == []
 
 
 def test_the_first_three_of_a_task_and_source_are_for_getting_used_to_it(
@@ -115,34 +113,34 @@ def test_the_first_three_of_a_task_and_source_are_for_getting_used_to_it(
         source = worn if place == 2 else UNKNOWN_SOURCE
         measures = None if place == 6 else {"dist": 10.0}
         ids.append(drive(db, patient, sessions[place > 1], f"run{place}", measures, source))
-    keep_trial(db, patient.clinic_id, ids[0], "tired")  # it was practice all the same
-    found = counted_trials(db, patient.clinic_id, patient.id, "clinic", "corridor")
+    keep_trial(db, ids[0], "tired")  # it was practice all the same
+    found = counted_trials(db, patient.id, "clinic", "corridor")
     assert [one.trial.id for one in found if one.familiarisation] == [ids[1], ids[2], ids[3]]
-    compared = compared_trials(trials_of(db, patient.clinic_id, patient.id))
+    compared = compared_trials(trials_of(db, patient.id))
     assert compared == {one.trial.id for one in found if not one.familiarisation} == {ids[4], ids[5], ids[7]}
 
 
 def test_everybody_is_every_patient_but_the_deleted_with_numbers_only(
     db: Session, patient: Patient, profile: CalibrationProfile
 ) -> None:
-    people = [patient, *(add_patient(db, patient.clinic_id, f"P-{i}", "Otter", "") for i in (2, 3))]
+    people = [patient, *(add_patient(db, f"P-{i}", "Otter", "") for i in (2, 3))]
     for place, person in enumerate(people):
         session = add_session(db, person, 4)
         save_profile(db, person.id, session.id, profile)
         drive(db, person, session, f"run{place}", {"dist": 10.0 + place})
     people[2].deleted = utc_now()
     db.flush()
-    assert trials_of_everybody(db, patient.clinic_id, "clinic", "corridor", "unknown") == {}  # nobody has consented
+    assert trials_of_everybody(db, "clinic", "corridor", "unknown") == {}  # nobody has consented
     assert prior_consents(db, "unknown") == frozenset()
     for person in people:
         give_consent(db, person.id, "clinic_prior", utc_now().date(), "Ada")
     assert prior_consents(db, "unknown") == {person.id for person in people}
-    found = trials_of_everybody(db, patient.clinic_id, "clinic", "corridor", "unknown")
+    found = trials_of_everybody(db, "clinic", "corridor", "unknown")
     assert found == {
         person.id: [{"id": own, "number": 1, "session": 4, "familiarisation": True, "dist": 9.0 + own}]
         for own, person in enumerate(people[:2], start=1)
     }
-    assert trials_of_everybody(db, patient.clinic_id, "clinic", "corridor", "worn") == {}
+    assert trials_of_everybody(db, "clinic", "corridor", "worn") == {}
     assert count_of_everybody(db, "clinic", "corridor") == 3
 
 
@@ -154,6 +152,6 @@ def test_a_patients_trials_in_a_task_are_found_without_reading_everybodys(db: Se
         plans.extend(row[-1] for row in rows if " trial " in row[-1])
 
     event.listen(db.get_bind(), "before_cursor_execute", explain)
-    counted_trials(db, patient.clinic_id, patient.id, "clinic", "corridor")
+    counted_trials(db, patient.id, "clinic", "corridor")
     assert len(plans) == 1
     assert "(patient_id=? AND floorplan=? AND path=?" in plans[0]

@@ -21,8 +21,9 @@ class PatientMaps:
 
     def __init__(self, db: Session, profile: CalibrationProfile) -> None:
         self.db = db
-        self.patient: Patient = add_patient(db, add_clinic(db, "Clinic").id, "P-1", "Heron", "")
-        self.session: PatientSession = start_session(db, self.patient.clinic_id, self.patient.id)
+        add_clinic(db, "Clinic")
+        self.patient: Patient = add_patient(db, "P-1", "Heron", "")
+        self.session: PatientSession = start_session(db, self.patient.id)
         self.calibrate(profile)
 
     def calibrate(self, profile: CalibrationProfile) -> None:
@@ -61,7 +62,6 @@ class PatientMaps:
         return add_trial(
             self.db,
             run=run,
-            clinic_id=self.patient.clinic_id,
             patient_id=self.patient.id,
             parameters_id=current_parameters(self.db, self.patient.id)[0].id,
             floorplan="hall",

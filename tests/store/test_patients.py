@@ -38,58 +38,52 @@ from app.store.patients import (
     start_session,
 )
 from app.store.people import add_clinic
-from app.store.runs import add_run, add_trial, close_interrupted_trials, find_trial, finish_trial, keep_trial
+from app.store.runs import add_run, add_trial, close_interrupted_trials, finish_trial, keep_trial
 from app.store.tables import Patient, Trial
 
 
 @pytest.fixture
 def patient(db: Session) -> Patient:
-    return add_patient(db, add_clinic(db, "Clinic").id, "P-1", "Heron", "")
+    add_clinic(db, "Clinic")
+    return add_patient(db, "P-1", "Heron", "")
 
 
 def test_a_deleted_patient_comes_back_whole(db: Session, patient: Patient) -> None:
-    clinic = patient.clinic_id
-    delete_patient(db, clinic, patient.id)
-    assert all_patients(db, clinic) == []
+    delete_patient(db, patient.id)
+    assert all_patients(db) == []
     with pytest.raises(NotFound):
-        find_patient(db, clinic, patient.id)
+        find_patient(db, patient.id)
     with pytest.raises(Conflict, match="deleted patient"):
-        add_patient(db, clinic, "P-1", "Other", "")
-    assert restore_patient(db, clinic, patient.id).pseudonym == "Heron"
-    assert all_patients(db, clinic) == [patient]
-
-
-def test_another_clinic_does_not_see_the_patient(db: Session, patient: Patient) -> None:
-    with pytest.raises(NotFound):
-        find_patient(db, patient.clinic_id + 1, patient.id)
+        add_patient(db, "P-1", "Other", "")
+    assert restore_patient(db, patient.id).pseudonym == "Heron"
+    assert all_patients(db) == [patient]
 
 
 def test_one_session_at_a_time_counted_per_patient(db: Session, patient: Patient) -> None:
-    clinic = patient.clinic_id
-    first = start_session(db, clinic, patient.id)
-    assert start_session(db, clinic, patient.id) is first
+    first = start_session(db, patient.id)
+    assert start_session(db, patient.id) is first
     with pytest.raises(Conflict, match="end it first"):
-        delete_patient(db, clinic, patient.id)
-    other = add_patient(db, clinic, "P-2", "Otter", "")
+        delete_patient(db, patient.id)
+    other = add_patient(db, "P-2", "Otter", "")
     with pytest.raises(Conflict, match=r"^A session of P-1 is open: begun at \d\d:\d\d, 0 trials\. End it first"):
-        start_session(db, clinic, other.id)
+        start_session(db, other.id)
     assert first.ended is None
-    assert start_session(db, clinic, other.id, ends=first.id).number == 1
+    assert start_session(db, other.id, ends=first.id).number == 1
     assert first.ended is not None
-    end_session(db, clinic)
-    assert open_session(db, clinic) is None
-    second = start_session(db, clinic, patient.id)
+    end_session(db)
+    assert open_session(db) is None
+    second = start_session(db, patient.id)
     assert second.number == 2
-    figures = patient_figures(db, [patient, other, never := add_patient(db, clinic, "P-3", "Wren", "")])
+    figures = patient_figures(db, [patient, other, never := add_patient(db, "P-3", "Wren", "")])
     assert figures[patient.id] == (2, 0, second.started)
     assert figures[other.id][:2] == (1, 0)
     assert figures[never.id] == (0, 0, None)
     never.deleted = never.created
-    assert [p.code for p in all_patients(db, clinic)] == ["P-1", "P-2"]
+    assert [p.code for p in all_patients(db)] == ["P-1", "P-2"]
 
 
 def test_controls_undo_redo_and_names(db: Session, patient: Patient, profile: CalibrationProfile) -> None:
-    session = start_session(db, patient.clinic_id, patient.id)
+    session = start_session(db, patient.id)
     with pytest.raises(Conflict, match="Nothing is calibrated"):
         current_parameters(db, patient.id)
     row = save_profile(db, patient.id, session.id, profile)
@@ -118,7 +112,7 @@ def test_controls_undo_redo_and_names(db: Session, patient: Patient, profile: Ca
 
 
 def test_calibration_steps_survive_and_interrupted_ones_say_so(db: Session, patient: Patient) -> None:
-    session = start_session(db, patient.clinic_id, patient.id)
+    session = start_session(db, patient.id)
     begin_calibration(db, session, {"steps": []}, ["rest", "free"])
     add_run(db, "r1", session.id, "rest", "r1")
     set_step(db, session.id, "rest", "done", "", "r1")
@@ -134,13 +128,12 @@ def test_calibration_steps_survive_and_interrupted_ones_say_so(db: Session, pati
 
 
 def new_trial(db: Session, patient: Patient, run_id: str, parameters_id: int, **which: Any) -> Trial:
-    session = start_session(db, patient.clinic_id, patient.id)
+    session = start_session(db, patient.id)
     run = add_run(db, run_id, session.id, "drive", run_id)
     place = {"floorplan": "clinic", "path": "long", **which}
     return add_trial(
         db,
         run=run,
-        clinic_id=patient.clinic_id,
         patient_id=patient.id,
         parameters_id=parameters_id,
         floorplan_title="Clinic",
@@ -152,20 +145,18 @@ def new_trial(db: Session, patient: Patient, run_id: str, parameters_id: int, **
 def test_trials_are_numbered_per_path_and_can_be_discarded(
     db: Session, patient: Patient, profile: CalibrationProfile
 ) -> None:
-    session = start_session(db, patient.clinic_id, patient.id)
+    session = start_session(db, patient.id)
     save_profile(db, patient.id, session.id, profile)
     parameters = current_parameters(db, patient.id)[0].id
     first = new_trial(db, patient, "a", parameters)
     with pytest.raises(Conflict, match="end it first"):
-        keep_trial(db, patient.clinic_id, first.id, "tired")
+        keep_trial(db, first.id, "tired")
     finish_trial(db, first.id, "goal", {"dist": 10.0, "sparc": float("nan")})
     assert first.measures == {"dist": 10.0, "sparc": None}
     assert new_trial(db, patient, "b", parameters).number == 2
     assert new_trial(db, patient, "c", parameters, path="short").number == 1
     assert [trial.end for trial in close_interrupted_trials(db)] == ["fault", "fault"]
     assert patient_figures(db, [patient])[patient.id].trials == 3
-    keep_trial(db, patient.clinic_id, first.id, "tired")
+    keep_trial(db, first.id, "tired")
     assert patient_figures(db, [patient])[patient.id].trials == 2
-    assert keep_trial(db, patient.clinic_id, first.id, None).discard_reason is None
-    with pytest.raises(NotFound):
-        find_trial(db, patient.clinic_id + 1, first.id)
+    assert keep_trial(db, first.id, None).discard_reason is None

@@ -42,9 +42,9 @@ def migrated(file: Path, revision: str = "head") -> Path:
 def file(database: Database, tmp_path: Path) -> Path:
     """Return the database of a clinic with some patients, of this program's schema."""
     with database.transaction() as db:
-        clinic = add_clinic(db, "Old")
+        add_clinic(db, "Old")
         for number in range(PATIENTS):
-            add_patient(db, clinic.id, f"P-{number}", "Heron", "n" * 2000)
+            add_patient(db, f"P-{number}", "Heron", "n" * 2000)
     database.close()
     return tmp_path / "clinic.sqlite"
 

@@ -45,7 +45,7 @@ def filled(tmp_path_factory: pytest.TempPathFactory) -> Path:
     settings = make_clinic(tmp_path_factory.mktemp("clinic"))
     with closing(Database(settings.database)) as database, database.transaction() as db:
         for word in ("Zebra", "Heron"):
-            fill(db, add_patient(db, 1, f"{word}-code", f"{word} pseudonym", f"{word} note"), word)
+            fill(db, add_patient(db, f"{word}-code", f"{word} pseudonym", f"{word} note"), word)
         add_person(db, known_clinic(db), "Rita", "reviewer", None, patients=[1, 2])
         write_log(db, "Ada", "patient added", patient=2)
     return settings.database

@@ -130,14 +130,14 @@ def propose_task(
     counting trials reached the goal without contact and none is worse than noise.
     """
     with database.transaction() as db:
-        find_patient(db, who.clinic_id, patient_id)
+        find_patient(db, patient_id)
         log_viewing(db, who.name, patient_id)
-        trials = [_past(trial) for trial in trials_of(db, who.clinic_id, patient_id) if trial.status == "done"]
+        trials = [_past(trial) for trial in trials_of(db, patient_id) if trial.status == "done"]
 
     def _is_worse(floorplan: str, path: str) -> bool:
         with database.reading() as db:
-            counted = counted_trials(db, who.clinic_id, patient_id, floorplan, path)
-        clinic = spread.of_others(Task(who.clinic_id, floorplan, path, source), patient_id)
+            counted = counted_trials(db, patient_id, floorplan, path)
+        clinic = spread.of_others(Task(floorplan, path, source), patient_id)
         rows = [one.row() for one in counted if one.group == source]
         return computing.ask(is_worse_than_noise, rows, clinic)
 

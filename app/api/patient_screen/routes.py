@@ -106,9 +106,9 @@ class PatientScreens:
     session_flow: SessionFlow
     pictures: ScreenPictures
 
-    async def view(self, clinic_id: int) -> ScreensView:
+    async def view(self) -> ScreensView:
         """Return the screens, and what they show; Conflict without a session."""
-        session = await self.session_flow.needed_session(clinic_id)
+        session = await self.session_flow.needed_session()
         connected, shown_now = self.sockets.screens(), self.pictures.patients()
 
         def read() -> ScreensView:
@@ -132,10 +132,10 @@ PairedScreens = Annotated[PatientScreens, Depends(parts_for(PatientScreens))]
 
 
 @router.get("")
-async def look(who: Clinician, paired: PairedScreens) -> ScreensView:
+async def look(_who: Clinician, paired: PairedScreens) -> ScreensView:
     """Return the screens of this session; none without a session."""
     try:
-        return await paired.view(who.clinic_id)
+        return await paired.view()
     except Conflict:
         return ScreensView(screens=[], settings=ScreenSettings())
 
@@ -152,7 +152,7 @@ async def offer(
 
     `words`: when only this machine can open the link.
     """
-    session: PatientSession = await session_flow.needed_session(who.clinic_id)
+    session: PatientSession = await session_flow.needed_session()
     made = pairing.offer(session.id, who.name)
     address = await asyncio.to_thread(own_address, settings, request)
     # The part behind # is not sent to a server, so it appears in no log.
@@ -217,7 +217,7 @@ def who_am_i(request: Request, database: Db) -> ScreenStateView:
 @router.post("/settings")
 async def choose(
     body: ScreenSettings,
-    who: ClinicianInSession,
+    _who: ClinicianInSession,
     paired: PairedScreens,
     database: Db,
     session_flow: SessionFlowPart,
@@ -225,7 +225,7 @@ async def choose(
     patient_picture: PatientPicturePart,
 ) -> ScreensView:
     """Choose what the screens of this session show; stored until the session ends."""
-    session = await session_flow.needed_session(who.clinic_id)
+    session = await session_flow.needed_session()
 
     def _write() -> None:
         with database.transaction() as db:
@@ -234,7 +234,7 @@ async def choose(
     await run_in_threadpool(_write)
     patient_picture.settings = body
     live.tell("screens")
-    return await paired.view(who.clinic_id)
+    return await paired.view()
 
 
 @router.delete("/{screen_id}")
@@ -251,10 +251,10 @@ async def unpair(
 
     def _unpair() -> None:
         with database.transaction(closing=True) as db:
-            unpair_screen(db, who.clinic_id, screen_id, who.name)
+            unpair_screen(db, screen_id, who.name)
 
     await run_in_threadpool(_unpair)
     pictures.unpair(screen_id)
     await sockets.close_ended_screens()
     live.tell("screens")
-    return await paired.view(who.clinic_id)
+    return await paired.view()

@@ -89,7 +89,7 @@ def open_replay(
     """
     refuse_while_driving(trial_flow, drive_flow)
     with database.reading() as db:
-        trial = find_trial(db, who.clinic_id, body.trial)
+        trial = find_trial(db, body.trial)
     require_ended(trial)
     word = replays.add(who.person_id, lambda: _replay_of(settings, computing, runs, trial))
     with database.transaction(closing=True) as db:  # nothing is shown yet: the word has not been answered

@@ -32,7 +32,7 @@ def trial_timeline(
     length. 404 for an unreadable recording, 409 while the trial runs.
     """
     with database.reading() as db:
-        trial = find_trial(db, who.clinic_id, trial_id)
+        trial = find_trial(db, trial_id)
     require_ended(trial)
     folder = runs.folder_of(trial.run_id)
     try:

@@ -150,9 +150,9 @@ class AdaptationState:
     session_flow: SessionFlow
     flow: AdaptationFlow
 
-    async def view(self, clinic_id: int) -> AdaptationView:
+    async def view(self) -> AdaptationView:
         """Return the proposal to adapt the map, or why there is none."""
-        session = await self.session_flow.needed_session(clinic_id)
+        session = await self.session_flow.needed_session()
 
         def read() -> AdaptationView:
             with self.database.reading() as db:
@@ -165,29 +165,29 @@ State = Annotated[AdaptationState, Depends(parts_for(AdaptationState))]
 
 
 @router.get("/adaptation")
-async def look(who: Anyone, state: State) -> AdaptationView:
+async def look(_who: Anyone, state: State) -> AdaptationView:
     """Return the proposal to adapt the map, or why there is none.
 
     `why`: there is no proposal or nothing to apply; `refusal`: nothing may be applied now; `practised`: kept trials
     with exactly this set. In a proposal, null where the movements said nothing; `applied` of a joint means: in what
     would be armed; `words`: why it was not applied by itself.
     """
-    return await state.view(who.clinic_id)
+    return await state.view()
 
 
 @router.put("/adaptation")
 async def choose_mode(body: AdaptationModeChoice, who: ClinicianInSession, state: State) -> AdaptationView:
     """Choose whether this patient's map is adapted: off, suggest, or auto (by itself, between trials)."""
-    session = await state.session_flow.needed_session(who.clinic_id)
+    session = await state.session_flow.needed_session()
     await state.flow.set_mode(session, body.mode, who.name)
-    return await state.view(who.clinic_id)
+    return await state.view()
 
 
 @router.post("/adaptation/propose")
-async def propose(who: ClinicianInSession, state: State) -> AdaptationView:
+async def propose(_who: ClinicianInSession, state: State) -> AdaptationView:
     """Make a proposal from the last trials now, whatever the mode is."""
-    await state.flow.propose(await state.session_flow.needed_session(who.clinic_id))
-    return await state.view(who.clinic_id)
+    await state.flow.propose(await state.session_flow.needed_session())
+    return await state.view()
 
 
 @router.post("/adaptation/apply")
@@ -196,15 +196,15 @@ async def apply(body: ProposalChoice, who: ClinicianInSession, state: State) -> 
 
     409 while anything is driven, armed or moves, with a real chair chosen, or when controls or trials changed since.
     """
-    await state.flow.apply(who.clinic_id, body.proposal, who.name)
-    return await state.view(who.clinic_id)
+    await state.flow.apply(body.proposal, who.name)
+    return await state.view()
 
 
 @router.post("/adaptation/dismiss")
-async def dismiss(body: ProposalChoice, who: ClinicianInSession, state: State) -> AdaptationView:
+async def dismiss(body: ProposalChoice, _who: ClinicianInSession, state: State) -> AdaptationView:
     """Dismiss a proposal; 409 as for `apply`."""
-    await state.flow.dismiss(await state.session_flow.needed_session(who.clinic_id), body.proposal)
-    return await state.view(who.clinic_id)
+    await state.flow.dismiss(await state.session_flow.needed_session(), body.proposal)
+    return await state.view()
 
 
 @router.post("/adaptation/back")
@@ -213,14 +213,14 @@ async def back(who: ClinicianInSession, state: State) -> AdaptationView:
 
     409 as for `apply`. The mode `auto` becomes `suggest`.
     """
-    await state.flow.back(who.clinic_id, who.name)
-    return await state.view(who.clinic_id)
+    await state.flow.back(who.name)
+    return await state.view()
 
 
 @router.get("/patients/{patient_id}/maps")
 def list_maps(patient_id: RowId, who: Anyone, database: Db) -> list[MapView]:
     """List the versions of a patient's map, the newest first."""
     with database.transaction(closing=True) as db:
-        find_patient(db, who.clinic_id, patient_id)
+        find_patient(db, patient_id)
         log_viewing(db, who.name, patient_id)
         return [MapView.of(version) for version in versions_of(db, patient_id)]

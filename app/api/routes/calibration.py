@@ -56,75 +56,77 @@ async def _view(calibration_flow: CalibrationFlow, session: PatientSession) -> C
 
 
 @router.get("")
-async def look(who: Clinician, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart) -> CalibrationView:
+async def look(
+    _who: Clinician, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+) -> CalibrationView:
     """Return the state of the calibration.
 
     All routes of the calibration give this answer. `others`: people known in this shirt, 0 when too few; `earlier`: the
     patient's calibration in this kind of shirt, null once this session's has a result.
     """
-    return await _view(calibration_flow, await session_flow.needed_session(who.clinic_id))
+    return await _view(calibration_flow, await session_flow.needed_session())
 
 
 @router.get("/gestures")
-async def gestures(who: Clinician, discoveries: DiscoveriesPart, session_flow: SessionFlowPart) -> Discovery:
+async def gestures(_who: Clinician, discoveries: DiscoveriesPart, session_flow: SessionFlowPart) -> Discovery:
     """Return all gestures of the calibration under way, or else of the newest accepted one.
 
     The best first (docs/learning/gestures.md). `weakest`: the number furthest beyond its limit; `effort` in FS; null:
     not measured. `source` `profile`: the recordings are gone. 409 when nothing is calibrated.
     """
-    session = await session_flow.needed_session(who.clinic_id)
+    session = await session_flow.needed_session()
     return await asyncio.to_thread(discoveries.of_session, session.id)
 
 
 @router.post("/steps/{step}/start")
 async def start_step(
-    step: StepName, who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+    step: StepName, _who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Record a step, for the first time or again."""
     async with session_flow.undisturbed("start a step"):
-        session = await session_flow.needed_session(who.clinic_id)
+        session = await session_flow.needed_session()
         await calibration_flow.start(session.id, step)
     return await _view(calibration_flow, session)
 
 
 @router.post("/steps/{step}/cancel")
 async def cancel_step(
-    step: StepName, who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+    step: StepName, _who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Stop recording a step."""
-    session = await session_flow.needed_session(who.clinic_id)
+    session = await session_flow.needed_session()
     await calibration_flow.cancel(session.id, step)
     return await _view(calibration_flow, session)
 
 
 @router.post("/steps/{step}/skip")
 async def skip_step(
-    step: StepName, who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+    step: StepName, _who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Skip a prompted movement that this patient cannot make."""
     async with session_flow.undisturbed("skip a step"):
-        session = await session_flow.needed_session(who.clinic_id)
+        session = await session_flow.needed_session()
         await calibration_flow.skip(session.id, step)
     return await _view(calibration_flow, session)
 
 
 @router.post("/go")
 async def go_to_step(
-    body: StepChoice, who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+    body: StepChoice, _who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Show another step."""
-    session = await session_flow.needed_session(who.clinic_id)
+    session = await session_flow.needed_session()
     await calibration_flow.go(session.id, body.step)
     return await _view(calibration_flow, session)
 
 
 @router.post("/restart")
 async def begin_anew(
-    who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+    _who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Begin the calibration anew; earlier recordings no longer count."""
     async with session_flow.undisturbed("begin anew"):
-        session = await session_flow.needed_session(who.clinic_id)
+        session = await session_flow.needed_session()
         await calibration_flow.restart(session.id)
     return await _view(calibration_flow, session)
 
@@ -132,7 +134,7 @@ async def begin_anew(
 @router.post("/map")
 async def choose(
     body: MapChoice,
-    who: ClinicianInSession,
+    _who: ClinicianInSession,
     database: Db,
     calibration_flow: CalibrationFlowPart,
     session_flow: SessionFlowPart,
@@ -143,7 +145,7 @@ async def choose(
     409 where the map is not offered.
     """
     async with session_flow.undisturbed("choose a calibration"):
-        session = await session_flow.needed_session(who.clinic_id)
+        session = await session_flow.needed_session()
         if calibration_flow.running:
             raise Conflict("A step is being recorded, or the calibration is being worked out: wait for its end.")
         await asyncio.to_thread(choose_map, database, session.id, body.joint, body.map)
@@ -166,7 +168,7 @@ async def say_how_it_sits(
     sits as on other people. A new free movement forgets it.
     """
     async with session_flow.undisturbed("say how the shirt sits"):
-        session = await session_flow.needed_session(who.clinic_id)
+        session = await session_flow.needed_session()
         if calibration_flow.running:
             raise Conflict("A step is being recorded, or the calibration is being worked out: wait for its end.")
         await asyncio.to_thread(override_rotation, database, session.id, body.joint, who.name, is_right=body.is_right)
@@ -188,7 +190,7 @@ async def drive_now(
     409 before rest and free movement, or with fewer than four other people.
     """
     async with session_flow.undisturbed("drive now"):
-        session = await session_flow.needed_session(who.clinic_id)
+        session = await session_flow.needed_session()
         await calibration_flow.fit_from_others(session.id)
         await _accept(who, database, calibration_flow, session_flow, session)
         await calibration_flow.learn(session.id)
@@ -206,7 +208,7 @@ async def fit_earlier(
     409 before rest and free movement, without an earlier calibration in this shirt, or with a ring turned since.
     """
     async with session_flow.undisturbed("fit the calibration"):
-        session = await session_flow.needed_session(who.clinic_id)
+        session = await session_flow.needed_session()
         await calibration_flow.fit_earlier(session.id, who.name)
         await session_flow.try_load_parameters()
     for event in ("calibration", "controls", "adaptation"):
@@ -224,7 +226,7 @@ async def accept(
 ) -> CalibrationView:
     """Save the profile as the patient's newest, and load standard parameters on it."""
     async with session_flow.undisturbed("use this calibration"):
-        session = await session_flow.needed_session(who.clinic_id)
+        session = await session_flow.needed_session()
         await _accept(who, database, calibration_flow, session_flow, session)
         await calibration_flow.learn(session.id)
     for event in ("calibration", "controls", "session"):

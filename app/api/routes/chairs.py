@@ -17,7 +17,7 @@ from app.session.equipment.chairs import Chairs, Dynamics
 from app.session.equipment.pairing import pair_chair, unpair_chair
 from app.speeds import Speeds
 from app.store.chairs import chairs_of, find_chair
-from app.store.database import Database, Transaction
+from app.store.database import Database
 from app.store.log import write_log
 from app.store.tables import Clinic, PairedChair
 
@@ -68,10 +68,10 @@ class PairedView(ChairsView):
     qr: str
 
 
-async def _view(database: Database, chairs: Chairs, who: SignedInPerson) -> ChairsView:
+async def _view(database: Database, chairs: Chairs) -> ChairsView:
     def _read() -> list[ChairView]:
         with database.reading() as db:
-            return [ChairView.of(chair) for chair in chairs_of(db, own_clinic(db, who))]
+            return [ChairView.of(chair) for chair in chairs_of(db)]
 
     chosen = chairs.chosen
     return ChairsView(
@@ -82,15 +82,10 @@ async def _view(database: Database, chairs: Chairs, who: SignedInPerson) -> Chai
     )
 
 
-def own_clinic(db: Transaction, who: SignedInPerson) -> Clinic:
-    """Return the clinic of a person."""
-    return db.get_one(Clinic, who.clinic_id)
-
-
 @router.get("")
-async def look(who: Anyone, database: Db, chairs: ChairsPart) -> ChairsView:
+async def look(_who: Anyone, database: Db, chairs: ChairsPart) -> ChairsView:
     """Return the chairs."""
-    return await _view(database, chairs, who)
+    return await _view(database, chairs)
 
 
 @router.post("", status_code=201)
@@ -105,7 +100,7 @@ async def pair(
 
     def _pair() -> Key:
         with database.transaction() as db:
-            clinic = own_clinic(db, who)
+            clinic = db.get_one(Clinic, who.clinic_id)
             keys = settings.keys
             chair, key = pair_chair(db, clinic, keys, body.name, body.host, body.port, body.speeds)
             write_log(db, who.name, "chair paired", chair=chair.id, key_id=key.id, host=body.host, port=body.port)
@@ -113,7 +108,7 @@ async def pair(
 
     key = await asyncio.to_thread(_pair)
     live.tell("equipment")
-    view = await _view(database, chairs, who)
+    view = await _view(database, chairs)
     return PairedView(**view.model_dump(), key_line=key.line, qr=qr_picture(key.line))
 
 
@@ -135,7 +130,7 @@ async def unpair(
 
     def _unpair() -> None:
         with database.transaction(closing=True) as db:
-            chair = unpair_chair(db, own_clinic(db, who), settings.keys, chair_id)
+            chair = unpair_chair(db, settings.keys, chair_id)
             write_log(db, who.name, "chair unpaired", chair=chair.id, key_id=chair.key_id)
 
     async with session_flow.undisturbed("unpair a chair"):
@@ -143,7 +138,7 @@ async def unpair(
             await chairs.choose(None, chairs.dynamics)
         await asyncio.to_thread(_unpair)
     live.tell("equipment")
-    return await _view(database, chairs, who)
+    return await _view(database, chairs)
 
 
 @router.put("/chosen")
@@ -152,15 +147,15 @@ async def choose(
 ) -> ChairsView:
     """Use another chair."""
     async with session_flow.undisturbed("choose another chair"):
-        chair = None if body.id is None else await asyncio.to_thread(_find, database, who, body.id)
+        chair = None if body.id is None else await asyncio.to_thread(_find, database, body.id)
         await chairs.choose(chair, body.dynamics)
     await asyncio.to_thread(_note, database, who, body)
-    return await _view(database, chairs, who)
+    return await _view(database, chairs)
 
 
-def _find(database: Database, who: SignedInPerson, chair_id: int) -> PairedChair:
+def _find(database: Database, chair_id: int) -> PairedChair:
     with database.reading() as db:
-        return find_chair(db, own_clinic(db, who), chair_id)
+        return find_chair(db, chair_id)
 
 
 def _note(database: Database, who: SignedInPerson, choice: Choice) -> None:

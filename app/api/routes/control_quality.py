@@ -58,8 +58,8 @@ def quality(
     `note`: which trends cannot be told yet (docs/learning/quality.md).
     """
     with database.transaction(closing=True) as db:
-        find_patient(db, who.clinic_id, patient_id)
-        trials = trials_of(db, who.clinic_id, patient_id, floorplan, path)
+        find_patient(db, patient_id)
+        trials = trials_of(db, patient_id, floorplan, path)
         newest = newest_profile(db, patient_id)
         log_viewing(db, who.name, patient_id)
     assessments = qualities.assessments([trial for trial in trials if trial.run.source.group == source])

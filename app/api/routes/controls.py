@@ -110,9 +110,9 @@ class PatientControls:
     session_flow: SessionFlow
     live: ClinicLive
 
-    async def view(self, clinic_id: int) -> ControlsView:
+    async def view(self) -> ControlsView:
         """Return the current parameter set."""
-        session = await self.session_flow.needed_session(clinic_id)
+        session = await self.session_flow.needed_session()
 
         def read() -> ControlsView:
             suggestion = self._suggestion(session.patient_id)
@@ -133,7 +133,7 @@ class PatientControls:
                 return view
 
         async with self.session_flow.undisturbed("change the controls"):
-            view = await asyncio.to_thread(write, await self.session_flow.needed_session(who.clinic_id))
+            view = await asyncio.to_thread(write, await self.session_flow.needed_session())
             await self.session_flow.try_load_parameters()
         self.live.tell("controls")
         return view
@@ -163,13 +163,13 @@ Controls = Annotated[PatientControls, Depends(parts_for(PatientControls))]
 
 
 @router.get("")
-async def look(who: Clinician, controls: Controls) -> ControlsView:
+async def look(_who: Clinician, controls: Controls) -> ControlsView:
     """Return the current parameter set.
 
     `held`: speeds that clinic or chair do not allow, with what holds instead. `obstacle`: why the set cannot drive, and
     the page that mends it (`shirt`, `calibrate`, `controls`). 409 when nothing is calibrated.
     """
-    return await controls.view(who.clinic_id)
+    return await controls.view()
 
 
 @router.get("/obstacle")

@@ -107,12 +107,12 @@ class DriveView(Answer):
 
 
 @router.get("/summary")
-async def summary(who: Anyone, chairs: ChairsPart, arming: ArmingPart) -> Summary:
+async def summary(_who: Anyone, chairs: ChairsPart, arming: ArmingPart) -> Summary:
     """Return what arming the chosen chair would apply, and the reasons against it.
 
     Differences to the last practised set by `kind`: `field`, `binding` or `gesture`; null: there is none yet.
     """
-    now = await arming.summary(who.clinic_id)
+    now = await arming.summary()
     chair, parameters, last = chairs.chosen, now.parameters, now.last_practised
     return Summary(
         chair=None if chair is None else ChairSummary.of(chair),
@@ -145,7 +145,7 @@ async def arm(
     """
     require_nearby(request)
     async with session_flow.undisturbed("arm the chair"):
-        now = await arming.summary(who.clinic_id)
+        now = await arming.summary()
         if now.refusals:
             raise Conflict(now.refusals[0])
         chair = chairs.chosen
@@ -161,7 +161,7 @@ async def arm(
             raise Conflict(obstacle)
         starter = Starter(who.person_id, who.name, body.screen)
         drive_id = await drive_flow.start(now.session, starter, chair, now.parameters_id, body.hash)
-    return await asyncio.to_thread(_one, database, who.clinic_id, drive_id)
+    return await asyncio.to_thread(_one, database, drive_id)
 
 
 @router.post("/current/end")
@@ -171,7 +171,7 @@ async def end_drive(
     """End the drive; answer when its recording is closed."""
     authority.require_controller(who)
     drive_id = await drive_flow.end()
-    return await asyncio.to_thread(_one, database, who.clinic_id, drive_id)
+    return await asyncio.to_thread(_one, database, drive_id)
 
 
 @router.get("")
@@ -181,11 +181,11 @@ def list_drives(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, dat
     `end`: `by hand` or `fault`; `distance` null: it never moved.
     """
     with database.transaction(closing=True) as db:
-        find_patient(db, who.clinic_id, patient)
+        find_patient(db, patient)
         log_viewing(db, who.name, patient)
-        return [DriveView.of(drive) for drive in drives_of(db, who.clinic_id, patient)]
+        return [DriveView.of(drive) for drive in drives_of(db, patient)]
 
 
-def _one(database: Database, clinic_id: int, drive_id: int) -> DriveView:
+def _one(database: Database, drive_id: int) -> DriveView:
     with database.reading() as db:
-        return DriveView.of(find_drive(db, clinic_id, drive_id))
+        return DriveView.of(find_drive(db, drive_id))

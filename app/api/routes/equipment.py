@@ -337,7 +337,7 @@ async def bring_file(
 
     def note_patient() -> None:
         with database.transaction() as db:
-            add_patient_file(db, who.clinic_id, kept.name)
+            add_patient_file(db, kept.name)
 
     await asyncio.to_thread(note_patient)
     live.tell("equipment")

@@ -129,7 +129,7 @@ def list_patients(who: Anyone, database: Db) -> list[PatientView]:
     """List the patients, the last seen first."""
     with database.transaction(closing=True) as db:
         log_listing(db, who.name)
-        return _views(db, all_patients(db, who.clinic_id))
+        return _views(db, all_patients(db))
 
 
 @router.post("/patients", status_code=201)
@@ -137,7 +137,7 @@ def list_patients(who: Anyone, database: Db) -> list[PatientView]:
 def new_patient(body: NewPatient, who: Clinician, database: Db) -> PatientView:
     """Add a patient."""
     with database.transaction() as db:
-        patient = add_patient(db, who.clinic_id, body.code, body.pseudonym, body.note)
+        patient = add_patient(db, body.code, body.pseudonym, body.note)
         write_log(db, who.name, "patient added", patient=patient.id)
         return _view(db, patient)
 
@@ -155,7 +155,7 @@ def remove_patient(
     """
     reason = "" if body is None else body.reason.strip()
     with database.transaction() as db:
-        patient = delete_patient(db, who.clinic_id, patient_id, reason)
+        patient = delete_patient(db, patient_id, reason)
         write_log(db, who.name, "patient deleted", patient=patient_id, reason_given=bool(reason))
         view = _view(db, patient)
     replays.close_all()  # an open replay may be one of this patient
@@ -167,7 +167,7 @@ def remove_patient(
 def undo_removal(patient_id: RowId, who: Clinician, database: Db) -> PatientView:
     """Undo the deletion of a patient."""
     with database.transaction() as db:
-        patient = restore_patient(db, who.clinic_id, patient_id)
+        patient = restore_patient(db, patient_id)
         write_log(db, who.name, "patient restored", patient=patient_id)
         return _view(db, patient)
 
@@ -176,7 +176,7 @@ def current_session(database: Database, session_flow: SessionFlow, who: SignedIn
     """Return the open session and its patient, whom this person then has seen."""
     obstacle = ObstacleView.of(session_flow.current_obstacle())
     with database.transaction(closing=True) as db:
-        session = open_session(db, who.clinic_id)
+        session = open_session(db)
         if session is None:
             return CurrentSession(
                 patient=None,
@@ -189,7 +189,7 @@ def current_session(database: Database, session_flow: SessionFlow, who: SignedIn
         log_viewing(db, who.name, session.patient_id)
         has_profile, done = session_progress(db, session)
         return CurrentSession(
-            patient=_view(db, find_patient(db, who.clinic_id, session.patient_id)),
+            patient=_view(db, find_patient(db, session.patient_id)),
             session=SessionView(
                 id=session.id,
                 number=session.number,
@@ -231,7 +231,7 @@ async def begin_session(
 
     def _open() -> CurrentSession:
         with database.transaction() as db:
-            session = start_session(db, who.clinic_id, body.patient_id, who.name, ends=body.ends)
+            session = start_session(db, body.patient_id, who.name, ends=body.ends)
             write_log(db, who.name, "session opened", patient=body.patient_id, session=session.id)
         return current_session(database, session_flow, who)
 
@@ -256,7 +256,7 @@ async def close_session(
 
     def _end() -> CurrentSession:
         with database.transaction(closing=True) as db:
-            end_session(db, who.clinic_id)
+            end_session(db)
             write_log(db, who.name, "session ended")
         return current_session(database, session_flow, who)
 

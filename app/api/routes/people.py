@@ -106,7 +106,7 @@ def list_people(who: Owner, database: Db) -> list[PersonView]:
     For owners. `patients` null: the person sees all.
     """
     with database.reading() as db:
-        return [_view(db, person, who.person_id) for person in people_of(db, who.clinic_id)]
+        return [_view(db, person, who.person_id) for person in people_of(db)]
 
 
 @router.post("", status_code=201)
@@ -121,7 +121,7 @@ async def invite_person(
 
     def _add() -> tuple[PersonView, MadeInvitation]:
         with database.transaction() as db:
-            patients = checked_patients(db, who.clinic_id, body.role, body.patients)
+            patients = checked_patients(db, body.role, body.patients)
             clinic = db.get_one(Clinic, who.clinic_id)
             person = add_person(db, clinic, body.name, body.role, None, patients=patients, by=who.name)
             made = invite(db, person, who.name)
@@ -140,7 +140,7 @@ async def make_link(person_id: RowId, request: Request, who: Owner, settings: Se
 
     def _make() -> tuple[PersonView, MadeInvitation]:
         with database.transaction() as db:
-            person = find_person_by_id(db, who.clinic_id, person_id)
+            person = find_person_by_id(db, person_id)
             made = invite(db, person, who.name)
             return _view(db, person, who.person_id), made
 
@@ -159,9 +159,9 @@ async def choose_rights(
 
     def _choose() -> tuple[PersonView, bool]:
         with database.transaction() as db:
-            person = find_person_by_id(db, who.clinic_id, person_id)
+            person = find_person_by_id(db, person_id)
             before = (person.role, person.patients)
-            patients = checked_patients(db, who.clinic_id, body.role, body.patients)
+            patients = checked_patients(db, body.role, body.patients)
             change_rights(db, person, body.role, patients, who.name)
             return _view(db, person, who.person_id), before != (person.role, person.patients)
 
@@ -184,7 +184,7 @@ async def disable_person(
 
     def _disable() -> PersonView:
         with database.transaction(closing=True) as db:
-            person = find_person_by_id(db, who.clinic_id, person_id)
+            person = find_person_by_id(db, person_id)
             disable(db, person, who.name)
             return _view(db, person, who.person_id)
 
@@ -199,6 +199,6 @@ async def disable_person(
 def enable_person(person_id: RowId, who: Owner, database: Db) -> PersonView:
     """Let a disabled person sign in again."""
     with database.transaction() as db:
-        person = find_person_by_id(db, who.clinic_id, person_id)
+        person = find_person_by_id(db, person_id)
         enable(db, person, who.name)
         return _view(db, person, who.person_id)

@@ -67,7 +67,7 @@ def learning(
 ) -> LearningView:
     """Return the learning curve of a patient on one path; curves and deterioration in one measure or in every one."""
     every = _counted(database, who, patient_id, floorplan, path)
-    clinic = spread.of_others(Task(who.clinic_id, floorplan, path, source), patient_id)
+    clinic = spread.of_others(Task(floorplan, path, source), patient_id)
     counted = [one for one in every if one.group == source]
     rows = [one.row() for one in counted]
     names = list(TRIAL_MEASURES) if measure is None else [measure]
@@ -106,8 +106,8 @@ def trajectories(
 def _counted(database: Database, who: SignedInPerson, patient_id: int, floorplan: str, path: str) -> list[CountedTrial]:
     """Return the kept trials of a patient on one path, and log who views them."""
     with database.transaction(closing=True) as db:
-        find_patient(db, who.clinic_id, patient_id)
-        found = counted_trials(db, who.clinic_id, patient_id, floorplan, path)
+        find_patient(db, patient_id)
+        found = counted_trials(db, patient_id, floorplan, path)
         log_viewing(db, who.name, patient_id)
     return found
 
@@ -129,14 +129,14 @@ def verdicts_of_trial(
     word `number`: a measure that does not lead in the task, without word and band.
     """
     with database.transaction() as db:
-        trial = find_trial(db, who.clinic_id, trial_id)
-        other = trial if against is None else find_trial(db, who.clinic_id, against)
+        trial = find_trial(db, trial_id)
+        other = trial if against is None else find_trial(db, against)
         if _task_of(trial) != _task_of(other):
             raise Conflict("These two trials differ in their patient, task or source, so neither is called better.")
         log_viewing(db, who.name, trial.patient_id)
-        counted = counted_trials(db, who.clinic_id, trial.patient_id, trial.floorplan, trial.path)
+        counted = counted_trials(db, trial.patient_id, trial.floorplan, trial.path)
     group = trial.run.source.group
-    clinic = spread.of_others(Task(who.clinic_id, trial.floorplan, trial.path, group), trial.patient_id)
+    clinic = spread.of_others(Task(trial.floorplan, trial.path, group), trial.patient_id)
     rows = [one.row() for one in counted if one.group == group]
     return computing.ask(trial_verdicts, rows, clinic, trial_id, against)
 

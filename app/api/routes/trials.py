@@ -151,7 +151,7 @@ async def start_trial(
     picture.
     """
     async with session_flow.undisturbed("start a trial"):
-        session = await session_flow.needed_session(who.clinic_id)
+        session = await session_flow.needed_session()
         if chairs.chosen is not None:
             raise Conflict("A real chair is chosen: choose the virtual one for a trial.")
         refusal = NO_PICTURE if body.picture == "none" else pictures.refusal(Screen(who.person_id, body.screen))
@@ -169,12 +169,12 @@ async def start_trial(
         trial_id = await trial_flow.start(
             session, Starter(who.person_id, who.name, body.screen, body.picture), plan, path
         )
-    return await asyncio.to_thread(_one, database, who.clinic_id, trial_id)
+    return await asyncio.to_thread(_one, database, trial_id)
 
 
-def _one(database: Database, clinic_id: int, trial_id: int) -> TrialView:
+def _one(database: Database, trial_id: int) -> TrialView:
     with database.reading() as db:
-        return _view(db, find_trial(db, clinic_id, trial_id))
+        return _view(db, find_trial(db, trial_id))
 
 
 def _view(db: Transaction, trial: Trial) -> TrialView:
@@ -201,7 +201,7 @@ async def end_trial(
         # After the run: within it, clearing a stop would begin the check for rest. A stop that stays is in the picture.
         with suppress(Conflict, Unavailable):
             await control.call("clear", stops=body.stops)
-    return await asyncio.to_thread(_one, database, who.clinic_id, trial_id)
+    return await asyncio.to_thread(_one, database, trial_id)
 
 
 @router.get("/trials")
@@ -213,10 +213,10 @@ def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, dat
     source).
     """
     with database.transaction(closing=True) as db:
-        find_patient(db, who.clinic_id, patient)
+        find_patient(db, patient)
         log_viewing(db, who.name, patient)
         origins = origins_of(db, patient)
-        found = trials_of(db, who.clinic_id, patient)
+        found = trials_of(db, patient)
         compared = compared_trials(found)
         views = [_from(origins.get(trial.session_id), TrialView.of(trial)) for trial in found]
         return [
@@ -231,10 +231,10 @@ def one_trial(
 ) -> TrialDetail:
     """Return a trial with its trajectory over its path."""
     with database.transaction(closing=True) as db:
-        trial = find_trial(db, who.clinic_id, trial_id)
+        trial = find_trial(db, trial_id)
         write_log(db, who.name, "trial viewed", trial=trial_id)
         view = _view(db, trial)
-        code = find_patient(db, who.clinic_id, trial.patient_id).code
+        code = find_patient(db, trial.patient_id).code
         session_number = db.get_one(PatientSession, trial.session_id).number
     found = trajectories.of(runs.folder_of(trial.run_id)) if trial.status == "done" else None
     shown = view.model_dump(exclude={"path"})
@@ -268,7 +268,7 @@ async def _keep(
 ) -> TrialView:
     def _write() -> TrialView:
         with database.transaction() as db:
-            trial = keep_trial(db, who.clinic_id, trial_id, reason)
+            trial = keep_trial(db, trial_id, reason)
             write_log(db, who.name, "trial kept" if reason is None else "trial discarded", trial=trial_id)
             return _view(db, trial)
 

@@ -14,4 +14,4 @@ router = APIRouter(prefix="/auth", tags=["sign-in"])
 def put_away(who: Anyone, database: Db) -> None:
     """Store that the person who is signed in has read or skipped the sentences."""
     with database.transaction() as db:
-        find_person_by_id(db, who.clinic_id, who.person_id).introduced = True
+        find_person_by_id(db, who.person_id).introduced = True

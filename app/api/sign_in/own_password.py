@@ -40,7 +40,7 @@ async def change_password(
 
     def _change() -> None:
         with database.transaction() as db:
-            person = find_person_by_id(db, who.clinic_id, who.person_id)
+            person = find_person_by_id(db, who.person_id)
             person.password_hash = password_hash
             end_sign_ins(db, person, but=who.sign_in_id)
             write_log(db, who.name, "password changed", person=person.id)

@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from app.calibration.prior.documents import OwnPrior, ReleasedPeople
     from app.layout import ShirtLayout
     from app.store.database import Transaction
-    from app.store.tables import Clinic
 
 
 prior_app = typer.Typer(
@@ -214,11 +213,11 @@ def export_prior(
         is_written = False
         try:
             with database.transaction() as db:
-                clinic = _clinic(db, settings)
-                own = _own_prior(db, clinic, shirt, to_share=release)
+                _require_clinic(db, settings)
+                own = _own_prior(db, shirt, to_share=release)
                 write_log(db, COMMAND_LINE, "prior exported", release=release, people=len(own.people))
                 if release:
-                    result = _write_release(db, clinic, own, out, layout)
+                    result = _write_release(db, own, out, layout)
                 else:
                     write_output(out, bytes_of(own), layout)
                     result = f"{_people(len(own.people))} in {out}, with an entry each: it must not leave the clinic."
@@ -252,10 +251,10 @@ def import_prior(
         )
     shirt = Garment(document.layout, False, None).hash
     with open_clinic(settings) as (database, _), database.transaction() as db:
-        clinic = _clinic(db, settings)
-        if not is_prior_on(db, clinic.id):
+        _require_clinic(db, settings)
+        if not is_prior_on(db):
             raise InputError("The clinic has switched off that calibrations help later patients: see Settings")
-        patients = {patient.code: patient for patient in all_patients(db, clinic.id)}
+        patients = {patient.code: patient for patient in all_patients(db)}
         for code in document.people:
             if code not in patients:
                 raise InputError(f"{prior}: there is no patient '{code}' in the clinic; nobody was imported")
@@ -266,7 +265,7 @@ def import_prior(
                 )
         for code, entry in document.people.items():
             put_entry(db, patients[code].id, shirt, entry.model_dump(mode="json"), simulated=False)
-            _mark_released(db, clinic, code, shirt, document.released)
+            _mark_released(db, code, shirt, document.released)
         write_log(db, COMMAND_LINE, "prior imported", people=len(document.people))
     typer.echo(f"{_people(len(document.people))} imported from {prior}")
 
@@ -276,16 +275,16 @@ if "prior" in names():  # a clinic keeps one
     prior_app.command("import")(import_prior)
 
 
-def _own_prior(db: "Transaction", clinic: "Clinic", layout: "ShirtLayout", *, to_share: bool) -> "OwnPrior":
+def _own_prior(db: "Transaction", layout: "ShirtLayout", *, to_share: bool) -> "OwnPrior":
     """Return the prior of the patients who consent; InputError when there are none."""
     from app.calibration.prior.documents import OwnPrior, PersonEntry, ReleasedPeople
     from app.features.prior.entries import releases_of, without_releases, worn_entries
     from app.session.calibration.garment import Garment
 
     shirt = Garment(layout, False, None).hash
-    entries = worn_entries(db, clinic.id, shirt, to_share=to_share)
+    entries = worn_entries(db, shirt, to_share=to_share)
     if not entries:
-        count = len(worn_entries(db, clinic.id, shirt, to_share=False))
+        count = len(worn_entries(db, shirt, to_share=False))
         if count:
             raise InputError(
                 f"Nobody of the {_people(count)} known in '{layout.name}' has consented to “Sharing outside of the "
@@ -311,7 +310,7 @@ def _own_prior(db: "Transaction", clinic: "Clinic", layout: "ShirtLayout", *, to
         ) from error
 
 
-def _write_release(db: "Transaction", clinic: "Clinic", own: "OwnPrior", out: Path, layout: Path) -> str:
+def _write_release(db: "Transaction", own: "OwnPrior", out: Path, layout: Path) -> str:
     """Write the sums that may leave the clinic, note whose entries they hold, and return a sentence on the result."""
     from app.calibration.prior.map_prior import PriorError
     from app.calibration.prior.release import release
@@ -324,7 +323,7 @@ def _write_release(db: "Transaction", clinic: "Clinic", own: "OwnPrior", out: Pa
         raise InputError(f"Of those who have consented to “Sharing outside”: {error}") from error
     shirt = Garment(own.layout, False, None).hash
     for code in own.people:
-        _mark_released(db, clinic, code, shirt, people)
+        _mark_released(db, code, shirt, people)
     write_output(out, bytes_of(document), layout)
     result = f"{_people(document.people)} in {out}: sums only, which may leave the clinic."
     if left_out:
@@ -332,23 +331,21 @@ def _write_release(db: "Transaction", clinic: "Clinic", own: "OwnPrior", out: Pa
     return result
 
 
-def _mark_released(db: "Transaction", clinic: "Clinic", code: str, shirt: str, released: "ReleasedPeople") -> None:
+def _mark_released(db: "Transaction", code: str, shirt: str, released: "ReleasedPeople") -> None:
     """Note what of a person stands in releases."""
     from app.features.prior.entries import mark_released
 
     joints, rings = (
         [name for name, codes in part.items() if code in codes] for part in (released.joints, released.rings)
     )
-    mark_released(db, clinic.id, code, shirt, joints, rings)
+    mark_released(db, code, shirt, joints, rings)
 
 
-def _clinic(db: "Transaction", settings: Settings) -> "Clinic":
+def _require_clinic(db: "Transaction", settings: Settings) -> None:
     from app.store.people import the_clinic
 
-    clinic = the_clinic(db)
-    if clinic is None:
+    if the_clinic(db) is None:
         raise InputError(f"The clinic in {settings.state} is not set up yet: open its pages first.")
-    return clinic
 
 
 def _people(count: int) -> str:

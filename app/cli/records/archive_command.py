@@ -33,11 +33,11 @@ def make(
 
     settings = settings_of(state)
     with written_whole(out) as part, open_clinic(settings) as (database, _), closing(ComputingProcess()) as computing:
-        clinic_id, patient_id = patient_named(database, patient)
-        spreads_of = ClinicSpread(database, computing).for_patient(clinic_id, patient_id)
-        make_report = report_for_archive(database, settings, clinic_id, patient_id, spreads_of)
+        patient_id = patient_named(database, patient)
+        spreads_of = ClinicSpread(database, computing).for_patient(patient_id)
+        make_report = report_for_archive(database, settings, patient_id, spreads_of)
         try:
-            digest = make_archive(database, clinic_id, patient_id, COMMAND_LINE, settings.runs, part, make_report)
+            digest = make_archive(database, patient_id, COMMAND_LINE, settings.runs, part, make_report)
         except Refusal as refusal:
             raise InputError(str(refusal)) from refusal
     typer.echo(f"{out} is written. Its hash is {digest}.")
@@ -63,7 +63,7 @@ def import_file(
             raise InputError(f"The clinic in {settings.state} is not set up yet: open its pages first.")
         try:
             shelf = settings.replaced if replace else None
-            imported = import_archive(database, clinic.id, file, COMMAND_LINE, settings.runs, shelf=shelf)
+            imported = import_archive(database, file, COMMAND_LINE, settings.runs, shelf=shelf)
         except (Refusal, ValueError) as refusal:
             raise InputError(str(refusal)) from refusal
     counts = f"Sessions: {imported.sessions}. Finished and kept trials: {imported.trials}."

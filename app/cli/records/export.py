@@ -49,11 +49,11 @@ def _material(settings: Settings, patient: str, session: int | None, form: Form,
     from app.session.clinic_spread import ClinicSpread
 
     with open_clinic(settings) as (database, _), closing(ComputingProcess()) as computing:
-        clinic_id, patient_id = patient_named(database, patient)
-        spreads_of = ClinicSpread(database, computing).for_patient(clinic_id, patient_id)
+        patient_id = patient_named(database, patient)
+        spreads_of = ClinicSpread(database, computing).for_patient(patient_id)
         try:
             return exported_material(
-                database, clinic_id, patient_id, session, form, COMMAND_LINE, settings.runs, spreads_of, place=place
+                database, patient_id, session, form, COMMAND_LINE, settings.runs, spreads_of, place=place
             )
         except Refusal as refusal:
             raise InputError(str(refusal)) from refusal

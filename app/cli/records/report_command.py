@@ -39,9 +39,9 @@ def report(
     check_new_folder(out.parent)
     settings = settings_of(state)
     with open_clinic(settings) as (database, _), closing(ComputingProcess()) as computing:
-        clinic_id, patient_id = patient_named(database, patient)
-        subject = Subject(clinic_id, patient_id, session)
-        spreads_of = ClinicSpread(database, computing).for_patient(clinic_id, patient_id)
+        patient_id = patient_named(database, patient)
+        subject = Subject(patient_id, session)
+        spreads_of = ClinicSpread(database, computing).for_patient(patient_id)
         try:
             material = exported_material(
                 database, settings, subject, form, COMMAND_LINE, spreads_of, for_patient=for_patient

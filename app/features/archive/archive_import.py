@@ -125,7 +125,6 @@ class Imported(NamedTuple):
 
 def import_archive(
     database: Database,
-    clinic_id: int,
     file: Path,
     person: str,
     runs: Path,
@@ -149,12 +148,12 @@ def import_archive(
     """
     with open_archive(file) as archive:
         with database.reading() as db:
-            known = earlier_import(db, clinic_id, archive.listed.hash)
+            known = earlier_import(db, archive.listed.hash)
             if known is not None:
                 return Imported(known.id, known.code, is_new=False)
         rows = checked_rows(archive)
         with database.reading() as db:
-            patient = patient_of_rows(db, clinic_id, rows)
+            patient = patient_of_rows(db, rows)
             if patient is not None and shelf is None:
                 raise PatientHere(HERE.format(code=patient.code))
             here: frozenset[str] = frozenset()
@@ -170,19 +169,19 @@ def import_archive(
             wrong = next(filter(None, map(wrong_recording, sorted(folder.iterdir()))), "")
             if wrong:
                 raise ValueError(WRONG.format(file=archive.file, why=wrong))
-            kept = "" if shelf is None or patient is None else _put_on_shelf(database, clinic_id, rows, runs, shelf)
-            return _add(database, clinic_id, archive, rows, person, folder, runs, kept)
+            kept = "" if shelf is None or patient is None else _put_on_shelf(database, rows, runs, shelf)
+            return _add(database, archive, rows, person, folder, runs, kept)
 
 
-def _put_on_shelf(database: Database, clinic_id: int, rows: Rows, runs: Path, shelf: Path) -> str:
+def _put_on_shelf(database: Database, rows: Rows, runs: Path, shelf: Path) -> str:
     """Write an archive of the patient as it is here, and return its place on the shelf."""
     with database.reading() as db:
-        patient = patient_of_rows(db, clinic_id, rows)
+        patient = patient_of_rows(db, rows)
         if patient is None:
             return ""
         name = archive_on_shelf(utc_now(), patient.created)
         folders = [runs / run for run in runs_here(db, patient.id)]
-        own, clinic = patient_rows(db, patient.id), clinic_name(db, clinic_id)
+        own, clinic = patient_rows(db, patient.id), clinic_name(db)
     require_room_for(folders, runs)
     target = shelf / name
     part = target.with_name(f".{target.name}.part")
@@ -199,9 +198,7 @@ def _put_on_shelf(database: Database, clinic_id: int, rows: Rows, runs: Path, sh
     return name
 
 
-def import_apart(
-    clinic: Path, clinic_id: int, file: Path, person: str, runs: Path, unpacked: Path, shelf: Path | None
-) -> Imported:
+def import_apart(clinic: Path, file: Path, person: str, runs: Path, unpacked: Path, shelf: Path | None) -> Imported:
     """Import an archive in a process of its own, which then has little memory; `clinic` is the file of the database.
 
     Raises what `import_archive` raises.
@@ -209,14 +206,13 @@ def import_apart(
     limit_memory()
     try:
         with closing(Database(clinic)) as database:
-            return import_archive(database, clinic_id, file, person, runs, unpacked, shelf)
+            return import_archive(database, file, person, runs, unpacked, shelf)
     except MemoryError as error:
         raise ValueError(WRONG.format(file=file, why="it needs too much memory")) from error
 
 
 def _add(
     database: Database,
-    clinic_id: int,
     archive: OpenArchive,
     rows: Rows,
     person: str,
@@ -230,7 +226,7 @@ def _add(
     try:
         with database.transaction(closing=True) as db:
             try:
-                imported, gone = _add_rows(db, clinic_id, archive, rows, person, kept)
+                imported, gone = _add_rows(db, archive, rows, person, kept)
             except WrongRows as error:
                 raise ValueError(WRONG.format(file=archive.file, why=error)) from error
             for folder in sorted(unpacked.iterdir()):
@@ -250,10 +246,10 @@ def _add(
 
 
 def _add_rows(
-    db: Transaction, clinic_id: int, archive: OpenArchive, rows: Rows, person: str, kept: str
+    db: Transaction, archive: OpenArchive, rows: Rows, person: str, kept: str
 ) -> tuple[Imported, frozenset[str]]:
     """Add an archive's rows; return what came in, and the recordings that are no longer needed."""
-    patient, listed = patient_of_rows(db, clinic_id, rows), archive.listed
+    patient, listed = patient_of_rows(db, rows), archive.listed
     before: frozenset[str] = frozenset()
     uploads: list[PatientFile] = []
     if patient is not None:
@@ -263,8 +259,8 @@ def _add_rows(
         before = runs_here(db, patient.id)
         rows["patient"][0] |= {"code": patient.code, "pseudonym": patient.pseudonym}  # each clinic gives its own
         uploads = remove_replaced_rows(db, patient.id)
-    require_new(db, clinic_id, rows)
-    patient_id = add_patient_rows(db, clinic_id, rows)
+    require_new(db, rows)
+    patient_id = add_patient_rows(db, rows)
     for upload in uploads:
         upload.patient_id = patient_id
         db.add(upload)

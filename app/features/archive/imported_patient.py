@@ -37,13 +37,13 @@ KEPT: Final = (
 )
 
 
-def earlier_import(db: Session, clinic_id: int, archive: str) -> Patient | None:
+def earlier_import(db: Session, archive: str) -> Patient | None:
     """Return the patient that an archive brought, None when it was not imported here."""
     query = select(Patient).join(PatientImport, PatientImport.patient_id == Patient.id)
-    return db.scalar(query.where(PatientImport.archive == archive, Patient.clinic_id == clinic_id))
+    return db.scalar(query.where(PatientImport.archive == archive))
 
 
-def patient_of_rows(db: Session, clinic_id: int, rows: Rows) -> Patient | None:
+def patient_of_rows(db: Session, rows: Rows) -> Patient | None:
     """Return the patient of an archive's rows who is in the clinic already, None when there is none.
 
     A patient is known again by the moment at which the first clinic added the patient.
@@ -52,7 +52,7 @@ def patient_of_rows(db: Session, clinic_id: int, rows: Rows) -> Patient | None:
         created = datetime.fromisoformat(rows["patient"][0]["created"]).astimezone(UTC)
     except (TypeError, ValueError, OverflowError):
         return None  # no date: the check of the rows says so when they are added
-    return db.scalar(select(Patient).where(Patient.created == created, Patient.clinic_id == clinic_id).limit(1))
+    return db.scalar(select(Patient).where(Patient.created == created).limit(1))
 
 
 def runs_here(db: Session, patient_id: int) -> frozenset[str]:
@@ -61,11 +61,11 @@ def runs_here(db: Session, patient_id: int) -> frozenset[str]:
     return frozenset(db.scalars(query.where(PatientSession.patient_id == patient_id)))
 
 
-def require_new(db: Session, clinic_id: int, rows: Rows) -> None:
+def require_new(db: Session, rows: Rows) -> None:
     """Raise Conflict when the clinic has the patient's code or one of the recordings already."""
     require_no_runs(db, [row["id"] for row in rows["run"]])
     code = rows["patient"][0]["code"]
-    if db.scalar(select(Patient.id).where(Patient.clinic_id == clinic_id, Patient.code == code)) is not None:
+    if db.scalar(select(Patient.id).where(Patient.code == code)) is not None:
         raise Conflict(CODE_TAKEN.format(code=code))
 
 

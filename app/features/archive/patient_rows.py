@@ -12,6 +12,7 @@ from sqlalchemy.orm import Session
 
 from app.features.archive.row_forms import wrong_value, wrong_versions
 from app.features.registration import ArchivedTable, features
+from app.store.access.visible_patients import own_clinic_id
 from app.store.chairs import chair_elsewhere
 from app.store.keeping.last_ids import next_id
 from app.store.tables import (
@@ -112,7 +113,7 @@ def patient_rows(db: Session, patient_id: int) -> Rows:
     return found
 
 
-def add_patient_rows(db: Session, clinic_id: int, rows: Rows) -> int:
+def add_patient_rows(db: Session, rows: Rows) -> int:
     """Add the rows of a document to a clinic and return the id of the patient; WrongRows when they do not fit.
 
     A run's folder is named by its id, as that of every other run. A drive refers to a chair of another clinic.
@@ -123,21 +124,21 @@ def add_patient_rows(db: Session, clinic_id: int, rows: Rows) -> int:
         ids[table.name] = {}
         for place, row in enumerate(rows[table.name], start=1):
             values = {column.name: read_value(column, row, ids, place) for column in exchanged(table)}
-            ids[table.name][values.get("id", place)] = insert_row(db, clinic_id, table, values, place)
+            ids[table.name][values.get("id", place)] = insert_row(db, table, values, place)
     return int(ids["patient"][1])
 
 
-def insert_row(db: Session, clinic_id: int, table: SqlTable, values: dict[str, Any], place: int) -> Any:
+def insert_row(db: Session, table: SqlTable, values: dict[str, Any], place: int) -> Any:
     """Add the row at this place of a document and return its id; WrongRows when it contradicts another one."""
     own = {name: value for name, value in values.items() if name != "id" or not isinstance(value, int)}
     if "id" in table.c and "id" not in own and (following := next_id(db.connection(), table.name)) is not None:
         own["id"] = following
     if "clinic_id" in table.c:
-        own["clinic_id"] = clinic_id
+        own["clinic_id"] = own_clinic_id(db)
     if "folder" in table.c:
         own["folder"] = own["id"]
     if "chair_id" in table.c:
-        own["chair_id"] = chair_elsewhere(db, clinic_id).id
+        own["chair_id"] = chair_elsewhere(db).id
     try:
         added: Any = db.execute(insert(table).values(own))
     except IntegrityError as error:

@@ -109,16 +109,16 @@ def archive(
 
     For owners and clinicians.
     """
-    material = archive_material(database, who.clinic_id, patient_id, who.name, settings.runs, settings.state)
-    spreads_of = spread.for_patient(who.clinic_id, patient_id)
-    make_report = report_for_archive(database, settings, who.clinic_id, patient_id, spreads_of)
+    material = archive_material(database, patient_id, who.name, settings.runs, settings.state)
+    spreads_of = spread.for_patient(patient_id)
+    make_report = report_for_archive(database, settings, patient_id, spreads_of)
     return download.sent(material.steps(make_report), len(material.folders), "archive", who, course)
 
 
 @router.get("/patients/{patient_id}/archive/room")
-def room(patient_id: RowId, who: Exporter, settings: SettingsPart, database: Db) -> ArchiveRoomView:
+def room(patient_id: RowId, _who: Exporter, settings: SettingsPart, database: Db) -> ArchiveRoomView:
     """Return how large the recordings of a patient's archive are, and whether the clinic's disk has room for them."""
-    found = archive_room(database, who.clinic_id, patient_id, settings.runs, settings.state)
+    found = archive_room(database, patient_id, settings.runs, settings.state)
     return ArchiveRoomView(**found._asdict())
 
 
@@ -193,7 +193,7 @@ def _write(opened: BinaryIO, content: bytearray, folder: Path) -> None:
 
 def _import(course: ImportCourse, who: SignedInPerson, settings: Settings, replace: bool) -> Imported:
     """Import a file; it may take as long as it goes on unpacking recordings."""
-    given = settings.database, who.clinic_id, course.file, who.name, settings.runs, course.recordings
+    given = settings.database, course.file, who.name, settings.runs, course.recordings
     shelf = settings.replaced if replace else None
     try:
         with closing(ComputingProcess()) as computing:

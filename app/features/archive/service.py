@@ -30,6 +30,7 @@ from app.features.archive.archive_file import (
 from app.features.archive.patient_rows import Rows, patient_rows
 from app.package import Step, entry
 from app.refusals import Conflict, DiskFull
+from app.store.access.visible_patients import own_clinic_id
 from app.store.consent import require_consent
 from app.store.database import Database
 from app.store.files.room_for_files import room_refusal
@@ -110,13 +111,13 @@ class ArchiveRoom(NamedTuple):
     words: str
 
 
-def archive_room(database: Database, clinic_id: int, patient_id: int, runs: Path, place: Path) -> ArchiveRoom:
+def archive_room(database: Database, patient_id: int, runs: Path, place: Path) -> ArchiveRoom:
     """Return whether the archive of a patient can be made in the folder `place`; `runs` has all recordings.
 
     NotFound when there is no such patient.
     """
     with database.reading() as db:
-        find_patient(db, clinic_id, patient_id)
+        find_patient(db, patient_id)
         folders = [runs / one for one in run_ids(db, patient_id)]
     return room_for(folders, place)
 
@@ -152,24 +153,22 @@ class ArchiveMaterial(NamedTuple):
         return archive_steps(self.clinic, self.rows, self.folders, make_report)
 
 
-def clinic_name(db: Session, clinic_id: int) -> str:
+def clinic_name(db: Session) -> str:
     """Return the name of a clinic."""
-    return db.get_one(Clinic, clinic_id).name
+    return db.get_one(Clinic, own_clinic_id(db)).name
 
 
-def archive_material(
-    database: Database, clinic_id: int, patient_id: int, person: str, runs: Path, place: Path
-) -> ArchiveMaterial:
+def archive_material(database: Database, patient_id: int, person: str, runs: Path, place: Path) -> ArchiveMaterial:
     """Return what the archive of a patient is made from; log that `person` makes it, in the folder `place`.
 
     `runs` is the folder of all recordings. NotFound when there is no such patient; Conflict without consent, or while
     a session of the patient is open; DiskFull when the disk of `place` has no room for it.
     """
     with database.transaction() as db:
-        find_patient(db, clinic_id, patient_id)
+        find_patient(db, patient_id)
         require_consent(db, patient_id, "sharing")
         rows = patient_rows(db, patient_id)
-        clinic = clinic_name(db, clinic_id)
+        clinic = clinic_name(db)
         if any(row["ended"] is None for row in rows["session"]):
             raise Conflict(OPEN)
         folders = [runs / str(row["id"]) for row in rows["run"]]
@@ -180,7 +179,6 @@ def archive_material(
 
 def make_archive(
     database: Database,
-    clinic_id: int,
     patient_id: int,
     person: str,
     runs: Path,
@@ -188,7 +186,7 @@ def make_archive(
     make_report: MakeReport | None = None,
 ) -> str:
     """Write the archive of a patient to `package` and return its hash; raises what `archive_material` raises."""
-    material = archive_material(database, clinic_id, patient_id, person, runs, package.parent)
+    material = archive_material(database, patient_id, person, runs, package.parent)
     for step in material.steps(make_report):
         step(package)
     with open_archive(package) as made:

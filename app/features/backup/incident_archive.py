@@ -204,7 +204,7 @@ def archive_incident(
         out.keep()
     found = check_incident(target)
     with database.transaction(closing=True) as db:
-        mark_incident(db, rows["clinic"][0]["id"], since, found.hash, _patients(rows), person)
+        mark_incident(db, since, found.hash, _patients(rows), person)
     return found
 
 

@@ -150,7 +150,7 @@ class NightBackups:
     def _kept(self) -> RecordKeeping | None:
         with self._database.reading() as db:
             clinic = the_clinic(db)
-            return None if clinic is None else record_keeping(db, clinic.id)
+            return None if clinic is None else record_keeping(db)
 
     def _is_due(self) -> bool:
         kept = self._kept()

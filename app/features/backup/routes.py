@@ -125,9 +125,9 @@ class BackupsView(Document):
     fingerprint: str  # of the public key that signs archives; empty before the first one
 
 
-def _view(own: Settings, database: Database, backups: NightBackups, clinic_id: int) -> BackupsView:
+def _view(own: Settings, database: Database, backups: NightBackups) -> BackupsView:
     with database.reading() as db:
-        kept, good = record_keeping(db, clinic_id), last_good_backup(db)
+        kept, good = record_keeping(db), last_good_backup(db)
         folder_is_there = kept.folder is not None and Path(kept.folder).is_dir()
         course = backups.course
         return BackupsView(
@@ -143,7 +143,7 @@ def _view(own: Settings, database: Database, backups: NightBackups, clinic_id: i
             last_good=None if good is None else good.at.isoformat(),
             made=[MadeBackupView.of(one) for one in newest_backups(db)],
             course=None if course is None else CourseView.of(course),
-            deleted=[DeletedPatientView.of(one) for one in deleted_patients(db, clinic_id)],
+            deleted=[DeletedPatientView.of(one) for one in deleted_patients(db)],
             incidents=[
                 IncidentView(
                     id=one.id,
@@ -154,19 +154,19 @@ def _view(own: Settings, database: Database, backups: NightBackups, clinic_id: i
                     reason=one.reason,
                     patients=patients,
                 )
-                for one, patients in all_incidents(db, clinic_id)
+                for one, patients in all_incidents(db)
             ],
             fingerprint=clinic_fingerprint(own.signing),
         )
 
 
 @router.get("/backups")
-def look(who: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
+def look(_who: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
     """Return the settings, the newest backups, how far one is that is being made, deleted patients, incidents.
 
     For owners. The other routes of the page give this answer, too.
     """
-    return _view(own, database, backups, who.clinic_id)
+    return _view(own, database, backups)
 
 
 @router.post("/backups", status_code=202)
@@ -174,7 +174,7 @@ def look(who: Owner, own: SettingsPart, database: Db, backups: Backups) -> Backu
 async def begin(who: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
     """Begin a backup now; it goes on by itself. 409 without a folder, and while one is being made."""
     await backups.begin(who.name)
-    return await asyncio.to_thread(_view, own, database, backups, who.clinic_id)
+    return await asyncio.to_thread(_view, own, database, backups)
 
 
 @router.put("/backups/settings")
@@ -186,14 +186,13 @@ async def choose(
 
     For owners. `passphrase` null keeps the one that is set.
     """
-    await asyncio.to_thread(_choose, body, who.name, who.clinic_id, own, database, computing, backups)
-    return await asyncio.to_thread(_view, own, database, backups, who.clinic_id)
+    await asyncio.to_thread(_choose, body, who.name, own, database, computing, backups)
+    return await asyncio.to_thread(_view, own, database, backups)
 
 
 def _choose(
     body: BackupSettings,
     person: str,
-    clinic_id: int,
     own: Settings,
     database: Database,
     computing: ComputingProcess,
@@ -219,7 +218,7 @@ def _choose(
         own.backup.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
         keep_secret(own.backup, secret)
     with database.transaction() as db:
-        settings = record_keeping(db, clinic_id)
+        settings = record_keeping(db)
         settings.folder, settings.hour, settings.with_keys = body.folder, body.hour, body.with_keys
         db.add(settings)
         details = {"hour": body.hour, "with_keys": body.with_keys, "encrypted": body.encrypted}
@@ -234,9 +233,9 @@ def keep_records(body: RecordTime, who: Owner, own: SettingsPart, database: Db, 
     For owners.
     """
     with database.transaction() as db:
-        set_record_time(db, who.clinic_id, body.years)
+        set_record_time(db, body.years)
         write_log(db, who.name, "record time changed", years=body.years)
-    return _view(own, database, backups, who.clinic_id)
+    return _view(own, database, backups)
 
 
 @router.post("/deleted-patients/{patient_id}/erasure")
@@ -246,8 +245,8 @@ def erase(patient_id: RowId, who: Owner, own: SettingsPart, database: Db, backup
 
     For owners. An incident, or the time for which records must be kept, can stand against it.
     """
-    erase_patient(database, own, who.clinic_id, patient_id, who.name)
-    return _view(own, database, backups, who.clinic_id)
+    erase_patient(database, own, patient_id, who.name)
+    return _view(own, database, backups)
 
 
 @router.post("/incidents/{incident_id}/lifting")
@@ -260,5 +259,5 @@ def lift(
     For owners.
     """
     with database.transaction() as db:
-        lift_incident(db, who.clinic_id, incident_id, body.reason, who.name)
-    return _view(own, database, backups, who.clinic_id)
+        lift_incident(db, incident_id, body.reason, who.name)
+    return _view(own, database, backups)

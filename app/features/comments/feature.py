@@ -22,10 +22,10 @@ def story(db: Session, session: PatientSession) -> Iterator[StoryEvent]:
         yield StoryEvent(comment.revised or comment.written, "comment", comment.person, comment.text, facts)
 
 
-def attention(db: Session, clinic_id: int, person_id: int) -> Iterator[tuple[int, Attention]]:
+def attention(db: Session, person_id: int) -> Iterator[tuple[int, Attention]]:
     """Yield the patients of whose trials a person has comments to read."""
     unread: dict[int, list[Comment]] = defaultdict(list)
-    for comment in comments_of(db, clinic_id=clinic_id, not_read_by=person_id):
+    for comment in comments_of(db, not_read_by=person_id):
         unread[comment.patient_id].append(comment)
     for patient, comments in unread.items():
         newest = comments[-1]

@@ -74,8 +74,8 @@ def unread_comments(
     """List the comments that the person who asks has not read, of all patients or of one."""
     with database.transaction(closing=True) as db:
         if patient is not None:
-            find_patient(db, who.clinic_id, patient)
-        found = comments_of(db, clinic_id=who.clinic_id, patient_id=patient, not_read_by=who.person_id)
+            find_patient(db, patient)
+        found = comments_of(db, patient_id=patient, not_read_by=who.person_id)
         for one in dict.fromkeys(comment.patient_id for comment in found):
             log_viewing(db, who.name, one)
         return [_view(db, one, who, unread=True) for one in found]
@@ -121,7 +121,7 @@ def new_comment_text(
 ) -> list[CommentView]:
     """Give a comment of one's own another text; the text before stays in its history."""
     with database.transaction() as db:
-        comment = find_comment(db, who.clinic_id, comment_id)
+        comment = find_comment(db, comment_id)
         trial = db.get_one(Trial, comment.trial_id)
         if revise_comment(db, comment, who.person_id, body.text):
             write_log(db, who.name, "comment revised", patient=trial.patient_id, trial=trial.id, comment=comment_id)
@@ -135,7 +135,7 @@ def new_comment_text(
 def no_comment(comment_id: RowId, who: Anyone, database: Db, live: LivePart) -> list[CommentView]:
     """Withdraw a comment of one's own; its history stays."""
     with database.transaction() as db:
-        comment = find_comment(db, who.clinic_id, comment_id)
+        comment = find_comment(db, comment_id)
         trial = db.get_one(Trial, comment.trial_id)
         withdraw_comment(db, comment, who.person_id)
         write_log(db, who.name, "comment withdrawn", patient=trial.patient_id, trial=trial.id, comment=comment_id)
@@ -144,9 +144,9 @@ def no_comment(comment_id: RowId, who: Anyone, database: Db, live: LivePart) -> 
     return answer
 
 
-def _trial(db: Transaction, who: SignedInPerson, trial_id: int) -> Trial:
-    trial = find_trial(db, who.clinic_id, trial_id)
-    find_patient(db, who.clinic_id, trial.patient_id)
+def _trial(db: Transaction, _who: SignedInPerson, trial_id: int) -> Trial:
+    trial = find_trial(db, trial_id)
+    find_patient(db, trial.patient_id)
     if trial.status != "done":
         raise NotFound("This trial is still running: look at it when it has ended.")
     return trial

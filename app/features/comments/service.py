@@ -37,11 +37,11 @@ class Comment:
     withdrawn: datetime | None
 
 
-def find_comment(db: Session, clinic_id: int, comment_id: int) -> MomentComment:
+def find_comment(db: Session, comment_id: int) -> MomentComment:
     """Return one of the clinic's comments; its patient is visible and not deleted."""
     missing = f"There is no comment {comment_id}: choose one of the trial's comments."
-    comment = own_row(db, MomentComment, clinic_id, comment_id, missing)
-    find_patient(db, clinic_id, db.get_one(Trial, comment.trial_id).patient_id)
+    comment = own_row(db, MomentComment, comment_id, missing)
+    find_patient(db, db.get_one(Trial, comment.trial_id).patient_id)
     return comment
 
 
@@ -51,7 +51,6 @@ def comments_of(
     trial_id: int | None = None,
     session_id: int | None = None,
     patient_id: int | None = None,
-    clinic_id: int | None = None,
     not_read_by: int | None = None,
 ) -> list[Comment]:
     """Return the comments of a trial, a session, a patient or a clinic, by their trials and moments.
@@ -76,7 +75,6 @@ def comments_of(
         (Trial.id, trial_id),
         (Trial.session_id, session_id),
         (Trial.patient_id, patient_id),
-        (MomentComment.clinic_id, clinic_id),
     ):
         if value is not None:
             query = query.where(column == value)

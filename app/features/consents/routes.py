@@ -54,9 +54,9 @@ class ConsentsView(Document):
 def consents(patient_id: RowId, who: Anyone, database: Db) -> ConsentsView:
     """Return the consents of a patient."""
     with database.transaction(closing=True) as db:
-        find_patient(db, who.clinic_id, patient_id)
+        find_patient(db, patient_id)
         log_viewing(db, who.name, patient_id)
-        return _view(db, who.clinic_id, patient_id)
+        return _view(db, patient_id)
 
 
 @router.put("/patients/{patient_id}/consents/{consent}")
@@ -69,11 +69,11 @@ def give(
     Without consent to `recording`, each run in a worn shirt is refused with 409.
     """
     with database.transaction() as db:
-        find_patient(db, who.clinic_id, patient_id)
+        find_patient(db, patient_id)
         if give_consent(db, patient_id, consent, body.given, who.name):
             given = body.given.isoformat()
             write_log(db, who.name, "consent given", patient=patient_id, consent=consent, given=given)
-        answer = _view(db, who.clinic_id, patient_id)
+        answer = _view(db, patient_id)
     live.tell("session")
     return answer
 
@@ -83,17 +83,17 @@ def give(
 def withdraw(patient_id: RowId, consent: Consent, who: Clinician, database: Db, live: LivePart) -> ConsentsView:
     """Enter that a patient has withdrawn a consent."""
     with database.transaction() as db:
-        find_patient(db, who.clinic_id, patient_id)
+        find_patient(db, patient_id)
         if withdraw_consent(db, patient_id, consent, who.name):
             write_log(db, who.name, "consent withdrawn", patient=patient_id, consent=consent)
         for feature in features().values():
             feature.consent_withdrawn(db, patient_id, consent)
-        answer = _view(db, who.clinic_id, patient_id)
+        answer = _view(db, patient_id)
     live.tell("session")
     return answer
 
 
-def _view(db: Transaction, clinic_id: int, patient_id: int) -> ConsentsView:
+def _view(db: Transaction, patient_id: int) -> ConsentsView:
     rows = consent_history(db, patient_id)[::-1]
     kinds = []
     for consent in CONSENTS:
@@ -106,4 +106,4 @@ def _view(db: Transaction, clinic_id: int, patient_id: int) -> ConsentsView:
                 history=[ConsentRow.of(row) for row in own],
             )
         )
-    return ConsentsView(patient_id=patient_id, code=find_patient(db, clinic_id, patient_id).code, consents=kinds)
+    return ConsentsView(patient_id=patient_id, code=find_patient(db, patient_id).code, consents=kinds)

@@ -46,7 +46,6 @@ class ExportMaterial:
 
 def exported_material(
     database: Database,
-    clinic_id: int,
     patient_id: int,
     session: int | None,
     form: str,
@@ -70,7 +69,7 @@ def exported_material(
         When the disk of `place` has no room for the export and for recording beside it.
     """
     with database.transaction() as db:
-        patient = find_patient(db, clinic_id, patient_id)
+        patient = find_patient(db, patient_id)
         require_consent(db, patient_id, "sharing")
         found = recorded_runs(db, patient_id, session, runs)
         if not found:
@@ -83,9 +82,9 @@ def exported_material(
             if one.trial is not None
         }
         for floorplan, path, group in tasks:
-            counted = counted_trials(db, clinic_id, patient_id, floorplan, path)
+            counted = counted_trials(db, patient_id, floorplan, path)
             tasks[floorplan, path, group] += [one.row() for one in counted if one.group == group]
-        mark = clinic_mark(db, clinic_id)
+        mark = clinic_mark(db)
         write_log(db, person, "export", patient=patient_id, session=session, form=form, runs=len(found))
     known = tuple(ExportedTask(rows, spreads_of(*task)) for task, rows in tasks.items())
     return ExportMaterial(patient_id, patient.code, tuple(found), known, mark)

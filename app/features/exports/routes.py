@@ -39,13 +39,12 @@ def export(
     """
     material = exported_material(
         database,
-        who.clinic_id,
         patient_id,
         session,
         form,
         who.name,
         settings.runs,
-        spread.for_patient(who.clinic_id, patient_id),
+        spread.for_patient(patient_id),
         place=settings.state,
     )
     recordings = 0 if form == "fhir" else len(material.runs)

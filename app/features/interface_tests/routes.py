@@ -54,18 +54,18 @@ async def start_interface_test(
     409 with a stop in force, while anything is recorded, or without controls that fit the shirt.
     """
     async with session_flow.undisturbed("start the two-minute test"):
-        session = await session_flow.needed_session(who.clinic_id)
+        session = await session_flow.needed_session()
         obstacle = await session_flow.load_parameters()
         if obstacle is not None:
             raise Conflict(obstacle)
         test_id = await tests.start(session, Starter(who.person_id, who.name, body.screen))
-    return await asyncio.to_thread(_one, database, who.clinic_id, test_id)
+    return await asyncio.to_thread(_one, database, test_id)
 
 
 @router.post("/current/end")
-async def end_interface_test(who: ClinicianInSession, database: Db, tests: Tests) -> InterfaceTestView:
+async def end_interface_test(_who: ClinicianInSession, database: Db, tests: Tests) -> InterfaceTestView:
     """End the test by hand, so that it does not count; for every clinician, because nothing moves."""
-    return await asyncio.to_thread(_one, database, who.clinic_id, await tests.end())
+    return await asyncio.to_thread(_one, database, await tests.end())
 
 
 @router.get("")
@@ -81,9 +81,9 @@ def list_interface_tests(
     The course is of the complete ones with the plan of the newest.
     """
     with database.transaction(closing=True) as db:
-        find_patient(db, who.clinic_id, patient)
+        find_patient(db, patient)
         log_viewing(db, who.name, patient)
-        rows = interface_tests_of(db, who.clinic_id, patient)
+        rows = interface_tests_of(db, patient)
         tests = [InterfaceTestView.of_row(test, session) for test, session in rows]
     group = source or (rows[-1][0].source.group if rows else None)
     counted = counted_tests(
@@ -105,7 +105,7 @@ async def put_workload(
 
     def _write() -> InterfaceTestView:
         with database.transaction() as db:
-            test = save_workload(db, who.clinic_id, test_id, body.model_dump() if body.answers else None)
+            test = save_workload(db, test_id, body.model_dump() if body.answers else None)
             write_log(db, who.name, "workload answered", test=test_id, answers=len(body.answers))
             return _view(db, test)
 
@@ -114,9 +114,9 @@ async def put_workload(
     return saved
 
 
-def _one(database: Database, clinic_id: int, test_id: int) -> InterfaceTestView:
+def _one(database: Database, test_id: int) -> InterfaceTestView:
     with database.reading() as db:
-        return _view(db, find_interface_test(db, clinic_id, test_id))
+        return _view(db, find_interface_test(db, test_id))
 
 
 def _view(db: Transaction, test: InterfaceTest) -> InterfaceTestView:

@@ -58,16 +58,14 @@ def finish_interface_test(db: Session, test_id: int, end: str, measures: dict[st
     return test
 
 
-def find_interface_test(db: Session, clinic_id: int, test_id: int) -> InterfaceTest:
+def find_interface_test(db: Session, test_id: int) -> InterfaceTest:
     """Return one of the clinic's interface tests."""
-    return own_row(
-        db, InterfaceTest, clinic_id, test_id, f"There is no two-minute test {test_id}: choose one of the list."
-    )
+    return own_row(db, InterfaceTest, test_id, f"There is no two-minute test {test_id}: choose one of the list.")
 
 
-def save_workload(db: Session, clinic_id: int, test_id: int, answers: dict[str, Any] | None) -> InterfaceTest:
+def save_workload(db: Session, test_id: int, answers: dict[str, Any] | None) -> InterfaceTest:
     """Store how demanding a test felt; None: nothing was answered."""
-    test = find_interface_test(db, clinic_id, test_id)
+    test = find_interface_test(db, test_id)
     if test.status != "done":
         raise Conflict("The two-minute test is still running: end it first, then ask how demanding it was.")
     test.workload = answers

@@ -51,7 +51,7 @@ class LogView(Document):
 
 @router.get("")
 def look(
-    who: Owner,
+    _who: Owner,
     database: Db,
     person: Annotated[str | None, Query(max_length=80)] = None,
     patient: Annotated[int | None, Query(ge=1, le=2**31)] = None,
@@ -64,7 +64,7 @@ def look(
     """
     with database.reading() as db:
         if patient is not None:
-            find_patient(db, who.clinic_id, patient, deleted=True)
+            find_patient(db, patient, deleted=True)
         found = read_log(db, PAGE + 1, person=person, patient=patient, before=before)
         return LogView(
             entries=[LogEntryView.of(entry) for entry in found[:PAGE]],

@@ -8,23 +8,24 @@ from sqlalchemy.orm import Session
 
 from app.clock import utc_now
 from app.features.prior.tables import PriorEntry, PriorSwitch
+from app.store.access.visible_patients import own_clinic_id
 from app.store.consent import consented
 from app.store.tables import Patient
 
 RELEASED = "released"  # in a stored entry: its joints and rings that are in a release, because nobody is in two
 
 
-def is_prior_on(db: Session, clinic_id: int) -> bool:
+def is_prior_on(db: Session) -> bool:
     """Return whether accepted calibrations add to the clinic's prior, and new patients are helped by it."""
-    row = db.get(PriorSwitch, clinic_id)
+    row = db.get(PriorSwitch, own_clinic_id(db))
     return row is None or row.on
 
 
-def switch_prior(db: Session, clinic_id: int, *, on: bool) -> bool:
+def switch_prior(db: Session, *, on: bool) -> bool:
     """Switch the clinic's prior on or off, and return whether that is new; entries made before stay."""
-    if is_prior_on(db, clinic_id) == on:
+    if is_prior_on(db) == on:
         return False
-    db.merge(PriorSwitch(clinic_id=clinic_id, on=on))
+    db.merge(PriorSwitch(clinic_id=own_clinic_id(db), on=on))
     db.flush()
     return True
 
@@ -32,7 +33,7 @@ def switch_prior(db: Session, clinic_id: int, *, on: bool) -> bool:
 def may_add(db: Session, patient: Patient, *, simulated: bool) -> bool:
     """Return whether a calibration of this patient may add to the prior; practice needs no consent."""
     chosen = select(Patient.id).where(Patient.id == patient.id, _may_be_used(simulated))
-    return is_prior_on(db, patient.clinic_id) and db.scalar(chosen) is not None
+    return is_prior_on(db) and db.scalar(chosen) is not None
 
 
 def put_entry(db: Session, patient_id: int, shirt: str, document: dict[str, Any], *, simulated: bool) -> None:
@@ -59,15 +60,13 @@ def remove_entries(db: Session, patient_id: int) -> int:
     return len(db.execute(worn.returning(PriorEntry.id)).fetchall())
 
 
-def count_entries(db: Session, clinic_id: int, shirt: str, *, simulated: bool, without: int | None = None) -> int:
+def count_entries(db: Session, shirt: str, *, simulated: bool, without: int | None = None) -> int:
     """Return how many of the clinic's patients have an entry that may be used for a shirt, `without` one of them."""
     query = select(func.count()).select_from(PriorEntry).join(Patient, PriorEntry.patient_id == Patient.id)
-    return db.scalar(query.where(*_usable(clinic_id, shirt, simulated, without))) or 0
+    return db.scalar(query.where(*_usable(shirt, simulated, without))) or 0
 
 
-def entries_of_others(
-    db: Session, clinic_id: int, shirt: str, patient_id: int, *, simulated: bool
-) -> list[dict[str, Any]]:
+def entries_of_others(db: Session, shirt: str, patient_id: int, *, simulated: bool) -> list[dict[str, Any]]:
     """Return the documents of the clinic's other patients for a shirt.
 
     Deleted patients are left out, and those who have not consented, or no longer do.
@@ -75,13 +74,13 @@ def entries_of_others(
     query = (
         select(PriorEntry.document)
         .join(Patient, Patient.id == PriorEntry.patient_id)
-        .where(*_usable(clinic_id, shirt, simulated, patient_id))
+        .where(*_usable(shirt, simulated, patient_id))
         .order_by(PriorEntry.patient_id)
     )
     return [without_releases(document) for document in db.scalars(query)]
 
 
-def worn_entries(db: Session, clinic_id: int, shirt: str, *, to_share: bool) -> list[tuple[str, dict[str, Any]]]:
+def worn_entries(db: Session, shirt: str, *, to_share: bool) -> list[tuple[str, dict[str, Any]]]:
     """Return the patients' codes with what each adds to the prior of a worn shirt, and with what is released of it.
 
     With `to_share` only those who have consented to sharing outside of the clinic, too.
@@ -89,7 +88,7 @@ def worn_entries(db: Session, clinic_id: int, shirt: str, *, to_share: bool) -> 
     query = (
         select(Patient.code, PriorEntry.document)
         .join(Patient, Patient.id == PriorEntry.patient_id)
-        .where(*_usable(clinic_id, shirt, False, None))
+        .where(*_usable(shirt, False, None))
         .order_by(PriorEntry.patient_id)
     )
     if to_share:
@@ -97,14 +96,12 @@ def worn_entries(db: Session, clinic_id: int, shirt: str, *, to_share: bool) -> 
     return [(code, document) for code, document in db.execute(query)]
 
 
-def mark_released(
-    db: Session, clinic_id: int, code: str, shirt: str, joints: Collection[str], rings: Collection[str]
-) -> None:
+def mark_released(db: Session, code: str, shirt: str, joints: Collection[str], rings: Collection[str]) -> None:
     """Store that these joints and rings of what a patient adds to the prior of a worn shirt are in a release."""
     row = db.scalar(
         select(PriorEntry)
         .join(Patient, Patient.id == PriorEntry.patient_id)
-        .where(Patient.clinic_id == clinic_id, Patient.code == code, PriorEntry.shirt == shirt)
+        .where(Patient.code == code, PriorEntry.shirt == shirt)
         .where(PriorEntry.simulated.is_(False))
     )
     if row is None:
@@ -126,9 +123,8 @@ def without_releases(document: dict[str, Any]) -> dict[str, Any]:
     return {name: part for name, part in document.items() if name != RELEASED}
 
 
-def _usable(clinic_id: int, shirt: str, simulated: bool, without: int | None) -> tuple[ColumnElement[bool], ...]:
+def _usable(shirt: str, simulated: bool, without: int | None) -> tuple[ColumnElement[bool], ...]:
     return (
-        Patient.clinic_id == clinic_id,
         Patient.id != (0 if without is None else without),
         Patient.deleted.is_(None),
         PriorEntry.shirt == shirt,

@@ -30,10 +30,10 @@ class PriorView(Document):
 
 
 @router.get("")
-def look(who: Anyone, database: Db, equipment: EquipmentPart) -> PriorView:
+def look(_who: Anyone, database: Db, equipment: EquipmentPart) -> PriorView:
     """Return the switch, and how many people are known in the shirt in use."""
     with database.reading() as db:
-        return _view(db, who.clinic_id, equipment)
+        return _view(db, equipment)
 
 
 @router.put("")
@@ -41,15 +41,15 @@ def look(who: Anyone, database: Db, equipment: EquipmentPart) -> PriorView:
 def choose(body: PriorChoice, who: Owner, database: Db, equipment: EquipmentPart, live: LivePart) -> PriorView:
     """Switch it on or off; what was learnt before stays, and helps again when it is switched on."""
     with database.transaction() as db:
-        if switch_prior(db, who.clinic_id, on=body.on):
+        if switch_prior(db, on=body.on):
             write_log(db, who.name, "prior switched", on=body.on)
-        answer = _view(db, who.clinic_id, equipment)
+        answer = _view(db, equipment)
     live.tell("calibration")
     return answer
 
 
-def _view(db: Transaction, clinic_id: int, equipment: Equipment) -> PriorView:
+def _view(db: Transaction, equipment: Equipment) -> PriorView:
     layout = equipment.layout
     shirt = None if layout is None else garment(layout, equipment)
-    people = 0 if shirt is None else count_entries(db, clinic_id, shirt.hash, simulated=shirt.simulated)
-    return PriorView(on=is_prior_on(db, clinic_id), people=people, needed=FEWEST_PEOPLE)
+    people = 0 if shirt is None else count_entries(db, shirt.hash, simulated=shirt.simulated)
+    return PriorView(on=is_prior_on(db), people=people, needed=FEWEST_PEOPLE)

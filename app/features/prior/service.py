@@ -30,11 +30,9 @@ class ClinicPrior:
         """Return how many other people are known in this shirt; 0 when they are too few, or the owner wants none."""
         with every_patient(), self._database.reading() as db:
             session = db.get_one(PatientSession, session_id)
-            if not is_prior_on(db, session.clinic_id):
+            if not is_prior_on(db):
                 return 0
-            count = count_entries(
-                db, session.clinic_id, garment.hash, simulated=garment.simulated, without=session.patient_id
-            )
+            count = count_entries(db, garment.hash, simulated=garment.simulated, without=session.patient_id)
         shipped = garment.shipped_prior
         if shipped is not None:
             return count + shipped.people
@@ -48,11 +46,9 @@ class ClinicPrior:
         """Return what is known of other people in this shirt; None when they are too few, or the owner wants none."""
         with every_patient(), self._database.reading() as db:
             session = db.get_one(PatientSession, session_id)
-            if not is_prior_on(db, session.clinic_id):
+            if not is_prior_on(db):
                 return None
-            found = entries_of_others(
-                db, session.clinic_id, garment.hash, session.patient_id, simulated=garment.simulated
-            )
+            found = entries_of_others(db, garment.hash, session.patient_id, simulated=garment.simulated)
         entries = [PersonEntry.model_validate(entry).in_layout(garment.layout) for entry in found]
         prior = MapPrior(garment.layout, *sums_of(entries))
         shipped = garment.shipped_prior

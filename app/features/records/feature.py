@@ -25,12 +25,12 @@ def story(db: Session, session: PatientSession) -> Iterator[StoryEvent]:
             yield StoryEvent(row.unlocked, "unlock", row.unlocked_by, row.reason or "", {})
 
 
-def attention(db: Session, clinic_id: int, _person_id: int) -> Iterator[tuple[int, Attention]]:
+def attention(db: Session, _person_id: int) -> Iterator[tuple[int, Attention]]:
     """Yield the patients with sessions that have ended and are not signed off."""
     signed = select(SessionSignOff.session_id).where(SessionSignOff.unlocked.is_(None))
     unsigned = (
         select(PatientSession.patient_id, func.count(), func.max(PatientSession.id))
-        .where(PatientSession.clinic_id == clinic_id, PatientSession.ended.is_not(None))
+        .where(PatientSession.ended.is_not(None))
         .where(PatientSession.id.not_in(signed))
         .group_by(PatientSession.patient_id)
     )

@@ -52,7 +52,7 @@ def list_sessions(patient_id: RowId, who: Anyone, database: Db) -> list[SessionR
     `trials` is their count; `origin`: from which archive a session came, null: held here.
     """
     with database.transaction(closing=True) as db:
-        find_patient(db, who.clinic_id, patient_id)
+        find_patient(db, patient_id)
         log_viewing(db, who.name, patient_id)
         counted, signed = counted_by_session(db, patient_id), sign_offs_of(db, patient_id)
         origins = {session: OriginView.of(origin) for session, origin in origins_of(db, patient_id).items()}
@@ -78,7 +78,7 @@ def one_session(session_id: RowId, who: Anyone, database: Db) -> SessionRecordVi
     sign-off it is refused with 409, as is keeping or discarding the session's trials.
     """
     with database.transaction(closing=True) as db:
-        session = find_session(db, who.clinic_id, session_id)
+        session = find_session(db, session_id)
         write_log(db, who.name, "session viewed", patient=session.patient_id, session=session_id)
         return record_view(db, session)
 
@@ -155,7 +155,7 @@ def _changed(
 ) -> SessionRecordView:
     """Change a session by `write`, log it with the details that it returns (None: nothing changed), and answer it."""
     with database.transaction() as db:
-        session = find_session(db, who.clinic_id, session_id)
+        session = find_session(db, session_id)
         require_unsigned(db, session_id)
         details = write(db)
         if details is not None:
@@ -189,7 +189,7 @@ async def sign_session_off(
 
     def _sign() -> tuple[SessionRecordView, bool]:
         with database.transaction() as db:
-            session = find_session(db, who.clinic_id, session_id)
+            session = find_session(db, session_id)
             was_open = session.ended is None
             sign_off(db, session, who.name)
             write_log(db, who.name, "session signed off", patient=session.patient_id, session=session_id)
@@ -213,7 +213,7 @@ def unlock_session(session_id: RowId, body: Unlock, who: Owner, database: Db, li
     For owners.
     """
     with database.transaction() as db:
-        session = find_session(db, who.clinic_id, session_id)
+        session = find_session(db, session_id)
         row = unlock(db, session, who.name, body.reason)
         details = {"patient": session.patient_id, "session": session_id, "signed_by": row.person}
         write_log(db, who.name, "session unlocked", **details)

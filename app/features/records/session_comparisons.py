@@ -54,7 +54,7 @@ class PairOfTests(NamedTuple):
 def pairs_of_tests(db: Transaction, earlier: PatientSession, later: PatientSession) -> list[PairOfTests]:
     """Return the two-minute tests of two sessions by their source; a source that neither session has is left out."""
     of: dict[SourceGroup, list[tuple[InterfaceTest, int]]] = {}
-    for test, session in interface_tests_of(db, later.clinic_id, later.patient_id):
+    for test, session in interface_tests_of(db, later.patient_id):
         if session <= later.number and test.status == "done":
             of.setdefault(test.source.group, []).append((test, session))
     found = []
@@ -122,7 +122,7 @@ def compare_two(
     Differences of the last parameter sets are null when one session has none.
     """
     with database.transaction(closing=True) as db:
-        pair = [find_session(db, who.clinic_id, one) for one in (session_id, other)]
+        pair = [find_session(db, one) for one in (session_id, other)]
         if pair[0].id == pair[1].id:
             raise Conflict(SAME_SESSION)
         if pair[0].patient_id != pair[1].patient_id:
@@ -134,7 +134,7 @@ def compare_two(
         titles = {_task(one): one.floorplan_title for of_session in trials for one in of_session}
         rows = {}
         for task in titles:
-            counted = counted_trials(db, who.clinic_id, earlier.patient_id, task.floorplan, task.path)
+            counted = counted_trials(db, earlier.patient_id, task.floorplan, task.path)
             rows[task] = [one.row() for one in counted if one.group == task.group]
         pairs = pairs_of_tests(db, earlier, later)
         views = record_view(db, earlier), record_view(db, later)
@@ -173,7 +173,7 @@ def _last_set(db: Transaction, session: PatientSession) -> UsedSet | None:
 
 
 def _task(trial: Trial) -> Task:
-    return Task(trial.clinic_id, trial.floorplan, trial.path, trial.source.group)
+    return Task(trial.floorplan, trial.path, trial.source.group)
 
 
 def _of_session(rows: list[dict[str, object]], session: PatientSession) -> int:

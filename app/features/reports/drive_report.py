@@ -32,7 +32,7 @@ class ReportedDrive:
     parameters_id: int
 
 
-def reported_drives(db: Transaction, clinic_id: int, patient_id: int, sessions: dict[int, int]) -> list[ReportedDrive]:
+def reported_drives(db: Transaction, patient_id: int, sessions: dict[int, int]) -> list[ReportedDrive]:
     """Return a patient's drives in the reported sessions, in the order driven; `sessions` are their numbers by id."""
     return [
         ReportedDrive(
@@ -46,7 +46,7 @@ def reported_drives(db: Transaction, clinic_id: int, patient_id: int, sessions: 
             source=source_description(drive.source),
             parameters_id=drive.parameters_id,
         )
-        for drive in drives_of(db, clinic_id, patient_id)
+        for drive in drives_of(db, patient_id)
         if drive.session_id in sessions
     ]
 

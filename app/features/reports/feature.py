@@ -11,13 +11,11 @@ if TYPE_CHECKING:
     from app.store.database import Database
 
 
-def report(
-    database: "Database", settings: "Settings", clinic_id: int, patient_id: int, spreads_of: "SpreadsOf"
-) -> "MakeReport | None":
+def report(database: "Database", settings: "Settings", patient_id: int, spreads_of: "SpreadsOf") -> "MakeReport | None":
     """Return what makes the report of a patient's course for an archive, None without a session."""
     from app.features.reports.service import report_of_archive
 
-    return report_of_archive(database, settings, clinic_id, patient_id, spreads_of)
+    return report_of_archive(database, settings, patient_id, spreads_of)
 
 
 FEATURE: Final = Feature(routes=("routes",), report=report)

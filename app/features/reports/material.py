@@ -121,7 +121,7 @@ class ReportMaterial:
 
 
 def report_material(
-    database: Database, clinic_id: int, patient_id: int, session: int | None, settings: Settings, spreads_of: SpreadsOf
+    database: Database, patient_id: int, session: int | None, settings: Settings, spreads_of: SpreadsOf
 ) -> ReportMaterial:
     """Return what a report of one session, or of a patient's whole course (None), is made from.
 
@@ -134,7 +134,7 @@ def report_material(
         When the clinic has no such patient, or the patient no such session.
     """
     with database.reading() as db:
-        own = _own_material(db, find_patient(db, clinic_id, patient_id), session, settings)
+        own = _own_material(db, find_patient(db, patient_id), session, settings)
     tasks = [replace(task, clinic=spreads_of(task.floorplan, task.path_name, task.group)) for task in own.tasks]
     return replace(own, tasks=tuple(tasks))
 
@@ -146,7 +146,7 @@ def _own_material(db: Transaction, patient: Patient, session: int | None, settin
         raise NotFound(NO_SESSION if session is None else NOT_THIS_SESSION.format(number=session))
     numbers = {one.id: one.number for one in reported}
     trials = [trial for one in reported for trial in trials_of_session(db, one.id)]
-    drives = reported_drives(db, patient.clinic_id, patient.id, numbers)
+    drives = reported_drives(db, patient.id, numbers)
     last, origins = every[-1].number, origins_of(db, patient.id)
     return ReportMaterial(
         patient_id=patient.id,
@@ -203,9 +203,7 @@ def _task(
 ) -> TaskMaterial:
     floorplan, path, group = key
     counted: list[CountedTrial] = [
-        one
-        for one in counted_trials(db, patient.clinic_id, patient.id, floorplan, path)
-        if one.group == group and one.session <= last
+        one for one in counted_trials(db, patient.id, floorplan, path) if one.group == group and one.session <= last
     ]
     newest = counted[-1].trial
     return TaskMaterial(
@@ -224,7 +222,7 @@ def _task(
 def _tests(db: Transaction, patient: Patient, reported: set[int], last: int) -> list[InterfaceTestMaterial]:
     """Return the two-minute tests by kind of source, as far as a reported session has one of it."""
     found: dict[SourceGroup, list[tuple[InterfaceTest, int]]] = {}
-    for test, session in interface_tests_of(db, patient.clinic_id, patient.id):
+    for test, session in interface_tests_of(db, patient.id):
         if test.status == "done" and session <= last:
             found.setdefault(test.source.group, []).append((test, session))
     return [

@@ -34,8 +34,8 @@ def report(
     For owners and clinicians. The file's name holds the patient's id only. The report prints the head of the log with
     its own row, `report exported`.
     """
-    spreads_of = spread.for_patient(who.clinic_id, patient_id)
-    subject = Subject(who.clinic_id, patient_id, session)
+    spreads_of = spread.for_patient(patient_id)
+    subject = Subject(patient_id, session)
     material = exported_material(database, settings, subject, form, who.name, spreads_of, for_patient=for_patient)
     content = computing.ask(report_file, material, form, "us-letter" if letter else "a4")
     disposition = f'attachment; filename="{file_name(material, form)}"'

@@ -23,7 +23,6 @@ COPY = "A copy for the patient needs no consent"
 class Subject(NamedTuple):
     """Whose report: of one session by its number, or of the whole course (None)."""
 
-    clinic_id: int
     patient_id: int
     session: int | None
 
@@ -61,7 +60,7 @@ def exported_material(
 
 def _require_consent(database: Database, subject: Subject) -> None:
     with database.reading() as db:
-        patient = find_patient(db, subject.clinic_id, subject.patient_id)
+        patient = find_patient(db, subject.patient_id)
         try:
             require_consent(db, patient.id, "sharing")
         except Conflict as refusal:
@@ -69,7 +68,7 @@ def _require_consent(database: Database, subject: Subject) -> None:
 
 
 def report_of_archive(
-    database: Database, settings: Settings, clinic_id: int, patient_id: int, spreads_of: SpreadsOf
+    database: Database, settings: Settings, patient_id: int, spreads_of: SpreadsOf
 ) -> Callable[[], bytes] | None:
     """Return what makes the report of a patient's course as HTML for an archive; None for a patient without a session.
 
@@ -78,5 +77,5 @@ def report_of_archive(
     with database.reading() as db:
         if not sessions_of(db, patient_id):
             return None
-    material = report_material(database, clinic_id, patient_id, None, settings, spreads_of)
+    material = report_material(database, patient_id, None, settings, spreads_of)
     return partial(report_file, replace(material, head=HeadFile(settings.database).read()), "html", "a4")

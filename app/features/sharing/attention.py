@@ -17,6 +17,7 @@ from app.features.registration import Attention, Reason, features
 from app.features.sharing.deteriorations import CountedTask, Deteriorations
 from app.quantities import Document
 from app.source import SourceGroup
+from app.store.access.visible_patients import own_clinic_id
 from app.store.log import write_log
 from app.store.patients import all_patients
 from app.store.tables import COUNTED, Drive, Patient, PatientSession, Run, Trial
@@ -30,45 +31,43 @@ RECENT = timedelta(days=28)  # for trials and drives that halted
 GROUPS: dict[bool | None, SourceGroup] = {False: "worn", True: "simulated", None: "unknown"}
 
 
-def patients_and_reasons(db: Session, clinic_id: int, person_id: int) -> list[tuple[Patient, list[Attention]]]:
+def patients_and_reasons(db: Session, person_id: int) -> list[tuple[Patient, list[Attention]]]:
     """Return every visible patient with the reasons to look at them; the most urgent reason first."""
     now = utc_now()
     reasons: dict[int, list[Attention]] = defaultdict(list)
     stopped = (
         select(Drive.patient_id, func.count(), func.max(Drive.session_id))
-        .where(Drive.clinic_id == clinic_id, Drive.end == "fault", Drive.started >= now - RECENT)
+        .where(Drive.end == "fault", Drive.started >= now - RECENT)
         .group_by(Drive.patient_id)
     )
     for patient, count, session in db.execute(stopped):
         reasons[patient].append(Attention("drive", count, session, None))
     halted = (
         select(Trial.patient_id, func.count(), func.max(Trial.id))
-        .where(Trial.clinic_id == clinic_id, Trial.end == "fault", Trial.started >= now - RECENT)
+        .where(Trial.clinic_id == own_clinic_id(db), Trial.end == "fault", Trial.started >= now - RECENT)
         .group_by(Trial.patient_id)
     )
     for patient, count, newest in db.execute(halted):
         reasons[patient].append(Attention("halted", count, None, newest))
     for feature in features().values():
-        for patient, reason in feature.attention(db, clinic_id, person_id):
+        for patient, reason in feature.attention(db, person_id):
             reasons[patient].append(reason)
-    sessions = (
-        select(PatientSession.patient_id, func.max(PatientSession.started), func.max(PatientSession.id))
-        .where(PatientSession.clinic_id == clinic_id)
-        .group_by(PatientSession.patient_id)
-    )
+    sessions = select(
+        PatientSession.patient_id, func.max(PatientSession.started), func.max(PatientSession.id)
+    ).group_by(PatientSession.patient_id)
     for patient, last, newest in db.execute(sessions):
         away = now - last
         if away >= LONG:
             reasons[patient].append(Attention("absent", away.days, newest, None))
-    return [(patient, reasons[patient.id]) for patient in all_patients(db, clinic_id)]
+    return [(patient, reasons[patient.id]) for patient in all_patients(db)]
 
 
-def tasks_of(db: Session, clinic_id: int, patient_id: int) -> list[tuple[str, str, SourceGroup]]:
+def tasks_of(db: Session, patient_id: int) -> list[tuple[str, str, SourceGroup]]:
     """Return the tasks (floor plan, path, source) of a patient in which a trial counts."""
     query = (
         select(Trial.floorplan, Trial.path, Run.simulated)
         .join(Run, Run.id == Trial.run_id)
-        .where(Trial.clinic_id == clinic_id, Trial.patient_id == patient_id)
+        .where(Trial.clinic_id == own_clinic_id(db), Trial.patient_id == patient_id)
         .where(Trial.kept.is_(True), Trial.status == "done")
         .distinct()
         .order_by(Trial.floorplan, Trial.path)
@@ -76,7 +75,7 @@ def tasks_of(db: Session, clinic_id: int, patient_id: int) -> list[tuple[str, st
     return [(floorplan, path, GROUPS[simulated]) for floorplan, path, simulated in db.execute(query)]
 
 
-def counted_tasks(db: Session, clinic_id: int) -> list[CountedTask]:
+def counted_tasks(db: Session) -> list[CountedTask]:
     """Return every task of every visible patient in which a trial counts.
 
     The condition is that of the index `ix_trial_counted`, so that no trial is read for it.
@@ -85,7 +84,7 @@ def counted_tasks(db: Session, clinic_id: int) -> list[CountedTask]:
     counted = (
         select(*task, func.group_concat(Trial.id))
         .join(Run, Run.id == Trial.run_id)
-        .where(Trial.clinic_id == clinic_id, text(COUNTED))
+        .where(Trial.clinic_id == own_clinic_id(db), text(COUNTED))
         .group_by(*task)
     )
     return [
@@ -126,10 +125,10 @@ def attention(who: Anyone, database: Db, deteriorations: DeteriorationsPart) -> 
     page asks again after some seconds.
     """
     with database.transaction(closing=True) as db:
-        found = patients_and_reasons(db, who.clinic_id, who.person_id)
-        tasks = counted_tasks(db, who.clinic_id)
+        found = patients_and_reasons(db, who.person_id)
+        tasks = counted_tasks(db)
         write_log(db, who.name, "patients viewed by attention")
-    known = deteriorations.known(who.clinic_id, tasks)
+    known = deteriorations.known(tasks)
     pending = {task.patient_id for task in tasks if task not in known}
     worse: dict[int, list[Attention]] = defaultdict(list)
     for task, one in known.items():

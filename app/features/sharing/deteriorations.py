@@ -48,15 +48,15 @@ class Deteriorations:
     def __init__(self, database: Database, computing: ComputingProcess, spread: ClinicSpread) -> None:
         self._database, self._computing, self._spread = database, computing, spread
         self._known: DerivedResults[CountedTask, Deterioration | None] = DerivedResults(KEPT)
-        self._missing: dict[CountedTask, int] = {}  # with its clinic, in the order in which they were asked for
+        self._missing: dict[CountedTask, None] = {}  # in the order in which they were asked for
         self._lock = threading.Lock()
         self._is_working = False
 
-    def known(self, clinic_id: int, tasks: Sequence[CountedTask]) -> dict[CountedTask, Deterioration | None]:
+    def known(self, tasks: Sequence[CountedTask]) -> dict[CountedTask, Deterioration | None]:
         """Return what is known of these tasks, and begin to work out the others; None: no worse than noise explains."""
         with self._lock:
             found = self._known.find(tasks)
-            self._missing.update({task: clinic_id for task in tasks if task not in found})
+            self._missing.update({task: None for task in tasks if task not in found})
             begin = bool(self._missing) and not self._is_working
             self._is_working = self._is_working or begin
         if begin:
@@ -66,31 +66,31 @@ class Deteriorations:
     def _work(self) -> None:
         try:
             while (task := self._next()) is not None:
-                self._keep(task, self._found(*task))
+                self._keep(task, self._found(task))
         except (Refusal, OSError, ValueError, RuntimeError) as error:
             LOG.warning("What has become worse is not known for every patient: %s", error)
             with self._lock:
                 self._is_working = False
                 self._missing.clear()  # whoever asks next begins again
 
-    def _next(self) -> tuple[CountedTask, int] | None:
+    def _next(self) -> CountedTask | None:
         with self._lock:
-            task = next(iter(self._missing.items()), None)
+            task = next(iter(self._missing), None)
             self._is_working = task is not None
             return task
 
-    def _keep(self, task: tuple[CountedTask, int], found: Deterioration | None) -> None:
+    def _keep(self, task: CountedTask, found: Deterioration | None) -> None:
         with self._lock:
-            self._known.forget(lambda one: one[:4] == task[0][:4])  # with the trials that counted before
-            self._known.store({task[0]: found})
-            self._missing.pop(task[0], None)
+            self._known.forget(lambda one: one[:4] == task[:4])  # with the trials that counted before
+            self._known.store({task: found})
+            self._missing.pop(task, None)
 
-    def _found(self, task: CountedTask, clinic_id: int) -> Deterioration | None:
+    def _found(self, task: CountedTask) -> Deterioration | None:
         with every_patient(), self._database.reading() as db:
-            every = counted_trials(db, clinic_id, task.patient_id, task.floorplan, task.path)
+            every = counted_trials(db, task.patient_id, task.floorplan, task.path)
             trials = [one for one in every if one.group == task.group]
             rows = [one.row() for one in trials]
             newest = trials[-1].trial.session_id if trials else 0
-        spread = self._spread.of_others(Task(clinic_id, task.floorplan, task.path, task.group), task.patient_id)
+        spread = self._spread.of_others(Task(task.floorplan, task.path, task.group), task.patient_id)
         worse = self._computing.ask_last(deteriorations, rows, spread)
         return Deterioration(len(worse), newest, next(iter(worse.values()))) if worse else None

@@ -88,8 +88,8 @@ class NewLinks:
         """Make a link to one session, or to all sessions of a patient."""
 
         def whose(db: Transaction) -> int:
-            found = patient_id if session_id is None else find_session(db, who.clinic_id, session_id).patient_id
-            find_patient(db, who.clinic_id, found)
+            found = patient_id if session_id is None else find_session(db, session_id).patient_id
+            find_patient(db, found)
             require_consent(db, found, "sharing")
             return found
 
@@ -100,7 +100,7 @@ class NewLinks:
         def store(pin_hash: str) -> MadeShare:
             with self.database.transaction() as db:
                 patient = whose(db)
-                link, token = add_share(db, who.clinic_id, patient, session_id, pin_hash, days, who.name)
+                link, token = add_share(db, patient, session_id, pin_hash, days, who.name)
                 details = {"patient": patient, "session": session_id, "share": link.id, "days": days}
                 write_log(db, who.name, "share link made", **details)
                 return MadeShare(
@@ -126,7 +126,7 @@ def list_shares(patient_id: RowId, who: Clinician, database: Db) -> SharesView:
     For owners and clinicians: with the count and last time of openings (event `shares`; visitors have no names).
     """
     with database.transaction(closing=True) as db:
-        find_patient(db, who.clinic_id, patient_id)
+        find_patient(db, patient_id)
         log_viewing(db, who.name, patient_id)
         return SharesView(patient_id=patient_id, shares=_rows(db, patient_id))
 
@@ -167,7 +167,7 @@ async def share_session(
 def no_share(share_id: RowId, who: Clinician, database: Db, live: LivePart) -> SharesView:
     """Revoke a share link: nobody reads by it any more."""
     with database.transaction(closing=True) as db:
-        link = find_share(db, who.clinic_id, share_id)
+        link = find_share(db, share_id)
         revoke_share(db, link)
         write_log(db, who.name, "share link revoked", patient=link.patient_id, share=share_id)
         answer = SharesView(patient_id=link.patient_id, shares=_rows(db, link.patient_id))

@@ -16,6 +16,7 @@ from sqlalchemy.orm import Session
 from app.clock import utc_now
 from app.features.sharing.tables import ShareLink, ShareVisit
 from app.refusals import Conflict
+from app.store.access.visible_patients import own_clinic_id
 from app.store.consent import has_consented, require_consent
 from app.store.own_rows import own_row
 from app.store.patients import find_patient
@@ -36,7 +37,6 @@ class SharedRecords:
     """What a visitor of a share link reads."""
 
     share_id: int
-    clinic_id: int
     patient_id: int
     session_id: int | None  # None: all sessions
     expires: datetime
@@ -52,16 +52,16 @@ def _hash(token: str) -> str:
 
 
 def add_share(
-    db: Session, clinic_id: int, patient_id: int, session_id: int | None, pin_hash: str, days: int, person: str
+    db: Session, patient_id: int, session_id: int | None, pin_hash: str, days: int, person: str
 ) -> tuple[ShareLink, str]:
     """Make a link for a patient who consents to sharing; return it with its token, which is stored nowhere."""
-    find_patient(db, clinic_id, patient_id)
+    find_patient(db, patient_id)
     require_consent(db, patient_id, "sharing")
     if sum(share_state(link) == "open" for link in shares_of(db, patient_id)) >= MOST_LINKS:
         raise Conflict(f"{MOST_LINKS} links of this patient can be opened already: revoke one first.")
     token, now = secrets.token_urlsafe(TOKEN_BYTES), utc_now()
     link = ShareLink(
-        clinic_id=clinic_id,
+        clinic_id=own_clinic_id(db),
         patient_id=patient_id,
         session_id=session_id,
         token_hash=_hash(token),
@@ -89,10 +89,10 @@ def last_opened(db: Session, share_id: int) -> datetime | None:
     return None if newest is None else newest - VISIT
 
 
-def find_share(db: Session, clinic_id: int, share_id: int) -> ShareLink:
+def find_share(db: Session, share_id: int) -> ShareLink:
     """Return one of the clinic's links; its patient is visible and not deleted."""
-    link = own_row(db, ShareLink, clinic_id, share_id, f"There is no share link {share_id}: choose one of the list.")
-    find_patient(db, clinic_id, link.patient_id)
+    link = own_row(db, ShareLink, share_id, f"There is no share link {share_id}: choose one of the list.")
+    find_patient(db, link.patient_id)
     return link
 
 
@@ -151,7 +151,7 @@ def find_visit(db: Session, token: str) -> SharedRecords | None:
     )
     if link is None or share_state(link) in {"revoked", "over"} or not _may_be_shared(db, link):
         return None
-    return SharedRecords(link.id, link.clinic_id, link.patient_id, link.session_id, link.expires)
+    return SharedRecords(link.id, link.patient_id, link.session_id, link.expires)
 
 
 def _may_be_shared(db: Session, link: ShareLink) -> bool:

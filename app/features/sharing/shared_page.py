@@ -78,18 +78,18 @@ class SharedLearning:
     spread: ClinicSpread
     places: ClinicPlaces
 
-    def of_patient(self, clinic_id: int, patient_id: int, session_id: int | None) -> list[TaskLearning]:
+    def of_patient(self, patient_id: int, session_id: int | None) -> list[TaskLearning]:
         """Return what a patient drove, by task; with a session, its trials only, and verdicts up to it."""
         found = []
         with self.database.reading() as db:
-            tasks = tasks_of(db, clinic_id, patient_id)
-            counted = {task: counted_trials(db, clinic_id, patient_id, task[0], task[1]) for task in tasks}
+            tasks = tasks_of(db, patient_id)
+            counted = {task: counted_trials(db, patient_id, task[0], task[1]) for task in tasks}
         for (floorplan, path, source), every in counted.items():
             trials = [one for one in every if one.group == source]
             shown = [one for one in trials if session_id is None or one.trial.session_id == session_id]
             if shown:
                 until = [one for one in trials if one.session <= shown[-1].session]
-                found.append(self._of_task(Task(clinic_id, floorplan, path, source), patient_id, shown, until))
+                found.append(self._of_task(Task(floorplan, path, source), patient_id, shown, until))
         return found
 
     def _of_task(
@@ -185,10 +185,10 @@ def shared(
             if visit.session_id is None:
                 sessions = sessions_of(db, visit.patient_id)[:MOST_SESSIONS]
             else:
-                sessions = [find_session(db, visit.clinic_id, visit.session_id)]
+                sessions = [find_session(db, visit.session_id)]
             stories = [story_view(db, session) for session in sessions]
             code = db.get_one(Patient, visit.patient_id).code
-        tasks = learning.of_patient(visit.clinic_id, visit.patient_id, visit.session_id)
+        tasks = learning.of_patient(visit.patient_id, visit.session_id)
     finally:
         VISIBLE_PATIENTS.reset(before)
     return SharedView(

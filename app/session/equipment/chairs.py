@@ -88,7 +88,7 @@ class Chairs(ClinicChoice):
         stored = clinic.chair or {}
         self.dynamics = stored.get("dynamics", "unicycle")
         chair_id = stored.get("id")
-        self.chosen = None if chair_id is None else find_chair(db, clinic, chair_id)
+        self.chosen = None if chair_id is None else find_chair(db, chair_id)
 
     def _write(self, _db: Transaction, clinic: Clinic) -> None:
         clinic.chair = {"id": self.chosen.id if self.chosen else None, "dynamics": self.dynamics}

@@ -36,9 +36,9 @@ def pair_chair(
     return chair, key
 
 
-def unpair_chair(db: Transaction, clinic: Clinic, keys: Path, chair_id: int) -> PairedChair:
+def unpair_chair(db: Transaction, keys: Path, chair_id: int) -> PairedChair:
     """Remove a chair and delete its key file."""
-    chair = remove_chair(db, clinic, chair_id)
+    chair = remove_chair(db, chair_id)
     key_file(keys, chair.key_id).unlink(missing_ok=True)
     return chair
 

@@ -18,23 +18,23 @@ LAST_OWNER = "{name} is the last owner who can sign in, and stays one: make some
 ONLY_REVIEWERS = "Patients are chosen for reviewers only: owners and clinicians work with all of them."
 
 
-def find_person_by_id(db: Session, clinic_id: int, person_id: int) -> Person:
+def find_person_by_id(db: Session, person_id: int) -> Person:
     """Return one of the clinic's people."""
-    return own_row(db, Person, clinic_id, person_id, f"There is no person {person_id}: choose one of the list.")
+    return own_row(db, Person, person_id, f"There is no person {person_id}: choose one of the list.")
 
 
-def people_of(db: Session, clinic_id: int) -> list[Person]:
+def people_of(db: Session) -> list[Person]:
     """Return the clinic's people, by name."""
-    return list(db.scalars(select(Person).where(Person.clinic_id == clinic_id).order_by(func.lower(Person.name))))
+    return list(db.scalars(select(Person).order_by(func.lower(Person.name))))
 
 
-def checked_patients(db: Session, clinic_id: int, role: str, patients: list[int] | None) -> list[int] | None:
+def checked_patients(db: Session, role: str, patients: list[int] | None) -> list[int] | None:
     """Return the patients of a reviewer, each once; None: all. Refuse a choice for another role, and unknown ones."""
     if patients is None:
         return None
     if role != "reviewer":
         raise Conflict(ONLY_REVIEWERS)
-    return sorted({find_patient(db, clinic_id, patient).id for patient in patients})
+    return sorted({find_patient(db, patient).id for patient in patients})
 
 
 def change_rights(db: Session, person: Person, role: PersonRole, patients: list[int] | None, by: str | None) -> None:

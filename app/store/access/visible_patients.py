@@ -1,4 +1,4 @@
-"""Restrict every query of a transaction to the patients that the signed-in person may see.
+"""Restrict every query of a transaction to the clinic of the signed-in person, and to the patients they may see.
 
 Nobody's patients exist for a request until the web application has found its person (`app/api/who_asks.py`); each
 transaction of the request is restricted here. So a route needs no rule of its own, and a new one cannot forget it: for
@@ -15,18 +15,28 @@ from sqlalchemy import ColumnElement, and_, event, inspect, select
 from sqlalchemy.orm import InstrumentedAttribute, Mapper, ORMExecuteState, Session, with_loader_criteria
 from sqlalchemy.orm.util import LoaderCriteriaOption
 
-from app.store.tables import Patient, Table
+from app.store.tables import Clinic, Patient, Table
 
 VisiblePatients = frozenset[int] | None
 """Ids of the patients that exist for somebody; None: all of them."""
 
 NOBODY: Final[frozenset[int]] = frozenset()
 
-_OPTION, _DELETED = "with_deleted_patients", "deleted_patients"
-WITH_DELETED: Final[Mapping[str, bool]] = {_OPTION: True}
+_WITH_DELETED, _OF_ANY_CLINIC, _DELETED = "with_deleted_patients", "of_any_clinic", "deleted_patients"
+WITH_DELETED: Final[Mapping[str, bool]] = {_WITH_DELETED: True}
 """Execution options of a query that finds deleted patients, too."""
+OF_ANY_CLINIC: Final[Mapping[str, bool]] = {_OF_ANY_CLINIC: True}
+"""Execution options of a query that finds rows of other clinics, too."""
 
 VISIBLE_PATIENTS: ContextVar[VisiblePatients] = ContextVar("VISIBLE_PATIENTS", default=None)
+OWN_CLINIC: ContextVar[int | None] = ContextVar("OWN_CLINIC", default=None)
+"""The id of the clinic of who asks; None for the program's own work."""
+
+
+def own_clinic_id(db: Session) -> int:
+    """Return the id of the clinic to which new rows belong: that of who asks, or the database's first one."""
+    own = OWN_CLINIC.get()
+    return db.scalars(select(Clinic.id).order_by(Clinic.id).limit(1)).one() if own is None else own
 
 
 @contextmanager
@@ -45,18 +55,25 @@ def every_patient() -> Iterator[None]:
 
 
 def restrict(db: Session) -> None:
-    """Leave out of every later query of `db` what belongs to a patient who is not visible in this context.
+    """Leave out of every later query of `db` other clinics, and what is of a patient not visible in this context.
 
     Deleted patients are left out for everybody: only a query with the execution options `WITH_DELETED` finds them.
     """
-    visible = VISIBLE_PATIENTS.get()
+    visible, own = VISIBLE_PATIENTS.get(), OWN_CLINIC.get()
+    if own is not None and _has_one_clinic(db):
+        own = None  # the usual case, without a condition in each query
     read_deleted(db)
 
     @event.listens_for(db, "do_orm_execute")
     def _leave_out(state: ORMExecuteState) -> None:
-        deleted = NOBODY if state.execution_options.get(_OPTION) else db.info[_DELETED]
-        if state.is_select and (deleted or visible is not None):
-            state.statement = state.statement.options(*_loader_criteria(visible, deleted))
+        deleted = NOBODY if state.execution_options.get(_WITH_DELETED) else db.info[_DELETED]
+        clinic = None if state.execution_options.get(_OF_ANY_CLINIC) else own
+        if state.is_select and (deleted or visible is not None or clinic is not None):
+            state.statement = state.statement.options(*_loader_criteria(visible, deleted, clinic))
+
+
+def _has_one_clinic(db: Session) -> bool:
+    return len(db.connection().exec_driver_sql("SELECT id FROM clinic LIMIT 2").all()) < 2
 
 
 def read_deleted(db: Session) -> None:
@@ -66,15 +83,22 @@ def read_deleted(db: Session) -> None:
 
 
 @lru_cache(maxsize=32)
-def _loader_criteria(visible: VisiblePatients, deleted: frozenset[int]) -> tuple[LoaderCriteriaOption, ...]:
+def _loader_criteria(
+    visible: VisiblePatients, deleted: frozenset[int], clinic: int | None
+) -> tuple[LoaderCriteriaOption, ...]:
     def permits(patient: InstrumentedAttribute[int]) -> ColumnElement[bool]:
         conditions = [patient.not_in(deleted)] if deleted else []
         return and_(*conditions, *([] if visible is None else [patient.in_(visible)]))
 
+    conditions: list[tuple[type[Table], ColumnElement[bool] | None]] = []
+    if deleted or visible is not None:
+        conditions += [(kind, _belongs_to(kind, permits)) for kind in _mapped_classes()]
+    if clinic is not None:
+        conditions += [(kind, kind.clinic_id == clinic) for kind in _mapped_classes() if hasattr(kind, "clinic_id")]
     return tuple(
         with_loader_criteria(kind, condition, include_aliases=True)
-        for kind in _mapped_classes()
-        if (condition := _belongs_to(kind, permits)) is not None
+        for kind, condition in conditions
+        if condition is not None
     )
 
 

@@ -52,14 +52,14 @@ class DeletedPatient:
     why_not: str  # why the patient cannot be erased now; empty when nothing is in the way
 
 
-def deleted_patients(db: Session, clinic_id: int) -> list[DeletedPatient]:
+def deleted_patients(db: Session) -> list[DeletedPatient]:
     """Return the clinic's deleted patients, who can still be restored, the latest first."""
-    query = select(Patient).where(Patient.clinic_id == clinic_id, Patient.deleted.is_not(None))
+    query = select(Patient).where(Patient.deleted.is_not(None))
     patients = db.scalars(query.order_by(Patient.deleted.desc()), execution_options=WITH_DELETED)
     return [_described(db, patient, patient.deleted) for patient in patients if patient.deleted is not None]
 
 
-def erase_patient(database: Database, settings: Settings, clinic_id: int, patient_id: int, person: str | None) -> None:
+def erase_patient(database: Database, settings: Settings, patient_id: int, person: str | None) -> None:
     """Erase a deleted patient: rows, recordings, uploads. The log says by whom, and whether a reason was given.
 
     Raises
@@ -70,7 +70,7 @@ def erase_patient(database: Database, settings: Settings, clinic_id: int, patien
         With the reason, when an incident or the time for which records must be kept stands against it.
     """
     with database.transaction(closing=True) as db:
-        patient = _deleted_patient(db, clinic_id, patient_id)
+        patient = _deleted_patient(db, patient_id)
         why_not = _refusal(db, patient)
         if why_not:
             raise Conflict(why_not)
@@ -93,9 +93,9 @@ def erase_due(database: Database, settings: Settings) -> None:
     with database.reading() as db:
         query = select(Patient).where(Patient.deleted <= passed_now(db) - UNDO_FOR)
         deleted = list(db.scalars(query, execution_options=WITH_DELETED))
-        due = [(patient.clinic_id, patient.id) for patient in deleted if not _refusal(db, patient)]
-    for clinic_id, patient_id in due:
-        erase_patient(database, settings, clinic_id, patient_id, None)
+        due = [patient.id for patient in deleted if not _refusal(db, patient)]
+    for patient_id in due:
+        erase_patient(database, settings, patient_id, None)
     remove_erased_files(database, settings)
 
 
@@ -151,9 +151,9 @@ def _described(db: Session, patient: Patient, deleted: datetime) -> DeletedPatie
     )
 
 
-def _deleted_patient(db: Session, clinic_id: int, patient_id: int) -> Patient:
+def _deleted_patient(db: Session, patient_id: int) -> Patient:
     missing = f"There is no deleted patient {patient_id}: look at the list."
-    patient = own_row(db, Patient, clinic_id, patient_id, missing, deleted=True)
+    patient = own_row(db, Patient, patient_id, missing, deleted=True)
     if patient.deleted is None:
         raise NotFound(missing)
     return patient

@@ -8,17 +8,15 @@ from sqlalchemy.orm import Session
 
 from app.clock import utc_now
 from app.refusals import Conflict
-from app.store.access.visible_patients import WITH_DELETED
+from app.store.access.visible_patients import WITH_DELETED, own_clinic_id
 from app.store.keeping.keeping_tables import Incident, IncidentPatient
 from app.store.log import write_log
 from app.store.own_rows import own_row
 
 
-def mark_incident(
-    db: Session, clinic_id: int, since: datetime, digest: str, patients: Iterable[int], person: str | None
-) -> Incident:
+def mark_incident(db: Session, since: datetime, digest: str, patients: Iterable[int], person: str | None) -> Incident:
     """Store that an archive was made, and that these patients must not be erased."""
-    incident = Incident(clinic_id=clinic_id, made=utc_now(), since=since, hash=digest, lifted=None, reason=None)
+    incident = Incident(clinic_id=own_clinic_id(db), made=utc_now(), since=since, hash=digest, lifted=None, reason=None)
     db.add(incident)
     db.flush()
     db.add_all(IncidentPatient(incident_id=incident.id, patient_id=patient) for patient in patients)
@@ -26,11 +24,11 @@ def mark_incident(
     return incident
 
 
-def all_incidents(db: Session, clinic_id: int) -> list[tuple[Incident, list[int]]]:
+def all_incidents(db: Session) -> list[tuple[Incident, list[int]]]:
     """Return the clinic's incidents, the newest first, each with the ids of its patients."""
     query = select(IncidentPatient).order_by(IncidentPatient.patient_id)
     marked = list(db.scalars(query, execution_options=WITH_DELETED))
-    incidents = db.scalars(select(Incident).where(Incident.clinic_id == clinic_id).order_by(Incident.id.desc()))
+    incidents = db.scalars(select(Incident).order_by(Incident.id.desc()))
     return [
         (incident, [mark.patient_id for mark in marked if mark.incident_id == incident.id]) for incident in incidents
     ]
@@ -43,9 +41,9 @@ def incident_of(db: Session, patient_id: int) -> Incident | None:
     return db.scalar(query.limit(1), execution_options=WITH_DELETED)
 
 
-def lift_incident(db: Session, clinic_id: int, incident_id: int, reason: str, person: str) -> None:
+def lift_incident(db: Session, incident_id: int, reason: str, person: str) -> None:
     """Permit that the records of an incident are erased."""
-    incident = own_row(db, Incident, clinic_id, incident_id, f"There is no incident {incident_id}: look at the list.")
+    incident = own_row(db, Incident, incident_id, f"There is no incident {incident_id}: look at the list.")
     if incident.lifted is not None:
         raise Conflict("The mark of this incident was lifted already.")
     incident.lifted, incident.reason = utc_now(), reason

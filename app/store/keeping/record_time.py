@@ -7,7 +7,7 @@ from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
 from app.refusals import Conflict
-from app.store.access.visible_patients import WITH_DELETED
+from app.store.access.visible_patients import WITH_DELETED, own_clinic_id
 from app.store.keeping.keeping_tables import RecordKeeping
 from app.store.keeping.passed_time import passed_now
 from app.store.tables import Patient, PatientSession
@@ -16,15 +16,16 @@ UNDO_FOR: Final = timedelta(days=30)  # after this a deleted patient is erased
 MOST_YEARS: Final = 100
 
 
-def record_keeping(db: Session, clinic_id: int) -> RecordKeeping:
+def record_keeping(db: Session) -> RecordKeeping:
     """Return the clinic's settings; the usual ones, which are not stored, when nobody has chosen any."""
+    clinic_id = own_clinic_id(db)
     usual = RecordKeeping(clinic_id=clinic_id, years=None, folder=None, hour=2, with_keys=False)
     return db.get(RecordKeeping, clinic_id) or usual
 
 
-def set_record_time(db: Session, clinic_id: int, years: int | None) -> None:
+def set_record_time(db: Session, years: int | None) -> None:
     """Set for how many years after the last session records must be kept; None: no longer than somebody wants."""
-    settings = record_keeping(db, clinic_id)
+    settings = record_keeping(db)
     settings.years = years
     db.add(settings)
 

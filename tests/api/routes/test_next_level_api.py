@@ -23,7 +23,7 @@ def test_the_next_level_waits_while_a_trial_is_worse_than_noise(signed_in: Any, 
     with signed_in.database.transaction() as db:
         clinic = the_clinic(db)
         assert clinic is not None
-        patient = add_patient(db, clinic.id, "P-1", "Heron", "")
+        patient = add_patient(db, "P-1", "Heron", "")
         store_course(db, clinic.id, patient.id, plan, [[{**good, "e_diff": area} for area in (*EVEN, newest)]])
     found = signed_in.good("GET", f"/patients/{patient.id}/next-task", params={"source": "simulated"})
     assert (found["floorplan"], found["reason"]) == expected

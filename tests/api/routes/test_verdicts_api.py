@@ -36,13 +36,13 @@ def course(signed_in: Clinic) -> Clinic:
         named = known_clinic(db)
         assert named is not None
         for number in range(5):
-            patient = add_patient(db, named.id, f"P-{number}", "Heron", "")
+            patient = add_patient(db, f"P-{number}", "Heron", "")
             levels = (3.0, 3.0, 3.0, 1.0 if number == 0 else 3.0)
             sessions = [[measures(level * float(np.exp(rng.normal(0, 0.1)))) for _ in range(7)] for level in levels]
             ids = store_course(db, named.id, patient.id, plan, sessions)
             if number == 0:
                 clinic.course, clinic.heron = ids, patient.id  # type: ignore[attr-defined]
-                clinic.worn = store_course_of_one(db, named.id, add_patient(db, named.id, "W", "Otter", "").id, plan)  # type: ignore[attr-defined]
+                clinic.worn = store_course_of_one(db, named.id, add_patient(db, "W", "Otter", "").id, plan)  # type: ignore[attr-defined]
     return clinic
 
 

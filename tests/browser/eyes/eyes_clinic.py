@@ -87,9 +87,9 @@ class EyesClinic(ServedClinic):
         database = Database(settings.database)
         with database.transaction() as db:
             profile = profile_for(LAYOUT)
-            session = start_session(db, 1, 1)
+            session = start_session(db, 1)
             save_parameters(db, save_profile(db, 1, session.id, profile), standard_parameters(profile))
-            end_session(db, 1)
+            end_session(db)
         database.close()
         return trials
 

@@ -23,7 +23,7 @@ def steps(page):
 def test_a_reviewer_begins_with_who_needs_attention(app, open_for):
     with app.app.state.parts[Database].transaction() as db:
         author = add_person(db, the_clinic(db), "Ben", "clinician", None)
-        add_comment(db, find_trial(db, 1, app.trials[0]), author.id, 2.0, "Here the turn is late.")
+        add_comment(db, find_trial(db, app.trials[0]), author.id, 2.0, "Here the turn is late.")
     page = open_for("Rhea", "reviewer", "", (390, 844))
     expect(page.get_by_role("heading", name="Who to look at")).to_be_visible()
     assert steps(page) == ["Patients", "Review", "Settings"]

@@ -37,7 +37,7 @@ def link(tmp_path):
         for trial in db.query(Trial):
             trial.measures = {**trial.measures, "reached": True}
         give_consent(db, patient.id, "sharing", utc_now().astimezone().date(), "Ada")
-        _, token = add_share(db, patient.clinic_id, patient.id, None, pin_hash, 14, "Ada")
+        _, token = add_share(db, patient.id, None, pin_hash, 14, "Ada")
     yield f"{app.address}/share.html#{token}"
     app.stop()
 

@@ -30,13 +30,13 @@ def furnish(settings: Settings) -> dict[str, int]:
     database = Database(settings.database)
     ids = {}
     with database.transaction() as db:
-        clinic = add_clinic(db, "A clinic")
+        add_clinic(db, "A clinic")
         for code in PATIENTS:
-            patient = add_patient(db, clinic.id, code, f"Bird {code}", "")
-            session = start_session(db, clinic.id, patient.id)
+            patient = add_patient(db, code, f"Bird {code}", "")
+            session = start_session(db, patient.id)
             profile = profile_for(LAYOUT)
             save_parameters(db, save_profile(db, patient.id, session.id, profile), standard_parameters(profile))
-            end_session(db, clinic.id)
+            end_session(db)
             ids[code] = patient.id
     database.close()
     return ids

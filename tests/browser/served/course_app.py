@@ -65,7 +65,7 @@ def _store(settings: Settings) -> list[int]:
     with database.transaction() as db:
         clinic = add_clinic(db, "Demonstration")
         for number in range(1, 6):
-            patient = add_patient(db, clinic.id, f"P-{number}", "Heron", "")
+            patient = add_patient(db, f"P-{number}", "Heron", "")
             levels = LEVELS if number == 1 else (3.0,) * len(LEVELS)
             sessions = [[measures(rng, level) for _ in range(TRIALS)] for level in levels]
             if number == 1:

@@ -46,9 +46,9 @@ def _record(settings: Settings) -> list[int]:
     database = Database(settings.database)
     made = []
     with database.transaction() as db:
-        clinic = add_clinic(db, "Demonstration")
-        patient = add_patient(db, clinic.id, "P-1", "Heron", "")
-        session = start_session(db, clinic.id, patient.id)
+        add_clinic(db, "Demonstration")
+        patient = add_patient(db, "P-1", "Heron", "")
+        session = start_session(db, patient.id)
         save_parameters(db, save_profile(db, patient.id, session.id, parameters.profile), parameters)
         row, _ = current_parameters(db, patient.id)
         for number in (1, 2):

@@ -86,11 +86,11 @@ def test_the_last_24_hours_are_in_it_and_are_kept(bodydrive: Any, settings: Sett
     assert bodydrive("incident", "a.incident", "--check", "--json")[1] == out
     database = Database(settings.database)
     with database.transaction() as db:
-        incident, patients = all_incidents(db, 1)[0]
+        incident, patients = all_incidents(db)[0]
         assert (incident.hash, patients) == (said["hash"], [2])
-        delete_patient(db, 1, 2)
+        delete_patient(db, 2)
     with pytest.raises(Conflict, match="part of the incident"):
-        erase_patient(database, settings, 1, 2, "Ada")
+        erase_patient(database, settings, 2, "Ada")
     database.close()
 
 

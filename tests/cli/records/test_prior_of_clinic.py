@@ -20,7 +20,7 @@ from app.settings import Settings
 from app.store.database import Database
 from app.store.patients import add_patient
 from app.store.people import add_clinic
-from app.store.tables import Clinic, LogEntry, Patient
+from app.store.tables import LogEntry, Patient
 
 PEOPLE = 9
 DAY = date(2026, 3, 1)
@@ -41,9 +41,9 @@ class Folder:
         self.settings.state.mkdir()
         self.database = Database(self.settings.database)
         with self.database.transaction() as db:
-            clinic = add_clinic(db, "Clinic")
+            add_clinic(db, "Clinic")
             for number in range(1, PEOPLE + 1):
-                patient = add_patient(db, clinic.id, f"w{number}", "Heron", "")
+                patient = add_patient(db, f"w{number}", "Heron", "")
                 give_consent(db, patient.id, "clinic_prior", DAY, "Ada")
 
     def fill(self, own: OwnPrior) -> None:
@@ -195,7 +195,6 @@ def test_what_cannot_be_imported_is_one_sentence_and_changes_nothing(
     refused("release.json", "is a release, which holds sums and no entries of people")
     refused("missing.json", "missing.json")
     with other.database.transaction() as db:
-        clinic_id = db.query(Clinic).one().id
         patient = db.query(Patient).filter_by(code="w5").one()
         withdraw_consent(db, patient.id, "clinic_prior", "Ada")
     refused(
@@ -205,7 +204,7 @@ def test_what_cannot_be_imported_is_one_sentence_and_changes_nothing(
         db.query(Patient).filter_by(code="w5").one().code = "w55"
     refused("own.json", "there is no patient 'w5' in the clinic; nobody was imported")
     with other.database.transaction() as db:
-        switch_prior(db, clinic_id, on=False)
+        switch_prior(db, on=False)
     refused("own.json", "switched off")
     other.database.close()
     code, _, err = bodydrive("prior", "import", "own.json", "--state", "nowhere")

@@ -21,7 +21,7 @@ def empty_clinic(state) -> Settings:
         db.add(Clinic(name="Hillside", created=utc_now(), unused=[]))
         db.flush()
         for code in ("A-1", "A-2"):
-            patient = add_patient(db, 1, code, "Wren", "")
+            patient = add_patient(db, code, "Wren", "")
             db.add(
                 PatientSession(
                     clinic_id=1, patient_id=patient.id, number=1, started=utc_now(), ended=utc_now(), accepted=False
@@ -33,7 +33,7 @@ def empty_clinic(state) -> Settings:
 def bring(settings, package, *, replace=False):
     shelf = settings.replaced if replace else None
     with closing(Database(settings.database)) as database:
-        return import_archive(database, 1, package, "Ben", settings.runs, shelf=shelf)
+        return import_archive(database, package, "Ben", settings.runs, shelf=shelf)
 
 
 def state_of(settings):

@@ -92,10 +92,10 @@ def whole_clinic(state: Path, trials: int) -> tuple[Any, Path]:
         plan_of_test = CursorPlan(seed=1).model_dump(mode="json")
         test = add_interface_test(db, run=run, session=session, parameters_id=row.id, plan=plan_of_test)
         finish_interface_test(db, test.id, "complete", TEST_MEASURES)
-        save_workload(db, 1, test.id, {"mental": 40})
+        save_workload(db, test.id, {"mental": 40})
         run = add_run(db, "d" * 32, 1, "drive", "d" * 32, SIMULATED)
-        chair = chair_elsewhere(db, 1).id
-        drive = add_drive(db, run=run, clinic_id=1, patient_id=1, chair_id=chair, parameters_id=row.id, digest=row.hash)
+        chair = chair_elsewhere(db).id
+        drive = add_drive(db, run=run, patient_id=1, chair_id=chair, parameters_id=row.id, digest=row.hash)
         finish_drive(db, drive.id, "by hand", 12.5)
         add_note(db, 1, "Went well.", "Ana")
         add_scale(db, 1, "SCIM III", 41.5, now.date())
@@ -105,7 +105,7 @@ def whole_clinic(state: Path, trials: int) -> tuple[Any, Path]:
         record_trial(settings.runs / f"{number:032x}", parameters, seconds=2.0, seed=number, plan=plan)
     package = state / "whole.zip"
     with closing(Database(settings.database)) as database:
-        make_archive(database, 1, 1, "Ana", settings.runs, package)
+        make_archive(database, 1, "Ana", settings.runs, package)
     return settings, package
 
 

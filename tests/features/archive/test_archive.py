@@ -42,7 +42,7 @@ def archive(tmp_path_factory):
             add_note(db, 1, "Went well.", "Ana")
             add_scale(db, 1, "SCIM III", 41.5, utc_now().date())
             sign_off(db, db.get_one(PatientSession, 1), "Ana")
-        digest = make_archive(database, 1, 1, "Ana", settings.runs, package)
+        digest = make_archive(database, 1, "Ana", settings.runs, package)
     return package, digest, settings
 
 
@@ -58,7 +58,7 @@ def test_another_clinic_gets_the_same_trials_recordings_and_records_and_returns_
     with closing(Database(other.database)) as database:
         with database.transaction() as db:
             patient = db.get_one(Patient, found.patient_id)
-            (trial,) = [one.trial for one in counted_trials(db, 1, patient.id, "room", "ahead")]
+            (trial,) = [one.trial for one in counted_trials(db, patient.id, "room", "ahead")]
             assert (trial.measures, trial.source) == (MEASURES, SIMULATED)
             record = session_record(db, trial.session_id)
             assert (record.goal, record.notes[0].text, record.scales[0].total) == (
@@ -72,7 +72,7 @@ def test_another_clinic_gets_the_same_trials_recordings_and_records_and_returns_
             assert (origin.clinic, origin.person, origin.archive) == ("Riverside", "Ben", digest)
             assert origin_of(db, 1) is None
             assert read_log(db, 1)[0].what == "archive imported"
-        again = make_archive(database, 1, found.patient_id, "Ben", other.runs, tmp_path / "again.zip")
+        again = make_archive(database, found.patient_id, "Ben", other.runs, tmp_path / "again.zip")
     assert again == digest
     for file in (first.runs / RUN).iterdir():
         assert (other.runs / RUN / file.name).read_bytes() == file.read_bytes()
@@ -96,10 +96,10 @@ def test_exports_and_reports_of_imported_sessions_name_the_clinic_and_who_import
     found = bring(other, archive[0])
     with closing(Database(other.database)) as database:
         exported = exported_material(
-            database, 1, found.patient_id, None, "csv", "Ben", other.runs, lambda *_: {}, place=other.state
+            database, found.patient_id, None, "csv", "Ben", other.runs, lambda *_: {}, place=other.state
         )
         (row,) = csv.DictReader(io.StringIO(trial_csv(exported, {}).removeprefix(SPREADSHEET_BEGIN)))
-        report = report_material(database, 1, found.patient_id, None, other, lambda *_: {})
+        report = report_material(database, found.patient_id, None, other, lambda *_: {})
     assert (row["origin_clinic"], row["imported_by"]) == ("Riverside", "Ben")
     today = utc_now().astimezone().date()
     assert row["imported"].startswith(f"{utc_now():%Y-%m-%d}")
@@ -129,7 +129,7 @@ def test_a_patient_who_is_here_already_is_refused(archive, other):
         bring(first, archive[0])
     assert state_of(first) == before
     with closing(Database(other.database)) as database, database.transaction() as db:
-        add_patient(db, 1, CODE, "Wren", "")
+        add_patient(db, CODE, "Wren", "")
     with pytest.raises(Conflict, match="belongs to another patient"):
         bring(other, archive[0])
 

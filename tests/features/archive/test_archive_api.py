@@ -30,7 +30,7 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return the archive of a patient of another clinic."""
     first = make_clinic(tmp_path_factory.mktemp("from"))
     with closing(Database(first.database)) as database:
-        make_archive(database, 1, 1, "Ana", first.runs, first.state / "heron.zip")
+        make_archive(database, 1, "Ana", first.runs, first.state / "heron.zip")
     return first.state / "heron.zip"
 
 

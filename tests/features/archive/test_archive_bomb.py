@@ -18,7 +18,7 @@ from app import child_process
 from app.features.archive.archive_import import import_apart
 child_process.MOST_MEMORY = 1_000_000_000
 state, package = map(Path, sys.argv[1:])
-import_apart(state / "bodydrive.sqlite", 1, package, "Ben", state / "runs", state / "unpacked", None)
+import_apart(state / "bodydrive.sqlite", package, "Ben", state / "runs", state / "unpacked", None)
 """
 LISTS = 20_000_000  # about 1.3 GB in memory, 100 kB in the file
 
@@ -26,7 +26,7 @@ LISTS = 20_000_000  # about 1.3 GB in memory, 100 kB in the file
 def test_an_archive_that_needs_too_much_memory_is_one_sentence_and_changes_nothing(tmp_path: Path) -> None:
     first, other = make_clinic(tmp_path / "first"), empty_clinic(tmp_path / "other")
     with closing(Database(first.database)) as database:
-        make_archive(database, 1, 1, "Ana", first.runs, tmp_path / "heron.zip")
+        make_archive(database, 1, "Ana", first.runs, tmp_path / "heron.zip")
     rewrite(tmp_path / "heron.zip", tmp_path / "bomb.zip", text=("12.5", f"[{'[],' * LISTS}1]"))
     before = state_of(other)
     assert "because it needs too much memory; nothing was imported." in problem_of(other.state, tmp_path / "bomb.zip")

@@ -54,8 +54,8 @@ def open_clinic(clinic: Settings) -> Iterator[Database]:
 
 
 def archived(database: Database, clinic: Settings, package: Path) -> str:
-    make_report = report_of_archive(database, clinic, 1, 1, lambda *_: {})
-    return make_archive(database, 1, 1, "Ana", clinic.runs, package, make_report)
+    make_report = report_of_archive(database, clinic, 1, lambda *_: {})
+    return make_archive(database, 1, "Ana", clinic.runs, package, make_report)
 
 
 def test_each_table_is_in_the_archive_or_has_a_reason_why_not(clinic: Settings) -> None:
@@ -88,11 +88,11 @@ def test_comments_come_along_with_author_moment_and_history(
             assert comment.person_id is None
             with pytest.raises(Conflict, match="Only its author"):
                 revise_comment(db, db.get_one(MomentComment, comment.id), ben, "Another text.")
-            reasons = {one.id: [each.reason for each in found] for one, found in patients_and_reasons(db, 1, ben)}
+            reasons = {one.id: [each.reason for each in found] for one, found in patients_and_reasons(db, ben)}
             assert "comment" in reasons[patient]  # nobody here has read it
             mark_read(db, comment.trial_id, ben)
             assert comments_of(db, patient_id=patient, not_read_by=ben) == []
-        assert make_archive(database, 1, patient, "Ben", other.runs, tmp_path / "again.zip") == digest
+        assert make_archive(database, patient, "Ben", other.runs, tmp_path / "again.zip") == digest
 
 
 def without_author(rows: dict[str, Any]) -> None:
@@ -119,7 +119,7 @@ def test_the_report_of_the_course_lies_in_the_archive_and_is_outside_its_hash(
     open_clinic: Database, clinic: Settings, tmp_path: Path
 ) -> None:
     digest = archived(open_clinic, clinic, tmp_path / "heron.zip")
-    assert make_archive(open_clinic, 1, 1, "Ana", clinic.runs, tmp_path / "plain.zip") == digest
+    assert make_archive(open_clinic, 1, "Ana", clinic.runs, tmp_path / "plain.zip") == digest
     with zipfile.ZipFile(tmp_path / "heron.zip") as opened:
         report = opened.read(REPORT).decode()
         assert json.loads(opened.read(LIST))["report"]["bytes"] == len(report.encode())

@@ -20,7 +20,7 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     settings = make_clinic(tmp_path_factory.mktemp("from"))
     database = Database(settings.database)
     made = settings.state / "heron.zip"
-    make_archive(database, 1, 1, "Ana", settings.runs, made)
+    make_archive(database, 1, "Ana", settings.runs, made)
     database.close()
     return made
 

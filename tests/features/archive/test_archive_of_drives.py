@@ -43,12 +43,12 @@ def driven(tmp_path_factory: pytest.TempPathFactory) -> Any:
             parameters, _ = current_parameters(db, 1)
             for run_id, distance in ((DRIVE, 12.5), ("0" * 32, None)):
                 run = add_run(db, run_id, 1, "drive", run_id, REAL)
-                given: dict[str, Any] = {"run": run, "clinic_id": 1, "patient_id": 1, "chair_id": chair.id}
+                given: dict[str, Any] = {"run": run, "patient_id": 1, "chair_id": chair.id}
                 drive = add_drive(db, parameters_id=parameters.id, digest=parameters.hash, **given)
                 close_run(db, run_id, 100, 0)
                 finish_drive(db, drive.id, "by hand", distance)
         record_trial(settings.runs / DRIVE, make_parameters(), seconds=1.0)
-        digest = make_archive(database, 1, 1, "Ana", settings.runs, package)
+        digest = make_archive(database, 1, "Ana", settings.runs, package)
     return package, digest, settings
 
 
@@ -61,7 +61,7 @@ def figures(settings: Settings, patient: int) -> list[Any]:
     with closing(Database(settings.database)) as database, database.transaction() as db:
         return [
             (one.run_id, one.source, one.hash, one.started, one.ended, one.end, one.distance)
-            for one in drives_of(db, 1, patient)
+            for one in drives_of(db, patient)
         ]
 
 
@@ -73,7 +73,7 @@ def test_drives_and_their_recordings_come_along_and_go_on_with_the_same_hash(dri
     assert [one[-1] for one in figures(other, patient)] == [12.5, None]
     assert read_run(other.runs / DRIVE).damage == ""
     with closing(Database(other.database)) as database:
-        assert make_archive(database, 1, patient, "Ben", other.runs, tmp_path / "again.zip") == digest
+        assert make_archive(database, patient, "Ben", other.runs, tmp_path / "again.zip") == digest
     third = empty_clinic(tmp_path / "third")
     again = bring(third, tmp_path / "again.zip").patient_id
     assert figures(third, again) == figures(first, 1)
@@ -89,7 +89,7 @@ def test_no_chair_comes_along(driven: Any, tmp_path: Path) -> None:
         clinic = db.get_one(Clinic, 1)
         (chair,) = db.query(PairedChair).all()  # one for both drives
         assert (chair.host, chair.port, chair.removed is None) == ("", 0, False)
-        assert chairs_of(db, clinic) == []
+        assert chairs_of(db) == []
         assert next(free_key_ids(db, clinic)) == 1
         assert chair.key_id not in set(islice(free_key_ids(db, clinic), 20))
 
@@ -103,6 +103,6 @@ def test_a_second_patient_with_drives_refers_to_the_same_chair(driven: Any, tmp_
     other = empty_clinic(tmp_path / "other")
     bring(other, driven[0])
     with closing(Database(other.database)) as database, database.transaction() as db:
-        second = add_patient_rows(db, 1, check_rows(rows))
-        assert len(drives_of(db, 1, second)) == 2
+        second = add_patient_rows(db, check_rows(rows))
+        assert len(drives_of(db, second)) == 2
         assert db.query(PairedChair).count() == 1

@@ -54,7 +54,7 @@ class Importing:
         """Import these rows with the recordings, and return the requests that end in an error of the server."""
         rewrite(self.package, self._target, patient=lambda tables: tables.update(rows))
         try:
-            patient = import_archive(self._database, 1, self._target, "Ben", self._settings.runs).patient_id
+            patient = import_archive(self._database, self._target, "Ben", self._settings.runs).patient_id
         except (ValueError, Conflict) as error:
             words = str(error)
             return [] if words.endswith(".") and "\n" not in words else [f"is no sentence: {words}"]
@@ -62,10 +62,10 @@ class Importing:
             return list(self._failures(patient))
         finally:
             with self._database.transaction() as db:
-                if open_session(db, 1) is not None:
-                    end_session(db, 1)
-                delete_patient(db, 1, patient, "The test is over")
-            erase_patient(self._database, self._settings, 1, patient, "Ben")
+                if open_session(db) is not None:
+                    end_session(db)
+                delete_patient(db, patient, "The test is over")
+            erase_patient(self._database, self._settings, patient, "Ben")
 
     def _failures(self, patient: int) -> Iterator[str]:
         with self._database.transaction() as db:

@@ -120,7 +120,7 @@ def test_learning_curve_and_replays_of_an_imported_patient_are_those_of_the_expo
 ) -> None:
     package = tmp_path / "heron.zip"
     with closing(Database(exporting.database)) as database:
-        make_archive(database, 1, 1, "Ana", exporting.runs, package)
+        make_archive(database, 1, "Ana", exporting.runs, package)
     patient = bring(importing, package).patient_id
     there, here = review_of(exporting, 1), review_of(importing, patient)
     assert len(there["learning"]["trials"]) == len(there["lines"]) == 14

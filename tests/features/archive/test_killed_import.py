@@ -24,7 +24,7 @@ from app.features.archive import archive_import
 from app.store.database import Database
 archive_import._add = lambda *_: os.kill(os.getpid(), signal.SIGKILL)
 state, package = map(Path, sys.argv[1:])
-archive_import.import_archive(Database(state / "bodydrive.sqlite"), 1, package, "Ben", state / "runs")
+archive_import.import_archive(Database(state / "bodydrive.sqlite"), package, "Ben", state / "runs")
 """
 
 
@@ -32,7 +32,7 @@ archive_import.import_archive(Database(state / "bodydrive.sqlite"), 1, package, 
 def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     first = make_clinic(tmp_path_factory.mktemp("from"))
     with closing(Database(first.database)) as database:
-        make_archive(database, 1, 1, "Ana", first.runs, first.state / "heron.zip")
+        make_archive(database, 1, "Ana", first.runs, first.state / "heron.zip")
     return first.state / "heron.zip"
 
 
@@ -59,7 +59,7 @@ def test_the_next_start_or_erasure_removes_it(settings: Settings) -> None:
 
 def test_the_next_import_removes_it(settings: Settings, package: Path) -> None:
     with closing(Database(settings.database)) as database:
-        assert import_archive(database, 1, package, "Ben", settings.runs).is_new
+        assert import_archive(database, package, "Ben", settings.runs).is_new
     assert list(settings.state.glob(".import-*")) == []
 
 

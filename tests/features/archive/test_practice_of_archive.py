@@ -41,12 +41,12 @@ def test_an_imported_trial_is_no_practice_before_a_real_chair_of_this_clinic(tmp
     first, other = make_clinic(tmp_path / "from"), empty_clinic(tmp_path / "other")
     package = first.state / "heron.zip"
     with closing(Database(first.database)) as database:
-        make_archive(database, 1, 1, "Ana", first.runs, package)
+        make_archive(database, 1, "Ana", first.runs, package)
         with database.transaction() as db:
             assert practised(db, 1) == (1, current_hash(db, 1))
     patient = bring(other, package).patient_id
     with closing(Database(other.database)) as database, database.transaction() as db:
-        assert len(list(counted_trials(db, 1, patient, "room", "ahead"))) == 1  # it is kept, and in the curves
+        assert len(list(counted_trials(db, patient, "room", "ahead"))) == 1  # it is kept, and in the curves
         assert practised(db, patient) == (0, None)
         drive_here(db, patient)
         assert practised(db, patient) == (1, current_hash(db, patient))

@@ -90,7 +90,7 @@ class Archives:
 
 def made(settings: Settings, patient: int, package: Path) -> str:
     with closing(Database(settings.database)) as database:
-        return make_archive(database, 1, patient, "Ana", settings.runs, package)
+        return make_archive(database, patient, "Ana", settings.runs, package)
 
 
 @pytest.fixture(scope="module")
@@ -176,15 +176,15 @@ def test_what_stands_against_a_replacement_is_one_sentence_and_nothing_changes(
 
     rewrite(archives.second, tmp_path / "wrong.zip", patient=nowhere)
     with closing(Database(settings.database)) as database, database.transaction() as db:
-        incident = mark_incident(db, 1, utc_now(), "0" * 64, [patient], None).id
+        incident = mark_incident(db, utc_now(), "0" * 64, [patient], None).id
     refused(archives.second, "=P-1 is part of the incident of .*an owner lifts the mark")
     with closing(Database(settings.database)) as database, database.transaction() as db:
-        lift_incident(db, 1, incident, "It is closed", "Ana")
-        set_record_time(db, 1, 10)
+        lift_incident(db, incident, "It is closed", "Ana")
+        set_record_time(db, 10)
     add_session(settings, patient, OWN, "Own")
     refused(archives.second, "Sessions of =P-1 were held in this clinic, and their records must be kept until 20")
     with closing(Database(settings.database)) as database, database.transaction() as db:
-        set_record_time(db, 1, None)
+        set_record_time(db, None)
         now = utc_now() + timedelta(seconds=1)
         db.add(PatientSession(clinic_id=1, patient_id=patient, number=3, started=now, accepted=False))
     refused(archives.second, "=P-1 is open here")
@@ -213,6 +213,6 @@ def test_the_kept_archive_goes_after_30_days_or_with_the_patient(
     kept.write_bytes(b"as it was")
     with closing(Database(settings.database)) as database:
         with database.transaction() as db:
-            delete_patient(db, 1, found.patient_id)
-        erase_patient(database, settings, 1, found.patient_id, "Ana")
+            delete_patient(db, found.patient_id)
+        erase_patient(database, settings, found.patient_id, "Ana")
     assert not kept.exists()

@@ -310,8 +310,8 @@ def test_who_was_erased_stays_erased_whatever_is_restored(
     older = made(settings, settings.state.parent / "older" / "clinic.backup")
     database = Database(settings.database)
     with database.transaction() as db:
-        delete_patient(db, 1, 1)
-    erase_patient(database, settings, 1, 1, "Ada")
+        delete_patient(db, 1)
+    erase_patient(database, settings, 1, "Ada")
     database.close()
     tomorrow = datetime.now(UTC) + timedelta(days=1)
     monkeypatch.setattr(backup_folder, "utc_now", lambda: tomorrow)

@@ -145,7 +145,7 @@ def test_records_that_must_be_kept_need_a_reason(signed_in: Clinic) -> None:
 def test_an_owner_lifts_the_mark_of_an_incident_with_a_reason(signed_in: Clinic) -> None:
     patient = signed_in.good("POST", "/patients", json={"code": "A", "pseudonym": "Heron"})["id"]
     with signed_in.database.transaction() as db:
-        incident = mark_incident(db, 1, utc_now(), "0" * 64, [patient], None).id
+        incident = mark_incident(db, utc_now(), "0" * 64, [patient], None).id
     signed_in.good("DELETE", f"/patients/{patient}")
     refused = signed_in("POST", f"/deleted-patients/{patient}/erasure")
     assert (refused.status_code, "lifts the mark" in refused.json()["detail"]) == (409, True)

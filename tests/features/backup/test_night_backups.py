@@ -40,8 +40,9 @@ def night(settings: Settings, tmp_path: Path) -> Path:
     stick.mkdir()
     for clinic in running(settings):
         with database_of(clinic).transaction() as db:
-            known = the_clinic(db) or add_clinic(db, "Clinic")
-            kept = record_keeping(db, known.id)
+            if the_clinic(db) is None:
+                add_clinic(db, "Clinic")
+            kept = record_keeping(db)
             kept.folder, kept.hour = str(stick), utc_now().astimezone().hour
             db.add(kept)
     return stick

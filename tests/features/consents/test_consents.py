@@ -19,7 +19,8 @@ DAY = date(2026, 3, 1)
 
 @pytest.fixture
 def patient(db: Session) -> Patient:
-    return add_patient(db, add_clinic(db, "Clinic").id, "P-01", "Heron", "")
+    add_clinic(db, "Clinic")
+    return add_patient(db, "P-01", "Heron", "")
 
 
 @pytest.mark.parametrize("consent", CONSENTS)

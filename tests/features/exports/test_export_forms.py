@@ -57,9 +57,7 @@ def exported(tmp_path):
 
     def run(clinic: Settings, form: Form, session: int | None = None) -> Path:
         with closing(Database(clinic.database)) as database:
-            found = exported_material(
-                database, 1, 1, session, form, "Ana", clinic.runs, lambda *_: {}, place=clinic.state
-            )
+            found = exported_material(database, 1, session, form, "Ana", clinic.runs, lambda *_: {}, place=clinic.state)
             with database.transaction() as db:
                 assert (read_log(db, 1)[0].what, read_log(db, 1)[0].details["form"]) == ("export", form)
         package = tmp_path / "export.zip"
@@ -238,7 +236,7 @@ def test_two_clinics_whose_patients_have_one_code_give_them_identifiers_of_their
     other = names(exported(make_clinic(tmp_path / "other"), "fhir"))
     assert first == again
     with closing(Database(clinic.database)) as database, database.transaction() as db:
-        assert people.clinic_mark(db, 1) == clinic_mark(clinic)  # a restored clinic has the mark of its backups
+        assert people.clinic_mark(db) == clinic_mark(clinic)  # a restored clinic has the mark of its backups
     assert first[0][1] == other[0][1] == CODE
     assert first[0][0] != other[0][0]
     assert not first[1] & other[1]
@@ -260,6 +258,6 @@ def test_without_consent_nothing_is_exported_and_nothing_is_logged(tmp_path):
     settings = make_clinic(tmp_path, consent=False)
     with closing(Database(settings.database)) as database:
         with pytest.raises(Conflict, match="has not consented to sharing outside"):
-            exported_material(database, 1, 1, None, "csv", "Ana", settings.runs, lambda *_: {}, place=settings.state)
+            exported_material(database, 1, None, "csv", "Ana", settings.runs, lambda *_: {}, place=settings.state)
         with database.transaction() as db:
             assert "export" not in {row.what for row in read_log(db, 100)}

@@ -34,7 +34,7 @@ def test_no_export_holds_the_pseudonym_or_the_note_and_only_bids_names_files_by_
     clinic: Settings, tmp_path: Path, form: Form
 ) -> None:
     with closing(Database(clinic.database)) as database:
-        material = exported_material(database, 1, 1, None, form, "Ana", clinic.runs, lambda *_: {}, place=clinic.state)
+        material = exported_material(database, 1, None, form, "Ana", clinic.runs, lambda *_: {}, place=clinic.state)
     package = tmp_path / "export.zip"
     for step in export_steps(material, form):
         step(package)

@@ -54,7 +54,7 @@ def bundle(tmp_path) -> Bundle:
             for run in db.query(Run).filter_by(kind="interface_test"):
                 run.ended = utc_now()
         material = exported_material(
-            database, 1, 1, None, "fhir", "Ana", settings.runs, lambda *_: {}, place=settings.state
+            database, 1, None, "fhir", "Ana", settings.runs, lambda *_: {}, place=settings.state
         )
     return Bundle.model_validate(fhir_bundle(material, {}))
 

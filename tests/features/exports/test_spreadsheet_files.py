@@ -44,14 +44,14 @@ def clinic(tmp_path_factory):
     settings = make_clinic(tmp_path_factory.mktemp("clinic"))
     with closing(Database(settings.database)) as database:
         with database.transaction() as db:
-            find_patient(db, 1, 1).code = CODE
-            keep_trial(db, 1, 1, REASON)
+            find_patient(db, 1).code = CODE
+            keep_trial(db, 1, REASON)
         yield settings, database
 
 
 def test_tables_of_an_export_show_every_letter_of_every_script(clinic):
     settings, database = clinic
-    material = exported_material(database, 1, 1, None, "csv", "Zoë", settings.runs, lambda *_: {}, place=settings.state)
+    material = exported_material(database, 1, None, "csv", "Zoë", settings.runs, lambda *_: {}, place=settings.state)
     head, row = opened(trial_csv(material, {}).encode())
     shown = dict(zip(head, row, strict=True))
     assert (shown["patient"], shown["reason_left_out"]) == (f"'{CODE}", REASON)

@@ -30,12 +30,12 @@ def known(tmp_path: Path, joints: Any, names: list[str]) -> tuple[int, bool]:
     """Return how many people are known when so many patients taught one joint each, and whether there is a prior."""
     database = Database(tmp_path / "clinic.db")
     with database.transaction() as db:
-        clinic = add_clinic(db, "Clinic")
+        add_clinic(db, "Clinic")
         for number, name in enumerate(names):
             entry = PersonEntry(recordings=1, joints={name: joints[name]})
-            patient = add_patient(db, clinic.id, f"P-{number}", "Heron", "")
+            patient = add_patient(db, f"P-{number}", "Heron", "")
             put_entry(db, patient.id, GARMENT.hash, entry.model_dump(mode="json"), simulated=True)
-        session = start_session(db, clinic.id, add_patient(db, clinic.id, "P-new", "Otter", "").id).id
+        session = start_session(db, add_patient(db, "P-new", "Otter", "").id).id
     prior = ClinicPrior(database)
     found = prior.people(session, GARMENT), prior.of_others(session, GARMENT) is not None
     database.close()

@@ -24,12 +24,12 @@ SHIRT = "a" * 64
 
 @pytest.fixture
 def patients(db: Session) -> list[Patient]:
-    clinic = add_clinic(db, "Clinic")
-    return [add_patient(db, clinic.id, f"P-{i}", "Heron", "") for i in range(3)]
+    add_clinic(db, "Clinic")
+    return [add_patient(db, f"P-{i}", "Heron", "") for i in range(3)]
 
 
 def others(db: Session, patient: Patient, *, simulated: bool = False, shirt: str = SHIRT) -> list[str]:
-    return [entry["of"] for entry in entries_of_others(db, patient.clinic_id, shirt, patient.id, simulated=simulated)]
+    return [entry["of"] for entry in entries_of_others(db, shirt, patient.id, simulated=simulated)]
 
 
 def test_an_entry_counts_while_its_patient_consents_and_for_others_only(db: Session, patients: list[Patient]) -> None:
@@ -58,7 +58,7 @@ def test_a_later_calibration_replaces_an_earlier_one(db: Session, patients: list
     first, second, _ = patients
     for number in (1, 2):
         put_entry(db, first.id, SHIRT, {"number": number}, simulated=True)
-    found = entries_of_others(db, first.clinic_id, SHIRT, second.id, simulated=True)
+    found = entries_of_others(db, SHIRT, second.id, simulated=True)
     assert found == [{"number": 2}]
 
 
@@ -80,11 +80,10 @@ def test_a_deleted_patient_helps_nobody(db: Session, patients: list[Patient]) ->
 
 
 def test_the_owner_switches_it_off_and_on(db: Session, patients: list[Patient]) -> None:
-    clinic = patients[0].clinic_id
-    assert is_prior_on(db, clinic)
-    assert switch_prior(db, clinic, on=False)
-    assert not switch_prior(db, clinic, on=False)
-    assert not is_prior_on(db, clinic)
+    assert is_prior_on(db)
+    assert switch_prior(db, on=False)
+    assert not switch_prior(db, on=False)
+    assert not is_prior_on(db)
     assert not may_add(db, patients[0], simulated=True)
-    assert switch_prior(db, clinic, on=True)
+    assert switch_prior(db, on=True)
     assert may_add(db, patients[0], simulated=True)

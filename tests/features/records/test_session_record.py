@@ -60,9 +60,9 @@ CHANGED: dict[type[Table], tuple[str, object]] = {  # a column of each table, an
 
 @pytest.fixture
 def session(db: Session) -> PatientSession:
-    clinic = add_clinic(db, "Clinic")
-    patient = add_patient(db, clinic.id, "P-01", "Heron", "")
-    return start_session(db, clinic.id, patient.id, "Ada")
+    add_clinic(db, "Clinic")
+    patient = add_patient(db, "P-01", "Heron", "")
+    return start_session(db, patient.id, "Ada")
 
 
 def filled(db: Session, session: PatientSession) -> Trial:
@@ -81,7 +81,6 @@ def filled(db: Session, session: PatientSession) -> Trial:
     trial = add_trial(
         db,
         run=run,
-        clinic_id=session.clinic_id,
         patient_id=session.patient_id,
         parameters_id=parameters.id,
         floorplan="corridor",
@@ -131,8 +130,8 @@ def test_a_note_or_scale_of_another_session_is_not_found(db: Session, session: P
 @pytest.mark.parametrize("how", ["change", "delete", "change many", "delete many"])
 def test_no_row_of_a_signed_session_changes_by_any_way(database: Database, kind: type[Table], how: str) -> None:
     with database.transaction() as db:
-        clinic = add_clinic(db, "Clinic")
-        session = start_session(db, clinic.id, add_patient(db, clinic.id, "P-01", "Heron", "").id)
+        add_clinic(db, "Clinic")
+        session = start_session(db, add_patient(db, "P-01", "Heron", "").id)
         trial = filled(db, session)
         start_drive(db, session, trial)
         sign_off(db, session, "Ada")
@@ -203,7 +202,7 @@ def test_a_sign_off_ends_an_open_session_and_stays_in_the_history(db: Session, s
         ("Ada", "Owner", "a wrong scale"),
         ("Ben", None, None),
     ]
-    assert start_session(db, session.clinic_id, session.patient_id).id != session.id
+    assert start_session(db, session.patient_id).id != session.id
 
 
 @pytest.mark.parametrize("running", ["trial", "drive"])
@@ -232,7 +231,7 @@ def test_the_control_quality_of_a_signed_trial_can_still_be_computed(db: Session
 def test_a_session_that_is_not_signed_is_free_beside_one_that_is(db: Session, session: PatientSession) -> None:
     filled(db, session)
     sign_off(db, session, "Ada")
-    later = start_session(db, session.clinic_id, session.patient_id)
+    later = start_session(db, session.patient_id)
     write_goal(db, later.id, "To the garden.")
     with pytest.raises(Conflict, match="signed off"):
         write_goal(db, session.id, "To the garden.")

@@ -22,7 +22,7 @@ def two_sessions(db: Transaction) -> list[int]:
     plan, clinic = find_place("apartment"), the_clinic(db)
     assert isinstance(plan, FloorPlan)
     assert clinic is not None
-    patient = add_patient(db, clinic.id, "P-1", "Heron", "")
+    patient = add_patient(db, "P-1", "Heron", "")
     store_course(db, clinic.id, patient.id, plan, [[{"e_diff": 1.0, "reached": True}]] * 2)
     return sorted(one.id for one in sessions_of(db, patient.id))
 

@@ -60,7 +60,7 @@ def store_reported_course(
     assert isinstance(plan, FloorPlan)
     with database.transaction() as db:
         clinic = add_clinic(db, "Clinic at the lake").id if clinic is None else db.get_one(Clinic, clinic).id
-        patient = add_patient(db, clinic, CODE, "Heron", "")
+        patient = add_patient(db, CODE, "Heron", "")
         course = [[measures(TRIALS * one + two, rng) for two in range(TRIALS)] for one in range(sessions)]
         store_course(db, clinic, patient.id, plan, course)
         for session in db.query(PatientSession).filter_by(patient_id=patient.id):
@@ -85,16 +85,14 @@ def spreads_by(database: Database, patient_id: int) -> Callable[[str, str, Sourc
 
     def spreads_of(floorplan: str, path: str, group: SourceGroup) -> Any:
         with database.transaction() as db:
-            return clinic_spreads(people_variances(trials_of_everybody(db, 1, floorplan, path, group)), patient_id)
+            return clinic_spreads(people_variances(trials_of_everybody(db, floorplan, path, group)), patient_id)
 
     return spreads_of
 
 
 def material_of(database: Database, runs: Path, patient_id: int, session: int | None) -> ReportMaterial:
     """Return the material of a report, with a head of the log."""
-    made = report_material(
-        database, 1, patient_id, session, Settings(state=runs.parent), spreads_by(database, patient_id)
-    )
+    made = report_material(database, patient_id, session, Settings(state=runs.parent), spreads_by(database, patient_id))
     return replace(made, head=HEAD)
 
 

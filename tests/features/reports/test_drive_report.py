@@ -41,7 +41,7 @@ def driven(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Database,
         row = save_parameters(db, profile, make_parameters().model_copy(update={"title": "Outdoors"}))
         for number, (end, distance, seconds) in enumerate(DRIVES):
             run = add_run(db, f"drive-{number}", session.id, "drive", f"drive-{number}", REAL)
-            given: dict[str, Any] = {"run": run, "clinic_id": 1, "patient_id": patient, "chair_id": chair.id}
+            given: dict[str, Any] = {"run": run, "patient_id": patient, "chair_id": chair.id}
             drive = add_drive(db, parameters_id=row.id, digest=row.hash, **given)
             finish_drive(db, drive.id, end, distance).ended = drive.started + timedelta(seconds=seconds)
     yield database, folder / "runs", patient
@@ -79,7 +79,7 @@ def test_a_session_with_drives_only_has_its_condition(driven: tuple[Database, Pa
         db.flush()
         row, _ = current_parameters(db, patient)
         run = add_run(db, "drive-only", session.id, "drive", "drive-only", REAL)
-        given: dict[str, Any] = {"run": run, "clinic_id": 1, "patient_id": patient, "chair_id": 1}
+        given: dict[str, Any] = {"run": run, "patient_id": patient, "chair_id": 1}
         add_drive(db, parameters_id=row.id, digest=row.hash, **given)
     report = compose(material_of(*driven, 3))
     assert (report.source, report.practice, report.tasks) == ("Worn shirt, real chair", False, ())

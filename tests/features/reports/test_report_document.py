@@ -98,7 +98,7 @@ def test_empty_things_have_words(database, tmp_path):
 
     with database.transaction() as db:
         clinic = add_clinic(db, "Clinic")
-        patient = add_patient(db, clinic.id, "P-1", "Heron", "")
+        patient = add_patient(db, "P-1", "Heron", "")
     with pytest.raises(NotFound, match="no session yet"):
         report_of(database, tmp_path, patient.id, None)
     now = utc_now()

@@ -36,7 +36,7 @@ def course(signed_in: Clinic) -> dict[str, list[int]]:
         clinic = known_clinic(db)
         assert clinic is not None
         for code, levels in LEVELS.items():
-            patient = add_patient(db, clinic.id, code, "Heron", "")
+            patient = add_patient(db, code, "Heron", "")
             sessions = [
                 [{"e_diff": level * float(np.exp(rng.normal(0, 0.1))), "reached": True} for _ in range(7)]
                 for level in levels
@@ -92,7 +92,6 @@ def test_a_drive_that_a_fault_stopped_stands_before_everything_else(signed_in: C
             run = add_run(db, f"drive-{number}", session.id, "drive", f"drive-{number}", REAL)
             given: dict[str, Any] = {
                 "run": run,
-                "clinic_id": patient.clinic_id,
                 "patient_id": patient.id,
                 "chair_id": chair.id,
             }

@@ -9,7 +9,6 @@ from api.fake_clinic import BASE, Clinic
 from api.people_of_clinic import as_person
 from api.test_roles import contexts, requested, table
 from fastapi.routing import APIRoute
-from store.known_people import known_clinic
 
 from app.api.live.live_picture import ClinicLive
 from app.api.sign_in.hashing import Hashing
@@ -126,7 +125,7 @@ def test_a_link_that_was_cut_is_refused_as_a_wrong_one(consented: Clinic) -> Non
 def test_a_link_to_a_session_shows_this_session_only(consented: Clinic, trial: int) -> None:
     link = made(consented, session=consented.session)
     with consented.database.transaction() as db:
-        start_session(db, known_clinic(db).id, consented.patient["id"]).ended = None
+        start_session(db, consented.patient["id"]).ended = None
     with as_person(consented, {}):
         assert opened(consented, link).status_code == 204
         found = consented.good("GET", SHARED)
@@ -191,7 +190,7 @@ def test_a_link_holds_for_fourteen_days_at_most(consented: Clinic) -> None:
 
 def test_the_cookie_of_a_link_opens_no_other_route(consented: Clinic, trial: int) -> None:
     with consented.database.transaction() as db:
-        add_patient(db, known_clinic(db).id, "OTHER-7", "Otter", "")
+        add_patient(db, "OTHER-7", "Otter", "")
     link = made(consented)
     with as_person(consented, {}):
         assert opened(consented, link).status_code == 204

@@ -32,8 +32,9 @@ class RecordedCalibration:
         recorded = [(step, record(folder / step.id, step_ticks(step), step.cues)) for step in self.steps]
         self.profile = fit_recordings(LAYOUT, recorded, [], None)
         with database.transaction() as db:
-            patient = add_patient(db, add_clinic(db, "Clinic").id, "P-1", "Heron", "")
-            session = start_session(db, patient.clinic_id, patient.id)
+            add_clinic(db, "Clinic")
+            patient = add_patient(db, "P-1", "Heron", "")
+            session = start_session(db, patient.id)
             begin_calibration(db, session, {}, [step.id for step in self.steps])
             for step in self.steps:
                 add_run(db, step.id, session.id, step.kind, step.id)

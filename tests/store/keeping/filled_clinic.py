@@ -91,7 +91,7 @@ def two_patients(settings: Settings, *words: str) -> list[int]:
         add_person(db, clinic, "Ada", "owner", "a hash")
         ids = []
         for word in words:
-            patient = add_patient(db, clinic.id, f"{word}-code", f"{word} pseudonym", f"{word} note")
+            patient = add_patient(db, f"{word}-code", f"{word} pseudonym", f"{word} note")
             fill(db, patient, word)
             write_log(db, "Ada", "patient added", patient=patient.id)
             ids.append(patient.id)

@@ -44,10 +44,10 @@ class Filled:
 
     def delete(self, patient: int, reason: str = "") -> None:
         with self.database.transaction() as db:
-            delete_patient(db, CLINIC, patient, reason)
+            delete_patient(db, patient, reason)
 
     def erase(self, patient: int) -> None:
-        erase_patient(self.database, self.settings, CLINIC, patient, "Ada")
+        erase_patient(self.database, self.settings, patient, "Ada")
 
     def look(self) -> None:
         with self.database.transaction() as db:
@@ -116,10 +116,10 @@ def test_a_deleted_patient_is_in_no_query_until_the_deletion_is_undone(filled: F
     assert counts() == {table: count // 2 for table, count in both.items()}
     with filled.database.transaction() as db:
         assert db.get(PatientSession, 1) is None
-        (listed,) = deleted_patients(db, CLINIC)
+        (listed,) = deleted_patients(db)
         assert (listed.id, listed.recordings, listed.why_not) == (filled.goes, 1, "")
         assert listed.until - listed.deleted == timedelta(days=30)
-        restore_patient(db, CLINIC, filled.goes)
+        restore_patient(db, filled.goes)
         assert db.get(PatientSession, 1) is not None
     assert counts() == both
 
@@ -158,14 +158,14 @@ def test_no_id_of_an_erased_row_is_given_again(filled: Filled) -> None:
     filled.delete(filled.stays)  # has the highest ids
     filled.erase(filled.stays)
     with filled.database.transaction() as db:
-        first, second = (add_patient(db, CLINIC, f"N-{i}", "New", "") for i in (1, 2))
-        session = start_session(db, CLINIC, first.id)
+        first, second = (add_patient(db, f"N-{i}", "New", "") for i in (1, 2))
+        session = start_session(db, first.id)
         assert (first.id, second.id, session.id) == (filled.stays + 1, filled.stays + 2, 3)
 
 
 def test_records_that_must_be_kept_are_deleted_early_only_for_a_reason(filled: Filled) -> None:
     with filled.database.transaction() as db:
-        set_record_time(db, CLINIC, 10)
+        set_record_time(db, 10)
     with pytest.raises(Conflict, match=r"must be kept until 20\d\d-\d\d-\d\d: give a reason"):
         filled.delete(filled.goes)
     filled.delete(filled.goes, "The patient's own wish")
@@ -178,7 +178,7 @@ def test_records_that_must_be_kept_are_deleted_early_only_for_a_reason(filled: F
 def test_a_setting_that_came_after_the_deletion_holds_as_well(filled: Filled, monkeypatch: pytest.MonkeyPatch) -> None:
     filled.delete(filled.goes)
     with filled.database.transaction() as db:
-        set_record_time(db, CLINIC, 10)
+        set_record_time(db, 10)
     with pytest.raises(Conflict, match="undo the deletion"):
         filled.erase(filled.goes)
     filled.look()
@@ -189,12 +189,12 @@ def test_a_setting_that_came_after_the_deletion_holds_as_well(filled: Filled, mo
 
 def test_who_is_part_of_an_incident_stays_until_the_mark_is_lifted(filled: Filled) -> None:
     with filled.database.transaction() as db:
-        incident = mark_incident(db, CLINIC, utc_now(), "0" * 64, [filled.goes], "Ada").id
+        incident = mark_incident(db, utc_now(), "0" * 64, [filled.goes], "Ada").id
     filled.delete(filled.goes)
     with pytest.raises(Conflict, match="part of the incident of"):
         filled.erase(filled.goes)
     with filled.database.transaction() as db:
-        lift_incident(db, CLINIC, incident, "The report is closed", "Ada")
+        lift_incident(db, incident, "The report is closed", "Ada")
     filled.erase(filled.goes)
     assert filled.whats()[-2:] == ["incident mark lifted", "patient erased"]
     with filled.database.transaction() as db:

@@ -115,7 +115,7 @@ def test_a_start_with_a_clock_31_days_ahead_erases_nothing_and_says_so(filled: A
         assert "30 days" in clock_warning(db) or "31 days" in clock_warning(db)
         jumped = db.query(LogEntry).where(LogEntry.what == "clock jumped").one()
         assert jumped.details["seconds"] > 29 * DAY
-        restore_patient(db, CLINIC, filled.goes)
+        restore_patient(db, filled.goes)
     assert rows_by_table(filled.settings.database, filled.goes)
     assert [file.name for file in shelf.listed() if file.name == "again.csv"] == ["again.csv"]
 
@@ -130,10 +130,10 @@ def test_before_the_first_look_the_log_says_when_the_program_ran(filled: Any, cl
 def test_records_that_must_be_kept_are_not_free_because_the_clock_is_years_ahead(filled: Any, clocks: Any) -> None:  # noqa: F811
     filled.look()
     with filled.database.transaction() as db:
-        set_record_time(db, CLINIC, 10)
+        set_record_time(db, 10)
     clocks(after(passed_time._reading(), wall=4000, count=0, boot="another"))
     with pytest.raises(Conflict, match="must be kept"), filled.database.transaction() as db:
-        delete_patient(db, CLINIC, filled.goes, "")
+        delete_patient(db, filled.goes, "")
 
 
 def test_a_clock_that_is_set_back_is_logged(filled: Any, clocks: Any) -> None:  # noqa: F811

@@ -33,7 +33,7 @@ class CourseClinic(EyesClinic):
         rng = np.random.default_rng(4)
         database = Database(settings.database)
         with database.transaction() as db:
-            patient = add_patient(db, 1, f"P-{WORSE}", "Kingfisher", "")
+            patient = add_patient(db, f"P-{WORSE}", "Kingfisher", "")
             assert patient.id == WORSE
             store_course(db, 1, patient.id, plan, [[measures(rng, level) for _ in range(TRIALS)] for level in LEVELS])
         database.close()
