@@ -44,13 +44,13 @@ from app.session.screen_codes import PairingCodes
 from app.session.trial import TrialFlow
 from app.session.trial_qualities import TrialQualities
 from app.settings import Settings
+from app.store.access.rights import EXPORTERS
 from app.store.database import Database
 from app.store.files.plans import OwnPlans
 from app.store.files.replacements import ReplacedFiles
 
 RowId = Annotated[int, Path(ge=1, le=2**31)]
 
-EXPORTERS = frozenset({"owner", "clinician"})  # may take reports and exports out of the clinic
 LOCKED = "This page is locked: give the password, or let somebody else sign in."
 NOBODY = "You are not signed in, or no longer: sign in again."
 

@@ -3,9 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.fit.joint_evidence import CUTOFF
 from app.calibration.linear_map import AVERAGING_TIMES, RATE_LAGS
-from app.signals.smoothing import slow_average, smooth
+from app.signals.smoothing import STANDARD_CUTOFF, slow_average, smooth
 
 Array = NDArray[np.float64]
 
@@ -24,7 +23,7 @@ def features(values: Array, sample_rate: float) -> Array:
     sample_rate : float
         Hz.
     """
-    smoothed = smooth(values, CUTOFF, sample_rate)
+    smoothed = smooth(values, STANDARD_CUTOFF, sample_rate)
     rates = np.diff(smoothed, axis=0, prepend=smoothed[:1]) * sample_rate
     levels = [smoothed - slow_average(smoothed, memory, sample_rate) for memory in AVERAGING_TIMES]
     return np.concatenate([*(_delayed(rates, lag * sample_rate) for lag in RATE_LAGS), *levels], axis=1)

@@ -10,6 +10,7 @@ from app.calibration.profile import CalibrationProfile
 from app.messages import MAX_GESTURES
 from app.number_format import percent
 from app.quantities import Cutoff, Document, Gain, Name, Threshold
+from app.signals.smoothing import STANDARD_CUTOFF
 from app.speeds import Speeds
 
 Control = Literal["u1+", "u1-", "u2+", "u2-", "stop"]
@@ -63,7 +64,7 @@ class DriveParameters(Document):
     bindings: Annotated[tuple[Binding, ...], Field(max_length=16)]
     mode_u1: ControlMode = "acceleration"
     mode_u2: ControlMode = "velocity"
-    cutoff: Cutoff = 3.0  # Hz: tremor damping
+    cutoff: Cutoff = STANDARD_CUTOFF  # Hz
     speeds: Speeds = Speeds()
     cruise_time: CruiseTime = 10.0  # s without a gesture for u1, after which a cruising chair slows to standstill
     turn_cruise_time: TurnCruiseTime = 3.0  # s: the time-out of turning

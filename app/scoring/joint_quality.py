@@ -6,13 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from app.calibration.fit.joint_evidence import CUTOFF, percentile_span
+from app.calibration.fit.joint_evidence import percentile_span
 from app.calibration.fit.pca import JointPCA, angle_between
 from app.calibration.profile import JointMap
 from app.layout import ShirtLayout
 from app.quantities import Count, Document, Fraction, Name, Title
 from app.scoring.command_counts import ON
-from app.signals.smoothing import smooth
+from app.signals.smoothing import STANDARD_CUTOFF, smooth
 
 LEAST_TIME = 2.0  # s of usable signal; with less, no figure is computed
 LEAST_MOVEMENT = 2.0  # s of movement in a trial, about five strokes; with less, no direction is computed
@@ -101,7 +101,7 @@ def joint_quality(
     )
     if length == 0 or np.count_nonzero(usable) < LEAST_TIME * sample_rate:
         return quality
-    smoothed = smooth(values[:, channels], CUTOFF, sample_rate)
+    smoothed = smooth(values[:, channels], STANDARD_CUTOFF, sample_rate)
     rates = np.diff(smoothed, axis=0, prepend=smoothed[:1]) * (sample_rate / joint.span)
     # A joint moves when its rate, in any direction, is that of a command along the map; leakage from other joints is
     # slower.

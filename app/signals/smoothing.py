@@ -1,9 +1,13 @@
 """Filters a whole recording at once with the Butterworth low-pass; gives the same numbers as the loop's filter."""
 
+from typing import Final
+
 import numpy as np
 from numpy.typing import NDArray
 
 from app.butterworth import low_pass
+
+STANDARD_CUTOFF: Final = 3.0  # Hz, of what drives and of what is fitted: tremor damping
 
 
 def smooth(samples: NDArray[np.float64], cutoff: float, sample_rate: float) -> NDArray[np.float64]:

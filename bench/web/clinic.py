@@ -10,10 +10,11 @@ from app.clock import utc_now
 from app.features.consents.service import give_consent
 from app.settings import Settings, data_folder
 from app.source import STUDY_SOURCE, Source
+from app.store.access.sign_ins import sign_in
 from app.store.database import Database
 from app.store.parameters import current_parameters
 from app.store.patients import end_session, open_session
-from app.store.people import add_person, sign_in, the_clinic
+from app.store.people import add_person, the_clinic
 from app.store.runs import add_run, add_trial, finish_trial
 from app.store.tables import Trial
 from app.world.floorplan import load_floorplan

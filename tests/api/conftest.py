@@ -20,10 +20,10 @@ from app.clock import utc_now
 from app.session import run_watch
 from app.session.calibration import calibration_flow
 from app.settings import Settings
+from app.store.access.sign_ins import sign_in as sign_in_person
 from app.store.database import Database
 from app.store.files import ballast
 from app.store.people import add_clinic, add_person, find_person
-from app.store.people import sign_in as sign_in_person
 
 CODE = "the-code-of-the-link"
 

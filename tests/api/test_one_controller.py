@@ -5,7 +5,8 @@ from api.people_of_clinic import as_person
 from store.known_people import known_clinic
 
 from app.api.one_controller import ANOTHER
-from app.store.people import add_person, sign_in
+from app.store.access.sign_ins import sign_in
+from app.store.people import add_person
 
 
 def test_only_who_started_a_trial_goes_on_and_ends_it_and_anybody_stops(calibrated: Clinic) -> None:

@@ -13,7 +13,7 @@ from app.api.who_asks import READS
 from app.refusals import Conflict
 from app.session.open_session import SessionFlow
 from app.session.page_session import PAGE_SESSION, PageSession
-from app.store.people import sign_in
+from app.store.access.sign_ins import sign_in
 
 OTHER = "can no longer be sent"
 UNNAMED = "does not name the session"

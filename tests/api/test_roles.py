@@ -15,7 +15,8 @@ from store.known_people import known_clinic, known_person
 from app.api.deps import anyone_signed_in, clinician, everyone, exporter, owner, viewer
 from app.api.sign_in.identity import SCREEN_COOKIE
 from app.api.who_asks import who_asks
-from app.store.people import add_person, sign_in
+from app.store.access.sign_ins import sign_in
+from app.store.people import add_person
 
 RIGHTS = {everyone: 0, anyone_signed_in: 1, viewer: 1, clinician: 2, exporter: 2, owner: 3}
 ROLES = {

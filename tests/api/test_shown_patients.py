@@ -21,8 +21,9 @@ from starlette.websockets import WebSocketDisconnect
 from app.api.guard import Guard
 from app.scene.client_messages import SUBPROTOCOL
 from app.settings import Settings
+from app.store.access.sign_ins import sign_in
 from app.store.access.visible_patients import VISIBLE_PATIENTS, VisiblePatients
-from app.store.people import add_person, sign_in, the_clinic
+from app.store.people import add_person, the_clinic
 from app.store.tables import ParameterSet, Patient, PatientSession, Profile, Run, Table, Trial
 
 ORIGIN = {"Origin": BASE}

@@ -9,7 +9,7 @@ from playwright.sync_api import expect
 
 from app.clock import utc_now
 from app.settings import Settings
-from app.store import people
+from app.store.access import sign_ins
 from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser]
@@ -211,7 +211,7 @@ def test_an_idle_page_locks_with_stop_alive_and_keeps_what_was_typed(opened, ser
     page.get_by_role("button", name="New patient").first.click()
     page.get_by_role("textbox", name="Code").fill("P-99")
     later = timedelta(minutes=11)
-    monkeypatch.setattr(people, "utc_now", lambda: utc_now() + later)
+    monkeypatch.setattr(sign_ins, "utc_now", lambda: utc_now() + later)
     expect(page.get_by_role("heading", name="Locked")).to_be_visible()
     held = page.evaluate("() => document.documentElement.outerHTML")
     assert [word for word in ("Kingfisher", "P-71", "P-99") if word in held] == []
@@ -236,7 +236,7 @@ def test_after_the_lock_the_page_is_the_one_of_its_address(opened, served, owner
     page.goto(f"{served.address}/#/people")
     expect(page.get_by_role("heading", name="People", level=1)).to_be_visible()
     later = timedelta(minutes=30)  # also after the time to which another test has moved the last action
-    monkeypatch.setattr(people, "utc_now", lambda: utc_now() + later)
+    monkeypatch.setattr(sign_ins, "utc_now", lambda: utc_now() + later)
     expect(page.get_by_role("heading", name="Locked")).to_be_visible()
     page.evaluate("() => { location.hash = '#/people/invite'; }")  # as Forward of the browser does
     page.get_by_label("Password of Ada").fill(PASSWORD)

@@ -9,9 +9,10 @@ from app.cli import clinic_folder
 from app.cli.clinic_folder import FolderInUseError, lock_folder
 from app.store.access.invitations import accept_invitation, find_invited
 from app.store.access.rights import people_of
+from app.store.access.sign_ins import sign_in, signed_in
 from app.store.database import Database
 from app.store.patients import add_patient
-from app.store.people import add_clinic, add_person, find_person, sign_in, signed_in
+from app.store.people import add_clinic, add_person, find_person
 from app.store.tables import LogEntry
 
 ADDRESS = "http://127.0.0.1:9321/"

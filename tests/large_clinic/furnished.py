@@ -24,10 +24,11 @@ from app.file_modes import keep_new_files_private
 from app.session.recordings import measure_recording, quality_of_recording
 from app.settings import Settings, data_folder
 from app.source import Source
+from app.store.access.sign_ins import sign_in
 from app.store.consent import Consent
 from app.store.database import Database
 from app.store.log_chain import FIRST, entry_hash
-from app.store.people import add_clinic, add_person, sign_in
+from app.store.people import add_clinic, add_person
 from app.store.tables import LogEntry, ParameterSet, Patient, PatientSession, Profile, Run, Trial
 from app.world.floorplan import FloorPlan, load_floorplan
 from building import make_parameters

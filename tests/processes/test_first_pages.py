@@ -17,10 +17,11 @@ from app.clock import monotonic, utc_now
 from app.features.consents.service import give_consent
 from app.settings import Settings, data_folder
 from app.source import Source
+from app.store.access.sign_ins import sign_in
 from app.store.database import Database
 from app.store.parameters import current_parameters
 from app.store.patients import open_session
-from app.store.people import add_person, find_person, sign_in, the_clinic
+from app.store.people import add_person, find_person, the_clinic
 from app.store.runs import close_run
 from app.world.floorplan import load_floorplan
 from building import make_parameters

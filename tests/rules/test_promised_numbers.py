@@ -15,7 +15,7 @@ from app.hardware.shirt import lateness
 from app.pipeline import channel_health, frame_rate, movement_check, opening, safety_gate, screen_pause
 from app.recording.format import LOST_AT_MOST
 from app.session import run_watch, screen_codes
-from app.store import people
+from app.store.access import sign_ins
 from app.store.files import replacements
 from app.store.keeping import record_time
 
@@ -48,8 +48,8 @@ NUMBERS = [
     ("S28", "at most 8 s", opening.OPENING_LIMIT, 8.0),
     ("S30", "within 2 s after one", movement_check.DOUBT, 2.0),
     ("S31", "by a quarter or more", frame_rate.TOLERANCE, 0.25),
-    ("C4", "After 10 min without use", people.IDLE_FOR, timedelta(minutes=10)),
-    ("C4", "after 12 h", people.SIGNED_IN_FOR, timedelta(hours=12)),
+    ("C4", "After 10 min without use", sign_ins.IDLE_FOR, timedelta(minutes=10)),
+    ("C4", "after 12 h", sign_ins.SIGNED_IN_FOR, timedelta(hours=12)),
     ("C9", "for 30 min", set_up.VALID_FOR, 1800.0),
     ("C10", "8 characters or more", passwords.SHORTEST, 8),
     ("C12", "for 10 min", screen_codes.VALID_FOR, 600.0),

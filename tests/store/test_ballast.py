@@ -11,12 +11,13 @@ from sqlalchemy import text
 from store.small_disk import fill, small_disk
 
 from app.refusals import DiskFull
+from app.store.access.sign_ins import sign_in, sign_out, signed_in
 from app.store.database import Database
 from app.store.files.ballast import HEADROOM, PART, SIZE, Ballast
 from app.store.log import write_log
 from app.store.log_chain import verify_log
 from app.store.patients import add_patient, end_session, open_session, start_session
-from app.store.people import add_clinic, add_person, sign_in, sign_out, signed_in
+from app.store.people import add_clinic, add_person
 from folders import ROOT
 
 

@@ -10,8 +10,9 @@ from sqlalchemy.orm import Session
 from app.clock import utc_now
 from app.refusals import Conflict
 from app.store.access.person_tables import SignIn
+from app.store.access.sign_ins import sign_in, sign_out, signed_in
 from app.store.log import write_log
-from app.store.people import add_clinic, add_person, count_people, sign_in, sign_out, signed_in, the_clinic
+from app.store.people import add_clinic, add_person, count_people, the_clinic
 
 
 def test_a_sign_in_holds_until_sign_out_and_its_token_is_not_in_the_database(db: Session) -> None:

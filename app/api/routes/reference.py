@@ -27,9 +27,9 @@ from app.scoring.measures import (
 from app.scoring.task_measures import LEADER_NEAR
 from app.scoring.verdict.measure_verdict import FEWEST
 from app.speeds import FIRST_SPEEDS, Speeds
+from app.store.access.sign_ins import IDLE_FOR
 from app.store.files.replacements import KEPT_FOR
 from app.store.keeping.record_time import UNDO_FOR
-from app.store.people import IDLE_FOR
 from app.world.cursor_task import CursorPlan
 from app.world.floorplan import FloorPlan
 from app.world.kinematics import CHAIR_RADIUS

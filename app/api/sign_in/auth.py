@@ -18,18 +18,10 @@ from app.api.who_asks import WhoAsks
 from app.quantities import Document, Line
 from app.refusals import Conflict
 from app.settings import Settings
+from app.store.access.sign_ins import sign_in, sign_out, unlock
 from app.store.browsers import KNOWN_FOR, remember_browser
 from app.store.database import Database, Transaction
-from app.store.people import (
-    add_clinic,
-    add_person,
-    count_people,
-    find_person,
-    sign_in,
-    sign_out,
-    the_clinic,
-    unlock,
-)
+from app.store.people import add_clinic, add_person, count_people, find_person, the_clinic
 
 router = APIRouter(prefix="/auth", tags=["sign-in"], dependencies=[ForEveryone])
 

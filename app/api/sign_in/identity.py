@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from starlette.requests import HTTPConnection
 
 from app.api.sign_in.cookies import read_cookie
+from app.store.access.sign_ins import is_locked, signed_in, store_action
 from app.store.access.visible_patients import VisiblePatients, every_patient
 from app.store.database import Database
 from app.store.patient_screens import find_screen
-from app.store.people import is_locked, signed_in, store_action
 from app.store.tables import PatientSession
 
 COOKIE = "bodydrive_sign_in"

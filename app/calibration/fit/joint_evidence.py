@@ -8,9 +8,8 @@ from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from app.calibration.fit.repetitions import Repetition
-from app.signals.smoothing import smooth
+from app.signals.smoothing import STANDARD_CUTOFF, smooth
 
-CUTOFF = 3.0  # Hz: the chain's standard low-pass
 LAG = 0.3  # s by which people move after the cue
 SETTLING = 0.3  # s within which the low-pass settles after its first sample
 STILLEST = 0.5  # s: without a recording at rest, the noise is that of the stillest window of this length
@@ -67,7 +66,7 @@ def prompt_sign(direction: Direction, repetitions: Sequence[Repetition], span: f
     """
     votes = []
     for repetition in repetitions:
-        place = smooth(direction.place(repetition.values), CUTOFF, sample_rate) / span
+        place = smooth(direction.place(repetition.values), STANDARD_CUTOFF, sample_rate) / span
         stretch = place[with_lag(repetition, sample_rate)]
         votes.append(float(np.clip((stretch.mean() - stretch[0]) + (stretch[-1] - stretch[0]), -1.0, 1.0)))
     total, size = sum(votes), sum(abs(vote) for vote in votes)
@@ -81,7 +80,7 @@ def rate_of(direction: Direction, values: NDArray[np.float64], scale: float, sam
 
 def rate_along(place: NDArray[np.float64], scale: float, sample_rate: float) -> NDArray[np.float64]:
     """Return the rate (n,) in FS/s of a place (n,) in signal units; `scale` is sign / span."""
-    smoothed = smooth(place * scale, CUTOFF, sample_rate)
+    smoothed = smooth(place * scale, STANDARD_CUTOFF, sample_rate)
     return np.diff(smoothed, prepend=smoothed[0]) * sample_rate
 
 

@@ -8,10 +8,10 @@ from numpy.typing import NDArray
 
 from app.calibration.cued_runs import CuedRun, Phase
 from app.calibration.features import features
-from app.calibration.fit.joint_evidence import CUTOFF, LAG, SETTLING
+from app.calibration.fit.joint_evidence import LAG, SETTLING
 from app.calibration.gaps import Frames
 from app.calibration.profile import CalibrationProfile, JointMap
-from app.signals.smoothing import smooth
+from app.signals.smoothing import STANDARD_CUTOFF, smooth
 
 WAITING = 0.5  # s before a prompt, in which a person waits at rest
 
@@ -59,7 +59,7 @@ def gather_evidence(profile: CalibrationProfile, runs: Sequence[CuedRun]) -> Evi
     rate_of = profile.sample_rate
     evidence = Evidence(rate_of)
     for run in runs:
-        places = smooth(_scores(profile, run.values), CUTOFF, rate_of)
+        places = smooth(_scores(profile, run.values), STANDARD_CUTOFF, rate_of)
         rates = np.diff(places, axis=0, prepend=places[:1]) * rate_of
         for column, joint in enumerate(profile.joints):
             if joint.map != "pca":

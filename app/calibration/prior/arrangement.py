@@ -13,10 +13,9 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.fit.joint_evidence import CUTOFF
 from app.calibration.linear_map import Arrangement
 from app.calibration.prior.scale import log_ranges
-from app.signals.smoothing import smooth
+from app.signals.smoothing import STANDARD_CUTOFF, smooth
 
 LARGEST_CORRELATION = 0.999  # keeps atanh finite
 SMALLEST_DEVIATION = 0.05  # of log ranges and of atanh of correlations: a few people differ less than all people do
@@ -73,7 +72,7 @@ class RingMoments:
 
 def ring_movement(values: Array, sample_rate: float) -> RingMovement:
     """Return what tells the sensors of a ring apart, from frames (n, k) in the ring's order, without NaN."""
-    rates = np.diff(smooth(values, CUTOFF, sample_rate), axis=0)
+    rates = np.diff(smooth(values, STANDARD_CUTOFF, sample_rate), axis=0)
     with np.errstate(divide="ignore", invalid="ignore"):
         correlation = np.asarray(np.corrcoef(rates, rowvar=False))
     np.fill_diagonal(correlation, 0.0)

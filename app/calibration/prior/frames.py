@@ -12,12 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.features import features
-from app.calibration.fit.joint_evidence import CUTOFF
 from app.calibration.fit.repetitions import Stretch
 from app.calibration.guided.labels import EARLIEST, LATEST, OWN_LAG, CuedMovement, labels
 from app.calibration.prior.moments import Moments
 from app.calibration.prior.solving import OwnFrames, solve_direction
-from app.signals.smoothing import smooth
+from app.signals.smoothing import STANDARD_CUTOFF, smooth
 
 SHORTEST_CUE = 0.25  # s: a shorter cue covers a part of a movement only
 STILL = 0.5  # s before a stroke in which the channels move less than during it
@@ -92,7 +91,7 @@ def _first_rates(
         for movement, lag in zip(cued, own, strict=True):
             start, stop = np.clip((movement.start + lag, movement.stop + lag), 0, len(piece) - 1)
             moved += piece[stop] - piece[start]
-    places = [smooth(piece @ moved, CUTOFF, sample_rate) for piece in pieces]
+    places = [smooth(piece @ moved, STANDARD_CUTOFF, sample_rate) for piece in pieces]
     return [np.diff(place, prepend=place[:1]) * sample_rate for place in places]
 
 
@@ -124,7 +123,7 @@ def movement_lags(values: Array, cued: Sequence[CuedMovement], sample_rate: floa
     sample_rate : float
         Hz.
     """
-    rates = np.diff(smooth(values, CUTOFF, sample_rate), axis=0)
+    rates = np.diff(smooth(values, STANDARD_CUTOFF, sample_rate), axis=0)
     power = rates**2
     mean = power.mean(axis=0)
     summed = np.concatenate(([0.0, 0.0], np.cumsum((power / np.where(mean > 0.0, mean, 1.0)).mean(axis=1))))

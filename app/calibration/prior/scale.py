@@ -3,8 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.fit.joint_evidence import CUTOFF
-from app.signals.smoothing import smooth
+from app.signals.smoothing import STANDARD_CUTOFF, smooth
 
 RANGE = (5.0, 95.0)  # percentiles: a single large movement does not set the scale
 MOVEMENT = 10.0  # s of movement that the scale is taken from; a shorter one changes no scale
@@ -24,7 +23,7 @@ def log_ranges(values: Array, sample_rate: float) -> Array:
 
     `values` without NaN, in signal units; `sample_rate` in Hz.
     """
-    low, high = np.percentile(smooth(values, CUTOFF, sample_rate), RANGE, axis=0)
+    low, high = np.percentile(smooth(values, STANDARD_CUTOFF, sample_rate), RANGE, axis=0)
     with np.errstate(divide="ignore"):
         logs: Array = np.log(high - low)
     return logs

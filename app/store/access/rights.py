@@ -1,6 +1,6 @@
 """Who may use the clinic: the list of people, their roles, and disabling them."""
 
-from typing import Literal
+from typing import Final, Literal
 
 from sqlalchemy import delete, func, or_, select
 from sqlalchemy.orm import Session
@@ -13,6 +13,8 @@ from app.store.own_rows import own_row
 from app.store.patients import find_patient
 
 PersonRole = Literal["owner", "clinician", "reviewer"]
+EXPORTERS: Final[frozenset[PersonRole]] = frozenset({"owner", "clinician"})
+"""Who may take reports and exports out of the clinic."""
 
 LAST_OWNER = "{name} is the last owner who can sign in, and stays one: make somebody else an owner first."
 ONLY_REVIEWERS = "Patients are chosen for reviewers only: owners and clinicians work with all of them."

@@ -14,7 +14,8 @@ from app.calibration.vocabulary import DriveParameters
 from app.faults import Fault, State
 from app.session.adaptation import AdaptationFlow
 from app.session.adaptation_reading import AdaptationResult
-from app.store.people import add_person, sign_in
+from app.store.access.sign_ins import sign_in
+from app.store.people import add_person
 
 
 def test_a_large_change_waits_for_a_person(ready: Any) -> None:

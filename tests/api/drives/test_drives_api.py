@@ -12,7 +12,8 @@ from app.api.live.live_picture import ClinicLive
 from app.faults import Fault, State
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.session.real_drive import RealDriveFlow
-from app.store.people import add_person, sign_in
+from app.store.access.sign_ins import sign_in
+from app.store.people import add_person
 
 ARMED, FAULT = 2, 3  # of a chair's telemetry
 

@@ -13,7 +13,8 @@ from api.openapi.json_schema import misfits, value_for
 from store.known_people import known_clinic
 
 from app.store.access.person_tables import Person
-from app.store.people import add_person, sign_in
+from app.store.access.sign_ins import sign_in
+from app.store.people import add_person
 
 SLOW = {"/api/v1/computer/measurement"}  # it measures for as many seconds as it is asked to
 ODD = (0.0, 0.05, 0.3)  # probabilities that a part of a request is something else

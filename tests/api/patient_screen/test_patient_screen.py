@@ -15,7 +15,7 @@ from app.clock import monotonic, utc_now
 from app.scene.client_messages import SUBPROTOCOL
 from app.session import screen_codes
 from app.store import patient_screens as store_patient_screens
-from app.store.people import sign_in
+from app.store.access.sign_ins import sign_in
 from app.store.tables import PatientScreen
 
 ORIGIN = {"Origin": BASE}

@@ -12,8 +12,9 @@ from store.course_of_sessions import store_course
 from store.known_people import known_clinic
 
 from app.source import Source
+from app.store.access.sign_ins import sign_in
 from app.store.patients import add_patient
-from app.store.people import add_person, sign_in
+from app.store.people import add_person
 from app.world.floorplan import FloorPlan
 from app.world.scene import find_place
 

@@ -14,7 +14,7 @@ from starlette.websockets import WebSocketDisconnect
 from app.api import sockets
 from app.clock import utc_now
 from app.session.open_session import SessionFlow
-from app.store import people
+from app.store.access import sign_ins
 
 ORIGIN = {"Origin": BASE}
 LIVE = f"{BASE.replace('http', 'ws')}/api/v1/live"
@@ -32,7 +32,7 @@ def later(monkeypatch: pytest.MonkeyPatch) -> Later:
         nonlocal passed
         passed += timedelta(minutes=minutes)
         now = passed
-        monkeypatch.setattr(people, "utc_now", lambda: utc_now() + now)
+        monkeypatch.setattr(sign_ins, "utc_now", lambda: utc_now() + now)
 
     monkeypatch.setattr(sockets, "CHECK_EVERY", 0.01)
     return pass_minutes

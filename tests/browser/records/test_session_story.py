@@ -7,8 +7,9 @@ from browser.served.review_app import ReviewApp
 from browser.tablets import put_first_sentences_away
 from playwright.sync_api import expect
 
+from app.store.access.sign_ins import sign_in
 from app.store.database import Database
-from app.store.people import add_person, sign_in, the_clinic
+from app.store.people import add_person, the_clinic
 from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser]

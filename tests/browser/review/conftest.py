@@ -3,8 +3,9 @@
 import pytest
 from browser.served.review_app import ReviewApp
 
+from app.store.access.sign_ins import sign_in
 from app.store.database import Database
-from app.store.people import add_person, sign_in, the_clinic
+from app.store.people import add_person, the_clinic
 
 
 @pytest.fixture

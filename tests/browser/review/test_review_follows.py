@@ -4,8 +4,9 @@ import pytest
 from browser.served.clinic_app import assert_quiet, go
 from playwright.sync_api import expect
 
+from app.store.access.sign_ins import sign_in
 from app.store.database import Database
-from app.store.people import add_person, sign_in, the_clinic
+from app.store.people import add_person, the_clinic
 
 pytestmark = [pytest.mark.browser]
 

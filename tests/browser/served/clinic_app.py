@@ -9,10 +9,11 @@ from processes.served_demo import SessionClient
 
 from app.calibration.vocabulary import standard_parameters
 from app.settings import Settings
+from app.store.access.sign_ins import sign_in
 from app.store.database import Database
 from app.store.parameters import save_parameters, save_profile
 from app.store.patients import add_patient, end_session, start_session
-from app.store.people import add_clinic, find_person, sign_in
+from app.store.people import add_clinic, find_person
 
 CODE = "the-set-up-code-of-the-tests"
 OWNER = {"code": CODE, "name": "Ada", "password": "correct horse battery"}

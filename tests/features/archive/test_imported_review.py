@@ -17,9 +17,10 @@ from app.clock import utc_now
 from app.features.archive.service import make_archive
 from app.recording.recorded_trajectory import read_trajectory
 from app.settings import Settings
+from app.store.access.sign_ins import sign_in
 from app.store.database import Database
 from app.store.parameters import current_parameters, save_parameters, save_profile
-from app.store.people import add_person, sign_in
+from app.store.people import add_person
 from app.store.runs import close_run
 from app.store.tables import PatientSession, Trial
 from building import make_parameters

@@ -10,7 +10,8 @@ from fastapi.routing import APIRoute
 
 from app import __version__
 from app.api.who_asks import READS
-from app.store.people import add_person, sign_in, the_clinic
+from app.store.access.sign_ins import sign_in
+from app.store.people import add_person, the_clinic
 
 SCALE = {"name": "SCIM III", "total": 41.0, "day": "2026-03-01"}
 BODIES: dict[str, dict[str, Any]] = {  # what each route that changes something of a session is sent

@@ -13,8 +13,9 @@ from store.known_people import known_clinic
 
 from app.features.consents.service import give_consent, withdraw_consent
 from app.settings import Settings
+from app.store.access.sign_ins import sign_in
 from app.store.log_chain import HeadFile
-from app.store.people import add_person, sign_in
+from app.store.people import add_person
 
 
 @pytest.fixture
