@@ -103,6 +103,7 @@ def test_continue_and_end_keep_their_places_when_the_picture_goes_and_comes(page
     look_as(page, ("1280x800", "light"))
     PLACES["settings"](page, clinic)
     page.clock.install()
+    page.clock.pause_at(page.evaluate("() => Date.now()") / 1000 + 120)  # it goes on at the test's words only
     page.evaluate(CARD)
     page.evaluate("() => showFault('')")
     go, end, plan = (
