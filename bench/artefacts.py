@@ -1,6 +1,6 @@
 """Signals that no movement makes, added to those of a person at rest: how far the chair goes, by mode and kind of map.
 
-`python -m bench.artefacts` prints the table of docs/safety.md.
+`python -m bench.artefacts` prints the figures of docs/safety.md.
 """
 
 import itertools
