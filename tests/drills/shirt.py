@@ -67,7 +67,7 @@ async def shirt_kept_back(runs, dice):
 
         for _ in range(runs):
             await injure_at_random(made, result, dice, keep_back, try_to_drive)
-    result.remark = f"armed {asked} times meanwhile"
+    result.remark = f"arming was asked for {asked} times meanwhile, and never reached"
     return result
 
 
