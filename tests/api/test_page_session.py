@@ -128,7 +128,7 @@ def test_a_change_that_waited_while_the_session_changed_does_nothing(in_session:
         if what == "undisturbed":
             async with in_session.parts[SessionFlow].undisturbed("change the controls"):
                 raise AssertionError("it was done")
-        await in_session.parts[SessionFlow].needed_session(1)
+        await in_session.parts[SessionFlow].needed_session()
 
     for what in ("undisturbed", "needed"):
         with pytest.raises(Conflict, match="B-12 was opened"):

@@ -52,7 +52,7 @@ def test_roles_look_from_where_they_want(servers):
     scene = LiveScene(servers)
     for view in VIEWS:
         scene.set_view("clinician", view)
-        assert scene.view() == view
+        assert scene.view("clinician") == view
         assert scene.view("patient") == "eye"
 
 
