@@ -50,7 +50,7 @@ BROWSER_TESTS = $$($(BIN)/python tests/browser/touched.py)
 test: $(VENV)/.installed-test check
 	$(BIN)/python -m pytest $(SIDE_BY_SIDE) $(addprefix --ignore=,$(PROCESSES) $(BROWSERS))
 	$(BIN)/python -m pytest $(ONE_BY_ONE) $(call AT_MOST,4) $(PROCESSES)
-	$(BIN)/python -m pytest $(SIDE_BY_SIDE) $(call AT_MOST,3) $(BROWSER_TESTS)
+	$(BIN)/python -m pytest $(SIDE_BY_SIDE) $(call AT_MOST,2) $(BROWSER_TESTS)
 
 # The longer stories in a browser.
 browser: $(VENV)/.installed-test
