@@ -145,7 +145,8 @@ def _own_material(db: Transaction, patient: Patient, session: int | None, settin
     if not reported:
         raise NotFound(NO_SESSION if session is None else NOT_THIS_SESSION.format(number=session))
     numbers = {one.id: one.number for one in reported}
-    trials = [trial for one in reported for trial in trials_of_session(db, one.id)]
+    driven = {one.id: trials_of_session(db, one.id) for one in reported}
+    trials = [trial for own in driven.values() for trial in own]
     drives = reported_drives(db, patient.id, numbers)
     last, origins = every[-1].number, origins_of(db, patient.id)
     return ReportMaterial(
@@ -154,7 +155,7 @@ def _own_material(db: Transaction, patient: Patient, session: int | None, settin
         clinic=db.get_one(Clinic, patient.clinic_id).name,
         made=utc_now(),
         session=session,
-        sessions=tuple(_session(db, one, trials, origins.get(one.id)) for one in reported),
+        sessions=tuple(_session(db, one, driven[one.id], origins.get(one.id)) for one in reported),
         tasks=tuple(_tasks(db, patient, trials, last, settings)),
         tests=tuple(_tests(db, patient, set(numbers.values()), last)),
         drives=tuple(drives),
@@ -163,8 +164,8 @@ def _own_material(db: Transaction, patient: Patient, session: int | None, settin
     )
 
 
-def _session(db: Transaction, row: PatientSession, trials: list[Trial], origin: Origin | None) -> SessionMaterial:
-    own = [trial for trial in trials if trial.session_id == row.id and trial.status == "done"]
+def _session(db: Transaction, row: PatientSession, driven: list[Trial], origin: Origin | None) -> SessionMaterial:
+    own = [trial for trial in driven if trial.status == "done"]
     left_out = [
         (trial.floorplan_title, trial.number, trial.discard_reason or "it could not be measured")
         for trial in own
