@@ -59,7 +59,6 @@ from app.store.files.replacements import ReplacedFiles, replaced_files
 from app.store.interface_tests import close_interrupted_tests
 from app.store.keeping.erasure_watch import ErasureWatch
 from app.store.patients import open_session
-from app.store.people import the_clinic
 from app.store.runs import close_interrupted_trials
 
 StartProcess = Callable[[], Awaitable[LinkedProcess]]
@@ -223,8 +222,7 @@ async def start_parts(parts: Parts) -> None:
 
 def _is_session_open(database: Database) -> bool:
     with database.reading() as db:
-        clinic = the_clinic(db)
-        return clinic is not None and open_session(db) is not None
+        return open_session(db) is not None
 
 
 def _close_interrupted(database: Database, runs: SessionRuns) -> None:

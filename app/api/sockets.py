@@ -22,7 +22,6 @@ from app.api.sign_in.identity import (
     find_viewer,
 )
 from app.settings import Settings
-from app.store.access.visible_patients import VISIBLE_PATIENTS
 from app.store.database import Database
 
 SIGNED_OUT = 4401  # close code: sign in again
@@ -84,7 +83,6 @@ class OpenSockets:
         if host_is_ours(self._settings, websocket.headers) and origin_is_ours(websocket):
             who = await asyncio.to_thread(find, self._database, websocket)
             if who is not None:
-                VISIBLE_PATIENTS.set(who.patients)
                 return who
         await websocket.close(SIGNED_OUT)
         return None

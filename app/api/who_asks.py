@@ -21,7 +21,8 @@ async def who_asks(connection: HTTPConnection) -> SignedInPerson | None:
     """Return the person who is signed in, locked or not; None for nobody. Every later query shows their patients only.
 
     For nobody, no patient exists (`app/api/guard.py`). Async, so that what it sets holds for the route, too. A request
-    that changes something counts as an action. A websocket is admitted by its own route (`app/api/sockets.py`).
+    that changes something counts as an action. A websocket is admitted by its own route (`app/api/sockets.py`), and
+    reads no patient from the database.
     """
     if connection.scope["type"] != "http" or not read_cookie(connection, COOKIE) or _route_path(connection) in AT_ONCE:
         return None

@@ -6,7 +6,7 @@ from app.computing_process import ComputingProcess
 from app.scoring.verdict.measure_verdict import PeopleVariances, clinic_spreads, people_variances
 from app.scoring.verdict.spread import Spread, SpreadsOf
 from app.source import SourceGroup
-from app.store.access.visible_patients import every_patient
+from app.store.access.visible_patients import OWN_CLINIC, every_patient
 from app.store.database import Database
 from app.store.learning_trials import count_of_everybody, prior_consents, trials_of_everybody
 
@@ -32,7 +32,7 @@ class ClinicSpread:
     def __init__(self, database: Database, computing: ComputingProcess) -> None:
         self._database, self._computing = database, computing
         # No DerivedResults: an estimate holds on while the trials are nearly those that it was made of.
-        self._known: dict[Task, tuple[int, frozenset[int], PeopleVariances]] = {}
+        self._known: dict[tuple[int | None, Task], tuple[int, frozenset[int], PeopleVariances]] = {}
 
     def of_others(self, task: Task, patient_id: int) -> dict[str, Spread]:
         """Return the median spread of all patients but this one, for each measure that enough of them have."""
@@ -43,13 +43,14 @@ class ClinicSpread:
         return lambda floorplan, path, group: self.of_others(Task(floorplan, path, group), patient_id)
 
     def _variances(self, task: Task) -> PeopleVariances:
+        key = OWN_CLINIC.get(), task
         with every_patient(), self._database.reading() as db:
             count = count_of_everybody(db, task.floorplan, task.path)
             consents = prior_consents(db, task.group)
-            then, then_consents, before = self._known.get(task, (0, consents, None))
+            then, then_consents, before = self._known.get(key, (0, consents, None))
             if before is not None and consents == then_consents and abs(count - then) <= MORE * then:
                 return before
             people = trials_of_everybody(db, *task)
         variances = self._computing.ask(people_variances, people)
-        self._known[task] = count, consents, variances
+        self._known[key] = count, consents, variances
         return variances

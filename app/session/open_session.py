@@ -18,7 +18,6 @@ from app.session.trial import TrialFlow
 from app.store.database import Database
 from app.store.parameters import as_document, current_parameters, newest_profile
 from app.store.patients import open_session
-from app.store.people import the_clinic
 from app.store.tables import PatientSession
 
 SILENT = "The shirt sends no signals: the Shirt page says what arrives from it."
@@ -174,14 +173,12 @@ class SessionFlow:
 
     def _open_ids(self) -> tuple[int | None, int | None]:
         with self._database.reading() as db:
-            clinic = the_clinic(db)
-            session = None if clinic is None else open_session(db)
+            session = open_session(db)
             return (None, None) if session is None else (session.id, session.patient_id)
 
     def _current(self) -> tuple[DriveParameters, bool | None] | None:
         with self._database.reading() as db:
-            clinic = the_clinic(db)
-            session = None if clinic is None else open_session(db)
+            session = open_session(db)
             if session is None or newest_profile(db, session.patient_id) is None:
                 return None
             row, profile = current_parameters(db, session.patient_id)

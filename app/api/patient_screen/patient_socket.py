@@ -16,6 +16,7 @@ from app.api.live.screen_pictures import Picture, ScreenPictures
 from app.api.sockets import cut_off
 from app.clock import monotonic
 from app.quantities import Document
+from app.store.access.visible_patients import every_patient
 from app.store.patient_screens import screen_settings_of
 
 router = APIRouter()
@@ -52,7 +53,7 @@ async def patient_live(
     session_id = who.session_id
 
     def _read() -> None:
-        with database.reading() as db:
+        with every_patient(), database.reading() as db:
             patient_picture.settings = screen_settings_of(db, session_id)
 
     await run_in_threadpool(_read)

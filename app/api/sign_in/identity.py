@@ -9,7 +9,6 @@ from app.store.access.sign_ins import is_locked, signed_in, store_action
 from app.store.access.visible_patients import VisiblePatients, every_patient
 from app.store.database import Database
 from app.store.patient_screens import find_screen
-from app.store.tables import PatientSession
 
 COOKIE = "bodydrive_sign_in"
 DRIVERS = frozenset({"owner", "clinician"})  # roles whose people change what drives; a reviewer reads and comments
@@ -70,7 +69,6 @@ class PairedScreen:
 
     screen_id: int
     session_id: int
-    patients: frozenset[int]  # the one of the session
 
     def sees(self, _patient_id: int | None) -> bool:
         """Return True: the screen is paired with the open session, and shows no other patient."""
@@ -84,10 +82,7 @@ def find_paired_screen(database: Database, connection: HTTPConnection) -> Paired
         return None
     with every_patient(), database.reading() as db:
         screen, _ = find_screen(db, token)
-        if screen is None:
-            return None
-        patient_id = db.get_one(PatientSession, screen.session_id).patient_id
-        return PairedScreen(screen.id, screen.session_id, frozenset({patient_id}))
+        return None if screen is None else PairedScreen(screen.id, screen.session_id)
 
 
 def find_viewer(database: Database, connection: HTTPConnection) -> SignedInPerson | PairedScreen | None:

@@ -181,7 +181,7 @@ def channel_noise(values: Frames, sample_rate: float) -> tuple[float, ...]:
     """
     length = min(len(values), max(5, round(NOISE_BLOCK * sample_rate)))
     blocks = values[: len(values) // length * length].reshape(-1, length, values.shape[1])
-    # Block by block: what a processor's cache holds is read several times as fast.
+    # Block by block, so that the differences stay in the processor's cache.
     variance = [(np.diff(block, n=2, axis=0) ** 2).mean(axis=0) / SECOND_DIFFERENCE for block in blocks]
     return tuple(_rounded(value) for value in np.quantile(np.sqrt(variance), QUIET_SHARE, axis=0).tolist())
 

@@ -35,6 +35,7 @@ from app.quantities import Document, Hertz, Name
 from app.recording.format import PER_CHANNEL
 from app.recording.groups import read_in_groups
 from app.refusals import NO_ROOM, DiskFull, PatientHere
+from app.store.access.visible_patients import of_clinic
 from app.store.database import Database, Transaction
 from app.store.files.disk_watch import disk_room
 from app.store.files.replacements import archive_on_shelf
@@ -198,14 +199,16 @@ def _put_on_shelf(database: Database, rows: Rows, runs: Path, shelf: Path) -> st
     return name
 
 
-def import_apart(clinic: Path, file: Path, person: str, runs: Path, unpacked: Path, shelf: Path | None) -> Imported:
+def import_apart(
+    clinic: Path, clinic_id: int, file: Path, person: str, runs: Path, unpacked: Path, shelf: Path | None
+) -> Imported:
     """Import an archive in a process of its own, which then has little memory; `clinic` is the file of the database.
 
     Raises what `import_archive` raises.
     """
     limit_memory()
     try:
-        with closing(Database(clinic)) as database:
+        with closing(Database(clinic)) as database, of_clinic(clinic_id):
             return import_archive(database, file, person, runs, unpacked, shelf)
     except MemoryError as error:
         raise ValueError(WRONG.format(file=file, why="it needs too much memory")) from error

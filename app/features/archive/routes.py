@@ -193,7 +193,7 @@ def _write(opened: BinaryIO, content: bytearray, folder: Path) -> None:
 
 def _import(course: ImportCourse, who: SignedInPerson, settings: Settings, replace: bool) -> Imported:
     """Import a file; it may take as long as it goes on unpacking recordings."""
-    given = settings.database, course.file, who.name, settings.runs, course.recordings
+    given = settings.database, who.clinic_id, course.file, who.name, settings.runs, course.recordings
     shelf = settings.replaced if replace else None
     try:
         with closing(ComputingProcess()) as computing:

@@ -85,7 +85,7 @@ def unread_comments(
 def list_comments(trial_id: RowId, who: Anyone, database: Db) -> list[CommentView]:
     """List the comments of a trial by their moments."""
     with database.transaction(closing=True) as db:
-        trial = _trial(db, who, trial_id)
+        trial = _trial(db, trial_id)
         log_viewing(db, who.name, trial.patient_id)
         return _views(db, trial, who)
 
@@ -98,7 +98,7 @@ def new_comment(trial_id: RowId, body: NewComment, who: Anyone, database: Db, li
     `t` is negative before motion was permitted.
     """
     with database.transaction() as db:
-        trial = _trial(db, who, trial_id)
+        trial = _trial(db, trial_id)
         comment = add_comment(db, trial, who.person_id, body.t, body.text)
         write_log(db, who.name, "comment added", patient=trial.patient_id, trial=trial_id, comment=comment.id)
         answer = _views(db, trial, who)
@@ -111,7 +111,7 @@ def new_comment(trial_id: RowId, body: NewComment, who: Anyone, database: Db, li
 def read_comments(trial_id: RowId, who: Anyone, database: Db) -> None:
     """Store that the person who asks has read the comments of a trial."""
     with database.transaction() as db:
-        mark_read(db, _trial(db, who, trial_id).id, who.person_id)
+        mark_read(db, _trial(db, trial_id).id, who.person_id)
 
 
 @router.put("/comments/{comment_id}")
@@ -144,7 +144,7 @@ def no_comment(comment_id: RowId, who: Anyone, database: Db, live: LivePart) -> 
     return answer
 
 
-def _trial(db: Transaction, _who: SignedInPerson, trial_id: int) -> Trial:
+def _trial(db: Transaction, trial_id: int) -> Trial:
     trial = find_trial(db, trial_id)
     find_patient(db, trial.patient_id)
     if trial.status != "done":

@@ -16,9 +16,10 @@ from app.refusals import Refusal
 from app.scoring.verdict.deterioration import deteriorations
 from app.session.clinic_spread import ClinicSpread, Task
 from app.source import SourceGroup
-from app.store.access.visible_patients import every_patient
+from app.store.access.visible_patients import every_patient, of_clinic
 from app.store.database import Database
 from app.store.learning_trials import counted_trials
+from app.store.tables import Patient
 
 LOG = logging.getLogger(__name__)
 KEPT = 20_000  # tasks: more than a clinic of 1,000 patients has; with fewer, a page would never be complete
@@ -87,10 +88,14 @@ class Deteriorations:
 
     def _found(self, task: CountedTask) -> Deterioration | None:
         with every_patient(), self._database.reading() as db:
+            patient = db.get(Patient, task.patient_id)
+            if patient is None:  # deleted meanwhile
+                return None
             every = counted_trials(db, task.patient_id, task.floorplan, task.path)
             trials = [one for one in every if one.group == task.group]
             rows = [one.row() for one in trials]
             newest = trials[-1].trial.session_id if trials else 0
-        spread = self._spread.of_others(Task(task.floorplan, task.path, task.group), task.patient_id)
+        with of_clinic(patient.clinic_id):
+            spread = self._spread.of_others(Task(task.floorplan, task.path, task.group), task.patient_id)
         worse = self._computing.ask_last(deteriorations, rows, spread)
         return Deterioration(len(worse), newest, next(iter(worse.values()))) if worse else None

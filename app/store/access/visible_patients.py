@@ -33,6 +33,16 @@ OWN_CLINIC: ContextVar[int | None] = ContextVar("OWN_CLINIC", default=None)
 """The id of the clinic of who asks; None for the program's own work."""
 
 
+@contextmanager
+def of_clinic(clinic_id: int) -> Iterator[None]:
+    """Let transactions that begin in here be those of somebody of this clinic, also in another thread or process."""
+    before = OWN_CLINIC.set(clinic_id)
+    try:
+        yield
+    finally:
+        OWN_CLINIC.reset(before)
+
+
 def own_clinic_id(db: Session) -> int:
     """Return the id of the clinic to which new rows belong: that of who asks, or the database's first one."""
     own = OWN_CLINIC.get()

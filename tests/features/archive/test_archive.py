@@ -10,8 +10,9 @@ from features.archive.archive_clinics import bring, empty_clinic, rewrite, state
 
 from app.clock import utc_now
 from app.csv_cells import SPREADSHEET_BEGIN
-from app.features.archive import patient_rows
+from app.features.archive import archive_import, patient_rows
 from app.features.archive.archive_file import PATIENT
+from app.features.archive.archive_import import import_apart
 from app.features.archive.service import make_archive
 from app.features.exports.export_material import exported_material
 from app.features.exports.measure_tables import trial_csv
@@ -29,6 +30,7 @@ from app.store.learning_trials import counted_trials
 from app.store.log import write_log
 from app.store.origins import origin_of
 from app.store.patients import add_patient
+from app.store.people import add_clinic
 from app.store.tables import InterfaceTest, Patient, PatientSession
 
 
@@ -49,6 +51,16 @@ def archive(tmp_path_factory):
 @pytest.fixture
 def other(tmp_path):
     return empty_clinic(tmp_path / "other")
+
+
+def test_the_process_of_an_import_gives_the_patient_to_the_clinic_of_who_imports(archive, other, monkeypatch):
+    package, _, _ = archive
+    monkeypatch.setattr(archive_import, "limit_memory", lambda: None)  # this process goes on
+    with closing(Database(other.database)) as database, database.transaction() as db:
+        second = add_clinic(db, "Lakeside").id
+    found = import_apart(other.database, second, package, "Ben", other.runs, other.state / "unpacked", None)
+    with closing(Database(other.database)) as database, database.reading() as db:
+        assert db.get_one(Patient, found.patient_id).clinic_id == second
 
 
 def test_another_clinic_gets_the_same_trials_recordings_and_records_and_returns_the_same_hash(archive, other, tmp_path):

@@ -18,7 +18,7 @@ from app import child_process
 from app.features.archive.archive_import import import_apart
 child_process.MOST_MEMORY = 1_000_000_000
 state, package = map(Path, sys.argv[1:])
-import_apart(state / "bodydrive.sqlite", package, "Ben", state / "runs", state / "unpacked", None)
+import_apart(state / "bodydrive.sqlite", 1, package, "Ben", state / "runs", state / "unpacked", None)
 """
 LISTS = 20_000_000  # about 1.3 GB in memory, 100 kB in the file
 
