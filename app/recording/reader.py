@@ -2,6 +2,7 @@
 
 import json
 import os
+from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -71,11 +72,18 @@ class RunRecording:
         return {name: column[chosen] for name, column in self.columns.items()}
 
 
-def read_run(folder: str | Path, *, scalars_only: bool = False) -> RunRecording:
+def read_run(folder: str | Path, names: Collection[str] | None = None) -> RunRecording:
     """Return the run in `folder`; of a damaged one, the rows before the first damaged byte.
 
-    `Run.damage` describes missing and changed bytes; they raise no error. With `scalars_only`, the columns of channels
-    and gestures of a closed run are neither read nor checked, which are nine tenths of it, and are empty.
+    `RunRecording.damage` describes missing and changed bytes; they raise no error.
+
+    Parameters
+    ----------
+    folder
+        The folder of the run.
+    names
+        The columns that are needed, with `t`; None: all. Of a closed run, the others are neither read nor checked. The
+        columns of channels and gestures, which are nine tenths of a run, are then empty, and the others missing.
 
     Raises
     ------
@@ -93,7 +101,7 @@ def read_run(folder: str | Path, *, scalars_only: bool = False) -> RunRecording:
     problem = ""
     tables: list[pa.Table] = []
     if parquet.exists() and (end is not None or not segments):
-        tables, problem = _read_parquet(parquet, end, scalars_only)
+        tables, problem = _read_parquet(parquet, end, names)
     if not tables and segments:
         tables, problem = _read_segments(segments)
     copy = _copied_meta(tables)
@@ -110,15 +118,14 @@ def read_run(folder: str | Path, *, scalars_only: bool = False) -> RunRecording:
     return RunRecording(meta, columns, end["dropped"] if end else 0, damage or problem)
 
 
-def _read_parquet(file: Path, end: RecordingEnd | None, scalars_only: bool) -> tuple[list["pa.Table"], str]:
+def _read_parquet(file: Path, end: RecordingEnd | None, names: Collection[str] | None) -> tuple[list["pa.Table"], str]:
     import pyarrow as pa
     import pyarrow.parquet as pa_parquet
 
     try:
         with pa_parquet.ParquetFile(file, page_checksum_verification=True) as opened:
             schema = opened.schema_arrow
-            names = [name for name in schema.names if name in SCALARS] if scalars_only else None
-            table = opened.read(names)
+            table = opened.read(None if names is None else [name for name in schema.names if name in names])
         table.validate(full=True)
         is_whole = _has_all_columns(schema)
     except (pa.ArrowException, OSError, *UNREADABLE):
@@ -126,7 +133,7 @@ def _read_parquet(file: Path, end: RecordingEnd | None, scalars_only: bool) -> t
     problem = ""
     if end is None:
         problem = f"{file.parent / END_FILE}: this file was cut or changed, so the recording cannot be checked."
-    elif not scalars_only and end["checksums"][PARQUET_FILE] != file_checksum(file):
+    elif names is None and end["checksums"][PARQUET_FILE] != file_checksum(file):
         problem = f"{file}: this file was changed, do not rely on it: restore it from a backup."
     return ([table] if is_whole else []), problem
 
@@ -195,7 +202,7 @@ def columns_of(tables: list["pa.Table"], meta: dict[str, Any]) -> Columns:
     if not tables:
         return _no_rows(meta)
     rows = pa.concat_tables(tables)
-    columns: Columns = {name: rows.column(name).to_numpy() for name in SCALARS}
+    columns: Columns = {name: rows.column(name).to_numpy() for name in SCALARS if name in rows.column_names}
     for name in (*PER_GESTURE, PER_CHANNEL):
         if name in rows.column_names:
             lists: Any = rows.column(name)
@@ -257,6 +264,6 @@ def kept_rows(folder: Path) -> int | None:
         for file in folder.glob("segment-*"):
             with file.open("rb") as opened:
                 os.fsync(opened.fileno())
-        return read_run(folder, scalars_only=True).rows
+        return read_run(folder, ["t"]).rows
     except (ValueError, OSError):
         return None

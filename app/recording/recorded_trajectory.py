@@ -23,7 +23,7 @@ class RecordedTrajectory(NamedTuple):
 
 def read_trajectory(folder: Path) -> RecordedTrajectory:
     """Return the trajectory in a recording; ValueError when motion was never permitted, or nothing was recorded."""
-    rows = since_armed(read_run(folder, scalars_only=True).columns)
+    rows = since_armed(read_run(folder, ["t", "state", "x", "y"]).columns)
     return RecordedTrajectory(rows["t"] - rows["t"][0], rows["x"], rows["y"])
 
 

@@ -154,7 +154,7 @@ def measure_recording(folder: Path, plan: FloorPlan, path: PrescribedPath) -> Js
 
 def measure_again(folder: Path) -> JsonDocument:
     """Return the measures of a trial by its recording alone; ValueError when it does not hold the plan and the path."""
-    meta = read_run(folder, scalars_only=True).meta
+    meta = read_run(folder, ["t"]).meta
     if not meta.get("floorplan"):
         raise ValueError("The recording does not hold the floor plan of its trial: it cannot be measured again.")
     plan = FloorPlan.model_validate(meta["floorplan"])

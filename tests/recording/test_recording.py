@@ -236,16 +236,16 @@ def test_scalars_alone_are_those_of_the_whole_run_or_damaged(ring, tmp_path):
     folder = record(ring, tmp_path / "run", 400)
     whole, file = read_run(folder), folder / "run.parquet"
     content = bytearray(file.read_bytes())
-    assert read_run(folder, scalars_only=True).columns["values"].size == 0 < whole.columns["values"].size
+    assert read_run(folder, SCALARS).columns["values"].size == 0 < whole.columns["values"].size
     for place in range(0, len(content), max(1, len(content) // 40)):
         content[place] ^= 0x01
         file.write_bytes(content)
-        scalars = read_run(folder, scalars_only=True)
+        scalars = read_run(folder, SCALARS)
         for name in SCALARS:
             assert scalars.damage or np.array_equal(scalars.columns[name], whole.columns[name], equal_nan=True)
         content[place] ^= 0x01
     file.write_bytes(content)
-    scalars = read_run(folder, scalars_only=True)
+    scalars = read_run(folder, SCALARS)
     assert (scalars.meta, scalars.rows, scalars.damage) == (whole.meta, whole.rows, "")
 
 

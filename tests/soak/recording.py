@@ -114,7 +114,7 @@ def record_really(folder: Path, seconds: float) -> Recorded:
 
 def recorded(folder: Path, growth: float) -> Recorded:
     """Read a recording and return what it came to."""
-    run = read_run(folder, scalars_only=True)
+    run = read_run(folder, ["t", "has_frame", "frame_seq"])
     frames = run.frames()["frame_seq"].astype(np.int64)
     return Recorded(run.rows, int((np.diff(frames) != 1).sum()), run.dropped, run.damage, growth)
 

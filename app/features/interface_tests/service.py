@@ -46,7 +46,7 @@ def next_number(db: Session, patient_id: int) -> int:
 
 def measure_interface_test(folder: Path, plan: CursorPlan) -> dict[str, Any]:
     """Return the measures of an interface test, as a document; ValueError when there is no recording."""
-    columns = read_run(folder, scalars_only=True).columns
+    columns = read_run(folder, ["t", "run_t", "u1", "u2"]).columns
     task = replay_task(plan, columns["run_t"], columns["u1"], columns["u2"])
     return interface_measures(task).model_dump(mode="json")
 

@@ -6,7 +6,8 @@
 import json
 import unicodedata
 from bisect import bisect_right
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from functools import cache
 from typing import Final
 
 from app.settings import data_folder
@@ -19,14 +20,20 @@ MOST_NAMED: Final = 12  # characters that are named
 class Coverage:
     """The characters that the fonts have."""
 
-    def __init__(self) -> None:
-        ranges = json.loads((data_folder() / "fonts" / COVERAGE).read_text())
+    def __init__(self, ranges: Sequence[tuple[int, int]]) -> None:
         self._first = [first for first, _ in ranges]
         self._last = [last for _, last in ranges]
 
     def __contains__(self, character: str) -> bool:
         place = bisect_right(self._first, ord(character)) - 1
         return place >= 0 and ord(character) <= self._last[place]
+
+
+@cache
+def coverage_of_fonts() -> Coverage:
+    """Return which characters the fonts of reports have."""
+    ranges = json.loads((data_folder() / "fonts" / COVERAGE).read_text())
+    return Coverage(ranges)
 
 
 def without_invisible(text: str) -> str:

@@ -12,7 +12,7 @@ from dataclasses import asdict, replace
 from html import escape
 from typing import Any, Final
 
-from app.features.reports.characters import Coverage, missing_words, printable
+from app.features.reports.characters import Coverage, coverage_of_fonts, missing_words, printable
 from app.features.reports.document import (
     Drawing,
     Fact,
@@ -35,7 +35,7 @@ def render_pdf(report: Report, paper: Paper) -> bytes:
     """Return the report as a PDF, tagged for screen readers."""
     import typst
 
-    coverage = Coverage()
+    coverage = coverage_of_fonts()
     complete = replace(report, missing=missing_words(_texts(asdict(report)), coverage))
     document = json.dumps(_printable(asdict(complete), coverage))
     fonts = typst.Fonts(include_system_fonts=False, include_embedded_fonts=False, font_paths=[data_folder() / "fonts"])

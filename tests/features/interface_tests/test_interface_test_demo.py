@@ -34,6 +34,6 @@ def test_the_simulated_person_does_a_test_and_the_recording_gives_its_figures(tm
         assert measures["acquired"] > 25  # a practised person
         assert measures["throughput"] > 0.8
         folders = [file.parent for file in tmp_path.rglob("run.json")]
-        (folder,) = [one for one in folders if read_run(one, scalars_only=True).meta["kind"] == "interface_test"]
-        plan = CursorPlan.model_validate(read_run(folder, scalars_only=True).meta["interface_test"])
+        (folder,) = [one for one in folders if read_run(one, ["t"]).meta["kind"] == "interface_test"]
+        plan = CursorPlan.model_validate(read_run(folder, ["t"]).meta["interface_test"])
         assert measure_interface_test(folder, plan) == measures

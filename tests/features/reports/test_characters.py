@@ -7,7 +7,7 @@ from fontTools.ttLib import TTFont
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.features.reports.characters import COVERAGE, Coverage, missing_words, printable, without_invisible
+from app.features.reports.characters import COVERAGE, coverage_of_fonts, missing_words, printable, without_invisible
 from app.settings import data_folder
 
 FONTS = data_folder() / "fonts"
@@ -27,7 +27,7 @@ def test_the_list_of_characters_is_that_of_the_fonts():
 
 @given(st.text())
 def test_a_printed_text_has_only_characters_of_the_fonts(text):
-    coverage = Coverage()
+    coverage = coverage_of_fonts()
     visible = without_invisible(text)
     shown = printable(visible, coverage)
     assert all(one in coverage or one in "\n\t" for one in shown)
