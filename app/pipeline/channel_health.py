@@ -3,6 +3,7 @@
 # Compiled in a wheel (hatch_build.py).
 
 from collections import deque
+from itertools import islice
 from typing import Any, Final
 
 import numpy as np
@@ -161,8 +162,8 @@ class ChannelHealth:
                 self._still = still
 
     def _count_back(self) -> NDArray[np.int32]:
-        """Return for how many of the recent frames each watched channel has been constant."""
-        backwards = np.array(self._recent)[::-1]
+        """Return for how many of the newest frames, `flat_after` at most, each watched channel has been constant."""
+        backwards = np.array(list(islice(reversed(self._recent), self._flat_after + 1)))
         same = (backwards[:-1] == backwards[1:]) & self._watched
         return np.asarray(np.logical_and.accumulate(same).sum(axis=0), dtype=np.int32)
 

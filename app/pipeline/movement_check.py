@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.profile import JointMap
-from app.calibration.steps import STEEPNESS, frames_per_check, step_times
+from app.calibration.steps import STEEPNESS, StepTimes, frames_per_check, step_times
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.channel_health import SMALLEST_HALF_RANGE
 
@@ -128,10 +128,15 @@ def _channels_read(joint: JointMap) -> list[int]:
 class _StepKind(NamedTuple):
     """What counts as one kind of step."""
 
-    still: int  # checks of stillness after it
+    times: StepTimes
     least: list[float]  # FS, of each joint
     enough: int  # so many lately are not believed
-    large: float = math.inf  # FS: one that is not believed the first time
+    large: float  # FS: one that is not believed the first time
+    least_square: float  # FS^2: a change of all channels with a smaller square sum has no step
+
+
+def _step_kind(times: StepTimes, least: list[float], enough: int, large: float = math.inf) -> _StepKind:
+    return _StepKind(times, least, enough, large, min(least) ** 2)
 
 
 class MovementCheck:
@@ -153,21 +158,16 @@ class MovementCheck:
         self.every = frames_per_check(sample_rate)
         period = self.every / sample_rate
         common = max(1, round(COMMON_TIME / period))
-        sudden, filtered = times = step_times(sample_rate)
+        sudden, filtered = step_times(sample_rate)
         self._size = max(common, sudden.whole, filtered.whole) + 1
         self._kinds = (
-            _StepKind(sudden.still, [joint.step for joint in joints], SUDDEN_STEPS, LARGE_STEP),
-            _StepKind(filtered.still, [joint.filtered_step for joint in joints], FILTERED_STEPS),
+            _step_kind(sudden, [joint.step for joint in joints], SUDDEN_STEPS, LARGE_STEP),
+            _step_kind(filtered, [joint.filtered_step for joint in joints], FILTERED_STEPS),
         )
-        # Ages of the frames between which changes are computed: lately; and for each kind of step after, at and before
-        # it, from before a spike to after it, and after that.
-        newer, older = [0], [common]
-        for fast, still in times:
-            newer += [0, still, still + fast, still - fast, 0]
-            older += [still, still + fast, 2 * still + fast, still + fast, still - fast]
-        self._newer, self._older = np.array(newer), np.array(older)
-        scales = [1.0 / np.maximum(half_range, SMALLEST_HALF_RANGE), *[1.0 / spans] * (len(newer) - 1)]
-        self._scale = np.stack(scales)
+        self._common = common
+        self._ones = np.ones(len(channels))  # a product with it is a sum, in a fifth of the time
+        self._per_span = 1.0 / spans
+        self._spans_per_half_range = spans / np.maximum(half_range, SMALLEST_HALF_RANGE)
         self._compares = len(joints) >= FEWEST_JOINTS
         self._masks = [sum(1 << channel for channel in group) for group in read]
         self._counts = [len(group) for group in read]
@@ -181,7 +181,8 @@ class MovementCheck:
         self._again = round(AGAIN / period)
         self._doubt = round(DOUBT / period)
         self._gap = max(1.0, LONGEST_GAP * sample_rate)
-        self._ring = np.zeros((self._size, len(channels)))
+        self._ring = np.zeros((self._size, len(channels)))  # in spans
+        self._rows = list(self._ring)
         self.reset()
 
     def reset(self) -> None:
@@ -223,7 +224,7 @@ class MovementCheck:
             self._forget()
         self._now += 1
         self._newest = newest = (self._newest + 1) % self._size
-        self._ring[newest] = frame[self._take]
+        np.multiply(frame.take(self._take), self._per_span, self._rows[newest])
         self._known = min(self._size, self._known + 1)
         if estimated or True in bad:
             lost = {joint for joint, is_bad in zip(self._joint_of, bad, strict=True) if is_bad}
@@ -234,43 +235,57 @@ class MovementCheck:
         disbelieves = False
         for waves, rate in zip(self._waves, rates, strict=True):
             waves.step(rate)
-            disbelieves |= waves.go_on
+            if waves.count >= HALF_WAVES and waves.go_on:
+                disbelieves = True
         if self._known == self._size:
-            ring = self._ring
-            change = ring[(newest - self._newer) % self._size] - ring[(newest - self._older) % self._size]
-            change *= self._scale
-            total = float(change[0].sum())
-            change *= change
-            squares = np.add.reduceat(change, self._starts, axis=1).tolist()
             if active and self._compares and self._now >= max(self._blind_until):
-                disbelieves |= self._is_common(total, squares[0])
-            for k, kind in enumerate(self._kinds):
-                disbelieves |= self._has_steps(kind, squares[5 * k + 1 : 5 * k + 6])
+                disbelieves |= self._is_common()
+            for kind in self._kinds:
+                disbelieves |= self._has_steps(kind)
         if disbelieves:
             self._disbelief_until = self._doubt_until = self._now + self._doubt
         self.doubts = self._now < self._doubt_until
         self.disbelieves = self._now < self._disbelief_until
 
-    def _has_steps(self, kind: _StepKind, squares: list[list[float]]) -> bool:
-        """Return whether a joint had a large step, or a step or spike that makes too many lately.
+    def _change(self, newer: int, older: int) -> NDArray[np.float64]:
+        """Return the change of each channel between the frames of two ages (checks), in spans."""
+        newest, rows = self._newest, self._rows
+        change: NDArray[np.float64] = rows[newest - newer] - rows[newest - older]
+        return change
 
-        `squares`: the changes (5, n_joints) after, at and before a step, from before a spike to after it, and after
-        that, squared.
-        """
-        after, at, before, across, after_spike = squares
+    def _squares(self, change: NDArray[np.float64]) -> list[float]:
+        """Return the squares of a change, summed over the channels of each joint."""
+        squares: list[float] = np.add.reduceat(change * change, self._starts).tolist()
+        return squares
+
+    def _has_steps(self, kind: _StepKind) -> bool:
+        """Return whether a joint had a large step, or a step or spike that makes too many lately."""
+        fast, still = kind.times
+        change = self._change(still, still + fast)
+        if change.dot(change) < kind.least_square:  # the usual case at rest, in the shortest way
+            return False
+        at = self._squares(change)
+        before: list[float] = []
         has_steps = False
         for i, least in enumerate(kind.least):
-            if at[i] < least * least:
+            if at[i] < least * least or self._now < self._blind_until[i]:
                 continue
+            before = before or self._squares(self._change(still + fast, 2 * still + fast))
             # Before and after a step the change, squared, is less than this; noise takes part in each change.
             steep = at[i] / STEEPNESS**2 + (NOISE_OF_STEP * least) ** 2
-            if steep < before[i] or self._now < self._blind_until[i]:
+            if steep < before[i]:
                 continue
-            is_step = steep > after[i]
-            if is_step or (at[i] > LEAST_SPIKE * LEAST_SPIKE and steep > max(across[i], after_spike[i])):
+            is_step = steep > self._squares(self._change(0, still))[i]
+            if is_step or (at[i] > LEAST_SPIKE * LEAST_SPIKE and self._is_spike(kind, i, steep)):
                 is_large = is_step and at[i] > max(kind.large, LARGE_FACTOR * least) ** 2
-                has_steps |= self._repeats(i, kind.still, kind.enough) or is_large
+                has_steps |= self._repeats(i, still, kind.enough) or is_large
         return has_steps
+
+    def _is_spike(self, kind: _StepKind, joint: int, steep: float) -> bool:
+        """Return whether a joint is after a step where it was before it, and stays there."""
+        fast, still = kind.times
+        ages = (still - fast, still + fast), (0, still - fast)
+        return all(steep > self._squares(self._change(*pair))[joint] for pair in ages)
 
     def _repeats(self, joint: int, still: int, enough: int) -> bool:
         """Note a step or spike of a joint; return whether it makes `enough` lately."""
@@ -281,12 +296,11 @@ class MovementCheck:
         jumps[:] = [jump for jump in jumps if self._now - jump <= self._again] + [self._now]
         return len(jumps) >= enough
 
-    def _is_common(self, total: float, squares: list[float]) -> bool:
-        """Return whether all channels changed alike, or all joints by as much.
-
-        `total`: sum of all channels' changes (half ranges), `squares`: of each joint's, squared.
-        """
-        mean, square = abs(total) / self._count, sum(squares) / self._count
+    def _is_common(self) -> bool:
+        """Return whether all channels changed alike lately, or all joints by as much, in half ranges."""
+        change = self._change(0, self._common) * self._spans_per_half_range
+        squares = self._squares(change)
+        mean, square = abs(float(change.dot(self._ones))) / self._count, sum(squares) / self._count
         if mean > LEAST_COMMON and mean * mean > COMMON * COMMON * square:
             return True
         each = [square / count for square, count in zip(squares, self._counts, strict=True)]

@@ -5,9 +5,6 @@
 import random
 from collections.abc import Sequence
 
-import numpy as np
-from numpy.typing import NDArray
-
 from app.cues import Cue
 from app.hardware.body.joints import second_way
 from app.hardware.body.minimum_jerk import Reach
@@ -34,7 +31,7 @@ class CuedBody:
         self.joints = tuple(joints)
         self._seed = seed
         self._seconds = {name for joint in joints if (name := second_way(joint)) is not None}
-        self._posture = np.zeros(len(self.joints))
+        self._posture = [0.0] * len(self.joints)
         self.reset()
 
     def reset(self) -> None:
@@ -54,8 +51,8 @@ class CuedBody:
         """Whether every joint is at rest, apart from tremor."""
         return all(abs(place) < 0.01 for place in self._place)
 
-    def follow(self, dt: float, cue: Cue | None) -> NDArray[np.float64]:
-        """Advance by `dt` (s) under `cue` (None: rest) and return the posture (n_joints,)."""
+    def follow(self, dt: float, cue: Cue | None) -> list[float]:
+        """Advance by `dt` (s) under `cue` (None: rest) and return the posture (n_joints,), until the next step."""
         if cue is not self._cue and cue != self._cue:
             self._begin_cue(cue)
         self._cue = cue
@@ -64,20 +61,22 @@ class CuedBody:
         calm = dt / (TREMOR_TIME + dt)
         shake = TREMOR * (2.0 * calm) ** 0.5
         gauss = self._random.gauss
+        places, tremors, posture = self._place, self._tremor, self._posture
         for i, reach in enumerate(self._reaches):
             if reach is not None:
                 elapsed = self._t - self._begins[i]
                 place = reach.at(elapsed)
-                self._speed[i] = (place - self._place[i]) / dt if dt > 0 else 0.0
-                self._place[i] = place
+                self._speed[i] = (place - places[i]) / dt if dt > 0 else 0.0
+                places[i] = place
                 if reach.is_over(elapsed):
                     self._reaches[i] = None
                     self._speed[i] = 0.0
             elif free:
                 self._wander(i)
-            self._tremor[i] += gauss(0.0, shake) - calm * self._tremor[i]
-            self._posture[i] = self._place[i] + self._tremor[i]
-        return self._posture
+            tremor = tremors[i]
+            tremors[i] = tremor = tremor + (gauss(0.0, shake) - calm * tremor)
+            posture[i] = places[i] + tremor
+        return posture
 
     def _begin_cue(self, cue: Cue | None) -> None:
         """Plan the movements of a new cue."""

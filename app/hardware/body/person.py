@@ -194,14 +194,15 @@ class SimulatedPerson:
             self.pointer.point(self._t, view.cursor)
         else:
             self.pointer.rest()
-        posture = self._posture
-        posture[:] = self._cued.follow(dt, None if view.driving else view.cue)
+        levels = self._cued.follow(dt, None if view.driving else view.cue)
         for limb, along, aside in self._limbs:
             if not limb.is_resting(self._t):
                 level = limb.level(self._t)
-                posture[along] += level
+                levels[along] += level
                 if aside is not None:
-                    posture[aside] += level * limb.aside
+                    levels[aside] += level * limb.aside
+        posture = self._posture
+        posture[:] = levels
         posture *= self._range
         if self._tremor.size > 0.0:
             posture += self._tremor.at(self._t)
