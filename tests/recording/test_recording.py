@@ -30,6 +30,12 @@ def ring():
     made.close()
 
 
+@pytest.fixture(autouse=True)
+def _on_disk_at_once(monkeypatch):
+    monkeypatch.setattr(recording_module, "WRITE_EVERY", 0.01)
+    monkeypatch.setattr(recording_module, "SYNC_EVERY", 0.0)
+
+
 def write_ticks(ring, count, run=1, first=0):
     values = np.zeros(CHANNELS, dtype=np.float32)
     tick = Tick(values=values, state=State.ARMED, driven_v=0.5)

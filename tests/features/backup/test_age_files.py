@@ -1,5 +1,6 @@
 """Encryption with age: what is read back, that no cut and no change is unnoticed, and that age alone opens a backup."""
 
+import functools
 import io
 import shutil
 import subprocess
@@ -22,6 +23,12 @@ from folders import ROOT
 
 WORDS = "a quiet blue heron"
 KEY = Secret(str(x25519.Identity.generate()), "")
+
+
+@functools.cache
+def known_secret() -> Secret:
+    """Return one key for all tests that only use it: each new one takes a second."""
+    return new_secret(WORDS)
 
 
 def encrypted_bytes(content: bytes) -> bytes:
@@ -51,7 +58,7 @@ def test_encrypted_bytes_are_read_back_and_no_cut_or_change_is_unnoticed(
 
 
 def test_a_passphrase_opens_its_key_and_no_other_one_does() -> None:
-    secret = new_secret(WORDS)
+    secret = known_secret()
     assert secret.identity not in repr(secret)
     assert secret.identity not in secret.sealed
     assert opened_secret(secret.sealed, WORDS) == secret
@@ -94,7 +101,7 @@ def backup(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
     target = folder / "stick"
     if request.param == "folder":
         target.mkdir()
-    report = make_backup(settings, target, new_secret(WORDS), with_keys=False, progress=lambda *_: None)
+    report = make_backup(settings, target, known_secret(), with_keys=False, progress=lambda *_: None)
     return (target / report.name if target.is_dir() else target), settings
 
 
@@ -123,7 +130,7 @@ def test_a_computer_that_is_too_slow_is_not_called_a_wrong_passphrase(monkeypatc
     def refuse(*_: object) -> bytes:
         raise DecryptError("Excessive work parameter for passphrase.\nDecryption would take around 32 seconds.")
 
-    sealed = new_secret(WORDS).sealed
+    sealed = known_secret().sealed
     monkeypatch.setattr(passphrase, "decrypt", refuse)
     with pytest.raises(Refusal, match="too slow or too busy"):
         opened_secret(sealed, WORDS)
