@@ -5502,7 +5502,7 @@ export interface components {
         };
         ArchiveRoomView: {
             bytes: number;
-            words: string;
+            message: string;
         };
         Arrangement: {
             /** @default 0 */
@@ -5670,10 +5670,10 @@ export interface components {
             v: number;
             /** @default 0 */
             omega: number;
-            words: string;
+            message: string;
         };
         ChairStateView: {
-            words: string;
+            message: string;
         };
         ChairSummary: {
             id: number;
@@ -5693,7 +5693,7 @@ export interface components {
             chosen: number | null;
             /** @enum {string} */
             dynamics: "unicycle" | "wheelchair";
-            words: string;
+            message: string;
         };
         Channel: {
             name: string;
@@ -5830,7 +5830,7 @@ export interface components {
             /** @enum {string} */
             kind: "sensor" | "map" | "noise" | "span";
             joint: string;
-            words: string;
+            message: string;
             advice: string;
         };
         ControlsSuggestion: {
@@ -5932,7 +5932,7 @@ export interface components {
         Discovery: {
             /** @enum {string} */
             source: "recordings" | "profile";
-            words: string;
+            message: string;
             gestures: components["schemas"]["FoundGesture"][];
             not_found: {
                 [key: string]: string;
@@ -5941,7 +5941,7 @@ export interface components {
         };
         DiskView: {
             free: number;
-            words: string;
+            message: string;
         };
         Door: {
             position: [
@@ -5957,7 +5957,7 @@ export interface components {
             document: {
                 [key: string]: unknown;
             };
-            words: string[];
+            messages: string[];
             layers: string[];
             taken: string[];
         };
@@ -6062,14 +6062,14 @@ export interface components {
             t: number;
             /** @enum {string} */
             kind: "checking" | "armed" | "stop" | "fault" | "disarmed" | "contact" | "goal";
-            words: string;
+            message: string;
         };
         EventView: {
             at: string;
             /** @enum {string} */
             kind: "begin" | "calibration" | "map" | "parameters" | "trial" | "test" | "stop" | "drive" | "note" | "comment" | "sign-off" | "unlock" | "end";
             person: string | null;
-            words: string;
+            text: string;
             facts: {
                 [key: string]: unknown;
             };
@@ -6114,7 +6114,7 @@ export interface components {
         FindingView: {
             /** @enum {string} */
             verdict: "good" | "attention" | "bad";
-            words: string;
+            message: string;
         };
         FirstOwner: {
             code: string;
@@ -6333,7 +6333,7 @@ export interface components {
             config: {
                 [key: string]: unknown;
             } | null;
-            words: string;
+            message: string;
         };
         HitCheck: {
             predicted: number;
@@ -6581,7 +6581,7 @@ export interface components {
             url: string;
             qr: string;
             expires: string;
-            words: string;
+            message: string;
         };
         ListedTrial: {
             id: number;
@@ -6677,7 +6677,7 @@ export interface components {
         LogCheckView: {
             whole: boolean;
             rows: number;
-            words: string;
+            message: string;
         };
         LogEntryView: {
             id: number;
@@ -6696,7 +6696,7 @@ export interface components {
         MachineView: {
             /** @enum {string} */
             verdict: "good" | "attention" | "bad";
-            words: string;
+            message: string;
             findings: components["schemas"]["FindingView"][];
         };
         MadeBackupView: {
@@ -6705,7 +6705,7 @@ export interface components {
             name: string;
             in_folder: boolean;
             good: boolean;
-            words: string;
+            message: string;
             files: number;
             bytes: number;
             encrypted: boolean;
@@ -6716,7 +6716,7 @@ export interface components {
             shares: components["schemas"]["ShareRow"][];
             url: string;
             pin: string;
-            words: string;
+            message: string;
         };
         MapCheck: {
             in_phase: number;
@@ -6988,7 +6988,7 @@ export interface components {
             scales: components["schemas"]["ObjectScale"][];
         };
         ObstacleView: {
-            words: string;
+            message: string;
             /** @enum {string} */
             page: "shirt" | "calibrate" | "controls";
         };
@@ -6997,7 +6997,7 @@ export interface components {
             url: string;
             qr: string;
             expires: string;
-            words: string;
+            message: string;
         };
         OpenShare: {
             token: string;
@@ -7032,7 +7032,7 @@ export interface components {
             chosen: number | null;
             /** @enum {string} */
             dynamics: "unicycle" | "wheelchair";
-            words: string;
+            message: string;
             key_line: string;
             qr: string;
         };
@@ -7088,7 +7088,7 @@ export interface components {
         };
         PatientFault: {
             name: string;
-            words: string;
+            message: string;
         };
         PatientMessage: {
             /** @default 0 */
@@ -7229,7 +7229,7 @@ export interface components {
             joints: components["schemas"]["JointView"][];
             effect: components["schemas"]["Effect"] | null;
             applied: number | null;
-            words: string;
+            message: string;
         };
         Quality: {
             quality: string[];
@@ -7589,7 +7589,7 @@ export interface components {
             body: string | null;
             chair: string;
             simulated: boolean | null;
-            words: string;
+            description: string;
         };
         Speeds: {
             /** @default 0.8 */
@@ -7632,7 +7632,7 @@ export interface components {
             session: components["schemas"]["CurrentSession"] | null;
         };
         StatusView: {
-            words: string;
+            message: string;
             alive: boolean;
             sample_rate: number;
             lost: number;
@@ -7685,7 +7685,7 @@ export interface components {
             url: string | null;
             qr: string;
             pages: string;
-            words: string;
+            message: string;
         };
         TaskComparison: {
             floorplan: string;
@@ -7766,7 +7766,7 @@ export interface components {
             joints: components["schemas"]["JointLines"][];
             events: components["schemas"]["Event"][];
             floorplan: components["schemas"]["FloorPlan"] | null;
-            words: string;
+            message: string;
         };
         TitleChoice: {
             title: string;
@@ -7945,7 +7945,7 @@ export interface components {
         };
         Waiting: {
             for: components["schemas"]["Actor"];
-            words: string;
+            message: string;
         };
         Workload: {
             mental: number | null;

@@ -24,7 +24,7 @@ export type CalibrationStep = {
   cues: Cue[];
   status: string;
   /** Why a step failed; empty otherwise. */
-  words: string;
+  message: string;
 };
 
 /** An expected number with its uncertainty, one standard deviation. */
@@ -118,7 +118,7 @@ export type ShirtKind = Omit<ShirtKindView, "form"> & { form: ConfigSchema };
 export type Equipment = Omit<EquipmentView, "shirt" | "body" | "head"> & {
   shirt: ShirtConfig | null;
   body: BodyConfig | null;
-  head: { config: HeadConfig | null; words: string };
+  head: { config: HeadConfig | null; message: string };
 };
 
 /** What an adaptation changed of one joint. */

@@ -85,7 +85,7 @@ def _steps(progress: Progress) -> list[dict[str, Any]]:
         }
     )
     for step in steps:
-        step["status"], step["words"] = progress.status.get(step["id"], waiting)
+        step["status"], step["message"] = progress.status.get(step["id"], waiting)
     return steps
 
 

@@ -25,7 +25,7 @@ class ChannelQuality(NamedTuple):
     """The condition of one channel, also in words."""
 
     condition: Condition
-    words: str
+    message: str
 
 
 GOOD = ChannelQuality("good", "")

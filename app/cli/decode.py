@@ -50,7 +50,7 @@ def decode(
         "seconds": float(t[-1] - t[0]),
         "sample_rate": recorded.sample_rate,
         "out": str(out),
-        "source": {**source.model_dump(mode="json"), "words": source_description(source)},
+        "source": {**source.model_dump(mode="json"), "description": source_description(source)},
     }
     if as_json:
         typer.echo(json.dumps(summary | dialect_summary(recorded)))

@@ -82,7 +82,7 @@ def import_file(
         "walls": len(plan.segments()),
         "path_length": path.line.length,
         "out": str(out),
-        "words": draft.words,
+        "messages": draft.messages,
     }
     if as_json:
         typer.echo(json.dumps(summary))
@@ -90,7 +90,7 @@ def import_file(
         typer.echo(
             f"{plan.title}: {summary['walls']} wall pieces, a path of {path.line.length:.1f} m, written to {out}"
         )
-        for sentence in draft.words[1:]:
+        for sentence in draft.messages[1:]:
             typer.echo(sentence)
 
 

@@ -61,7 +61,7 @@ class StoryEvent(NamedTuple):
     at: datetime
     kind: EventKind
     person: str | None  # who did or said it; None: not recorded
-    words: str  # what was said, or a title; in the words of its author
+    text: str  # what was said, or a title; in the words of its author
     facts: dict[str, Any]  # by names that the page puts into words
 
 

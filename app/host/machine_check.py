@@ -28,7 +28,7 @@ class Finding:
     """What one measurement found."""
 
     verdict: Verdict
-    words: str
+    message: str
 
 
 def measure_lateness(clock: Clock, seconds: float) -> list[float]:

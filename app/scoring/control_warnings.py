@@ -104,7 +104,7 @@ def sensor_warnings(trial: TrialAssessment) -> list[ControlWarning]:
             ControlWarning(
                 kind="map",
                 joint=where,
-                words=f"The shirt does not sit as it was calibrated: {len(outside)} sensors ({where}) lay "
+                message=f"The shirt does not sit as it was calibrated: {len(outside)} sensors ({where}) lay "
                 f"outside their calibrated range in trial {trial.number}, and what these joints did had no effect.",
                 advice="Set the shirt straight. When it was put on again, fit the calibration to it in Calibrate.",
             )
@@ -117,8 +117,8 @@ def _sensor_warning(trial: TrialAssessment, channel: BadChannel, label: str) -> 
     return ControlWarning(
         kind="sensor",
         joint=label,
-        words=f"{label}: sensor {channel.name} {fault} for {percent(channel.share)} of trial {trial.number}; meanwhile "
-        "what this joint did had no effect.",
+        message=f"{label}: sensor {channel.name} {fault} for {percent(channel.share)} of trial {trial.number}; "
+        "meanwhile what this joint did had no effect.",
         advice="Look at it on the Shirt page, set the shirt straight and push the plug in fully. If it stays so, mark "
         "the sensor as unused and calibrate again: the sensor is then left out.",
     )
@@ -151,7 +151,7 @@ def fit_warnings(rows: Sequence[JointInTrial]) -> list[ControlWarning]:
         advice = "Ask the person to move this joint one way only; if that does not help, calibrate again."
     else:
         return []
-    return [ControlWarning(kind="map", joint=label, words=finding, advice=advice + guided)]
+    return [ControlWarning(kind="map", joint=label, message=finding, advice=advice + guided)]
 
 
 def _turn(rows: Sequence[JointInTrial]) -> float:
@@ -190,7 +190,7 @@ def noise_warnings(of_map: Sequence[JointInTrial], every: Sequence[JointInTrial]
                 ControlWarning(
                     kind="noise",
                     joint=label,
-                    words=f"{label}: at rest it trembles with {percent(now)} / s of the full movement, and it counts "
+                    message=f"{label}: at rest it trembles with {percent(now)} / s of the full movement, and it counts "
                     f"from {percent(dead_zone)} / s, so that it may act by itself: let it count from "
                     f"{percent(4 * now)} / s.",
                     advice="Look for tremor, a tired patient or a loose plug. Then raise its “Counts from” in "
@@ -209,7 +209,7 @@ def noise_warnings(of_map: Sequence[JointInTrial], every: Sequence[JointInTrial]
         ControlWarning(
             kind="noise",
             joint=label,
-            words=f"{label}: the noise at rest has grown to {last / first:.1f} times that of the first trials.",
+            message=f"{label}: the noise at rest has grown to {last / first:.1f} times that of the first trials.",
             advice="Look for tremor, a tired patient or a loose plug on the Shirt page. When it stays, repeat the step "
             "Rest of the calibration, so that the movement counts only above the noise.",
         )
@@ -246,7 +246,7 @@ def span_warnings(every: Sequence[JointInTrial]) -> list[ControlWarning]:
         advice = "The person may be tired: let them rest, or end the session. Do not calibrate on a tired movement."
     else:
         return []
-    return [ControlWarning(kind="span", joint=label, words=finding, advice=advice)]
+    return [ControlWarning(kind="span", joint=label, message=finding, advice=advice)]
 
 
 def _unit(row: JointInTrial) -> float:

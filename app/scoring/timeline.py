@@ -87,7 +87,7 @@ class Event(Document):
 
     t: float  # s since motion was first permitted
     kind: EventKind
-    words: str
+    message: str
 
 
 class Timeline(Document):
@@ -111,7 +111,7 @@ class Timeline(Document):
     joints: list[JointLines]
     events: list[Event]
     floorplan: FloorPlan | None  # at the time of the trial; None when the recording holds none
-    words: str  # damage of the recording; empty when it is whole
+    message: str  # damage of the recording; empty when it is whole
 
 
 def timeline_of(folder: FilePath, path_points: Sequence[Sequence[float]], end: str | None) -> Timeline:
@@ -156,7 +156,7 @@ def timeline_of(folder: FilePath, path_points: Sequence[Sequence[float]], end: s
         joints=_joints(run, decimation),
         events=events_of(rows, t, end),
         floorplan=plan,
-        words=run.loss,
+        message=run.loss,
     )
 
 
@@ -356,5 +356,5 @@ def _contacts(contacts: NDArray[np.generic], t: NDArray[np.float64]) -> list[Eve
     return events
 
 
-def _event(t: float, kind: EventKind, words: str = "") -> Event:
-    return Event(t=round(float(t), 3), kind=kind, words=words or EVENT_SENTENCES[kind])
+def _event(t: float, kind: EventKind, message: str = "") -> Event:
+    return Event(t=round(float(t), 3), kind=kind, message=message or EVENT_SENTENCES[kind])

@@ -31,7 +31,7 @@ class ControlWarning(Document):
 
     kind: Kind
     joint: str  # label of the joint, or of several
-    words: str  # what was found
+    message: str  # what was found
     advice: str  # what to do
 
 

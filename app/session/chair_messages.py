@@ -39,7 +39,7 @@ class ChairMoment(BaseModel):
     stop_input: bool = False
     v: float = 0.0  # m/s
     omega: float = 0.0  # rad/s
-    words: str  # empty when there is nothing to say
+    message: str  # empty when there is nothing to say
 
 
 def chair_report(tick: np.void) -> ChairMoment:
@@ -58,7 +58,7 @@ def chair_report(tick: np.void) -> ChairMoment:
         stop_input=bool(tick["stop_input"]),
         v=_number(tick["driven_v"]) or 0.0,
         omega=_number(tick["driven_omega"]) or 0.0,
-        words=message,
+        message=message,
     )
 
 

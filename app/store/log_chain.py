@@ -133,7 +133,7 @@ class LogCheck:
 
     whole: bool
     rows: int  # number of valid rows, from the first
-    words: str  # the finding in sentences
+    message: str  # the finding in sentences
 
 
 def verify_log(database: Path) -> LogCheck:
@@ -154,7 +154,7 @@ def warn_of_changed_log(database: Path) -> None:
     """Warn on the console when the log was changed; the owner's settings page shows it, too."""
     check = verify_log(database)
     if not check.whole:
-        logging.getLogger("bodydrive").warning("%s", check.words)
+        logging.getLogger("bodydrive").warning("%s", check.message)
 
 
 def _check(head: ChainHead | None, rows: Iterable[RawRow]) -> LogCheck:

@@ -28,7 +28,7 @@ def test_a_dead_channel_is_flat_with_its_reason(moving):
     moving[:, 1] = 0.25
     quality = channel_quality(moving, GROUP, FS)
     assert [one.condition for one in quality] == ["good", "flat", "good", "good", "good"]
-    assert "never changes" in quality[1].words
+    assert "never changes" in quality[1].message
 
 
 def test_a_channel_that_gets_stuck_is_flat(moving):
@@ -40,7 +40,7 @@ def test_a_single_missing_sample_is_reported(moving):
     moving[500, 3] = np.nan
     quality = channel_quality(moving, GROUP, FS)
     assert quality[3].condition == "nan"
-    assert "1 of 1000" in quality[3].words
+    assert "1 of 1000" in quality[3].message
 
 
 def test_lost_frames_are_no_channels_fault(moving):
@@ -61,7 +61,7 @@ def test_clipping_shows_without_knowing_the_range(moving):
     moving[:, 0] = np.minimum(moving[:, 0], 0.8)
     quality = channel_quality(moving, GROUP, FS)
     assert quality[0].condition == "railed"
-    assert "upper end" in quality[0].words
+    assert "upper end" in quality[0].message
     assert [one.condition for one in quality[1:]] == ["good"] * 4
 
 

@@ -142,7 +142,7 @@ def test_a_joint_that_was_not_prompted_is_ranked_without_the_numbers_of_prompts(
 
 def test_without_recordings_the_profile_ranks_and_reports_what_is_missing(participant, steps):
     discovery = discovery_from_profile(profile_of(participant.layout, steps), "They are gone.")
-    assert (discovery.source, discovery.words) == ("profile", "They are gone.")
+    assert (discovery.source, discovery.message) == ("profile", "They are gone.")
     assert {one.direction for one in discovery.gestures} == {1}
     assert all(one.prediction is None and one.effort is None for one in discovery.gestures)
     assert len(used(discovery)) == 4

@@ -39,7 +39,7 @@ def test_a_file_decodes_to_the_numbers_of_the_chain(tmp_path, capsys):
     t = write_signals(tmp_path / "signals.csv", profile, values)
     decode(tmp_path / "signals.csv", tmp_path / "profile.json", tmp_path / "out.parquet", None, None, True)
     summary = json.loads(capsys.readouterr().out)
-    assert (summary["frames"], summary["source"]["words"]) == (800, "Shirt not recorded, chair not recorded")
+    assert (summary["frames"], summary["source"]["description"]) == (800, "Shirt not recorded, chair not recorded")
     table = pyarrow.parquet.read_table(tmp_path / "out.parquet")
     expected = decode_block(make_parameters(), 100.0, t, values)
     np.testing.assert_allclose(table["right_elbow_score"], expected.score[:, 0], atol=1e-6)
@@ -57,7 +57,7 @@ def test_a_decoded_recording_carries_its_source_in_each_form(tmp_path, capsys):
     words = "Simulated shirt (simulated person), virtual chair: practice only"
     for name in ("out.parquet", "out.csv"):
         decode(run, tmp_path / "parameters.json", tmp_path / name, None, None, True)
-        assert json.loads(capsys.readouterr().out)["source"] == {**source, "words": words}
+        assert json.loads(capsys.readouterr().out)["source"] == {**source, "description": words}
     decode(run, tmp_path / "parameters.json", tmp_path / "out.csv", None, None, False)
     assert words in capsys.readouterr().out
     table = pyarrow.parquet.read_table(tmp_path / "out.parquet")

@@ -36,7 +36,7 @@ def test_a_whole_log_is_a_sentence_and_code_0_also_while_the_clinic_is_open(body
         write_log(db, "Ada", "four")
     code, out, _ = bodydrive("log", "verify", "--state", "clinic", "--json")
     database.close()
-    assert (code, json.loads(out)) == (0, {"whole": True, "rows": 4, "words": words.replace("3", "4")})
+    assert (code, json.loads(out)) == (0, {"whole": True, "rows": 4, "message": words.replace("3", "4")})
 
 
 @pytest.mark.parametrize(

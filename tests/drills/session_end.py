@@ -58,7 +58,7 @@ def _one(folder, dice, result, told, whole):
                 expect(ballast.stat().st_size == SIZE, "there was no ballast")
                 filler, full = fill(disk), monotonic()
                 until(live, lambda m: m.get("event") == "disk")
-                words = demo.client.get("/equipment").json()["disk"]["words"]
+                words = demo.client.get("/equipment").json()["disk"]["message"]
                 expect("is full" in words, f"the page was told '{words}'")
                 told.append(monotonic() - full)
         refused = _fill_database(demo)

@@ -49,7 +49,7 @@ def wear(demo: Demo, live: Any, shirt: PairedShirt, database: Path) -> None:
     refusals = good(demo, "GET", "/drives/summary")["refusals"]
     assert any("nobody wears it" in sentence for sentence in refusals)
     good(demo, "PUT", "/equipment/shirt", shirt.config)
-    assert "that nobody wore" in good(demo, "GET", "/controls")["obstacle"]["words"]
+    assert "that nobody wore" in good(demo, "GET", "/controls")["obstacle"]["message"]
     calibrated_as_worn(database)
     until(live, lambda m: m["values"] is not None)
 

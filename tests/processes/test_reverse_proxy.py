@@ -243,7 +243,7 @@ def look_from_elsewhere(browser: Browser, visitor: Browser) -> None:
     assert browser.put("/patients/1/consents/sharing", json={"given": "2026-03-01"}).status_code == 200
     made = browser.post("/patients/1/shares", json={"days": 1}).json()
     page, _, token = made["url"].partition("#")
-    assert (page, made["words"]) == (f"{origin}/share.html", "")
+    assert (page, made["message"]) == (f"{origin}/share.html", "")
     assert visitor.get(page).status_code == 200
     assert visitor.get("/shared").status_code == 401
     opened = visitor.post("/shared/open", json={"token": token, "pin": made["pin"]})

@@ -58,7 +58,7 @@ def bad(name: str, share: float, silent: bool = True) -> BadChannel:
 
 def kinds(trials: list[TrialAssessment], **more: Any) -> list[str]:
     found = control_warnings(trials, **more).warnings
-    assert all(len(one.words) > 20 and len(one.advice) > 20 and one.advice.endswith(".") for one in found)
+    assert all(len(one.message) > 20 and len(one.advice) > 20 and one.advice.endswith(".") for one in found)
     return [one.kind for one in found]
 
 
@@ -78,7 +78,7 @@ def test_few_trials_are_called_few():
 def test_a_sensor_that_failed_in_the_last_trial_is_named_with_what_to_do():
     (warning,) = control_warnings([trial(1), trial(2, bad=(bad("e2", 0.64),))]).warnings
     assert (warning.kind, warning.joint) == ("sensor", "Right elbow")
-    assert "e2 gave no signal for 64 %" in warning.words
+    assert "e2 gave no signal for 64 %" in warning.message
     assert "plug" in warning.advice
     assert kinds([trial(1, bad=(bad("e2", 0.64),)), trial(2)]) == []
     assert kinds([trial(1, bad=(bad("e2", 0.01),))]) == []
@@ -87,7 +87,7 @@ def test_a_sensor_that_failed_in_the_last_trial_is_named_with_what_to_do():
 def test_several_sensors_outside_their_range_mean_that_the_shirt_moved():
     outside = (bad("e1", 1.0, silent=False), bad("e3", 1.0, silent=False))
     (warning,) = control_warnings([trial(1, bad=outside)]).warnings
-    assert (warning.kind, "2 sensors" in warning.words) == ("map", True)
+    assert (warning.kind, "2 sensors" in warning.message) == ("map", True)
     assert "fit the calibration" in warning.advice
     assert kinds([trial(1, bad=outside[:1])]) == ["sensor"]
 
@@ -104,7 +104,7 @@ def test_a_direction_that_turned_since_the_first_trials_of_the_map(turn_deg, exp
     trials = [trial(n) for n in range(3)] + [trial(3 + n, joint(turn_deg), session=2) for n in range(2)]
     assert kinds(trials) == expected
     if expected:
-        assert "turned by 12°" in control_warnings(trials).warnings[0].words
+        assert "turned by 12°" in control_warnings(trials).warnings[0].message
     assert kinds(trials[:-1]) == []  # one trial gives no warning
 
 
@@ -116,8 +116,8 @@ def test_a_new_map_begins_anew():
 def test_a_map_that_never_fitted():
     trials = [trial(n, joint(map_angle_deg=41.0, null_space_share=0.43)) for n in range(3)]
     (warning,) = control_warnings(trials).warnings
-    assert "41° off the calibration" in warning.words
-    assert "43 %" in warning.words
+    assert "41° off the calibration" in warning.message
+    assert "43 %" in warning.message
 
 
 def test_a_movement_with_a_falling_evr():
@@ -136,7 +136,7 @@ def test_noise_near_the_dead_zone_and_noise_that_grows():
     assert kinds([trial(n, joint(rest_rate=0.045)) for n in range(2)]) == []
     growing = [trial(n, joint(rest_rate=0.01 * 1.08**n)) for n in range(10)]
     assert kinds(growing) == ["noise"]
-    assert "times that of the first trials" in control_warnings(growing).warnings[0].words
+    assert "times that of the first trials" in control_warnings(growing).warnings[0].message
     assert kinds(growing[:7]) == []
     assert kinds([trial(n, joint(rest_rate=0.01 * 1.01**n)) for n in range(10)]) == []
 
@@ -156,7 +156,7 @@ def test_a_span_that_falls_over_sessions_or_within_one():
         ]
 
     assert kinds(over(0.02)) == ["span"]
-    assert "10 % smaller over 6 sessions" in control_warnings(over(0.02)).warnings[0].words
+    assert "10 % smaller over 6 sessions" in control_warnings(over(0.02)).warnings[0].message
     assert kinds(over(0.01)) == []
     assert kinds(over(0.02)[:9]) == []  # three sessions
     assert kinds(over(0.02, per_metre=0.02)) == []  # fewer and smaller movements are skill

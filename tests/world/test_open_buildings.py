@@ -62,8 +62,8 @@ def test_the_rooms_are_the_plan_and_not_the_store_or_the_outside(tmp_path, kind,
     plan = plan_of(draft, "home")
     assert plan.bounds == pytest.approx((3.2, 3.2, 12.8, 8.8), abs=0.3)
     assert plan.paths[0].line.length > 8
-    assert any("closed in the plan" in words for words in draft.words) == (entrance > 0)
-    assert any("16.0 x 12.0 m" in words for words in draft.words)
+    assert any("closed in the plan" in words for words in draft.messages) == (entrance > 0)
+    assert any("16.0 x 12.0 m" in words for words in draft.messages)
 
 
 @pytest.mark.parametrize("kind", ["picture", "map"])

@@ -31,7 +31,7 @@ class FindingView(Answer):
     """What one measurement found, in words."""
 
     verdict: Verdict
-    words: str
+    message: str
 
 
 class MachineView(FindingView):

@@ -221,8 +221,8 @@ class LivePicture:
         if self._chairs.chosen is None:
             return None
         if tick is None:
-            return ChairMoment(words="The control process is being restarted.")
-        return chair_report(tick) if tick["chair_kind"] else ChairMoment(words=self._chairs.not_open)
+            return ChairMoment(message="The control process is being restarted.")
+        return chair_report(tick) if tick["chair_kind"] else ChairMoment(message=self._chairs.not_open)
 
     def _real_drive(self) -> DriveMoment | None:
         drive = self._drives.current

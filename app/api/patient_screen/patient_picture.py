@@ -18,7 +18,7 @@ class PatientFault(MessagePart):
     """A fault in words for the patient."""
 
     name: str
-    words: str
+    message: str
 
 
 class Waiting(MessagePart):
@@ -27,7 +27,7 @@ class Waiting(MessagePart):
     model_config = ConfigDict(populate_by_name=True)
 
     actor: Actor = Field(alias="for")
-    words: str
+    message: str
 
 
 class PatientTrial(MessagePart):
@@ -97,8 +97,8 @@ class PatientPicture:
         common = {name: getattr(live, name) for name in CommonMessage.model_fields}
         return PatientMessage(
             **common,
-            fault=None if fault is None else PatientFault(name=fault.name, words=words.happened),
-            waits=Waiting(actor=words.actor, words=words.wait),
+            fault=None if fault is None else PatientFault(name=fault.name, message=words.happened),
+            waits=Waiting(actor=words.actor, message=words.wait),
             trial=None
             if live.trial is None
             else PatientTrial(**{name: getattr(live.trial, name) for name in PatientTrial.model_fields}),

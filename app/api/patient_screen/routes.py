@@ -82,7 +82,7 @@ class OfferView(Document):
     url: str
     qr: str
     expires: str
-    words: str
+    message: str
 
 
 class Code(Document):
@@ -150,7 +150,7 @@ async def offer(
 ) -> OfferView:
     """Make a link that pairs one screen within ten minutes; the link before becomes invalid.
 
-    `words`: when only this machine can open the link.
+    `message`: when only this machine can open the link.
     """
     session: PatientSession = await session_flow.needed_session()
     made = pairing.offer(session.id, who.name)
@@ -162,7 +162,7 @@ async def offer(
         url=url,
         qr=qr_picture(url),
         expires=made.expires.isoformat(),
-        words=_words(settings, only_here=address.only_here),
+        message=_words(settings, only_here=address.only_here),
     )
 
 

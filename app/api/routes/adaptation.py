@@ -58,7 +58,7 @@ class ProposalView(Document):
     joints: list[JointView]
     effect: Effect | None  # predicted by replaying the last trial; None when that was not possible
     applied: int | None
-    words: str  # why it was not applied by itself
+    message: str  # why it was not applied by itself
 
 
 class AdaptationView(Document):
@@ -98,7 +98,7 @@ def _proposal_view(waiting: AdaptationProposal, labels: dict[str, str]) -> Propo
         joints=[JointView(**dict(joint), label=labels.get(joint.name, joint.name)) for joint in proposal.joints],
         effect=waiting.result.effect,
         applied=waiting.applied,
-        words=waiting.reason,
+        message=waiting.reason,
     )
 
 
@@ -170,7 +170,7 @@ async def look(_who: Anyone, state: State) -> AdaptationView:
 
     `why`: there is no proposal or nothing to apply; `refusal`: nothing may be applied now; `practised`: kept trials
     with exactly this set. In a proposal, null where the movements said nothing; `applied` of a joint means: in what
-    would be armed; `words`: why it was not applied by itself.
+    would be armed; `message`: why it was not applied by itself.
     """
     return await state.view()
 

@@ -58,7 +58,7 @@ class ChairsView(Document):
     chairs: list[ChairView]
     chosen: int | None
     dynamics: Dynamics
-    words: str
+    message: str
 
 
 class PairedView(ChairsView):
@@ -78,7 +78,7 @@ async def _view(database: Database, chairs: Chairs) -> ChairsView:
         chairs=await asyncio.to_thread(_read),
         chosen=None if chosen is None else chosen.id,
         dynamics=chairs.dynamics,
-        words=await chairs.state(),
+        message=await chairs.state(),
     )
 
 

@@ -59,7 +59,7 @@ class HeadTrackerChoice(Document):
 class StatusView(Document):
     """The state of the shirt and the control process."""
 
-    words: str
+    message: str
     alive: bool
     sample_rate: float
     lost: int
@@ -70,21 +70,21 @@ class StatusView(Document):
 class ChairStateView(Document):
     """The state of the chair in use, in words."""
 
-    words: str
+    message: str
 
 
 class HeadTrackerView(Document):
     """The head tracker in use."""
 
     config: dict[str, Any] | None
-    words: str
+    message: str
 
 
 class DiskView(Document):
     """The free room for recordings."""
 
     free: int  # bytes
-    words: str  # what to do about it, empty while there is enough
+    message: str  # what to do about it, empty while there is enough
 
 
 class SendersView(Document):
@@ -158,9 +158,9 @@ class EquipmentState:
             status=status,
             files=await asyncio.to_thread(list_files, self.settings.files, self.computing),
             shirt_keys=await asyncio.to_thread(lambda: equipment.key_names),
-            chair=ChairStateView(words=await self.chairs.state()),
+            chair=ChairStateView(message=await self.chairs.state()),
             head=head,
-            disk=DiskView(free=room.free, words=room.message),
+            disk=DiskView(free=room.free, message=room.message),
         )
 
     async def logged_view(self, person: str, what: str, **details: Any) -> EquipmentView:
@@ -179,24 +179,24 @@ class EquipmentState:
             status = await self.control.call("status")
         except Refusal as refusal:
             return StatusView(
-                words=str(refusal),
+                message=str(refusal),
                 alive=False,
                 sample_rate=equipment.sample_rate,
                 lost=0,
                 realtime=[],
                 control=self.control.state,
-            ), HeadTrackerView(config=config, words=str(refusal))
+            ), HeadTrackerView(config=config, message=str(refusal))
         shirt = status.get("shirt") or {}
         view = StatusView(
-            words=equipment.failure or str(shirt.get("words", "")),
+            message=equipment.failure or str(shirt.get("words", "")),
             alive=bool(shirt.get("alive", False)),
             sample_rate=float(shirt.get("sample_rate") or equipment.sample_rate),
             lost=int(shirt.get("lost") or 0),
             realtime=[str(sentence) for sentence in status.get("realtime", [])],
             control=self.control.state,
         )
-        words = self.head.failure or str((status.get("head") or {}).get("words", ""))
-        return view, HeadTrackerView(config=config, words=words)
+        message = self.head.failure or str((status.get("head") or {}).get("words", ""))
+        return view, HeadTrackerView(config=config, message=message)
 
 
 State = Annotated[EquipmentState, Depends(parts_for(EquipmentState))]
@@ -206,7 +206,7 @@ State = Annotated[EquipmentState, Depends(parts_for(EquipmentState))]
 async def look(_who: Anyone, state: State) -> EquipmentView:
     """Return the equipment in use, and what can be chosen.
 
-    `shirt` null: none chosen yet. `disk.words` is empty above 2 GB and changes within a second (event `disk`).
+    `shirt` null: none chosen yet. `disk.message` is empty above 2 GB and changes within a second (event `disk`).
     """
     return await state.view()
 

@@ -9,10 +9,10 @@ from app.session.open_session import DriveObstacle
 class ObstacleView(Document):
     """Why a parameter set cannot drive, and the page on which that is mended."""
 
-    words: str
+    message: str
     page: Literal["shirt", "calibrate", "controls"]
 
     @classmethod
     def of(cls, obstacle: DriveObstacle | None) -> "ObstacleView | None":
         """Return the answer for an obstacle, None for none."""
-        return None if obstacle is None else cls(words=obstacle.sentence, page=obstacle.page)
+        return None if obstacle is None else cls(message=obstacle.sentence, page=obstacle.page)

@@ -62,13 +62,13 @@ class PersonView(Document):
 
 
 class LinkView(Document):
-    """A link by which a person chooses a password, shown once; `words`: where it does not work."""
+    """A link by which a person chooses a password, shown once; `message`: where it does not work."""
 
     person: PersonView
     url: str
     qr: str
     expires: str
-    words: str
+    message: str
 
 
 def _view(db: Transaction, person: Person, own_id: int) -> PersonView:
@@ -95,7 +95,7 @@ async def _link(settings: Settings, request: Request, person: PersonView, made: 
         url=url,
         qr=qr_picture(url),
         expires=made.expires.isoformat(),
-        words=link_words(settings, address),
+        message=link_words(settings, address),
     )
 
 

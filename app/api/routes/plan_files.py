@@ -20,7 +20,7 @@ READER = "app.world.imports.plan_files"
 
 
 async def draft_of_uploads(files: list[UploadFile], options: str, readings: OneAtATime) -> dict[str, Any]:
-    """Return the draft's document, words and layers.
+    """Return the draft's document, messages and layers.
 
     Raises
     ------

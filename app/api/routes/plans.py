@@ -44,7 +44,7 @@ class DraftView(Document):
     """A floor plan made from a file, not saved: the document, notes on it, a drawing's layers, and its wall layers."""
 
     document: dict[str, Any]
-    words: list[str]
+    messages: list[str]
     layers: list[str]
     taken: list[str]
 
@@ -58,8 +58,8 @@ def _too_many(content: bytes) -> str:
 
 def _parsed(content: bytes) -> FloorPlan:
     """Return the floor plan of a request's body; 422 with the place in the document."""
-    if words := _too_many(content):
-        raise HTTPException(422, words)
+    if message := _too_many(content):
+        raise HTTPException(422, message)
     try:
         return FloorPlan.model_validate_json(content)
     except ValidationError as error:
@@ -67,8 +67,8 @@ def _parsed(content: bytes) -> FloorPlan:
 
 
 def _checked(content: bytes) -> CheckView:
-    if words := _too_many(content):
-        return CheckView(good=False, sentence=words, place=[], at=None)
+    if message := _too_many(content):
+        return CheckView(good=False, sentence=message, place=[], at=None)
     try:
         FloorPlan.model_validate_json(content)
     except ValidationError as error:

@@ -10,15 +10,15 @@ from app.source import Source, SourceGroup, source_description
 
 
 class SourceView(Source):
-    """The source of the signals, with its words."""
+    """The source of the signals, with its description."""
 
-    words: str
+    description: str
 
     @model_validator(mode="before")
     @classmethod
-    def _add_words(cls, source: Any) -> Any:
+    def _add_description(cls, source: Any) -> Any:
         if isinstance(source, Source) and not isinstance(source, SourceView):
-            return {**source.model_dump(), "words": source_description(source)}
+            return {**source.model_dump(), "description": source_description(source)}
         return source
 
 

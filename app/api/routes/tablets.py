@@ -25,7 +25,7 @@ class TabletsView(Document):
     url: str | None  # None: the program serves this machine alone
     qr: str
     pages: str
-    words: str
+    message: str
 
 
 @router.get("/trust", dependencies=[ForEveryone])
@@ -43,6 +43,6 @@ def tablets(_who: Anyone, settings: SettingsPart) -> TabletsView:
     """Return the link for further tablets."""
     network = settings.network
     if network is None:
-        return TabletsView(url=None, qr="", pages="", words=THIS_MACHINE_ONLY)
+        return TabletsView(url=None, qr="", pages="", message=THIS_MACHINE_ONLY)
     url = network.page_link()
-    return TabletsView(url=url, qr=qr_picture(url), pages=network.link(), words="")
+    return TabletsView(url=url, qr=qr_picture(url), pages=network.link(), message="")

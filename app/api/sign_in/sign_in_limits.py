@@ -76,7 +76,7 @@ class SignInAttempt:
 
     counted: list[tuple[Tries, str]] = field(default_factory=list)
     wait: float = 0.0  # s; 0: none
-    words: str = ""
+    message: str = ""
 
     def take_back(self) -> None:
         """Remove the try from the counts: it succeeded, or was not checked."""
@@ -115,14 +115,14 @@ class SignInLimits:
     async def require(self, attempt: SignInAttempt) -> None:
         """Refuse an attempt that has to wait."""
         if attempt.wait:
-            await self.refuse(429, attempt.words.format(wait=seconds_in_words(attempt.wait)), attempt.wait)
+            await self.refuse(429, attempt.message.format(wait=seconds_in_words(attempt.wait)), attempt.wait)
 
-    async def refuse(self, status: int, words: str, wait: float) -> NoReturn:
+    async def refuse(self, status: int, message: str, wait: float) -> NoReturn:
         """Refuse with 429 or 503 and the time to wait (s); at most one refusal per REFUSALS_EVERY."""
         now = monotonic()
         self._refused_at = max(self._refused_at + REFUSALS_EVERY, now)
         await asyncio.sleep(self._refused_at - now)
-        raise HTTPException(status, words, headers={"Retry-After": str(max(1, math.ceil(wait)))})
+        raise HTTPException(status, message, headers={"Retry-After": str(max(1, math.ceil(wait)))})
 
 
 def address_of(connection: HTTPConnection) -> str:
@@ -133,11 +133,11 @@ def address_of(connection: HTTPConnection) -> str:
 def _count(*keys: tuple[Tries, str, str]) -> SignInAttempt:
     """Count a try under every key, or under none of them."""
     attempt = SignInAttempt()
-    for tries, key, words in keys:
+    for tries, key, message in keys:
         wait = tries.count(key)
         if wait:
             attempt.take_back()
-            attempt.wait, attempt.words = wait, words
+            attempt.wait, attempt.message = wait, message
             break
         attempt.counted.append((tries, key))
     return attempt

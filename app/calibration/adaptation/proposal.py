@@ -220,15 +220,15 @@ def _assess_joint(evidence: _Evidence, joint: JointMap, gesture: Gesture) -> _Jo
         )
         values |= turn.values_unturned
         values |= {"felt_change": min(felt, 1e6)}
-        refused = _change(values, "refused", f"{loss.words} {sentence}")
+        refused = _change(values, "refused", f"{loss.message} {sentence}")
         return _JointAssessment(refused, old, now)
     values |= {"dead_zone_after": thresholds.dead_zone, "full_after": thresholds.full}
     if turns or thresholds != now or values["range_moved"]:
         values |= {"felt_change": felt, "angle_applied_deg": angle(old, turn.weights) if turns else 0.0}
         change = _change(values, "applied", "")
-        reason = f"{loss.words} {_reason(change, turn.refusal)}"
+        reason = f"{loss.message} {_reason(change, turn.refusal)}"
         return _JointAssessment(change.model_copy(update={"reason": reason}), turn.weights, thresholds)
-    return _JointAssessment(_change(values, "refused", f"{loss.words} {turn.refusal or AT_ITS_END}"), old, now)
+    return _JointAssessment(_change(values, "refused", f"{loss.message} {turn.refusal or AT_ITS_END}"), old, now)
 
 
 def _change(values: dict[str, object], status: Status, reason: str) -> JointChange:

@@ -70,7 +70,7 @@ def channels_left_out(
             if name in unused:
                 left_out[name] = "marked as unused"
             elif _is_bad(quality[i], best_left):
-                left_out[name] = quality[i].words
+                left_out[name] = quality[i].message
     return left_out
 
 

@@ -19,7 +19,7 @@ class Discovery(Document):
     """All gestures, the best first, and the vocabulary suggested from them."""
 
     source: Literal["recordings", "profile"]
-    words: str  # one sentence on missing data; empty when nothing is missing
+    message: str  # one sentence on missing data; empty when nothing is missing
     gestures: tuple[FoundGesture, ...]
     not_found: dict[str, str]  # joints without a map, with the reason and what to do
     suggestion: SuggestedVocabulary
@@ -114,7 +114,7 @@ def _discovery(
 ) -> Discovery:
     return Discovery(
         source=source,
-        words=sentence,
+        message=sentence,
         gestures=tuple(sorted(gestures, key=lambda gesture: -gesture.score)),
         not_found=joints_without_map(profile),
         suggestion=suggest_vocabulary(profile, gestures, shares),

@@ -36,8 +36,8 @@ def check(
         typer.echo(json.dumps({**asdict(last), "findings": [asdict(finding) for finding in findings]}))
     else:
         for finding in findings:
-            typer.echo(f"{MARKS[finding.verdict]} {finding.words}")
-        typer.echo(last.words)
+            typer.echo(f"{MARKS[finding.verdict]} {finding.message}")
+        typer.echo(last.message)
     if last.verdict == "bad":
         raise typer.Exit(1)
 

@@ -68,7 +68,7 @@ def backup(
         f"{'encrypted' if report.encrypted else 'not encrypted'}. It was read back, and every hash is right.\n"
         f"Hash of all: {report.hash}"
     )
-    for sentence in filter(None, (report.words, unlogged)):
+    for sentence in filter(None, (report.message, unlogged)):
         typer.echo(sentence)
 
 
@@ -194,7 +194,7 @@ def _log_made(settings: Settings, target: Path, report: "MadeReport") -> str:
             name=report.name,
             in_folder=target.is_dir(),
             good=True,
-            words=report.words,
+            message=report.message,
             files=report.files,
             size=report.bytes,
             digest=report.hash,

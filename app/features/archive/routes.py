@@ -86,10 +86,10 @@ class ImportCourses:
 
 
 class ArchiveRoomView(Document):
-    """The recordings of an archive; `words`: why there is no room for them, empty when there is."""
+    """The recordings of an archive; `message`: why there is no room for them, empty when there is."""
 
     bytes: int
-    words: str
+    message: str
 
 
 @router.get("/patients/{patient_id}/archive", response_class=StreamingResponse)

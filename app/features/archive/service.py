@@ -105,10 +105,10 @@ def _add_list(clinic: str, package: Path) -> int:
 
 
 class ArchiveRoom(NamedTuple):
-    """How large the recordings of an archive are, and why there is no room for them; no words when there is."""
+    """How large the recordings of an archive are, and why there is no room for them; no message when there is."""
 
     bytes: int
-    words: str
+    message: str
 
 
 def archive_room(database: Database, patient_id: int, runs: Path, place: Path) -> ArchiveRoom:
@@ -130,9 +130,9 @@ def room_for(folders: list[Path], place: Path) -> ArchiveRoom:
 
 def require_room_for(folders: list[Path], place: Path) -> None:
     """Raise DiskFull when an archive of the recordings in `folders` has no room in `place`."""
-    words = room_for(folders, place).words
-    if words:
-        raise DiskFull(words)
+    message = room_for(folders, place).message
+    if message:
+        raise DiskFull(message)
 
 
 OPEN = "A session of this patient is open: end it first, then make the archive."

@@ -68,7 +68,7 @@ class MadeBackupView(Answer):
     name: str
     in_folder: bool
     good: bool
-    words: str
+    message: str = Field(validation_alias="words")  # the name of its column
     files: int
     bytes: int
     encrypted: bool

@@ -30,7 +30,7 @@ class MadeReport:
     """A good backup, in words and figures."""
 
     name: str  # of the file
-    words: str  # what was left out; empty when nothing was
+    message: str  # what was left out; empty when nothing was
     files: int
     bytes: int
     hash: str  # of all
@@ -106,7 +106,7 @@ def _one_at_a_time(settings: Settings) -> Iterator[None]:
 def _report(name: str, manifest: Manifest, secret: Secret | None) -> MadeReport:
     return MadeReport(
         name=name,
-        words=left_out_words(manifest.left_out),
+        message=left_out_words(manifest.left_out),
         files=len(manifest.files),
         bytes=manifest.size,
         hash=manifest.hash,

@@ -28,7 +28,7 @@ class LogCheckView(Answer):
 
     whole: bool
     rows: int
-    words: str
+    message: str
 
 
 class LogEntryView(Answer):

@@ -21,10 +21,10 @@ class Fact:
 
 @dataclass(frozen=True, slots=True)
 class Drawing:
-    """A drawing as SVG, without words of people; `words` describe it for those who do not see it."""
+    """A drawing as SVG, without words of people; `description` is for those who do not see it."""
 
     svg: str
-    words: str
+    description: str
 
 
 @dataclass(frozen=True, slots=True)

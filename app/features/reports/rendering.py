@@ -171,7 +171,7 @@ def _figure(title: str, drawing: Drawing | None, words: str) -> str:
 def _drawing(drawing: Drawing | None) -> str:
     if drawing is None:
         return ""
-    return drawing.svg.replace("<svg ", f'<svg role="img" aria-label="{escape(drawing.words)}" ', 1)
+    return drawing.svg.replace("<svg ", f'<svg role="img" aria-label="{escape(drawing.description)}" ', 1)
 
 
 def _foot(report: Report) -> list[str]:

@@ -65,11 +65,11 @@ class SharesView(Document):
 
 
 class MadeShare(SharesView):
-    """A new link and its PIN, shown this once; `words`: where the link does not work."""
+    """A new link and its PIN, shown this once; `message`: where the link does not work."""
 
     url: str
     pin: str
-    words: str
+    message: str
 
 
 @dataclass(frozen=True)
@@ -108,7 +108,7 @@ class NewLinks:
                     shares=_rows(db, patient),
                     url=f"{address.base}{PAGE}{token}",
                     pin=pin,
-                    words=" ".join(filter(None, (reach_words(self.settings, address), first_words(self.settings)))),
+                    message=" ".join(filter(None, (reach_words(self.settings, address), first_words(self.settings)))),
                 )
 
         await run_in_threadpool(check)  # before the PIN is hashed, which takes long
@@ -141,7 +141,7 @@ async def share_course(
 ) -> MadeShare:
     """Make a link to all sessions of a patient, who consents to sharing.
 
-    For owners and clinicians. `days` 1 to 14; link and PIN are answered once, with `words` where the link does not
+    For owners and clinicians. `days` 1 to 14; link and PIN are answered once, with `message` where the link does not
     work.
     """
     return await links.make(who, body.days, patient_id=patient_id)

@@ -98,7 +98,7 @@ class EventView(Answer):
     at: MomentText
     kind: EventKind
     person: str | None
-    words: str
+    text: str
     facts: dict[str, Any]
 
 

@@ -26,7 +26,7 @@ class Progress:
     layout: ShirtLayout | None
     steps: tuple[Step, ...]
     current: str
-    status: dict[str, tuple[str, str]]  # step -> (status, words)
+    status: dict[str, tuple[str, str]]  # step -> (status, message)
     running: str | None
     started_run: int | None
     profile: CalibrationProfile | None

@@ -39,7 +39,7 @@ class Draft(NamedTuple):
     """The draft of a floor plan, with sentences on how it was made."""
 
     document: PlanDocument
-    words: tuple[str, ...] = ()  # sentences
+    messages: tuple[str, ...] = ()  # sentences
     layers: tuple[str, ...] = ()  # of a drawing, to choose from
     taken: tuple[str, ...] = ()  # the layers whose lines are walls
 

@@ -51,7 +51,7 @@ def test_a_suggestion_waits_and_by_itself_does_not(ready: Any) -> None:
     choose(ready, "auto")
     drive(ready)
     view = settled(ready)
-    assert (view["version"], view["proposal"]["applied"], view["proposal"]["words"]) == (2, 2, "")
+    assert (view["version"], view["proposal"]["applied"], view["proposal"]["message"]) == (2, 2, "")
     assert next(row for row in ready.log() if row.what == "map adapted").person is None
     assert ready.process.parameters["gestures"][0]["dead_zone"] == pytest.approx(0.2 + UP)
     drive(ready)

@@ -24,7 +24,7 @@ def test_a_large_change_waits_for_a_person(ready: Any) -> None:
     drive(ready)
     view = settled(ready)
     assert view["version"] == 1
-    assert "waits until somebody" in view["proposal"]["words"]
+    assert "waits until somebody" in view["proposal"]["message"]
     assert apply(ready, view).json()["version"] == 2
 
 
@@ -146,7 +146,7 @@ def test_by_itself_it_applies_only_between_trials(ready: Any, meanwhile: str) ->
     view = settled(ready)
     assert left_off == [meanwhile == "trial"]
     assert (view["version"], view["proposal"]["applied"]) == (1, None)
-    assert view["proposal"]["words"] != ""
+    assert view["proposal"]["message"] != ""
     assert ready.process.parameters is loaded
     if meanwhile == "trial":
         end(ready)

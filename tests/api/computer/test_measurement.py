@@ -86,17 +86,17 @@ def test_it_says_what_the_command_says_and_what_each_screen_draws(
         answer = asked.answer()
     assert answer.status_code == 200, answer.text
     machine, screens = answer.json()["machine"], answer.json()["screens"]
-    words = " ".join(finding["words"] for finding in machine["findings"])
+    words = " ".join(finding["message"] for finding in machine["findings"])
     assert "Of 100 ticks of the control loop" in words
     assert "Port 8080 is the one of this clinic" in words
     assert all(word in words for word in ("eal-time", "emory", "GB of the disk", "The clock shows"))
-    assert machine["words"].startswith("This computer is")
+    assert machine["message"].startswith("This computer is")
     verdicts = {finding["verdict"] for finding in machine["findings"]}
     assert machine["verdict"] == next(one for one in ("bad", "attention", "good") if one in verdicts)
     assert [one["verdict"] for one in screens] == ["good", "attention", "attention"]
-    assert screens[0]["words"] == "The page of Demo clinician draws 58 pictures a second."
-    assert "did not answer" in screens[1]["words"]
-    assert screens[2]["words"].startswith("A patient's screen draws 12 pictures a second. ")
+    assert screens[0]["message"] == "The page of Demo clinician draws 58 pictures a second."
+    assert "did not answer" in screens[1]["message"]
+    assert screens[2]["message"].startswith("A patient's screen draws 12 pictures a second. ")
 
 
 def begin_trial(clinic: Clinic) -> None:

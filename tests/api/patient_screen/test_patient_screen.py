@@ -27,7 +27,7 @@ def test_a_code_pairs_one_screen_with_a_cookie_of_its_own(in_session: Clinic) ->
     offered = in_session.good("POST", "/patient-screen/pairing")
     assert offered["url"] == f"{BASE}/patient.html#pair={offered['code']}"
     assert offered["qr"].startswith("<svg")
-    assert "only this machine" in offered["words"].lower()
+    assert "only this machine" in offered["message"].lower()
     assert len(offered["code"]) == 8  # 40 bits, five to a letter
     answer = pair(in_session, offered["code"])
     assert answer.json() == {"state": "paired"}

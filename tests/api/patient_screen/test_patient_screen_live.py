@@ -41,11 +41,11 @@ def test_a_trial_is_shown_with_what_to_do_and_how_it_ended(paired: Clinic) -> No
             pass
         assert message["fault"] == {
             "name": "stop_tablet",
-            "words": "Stop was pressed on a clinician's page.",
+            "message": "Stop was pressed on a clinician's page.",
         }
         assert message["waits"] == {
             "for": "clinician",
-            "words": "We wait for your clinician to look and to go on.",
+            "message": "We wait for your clinician to look and to go on.",
         }
         paired.good("POST", "/trials/current/end", json={})
         while (message := socket.receive_json())["trial"] is not None:

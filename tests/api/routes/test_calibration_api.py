@@ -91,14 +91,14 @@ def test_a_step_whose_signals_do_not_follow_the_cue_is_judged_as_it_ends(signed_
         signed_in.until("/calibration", lambda c: c["running"] is None)
     wizard = signed_in.good("GET", "/calibration")
     judged = next(one for one in wizard["steps"] if one["id"] == "prompt-right_elbow")
-    assert (judged["status"], judged["words"]) == ("done", advice)
+    assert (judged["status"], judged["message"]) == ("done", advice)
     assert wizard["current"] == "prompt-right_elbow"  # nobody is made to move on
     signed_in.readings["advice"] = {}
     signed_in.good("POST", "/calibration/steps/prompt-right_elbow/start")
     signed_in.process.run_t += 1000.0
     wizard = signed_in.until("/calibration", lambda c: c["running"] is None)
     judged = next(one for one in wizard["steps"] if one["id"] == "prompt-right_elbow")
-    assert (judged["status"], judged["words"]) == ("done", "")
+    assert (judged["status"], judged["message"]) == ("done", "")
 
 
 def test_the_words_of_the_steps_are_those_of_the_result(signed_in: Any) -> None:
@@ -113,7 +113,7 @@ def test_the_words_of_the_steps_are_those_of_the_result(signed_in: Any) -> None:
     signed_in.begin_session()
     signed_in.readings["profile"] = profile
     wizard = signed_in.calibrate()
-    said = {step["joint"]: step["words"] for step in wizard["steps"] if step["kind"] == "prompt"}
+    said = {step["joint"]: step["message"] for step in wizard["steps"] if step["kind"] == "prompt"}
     assert said == {joint: "Repeat it larger." if joint == JOINTS[0] else "" for joint in JOINTS}
 
 
@@ -143,7 +143,7 @@ def test_a_step_can_be_cancelled_repeated_and_fail_in_words(signed_in: Any) -> N
     signed_in.process.run_t = 1000.0
     wizard = signed_in.until("/calibration", lambda c: c["running"] is None)
     assert (wizard["steps"][0]["status"], wizard["current"]) == ("failed", "rest")
-    assert "silent" in wizard["steps"][0]["words"]
+    assert "silent" in wizard["steps"][0]["message"]
     signed_in.readings["judge"] = None
     signed_in.calibrate()
     signed_in.good("POST", "/calibration/steps/rest/start")
@@ -245,7 +245,7 @@ def test_a_fit_that_fails_says_why(signed_in: Any) -> None:
         signed_in.process.run_t = 1000.0
         signed_in.until("/calibration", lambda c: c["running"] is None)
     wizard = signed_in.until("/calibration", lambda c: c["steps"][-1]["status"] == "failed")
-    assert wizard["steps"][-1]["words"] == "No joint moved: repeat the free movement."
+    assert wizard["steps"][-1]["message"] == "No joint moved: repeat the free movement."
     assert wizard["result"] is None
 
 
@@ -256,7 +256,7 @@ def test_a_step_fails_in_words_when_the_control_process_dies_and_the_next_one_is
     signed_in.process.die()
     wizard = signed_in.until("/calibration", lambda c: c["running"] is None)
     assert wizard["steps"][0]["status"] == "failed"
-    assert "repeat" in wizard["steps"][0]["words"]
+    assert "repeat" in wizard["steps"][0]["message"]
     signed_in.until("/equipment", lambda e: e["status"]["control"] == "alive")
     assert len(signed_in.processes) == 2
     assert [do for do, _ in signed_in.process.calls[:5]] == ["limits", "chair", "shirt", "body", "parameters"]
@@ -282,10 +282,10 @@ def test_another_shirt_does_not_drive_with_this_calibration(signed_in: Clinic) -
     worn = signed_in.parts[Equipment]
     worn.sample_rate = 250.0
     obstacle = signed_in.good("GET", "/controls")["obstacle"]
-    assert ("calibrate again" in obstacle["words"], obstacle["page"]) == (True, "calibrate")
+    assert ("calibrate again" in obstacle["message"], obstacle["page"]) == (True, "calibrate")
     assert signed_in.good("GET", "/controls/obstacle") == obstacle  # for the Drive page, before anybody starts a trial
     plan = signed_in.good("GET", "/floorplans/apartment")
     answer = signed_in(
         "POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
     )
-    assert (answer.status_code, answer.json()["detail"]) == (409, obstacle["words"])
+    assert (answer.status_code, answer.json()["detail"]) == (409, obstacle["message"])

@@ -142,9 +142,9 @@ def test_the_dial_is_turned_logged_and_given_to_the_next_control_process(signed_
 def test_the_disk_is_told_before_it_is_full(signed_in: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
     usage = type("Usage", (), {"free": 3_000_000_000})()
     monkeypatch.setattr("app.store.files.disk_watch.shutil.disk_usage", lambda _folder: usage)
-    assert signed_in.good("GET", "/equipment")["disk"] == {"free": 3_000_000_000, "words": ""}
+    assert signed_in.good("GET", "/equipment")["disk"] == {"free": 3_000_000_000, "message": ""}
     usage.free = 1_400_000_000
-    assert "1.4 GB" in signed_in.good("GET", "/equipment")["disk"]["words"]
+    assert "1.4 GB" in signed_in.good("GET", "/equipment")["disk"]["message"]
 
 
 def test_no_session_is_opened_where_nothing_could_be_recorded(

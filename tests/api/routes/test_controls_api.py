@@ -23,7 +23,7 @@ def test_controls_are_set_undone_named_and_never_half(signed_in: Any) -> None:
         assert signed_in("PUT", "/controls", json={**body, "turn_cruise_time": cruise_time}).status_code == 422
     no_brake = [{"control": "u1+", "gestures": ["right_elbow"]}]
     obstacle = signed_in.good("PUT", "/controls", json={**body, "bindings": no_brake})["obstacle"]
-    assert ("bind a movement" in obstacle["words"], obstacle["page"]) == (True, "controls")
+    assert ("bind a movement" in obstacle["message"], obstacle["page"]) == (True, "controls")
     assert signed_in.good("POST", "/controls/undo")["obstacle"] is None
     changed = signed_in.good("PUT", "/controls", json={**body, "cutoff": 5.0, "title": "Brisk"})
     assert changed["can_undo"] is True
@@ -47,7 +47,7 @@ def test_the_gestures_are_those_of_the_calibration_and_one_suggestion_is_everywh
     signed_in.calibrate()
     found = signed_in.good("GET", "/calibration/gestures")
     assert found["source"] == "profile"  # the runs of these tests are not on disk, and it says so
-    assert "recordings" in found["words"]
+    assert "recordings" in found["message"]
     assert [one["score"] for one in found["gestures"]] == sorted(
         (one["score"] for one in found["gestures"]), reverse=True
     )

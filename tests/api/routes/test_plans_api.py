@@ -224,7 +224,7 @@ def test_files_become_drafts_that_can_be_saved(signed_in: Any) -> None:
         draft = answer.json()
         xs = [x for wall in draft["document"]["walls"] for x, _ in wall]
         assert max(xs) - min(xs) == pytest.approx(width, abs=0.11)
-        assert draft["words"][0] == "4 wall pieces."
+        assert draft["messages"][0] == "4 wall pieces."
         assert signed_in.good("POST", "/floorplans/check", json=draft["document"])["good"]
     assert signed_in.good("GET", "/own-floorplans") == []
     drawn = bring(signed_in, ("h.dxf", dxf())).json()

@@ -40,7 +40,7 @@ def test_nothing_is_started_while_the_shirt_is_silent_and_the_pages_know_why(cal
         assert calibrated.good("GET", "/controls/obstacle") == obstacle
         assert calibrated.good("GET", "/controls")["obstacle"] == obstacle
         for answer in (start(calibrated), calibrated("POST", "/interface-tests", json={"screen": WORD})):
-            assert (answer.status_code, answer.json()["detail"]) == (409, obstacle["words"])
+            assert (answer.status_code, answer.json()["detail"]) == (409, obstacle["message"])
         assert process.runs == calibrated.good("GET", "/session")["session"]["trials"] == 0
         while socket.receive_json().get("shirt_words") != NO_FRAMES:
             pass

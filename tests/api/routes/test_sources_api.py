@@ -49,7 +49,7 @@ def test_a_real_clinic_begins_without_a_shirt_and_keeps_the_one_that_was_chosen(
     clinic = clinic_for_real
     equipment = clinic.good("GET", "/equipment")
     assert (equipment["shirt"], equipment["simulated"], equipment["body"], equipment["layout"]) == (None,) * 4
-    assert equipment["status"]["words"] == "No shirt yet: choose one on the Shirt page."
+    assert equipment["status"]["message"] == "No shirt yet: choose one on the Shirt page."
     assert {one["kind"]: one["simulated"] for one in clinic.good("GET", "/equipment/shirts")}["simulator"] is True
     assert "shirt" not in [do for do, _ in clinic.process.calls]
     assert clinic.parts[ClinicLive]._picture().shirt.chosen is False
@@ -100,7 +100,7 @@ def test_trials_say_their_source_and_worn_and_simulated_ones_are_never_mixed(cli
             clinic.calibrate()
         where, trial = drive(clinic)
         made.setdefault(kind, []).append(trial["id"])
-        assert trial["source"]["words"] == WORDS[kind]
+        assert trial["source"]["description"] == WORDS[kind]
         assert trial["source"]["simulated"] is (config is SIMULATED)
         detail = clinic.good("GET", f"/trials/{trial['id']}")
         assert detail["source"] == trial["source"]
@@ -133,7 +133,7 @@ def test_a_simulated_calibration_drives_no_worn_shirt_and_no_calibration_mixes_b
     clinic.calibrate()
     assert clinic.process.parameters is not None
     clinic.good("PUT", "/equipment/shirt", json=WORN)
-    assert "calibration is one of a shirt that nobody wore" in clinic.good("GET", "/controls")["obstacle"]["words"]
+    assert "calibration is one of a shirt that nobody wore" in clinic.good("GET", "/controls")["obstacle"]["message"]
     assert clinic.process.parameters is None
     plan = clinic.good("GET", "/floorplans/apartment")
     where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
@@ -141,4 +141,4 @@ def test_a_simulated_calibration_drives_no_worn_shirt_and_no_calibration_mixes_b
     clinic.good("POST", "/calibration/steps/rest/start")  # again, in the worn shirt, the others being simulated
     clinic.process.run_t = 1000.0
     wizard = clinic.until("/calibration", lambda c: c["running"] is None)
-    assert (wizard["steps"][-1]["status"], wizard["steps"][-1]["words"]) == ("failed", MIXED)
+    assert (wizard["steps"][-1]["status"], wizard["steps"][-1]["message"]) == ("failed", MIXED)

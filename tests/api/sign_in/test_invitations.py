@@ -102,6 +102,6 @@ def test_an_invitation_names_the_page_that_a_new_device_opens_first(owned: Clini
     owned.parts._by_class[Settings] = replace(owned.settings, network=network)
     link = invited(owned, "Ben", "clinician")
     assert link["url"].startswith("https://10.1.2.3:8443/#invite=")
-    assert "http://10.1.2.3:8081/ first" in link["words"]
+    assert "http://10.1.2.3:8081/ first" in link["message"]
     network.trust = CertificateTrust((), ("10.1.2.3",), now, now, "00", None)  # a certificate of the clinic's own
-    assert owned.good("POST", f"/people/{link['person']['id']}/link")["words"] == ""
+    assert owned.good("POST", f"/people/{link['person']['id']}/link")["message"] == ""

@@ -120,8 +120,8 @@ def patient_stopped(page: Any, clinic: EyesClinic) -> None:
 def computer_measured(page: Any, clinic: EyesClinic) -> None:
     go(page, clinic, "computer")
     words = {"good": "The clock is set by the network.", "attention": "Free disk: 4 GB.", "bad": "Port 8443 is taken."}
-    findings = [{"verdict": verdict, "words": sentence} for verdict, sentence in words.items()]
-    machine = {"verdict": "bad", "words": "This computer is not good enough for driving.", "findings": findings}
+    findings = [{"verdict": verdict, "message": sentence} for verdict, sentence in words.items()]
+    machine = {"verdict": "bad", "message": "This computer is not good enough for driving.", "findings": findings}
     found = {"machine": machine, "screens": findings[:2]}
     page.route("**/computer/measurement", lambda route: route.fulfill(json=found))
     tap(page, "Measure for")

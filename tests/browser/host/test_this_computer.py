@@ -81,9 +81,9 @@ def fulfil(found, route):
 def test_the_headline_counts_the_screens_that_will_not_do(opened, served):
     page = opened()
     go(page, "computer")
-    machine = {"verdict": "good", "words": "This computer is good enough for driving.", "findings": []}
-    slow = {"verdict": "bad", "words": "A screen draws 3 pictures a second."}
-    fluent = {"verdict": "good", "words": "A screen draws 60 pictures a second."}
+    machine = {"verdict": "good", "message": "This computer is good enough for driving.", "findings": []}
+    slow = {"verdict": "bad", "message": "A screen draws 3 pictures a second."}
+    fluent = {"verdict": "good", "message": "A screen draws 60 pictures a second."}
     headlines = {}
     for screens in ([fluent], [slow, fluent], [slow, slow]):
         page.unroute_all()

@@ -64,7 +64,7 @@ def exported(page, app, file):
     page.get_by_role("button", name="End session").click()
     expect(page.get_by_text("The session has ended")).to_be_visible()
     page.goto(f"{app.address}/#/session/patient/1")
-    without_room = '{"bytes": 6000, "words": "There is no room for this archive."}'
+    without_room = '{"bytes": 6000, "message": "There is no room for this archive."}'
     page.route("**/archive/room", lambda route: route.fulfill(body=without_room, content_type="application/json"))
     form.select_option("archive")
     expect(card.get_by_label("Sessions")).to_be_hidden()

@@ -121,13 +121,13 @@ def test_an_archive_without_room_on_the_disk_is_refused_before_anything_is_made(
     patient = brought(signed_in, package).json()["patient_id"]
     room = signed_in.good("GET", f"/patients/{patient}/archive/room")
     settings = signed_in.settings
-    assert room == {"bytes": sum(file.stat().st_size for file in (settings.runs / RUN).iterdir()), "words": ""}
+    assert room == {"bytes": sum(file.stat().st_size for file in (settings.runs / RUN).iterdir()), "message": ""}
     needed = room["bytes"] + ROOM_TO_RECORD
     monkeypatch.setattr(room_for_files, "disk_room", lambda _: DiskRoom(needed - 1, ""))
     refused = signed_in("GET", f"/patients/{patient}/archive")
     words = refused.json()["detail"]
     assert (refused.status_code, words.startswith("There is no room for this archive: 501 MB must")) == (507, True)
-    assert signed_in.good("GET", f"/patients/{patient}/archive/room") == {**room, "words": words}
+    assert signed_in.good("GET", f"/patients/{patient}/archive/room") == {**room, "message": words}
     assert [row for row in signed_in.log() if row.what == "export"] == []
     assert list(settings.state.glob(".export-*")) == []
     monkeypatch.setattr(room_for_files, "disk_room", lambda _: DiskRoom(needed, ""))

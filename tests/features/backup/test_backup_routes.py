@@ -76,7 +76,7 @@ def test_a_folder_that_is_gone_is_a_warning_and_a_failed_backup(signed_in: Clini
     assert signed_in.good("GET", "/backups")["warning"].startswith("The folder of the backups is not there")
     signed_in("POST", "/backups")
     after = signed_in.until("/backups", lambda view: view["course"] is None)
-    assert (after["made"][0]["good"], "is not there" in after["made"][0]["words"]) == (False, True)
+    assert (after["made"][0]["good"], "is not there" in after["made"][0]["message"]) == (False, True)
     assert whats(signed_in)[-1] == "backup failed"
 
 
@@ -87,7 +87,7 @@ def test_a_folder_that_another_clinic_took_is_a_failed_backup(signed_in: Clinic,
     (stick / "bodydrive-backups.json").write_text('{"format": 2, "identity": null, "clinic": "another"}')
     assert signed_in("POST", "/backups").status_code == 202
     after = signed_in.until("/backups", lambda view: view["course"] is None)
-    assert (after["made"][0]["good"], "of another clinic" in after["made"][0]["words"]) == (False, True)
+    assert (after["made"][0]["good"], "of another clinic" in after["made"][0]["message"]) == (False, True)
 
 
 def test_a_folder_that_cannot_be_used_is_one_sentence(signed_in: Clinic, settings: Settings, tmp_path: Path) -> None:

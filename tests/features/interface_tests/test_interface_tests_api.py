@@ -35,7 +35,7 @@ def add_done(clinic: Any, **done: Any) -> None:
 def test_a_test_is_recorded_without_arming_shown_and_ended_by_hand(calibrated: Any) -> None:
     test = calibrated.good("POST", "/interface-tests", json=START)
     assert (test["status"], test["number"], test["session"], test["measures"]) == ("running", 1, 1, None)
-    assert test["source"]["words"].startswith("Simulated shirt")
+    assert test["source"]["description"].startswith("Simulated shirt")
     calls = [do for do, _ in calibrated.process.calls]
     assert calls[-1] == "run"
     assert "arm" not in calls

@@ -34,7 +34,7 @@ def test_the_owner_sees_that_the_log_is_whole_and_that_it_was_changed(signed_in:
     remove_newest(settings)
     check = signed_in.good("GET", "/log/check")
     assert not check["whole"]
-    assert f"{rows - 1} of {rows} are left" in check["words"]
+    assert f"{rows - 1} of {rows} are left" in check["message"]
 
 
 def test_a_changed_log_is_said_on_the_console_at_the_start(
@@ -59,7 +59,7 @@ def test_a_disk_that_fills_is_told_to_open_pages(signed_in: Clinic, monkeypatch:
     monkeypatch.setattr("app.store.files.disk_watch.shutil.disk_usage", lambda _folder: usage)
     monkeypatch.setattr("app.store.files.disk_watch.WATCH_EVERY", 0.01)
     signed_in.until("/equipment", lambda _e: told == ["disk"])
-    words = signed_in.good("GET", "/equipment")["disk"]["words"]
+    words = signed_in.good("GET", "/equipment")["disk"]["message"]
     assert "disk of the recordings is full" in words
     assert "people can sign out" in words
 

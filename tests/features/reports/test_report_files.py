@@ -67,7 +67,7 @@ def test_both_files_say_the_same(course_report):
     assert [words for words in words_of(course_report) if letters(words) not in shown] == []
     drawn = [attributes for tag, attributes in elements if tag == "svg"]
     pictures = [task.trajectories for task in course_report.tasks] + [task.curve for task in course_report.tasks]
-    assert {one.words for one in pictures} <= {attributes["aria-label"] for attributes in drawn}
+    assert {one.description for one in pictures} <= {attributes["aria-label"] for attributes in drawn}
 
 
 def test_the_html_file_asks_for_nothing(course_report):

@@ -10,7 +10,7 @@ import pypdfium2
 
 from app.features.reports.document import Report
 
-ALT = {"svg", "words", "missing", "practice", "tone"}  # fields that are not running text
+ALT = {"svg", "description", "missing", "practice", "tone"}  # fields that are not running text
 
 
 def words_of(report: Report) -> list[str]:

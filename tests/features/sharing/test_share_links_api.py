@@ -65,7 +65,7 @@ def test_a_course_shows_story_and_figures_by_code_and_every_opening_is_logged(co
     link = made(consented)
     assert consented.patient["pseudonym"] not in link["url"]
     assert link["url"].startswith("http://127.0.0.1:8080/share.html#")
-    assert link["words"].startswith("Only this machine can open the link")
+    assert link["message"].startswith("Only this machine can open the link")
     assert len(token_of(link)) >= 22
     with as_person(consented, {}):
         assert consented("GET", SHARED).status_code == 401

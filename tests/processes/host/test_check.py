@@ -20,8 +20,8 @@ def test_it_says_in_words_whether_this_computer_will_do(tmp_path):
 def test_it_prints_one_document_for_programs(tmp_path):
     process = bodydrive("check", "--json", "--seconds", "1", "--own-port", "8099", "--state", str(tmp_path))
     found = json.loads(process.communicate(timeout=60)[0])
-    assert set(found) == {"verdict", "words", "findings"}
-    assert [one["words"] for one in found["findings"] if "Port" in one["words"]] == [
+    assert set(found) == {"verdict", "message", "findings"}
+    assert [one["message"] for one in found["findings"] if "Port" in one["message"]] == [
         "Port 8099 is the one of this clinic."
     ]
     assert (process.returncode == 1) == (found["verdict"] == "bad")

@@ -149,7 +149,7 @@ def test_a_patients_screen_on_another_machine_is_paired_without_a_restart(lan: S
         present = {"Patient-Session": str(opened["session"]["id"])}
         offered = here.post("/api/v1/patient-screen/pairing", headers=present).json()
         assert offered["url"] == f"https://{HOSTS[0]}:{lan.port}/patient.html#pair={offered['code']}"
-        assert lan.page in offered["words"]
+        assert lan.page in offered["message"]
         with lan.client(HOSTS[1]) as screen:
             assert screen.post("/api/v1/patient-screen/pair", json={"code": offered["code"]}).json() == {
                 "state": "paired"

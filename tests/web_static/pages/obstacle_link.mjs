@@ -4,10 +4,10 @@ import { pathToFileURL } from "node:url";
 
 const { wayBeforeDriving } = await import(pathToFileURL(`${process.argv[2]}/pages/drive/obstacle_link.js`));
 const shirt = { kind: "udp" };
-const words = "The patient was calibrated in another shirt: calibrate in this one first.";
+const message = "The patient was calibrated in another shirt: calibrate in this one first.";
 
 assert.equal(wayBeforeDriving(shirt, null), null); // the button starts the trial
-assert.deepEqual(wayBeforeDriving(shirt, { words, page: "calibrate" }), { href: "#/calibrate", go: "Calibrate", words });
-assert.equal(wayBeforeDriving(shirt, { words, page: "controls" }).href, "#/controls");
-assert.equal(wayBeforeDriving(null, { words, page: "shirt" }).go, "Choose a shirt");
+assert.deepEqual(wayBeforeDriving(shirt, { message, page: "calibrate" }), { href: "#/calibrate", go: "Calibrate", message });
+assert.equal(wayBeforeDriving(shirt, { message, page: "controls" }).href, "#/controls");
+assert.equal(wayBeforeDriving(null, { message, page: "shirt" }).go, "Choose a shirt");
 console.log("the way before driving holds");

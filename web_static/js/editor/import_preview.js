@@ -19,7 +19,7 @@ export function importPreview(draft, onOpen) {
     h("h3", {}, t("import.preview")),
     // The API does not describe the document's fields.
     picture(/** @type {Drawn} */ (/** @type {unknown} */ (draft.document))),
-    h("ul", { class: "small" }, draft.words.map((words) => h("li", {}, words))),
+    h("ul", { class: "small" }, draft.messages.map((message) => h("li", {}, message))),
     h("div", {}, h("button", { type: "button", class: "btn go", onclick: onOpen }, t("import.open"))),
   );
 }

@@ -148,7 +148,7 @@ export function showPlanList(app, root, { plans, own }) {
   /** @param {import("types/api").DraftView} imported */
   const openImport = (imported) =>
     openSafely(() => {
-      app.toasts.show(imported.words.join(" "));
+      app.toasts.show(imported.messages.join(" "));
       const document = /** @type {Draft["document"]} */ (imported.document); // the API does not describe its fields
       return { document, name: null, version: 0, dirty: true };
     })();

@@ -26,7 +26,7 @@ export function testTable(tests) {
       { class: counts ? null : "discarded" },
       h("th", { scope: "row" }, String(test.number)),
       counts ? [figures, workload] : h("td", { colspan: String(testNames().length + 1) }, t(test.status === "done" ? `test.end.${test.end ?? "fault"}` : "test.phase.running")),
-      h("td", { title: test.source.words }, groupMark(groupOf(test)) ?? t("source.group.worn")),
+      h("td", { title: test.source.description }, groupMark(groupOf(test)) ?? t("source.group.worn")),
     );
   };
   return scrollTable(

@@ -60,7 +60,7 @@ function taskCard() {
   /** @param {PatientMessage} now */
   const show = ({ trial, state, waits }) => {
     write(stage, trial && trial.stages > 1 ? t("patient.stage", { stage: trial.stage + 1, stages: trial.stages }) : "");
-    write(words, state === "disarmed" ? waits.words : (trial?.instruction ?? ""));
+    write(words, state === "disarmed" ? waits.message : (trial?.instruction ?? ""));
     progress.hidden = !trial?.length;
     if (trial?.length) done.style.width = `${100 * Math.min(1, Math.max(0, Number(trial.done) / trial.length))}%`;
     element.hidden = !words.textContent;
@@ -96,11 +96,11 @@ function stopBand() {
   const show = ({ state, fault, stops, waits }) => {
     const halt = follow(state === "fault" ? fault : null, stops);
     const key = halt?.key ?? "";
-    if (key === shown) return key && write(wait, waits.words);
+    if (key === shown) return key && write(wait, waits.message);
     shown = key;
     set(element, { "aria-live": urgency(halt) });
-    wait = h("p", { class: "wait" }, waits.words);
-    const words = halt && [h("b", {}, t("patient.stopped")), h("p", {}, halt.words), halt.again && h("p", {}, halt.again), wait];
+    wait = h("p", { class: "wait" }, waits.message);
+    const words = halt && [h("b", {}, t("patient.stopped")), h("p", {}, halt.message), halt.again && h("p", {}, halt.again), wait];
     put(element, words && h("div", { class: "band stopped" }, octagon(), h("div", {}, words)));
   };
   return { element, show };

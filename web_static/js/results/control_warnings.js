@@ -25,7 +25,7 @@ export function controlWarnings(warnings, mayChange, isOpen = true) {
         h(
           "li",
           {},
-          [first, ...others].map(({ words }) => h("p", {}, words)),
+          [first, ...others].map(({ message }) => h("p", {}, message)),
           h("p", { class: "quiet" }, h("strong", {}, t("quality.do")), " ", first.advice),
           mayChange && h("a", { class: "btn small", href: WHERE[first.kind] }, t(`quality.go.${first.kind}`)),
         ),

@@ -26,10 +26,10 @@ export function storyParts({ goal, scales, is_signed: isSigned, origin, events }
 }
 
 /** @param {EventView} event @param {((trial: number) => string) | undefined} replay @param {boolean} isNewDay */
-function eventLine({ at, kind, person, words, facts }, replay, isNewDay) {
+function eventLine({ at, kind, person, text, facts }, replay, isNewDay) {
   const end = hasText(`review.end.${facts.end}`) ? t(`review.end.${facts.end}`) : "";
   const seconds = typeof facts.t === "number" ? number(facts.t, 1) : "";
-  const title = t(`share.event.${kind}`, { ...facts, count: Number(facts.recordings), t: seconds, words, end });
+  const title = t(`share.event.${kind}`, { ...facts, count: Number(facts.recordings), t: seconds, text, end });
   const trial = kind === "trial" ? facts.id : facts.trial;
   const marks = [
     interruptionWords(facts),
@@ -47,7 +47,7 @@ function eventLine({ at, kind, person, words, facts }, replay, isNewDay) {
       replay && trial ? h("a", { class: "row-link", href: replay(Number(trial)) }, title) : title,
       person && h("span", { class: "quiet" }, ` · ${person}`),
       marks.length > 0 && h("div", { class: "quiet small" }, marks.join(", ")),
-      SAID.includes(kind) && words && h("p", { class: "own-words" }, words),
+      SAID.includes(kind) && text && h("p", { class: "own-words" }, text),
     ),
   );
 }

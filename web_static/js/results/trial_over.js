@@ -87,7 +87,7 @@ export function showTrialOver(app, root, read, actions, above) {
         { class: "lead" },
         t("over.lead", { number: trial.number, plan: trial.floorplan_title, path, when: moment(trial.started) }),
       ),
-      h("p", { class: "quiet small" }, groupMark(groupOf(trial)), " ", t("over.source", { source: trial.source.words })),
+      h("p", { class: "quiet small" }, groupMark(groupOf(trial)), " ", t("over.source", { source: trial.source.description })),
       above,
       trialSummary(trial, trials, plan, verdicts),
       qualityCard(trial),

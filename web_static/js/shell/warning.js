@@ -7,7 +7,7 @@
 /** Return the warning in words, and the page to go to where there is one. @param {App} app @returns {Promise<{words: string, href: string} | null>} */
 export async function currentWarning(app) {
   const equipment = await app.api.get("/equipment").catch(() => null);
-  if (equipment?.disk?.words) return { words: equipment.disk.words, href: "" };
+  if (equipment?.disk?.message) return { words: equipment.disk.message, href: "" };
   if (app.me?.role !== "owner") return null;
   const backups = await app.api.get("/backups").catch(() => null);
   return backups?.folder && backups.warning ? { words: backups.warning, href: "#/backup" } : null; // without a folder none was ever wanted

@@ -44,9 +44,9 @@ export function chairCard(live, signal, { hasWhy = true } = {}) {
 }
 
 /** @param {ChairMoment} chair */
-function whyNot({ stop_input: isPressed, words, state }) {
+function whyNot({ stop_input: isPressed, message, state }) {
   if (isPressed && state !== "silent") return t("chair.switch.why");
-  return state === "silent" || state === "fault" ? words : "";
+  return state === "silent" || state === "fault" ? message : "";
 }
 
 /** @param {number} age s */

@@ -53,7 +53,7 @@ function content(found, labels, onTake) {
   /** @type {Words} */
   const words = (gesture) => gestureWords({ ...gesture, feature: "rate" }, labels);
   return [
-    found.words && h("p", { class: "small reason" }, found.words),
+    found.message && h("p", { class: "small reason" }, found.message),
     h(
       "div",
       { class: "suggested-block" },

@@ -132,7 +132,7 @@ export async function patientScreenCard(app, signal, { isPage = false } = {}) {
  * @param {{onAgain: () => void, onClose: () => void}} actions @param {AbortSignal} signal
  * @param {"h2" | "h3"} heading
  */
-function codeView(app, { code, url, qr, words, expires }, { onAgain, onClose }, signal, heading) {
+function codeView(app, { code, url, qr, message, expires }, { onAgain, onClose }, signal, heading) {
   const about = h("p", { role: "status" });
   const link = h("code", {}, url);
   const copy = () => copyText(app, url, t("screens.copied"), t("screens.copy-failed"));
@@ -144,7 +144,7 @@ function codeView(app, { code, url, qr, words, expires }, { onAgain, onClose }, 
     { class: "paired" },
     h(heading, { tabindex: "-1" }, t("screens.pair")),
     about,
-    words && h("p", { class: "att" }, words),
+    message && h("p", { class: "att" }, message),
     picture,
     h("p", {}, t("screens.type", { address: url.slice(0, url.indexOf("#")) })),
     h("p", { class: "typed-code" }, `${code.slice(0, 4)} ${code.slice(4)}`),

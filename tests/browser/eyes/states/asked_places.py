@@ -98,7 +98,7 @@ def withdrawn_consent(page: Any, clinic: EyesClinic) -> None:
 
 
 def log_that_was_changed(page: Any, clinic: EyesClinic) -> None:
-    finding = {"whole": False, "words": "Row 12 was changed: its hash does not fit."}
+    finding = {"whole": False, "message": "Row 12 was changed: its hash does not fit."}
     answered("/log/check", "log", lambda _: finding)(page, clinic)
     page.get_by_label("Patient").select_option("P-2")
     expect(page.get_by_text("Row 12 was changed")).to_be_visible()
@@ -113,7 +113,7 @@ def backups_made(page: Any, clinic: EyesClinic) -> None:
             "place": "daily",
             "name": name,
             "good": good,
-            "words": words,
+            "message": words,
             **facts,
         }
 

@@ -22,7 +22,7 @@ def failed_step(page: Any, clinic: EyesClinic) -> None:
 
     def change(view: Any) -> Any:
         first, *others = view["steps"]
-        return {**view, "steps": [{**first, "status": "failed", "words": words}, *others], "current": first["id"]}
+        return {**view, "steps": [{**first, "status": "failed", "message": words}, *others], "current": first["id"]}
 
     answered("/calibration", "calibrate", change)(page, clinic)
     expect(page.get_by_text(words)).to_be_visible()
@@ -36,7 +36,7 @@ def judged_step(page: Any, clinic: EyesClinic) -> None:
         done = [{**step, "status": "done"} for step in (rest, free)]
         return {
             **view,
-            "steps": [*done, {**judged, "status": "done", "words": words}, *others],
+            "steps": [*done, {**judged, "status": "done", "message": words}, *others],
             "current": judged["id"],
         }
 

@@ -8,7 +8,7 @@ from playwright.sync_api import expect
 
 NO_SHIRT: dict[str, Any] = {"shirt": None, "body": None, "layout": None, "unused": []}
 OTHER_SHIRT = {
-    "words": "The patient was calibrated in another shirt: calibrate in this one first.",
+    "message": "The patient was calibrated in another shirt: calibrate in this one first.",
     "page": "calibrate",
 }
 

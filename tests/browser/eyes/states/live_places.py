@@ -18,7 +18,7 @@ from app.faults import Fault, State
 DRIVE = {"id": 1, "t": 83.0, "waits": None}
 CHAIR = {
     "kind": "udp", "state": "armed", "age": 0.02, "battery": 0.82, "stop_input": False, "v": 0.31, "omega": -0.2,
-    "words": "",
+    "message": "",
 }  # fmt: skip
 TRIAL = {  # as the patient's screen gets it
     "id": 0, "t": 12.0, "done": 4.2, "length": 12.0, "stage": 0, "stages": 2,
@@ -156,7 +156,7 @@ def screen_out_of_reach(page: Any, clinic: EyesClinic) -> None:
     expect(page.locator(".screen-lamp")).to_be_visible()
 
 
-FULL_DISK = {"words": "The disk is nearly full: 1.2 GB are free.", "free": 1_200_000_000}
+FULL_DISK = {"message": "The disk is nearly full: 1.2 GB are free.", "free": 1_200_000_000}
 
 LIVE_PLACES: dict[str, Open] = {
     "chair, checking": driven(State.CHECKING),

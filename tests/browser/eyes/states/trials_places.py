@@ -86,7 +86,7 @@ def proposed(applied: int | None) -> Open:
     proposal = ProposalView(
         id="proposal", trials=[1, 2, 3], felt_change=0.062, warns=True, reason=SENTENCE, changes=True,
         joints=[CHANGING, REFUSED, *STAYS], effect=EFFECT, applied=applied,
-        words="The patient would feel it: it waits for you." if applied is None else "",
+        message="The patient would feel it: it waits for you." if applied is None else "",
     )  # fmt: skip
 
     def versions(number: int, origin: str, difference: Any, trials: list[int]) -> Any:

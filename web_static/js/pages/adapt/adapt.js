@@ -169,7 +169,7 @@ function headline({ refusal, practised }, proposal, labels) {
       ),
       changes && h("p", { class: warns ? "attention" : "quiet" }, t(warns ? "adapt.felt.warns" : "adapt.felt.little")),
       practice && h("p", { class: "small" }, practice),
-      proposal.words && h("p", { class: "small" }, proposal.words),
+      proposal.message && h("p", { class: "small" }, proposal.message),
       applied === null && changes && refusal && h("p", { class: "problem" }, refusal),
     ),
   );

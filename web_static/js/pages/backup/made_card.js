@@ -92,6 +92,6 @@ function row(made) {
     " ",
     h("span", { class: made.good ? "tag" : "tag bad" }, t(made.good ? "backup.good" : "backup.bad")),
     h("div", { class: "quiet small" }, made.good && t("backup.of", facts)),
-    made.words && h("div", { class: "small" }, made.words),
+    made.message && h("div", { class: "small" }, made.message),
   );
 }

@@ -50,7 +50,7 @@ export async function show(app, root, { signal }) {
   /** Tell a screen reader how a step ended: the sentence is drawn with a new page, which nobody hears. @param {string} id */
   const sayOutcome = (id) => {
     const step = calibration.steps.find((one) => one.id === id);
-    if (step?.words || step?.status === "done") app.toasts.announce(step.words || t("calibrate.done"));
+    if (step?.message || step?.status === "done") app.toasts.announce(step.message || t("calibrate.done"));
   };
   /** @param {() => Promise<CalibrationView>} change */
   const call = async (change) => {
@@ -78,7 +78,7 @@ export async function show(app, root, { signal }) {
   /** @param {string} id */
   const afterStep = (id) => {
     const ended = calibration.steps.find((step) => step.id === id);
-    const isGood = ended?.status === "done" && !ended.words && runningStep === id;
+    const isGood = ended?.status === "done" && !ended.message && runningStep === id;
     runningStep = null;
     const next = calibration.steps.find((step) => step.id === calibration.current);
     if (!isGood || !actions.isAuto || !next || next.kind === "result" || next.status === "done" || next.status === "skipped") return;
@@ -197,7 +197,7 @@ function resultPage(app, calibration, actions, { accept, drive }) {
       foot: [back],
     };
   if (!result || (missing.length && !result.accepted)) {
-    const words = missing.length ? t("result.missing.lead", { count: missing.length }) : last.words;
+    const words = missing.length ? t("result.missing.lead", { count: missing.length }) : last.message;
     const buttons = missing.map((step) =>
       h("button", { type: "button", class: "btn", onclick: () => actions.go(step.id) }, step.title),
     );

@@ -60,7 +60,7 @@ export function calibrateStep(app, calibration, equipment, actions, signal) {
     { class: "step-body" },
     !running && readyCard(calibration, actions),
     circle,
-    step.words && !isRunning && h("p", { class: "problem" }, step.words),
+    step.message && !isRunning && h("p", { class: "problem" }, step.message),
     stepTrace(app, equipment.layout, step, signal),
     isVisitor && pads(app, signal).element,
   );
@@ -92,7 +92,7 @@ function card(lead, go, run) {
 /** @param {CalibrationStep} step @param {EquipmentView} equipment @param {Actions} actions */
 function idleWords(step, equipment, { isGoingOn }) {
   if (isGoingOn) return t("calibrate.going-on");
-  if (step.status === "done") return t(step.words ? "calibrate.poor" : "calibrate.done");
+  if (step.status === "done") return t(step.message ? "calibrate.poor" : "calibrate.done");
   const who = READY[String(equipment.body?.kind)] ?? "patient";
   return t(`calibrate.ready.${who}`, { button: t(startWords(step)) });
 }
@@ -115,7 +115,7 @@ function foot(steps, at, isRunning, isBusy, isReady, actions) {
   if (isRunning)
     return [button(t("calibrate.cancel"), () => actions.cancel(step.id)), h("span", { class: "grow" }), auto(actions)];
   const isDone = step.status === "done";
-  const isPoor = isDone && step.words !== ""; // then repeating is the main thing to do
+  const isPoor = isDone && step.message !== ""; // then repeating is the main thing to do
   const tone = isReady || isPoor ? "" : "go";
   return [
     at > 0 && button(t("back"), () => actions.go(steps[at - 1].id), "", isBusy),

@@ -11,7 +11,7 @@ export function stepBar(steps, current, onGo, onRestart) {
     "ol",
     { class: "steps", "aria-label": t("calibrate.steps") },
     steps.map((step, index) => {
-      const status = step.status === "done" && step.kind !== "result" && step.words ? "failed" : step.status; // it can be used, but has to be repeated
+      const status = step.status === "done" && step.kind !== "result" && step.message ? "failed" : step.status; // it can be used, but has to be repeated
       const label = `${step.label}: ${t(`calibrate.step.${status}`)}`;
       /** @type {Record<string, Node | string>} */
       const marks = { done: icon("tick", 16), failed: icon("undo", 16), skipped: "–" };

@@ -17,7 +17,7 @@ export async function showDriveSummary(app, root, id, signal) {
       h("h1", { tabindex: "-1" }, t("driven.title")),
       h("p", { class: "lead" }, drive ? moment(drive.started) : t("driven.gone")),
       drive && figures(drive),
-      drive && h("p", { class: "quiet small" }, t("over.source", { source: drive.source.words })),
+      drive && h("p", { class: "quiet small" }, t("over.source", { source: drive.source.description })),
       drive && h("p", { class: "quiet small fingerprint" }, t("driven.hash", { hash: drive.hash.slice(0, 8) })),
     ),
     h(

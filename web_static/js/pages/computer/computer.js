@@ -83,7 +83,7 @@ function measuringCourse(signal) {
 function results({ machine, screens }) {
   const failing = screens.filter(({ verdict }) => verdict === "bad").length;
   const worst = failing ? "bad" : machine.verdict;
-  const words = failing ? `${machine.words} ${t("computer.screens.bad", { count: failing })}` : machine.words;
+  const words = failing ? `${machine.message} ${t("computer.screens.bad", { count: failing })}` : machine.message;
   return [
     h(
       "section",
@@ -106,7 +106,7 @@ function list(findings) {
   return h(
     "ul",
     {},
-    findings.map((finding) => h("li", {}, mark(finding), h("span", {}, finding.words))),
+    findings.map((finding) => h("li", {}, mark(finding), h("span", {}, finding.message))),
   );
 }
 

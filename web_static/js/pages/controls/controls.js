@@ -81,8 +81,8 @@ export async function show(app, root, { signal }) {
     for (const place of [rowsPlace, morePlace, discovery]) place.inert = isBusy;
   };
   const showState = () => {
-    const { words = "", page = "controls" } = draft.view.obstacle ?? {};
-    write(problem, words);
+    const { message = "", page = "controls" } = draft.view.obstacle ?? {};
+    write(problem, message);
     const isMendedHere = page === "controls";
     onward.href = isMendedHere ? "#/drive" : `#/${page}`;
     write(onward, t(isMendedHere ? "controls.drive" : `drive.obstacle.${page}`));

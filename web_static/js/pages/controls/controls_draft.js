@@ -163,7 +163,7 @@ export class ControlsDraft extends TypedEvents {
     if (view.hash !== before.hash) {
       this.#take(view);
       this.dispatchEvent(new Event("shape"));
-    } else if (view.obstacle?.words !== before.obstacle?.words) {
+    } else if (view.obstacle?.message !== before.obstacle?.message) {
       this.view = view;
       this.dispatchEvent(new Event("obstacle"));
     }

@@ -166,7 +166,7 @@ function screenState(app, read, signal) {
 /** @param {EquipmentView} equipment @param {ObstacleView | null} obstacle */
 function bodyWords({ shirt, body }, obstacle) {
   const way = wayBeforeDriving(shirt, obstacle);
-  if (way || !shirt) return h("b", {}, way?.words);
+  if (way || !shirt) return h("b", {}, way?.message);
   if (shirt.kind !== "simulator" || !body) return t("drive.body.patient");
   return t(body.kind === "person" ? `drive.body.person.${body.skill}` : `drive.body.${body.kind}`);
 }

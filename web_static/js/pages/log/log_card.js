@@ -12,15 +12,15 @@ export function logCard(app, signal) {
     write(finding, t("log.checking"));
     write(problem, "");
     let whole = false;
-    let words = "";
+    let message = "";
     try {
-      ({ whole, words } = await app.api.get("/log/check"));
+      ({ whole, message } = await app.api.get("/log/check"));
     } catch (error) {
-      words = failureWords(error);
+      message = failureWords(error);
     }
     if (signal.aborted) return;
-    write(finding, whole ? words : "");
-    write(problem, whole ? "" : words);
+    write(finding, whole ? message : "");
+    write(problem, whole ? "" : message);
   };
   again.addEventListener("click", check);
   check();

@@ -9,7 +9,7 @@ import { moment } from "../../widgets/format.js";
 import { pictureOf } from "../../widgets/one_time_key.js";
 
 /** @param {import("../../main.js").App} app @param {LinkView} link @param {() => void} onDone */
-export function linkCard(app, { person, url, qr, expires, words }, onDone) {
+export function linkCard(app, { person, url, qr, expires, message }, onDone) {
   const copy = () => copyText(app, url, t("screens.copied"), t("screens.copy-failed"));
   const key = person.state === "invited" ? "people.link.new" : "people.link.password";
   return h(
@@ -17,7 +17,7 @@ export function linkCard(app, { person, url, qr, expires, words }, onDone) {
     { class: "card paired" },
     h("h2", { tabindex: "-1" }, t(key, { name: person.name })),
     h("p", {}, t("people.link.lead", { name: person.name, until: moment(expires) })),
-    words && h("p", { class: "att" }, words),
+    message && h("p", { class: "att" }, message),
     h("img", { class: "qr", src: pictureOf(qr), alt: t("people.link.qr", { name: person.name }), width: 240, height: 240 }),
     h("pre", {}, h("code", {}, url)),
     h(

@@ -120,7 +120,7 @@ export function eventList(events, head) {
             { type: "button", class: "btn bare small", onclick: () => go(event) },
             h("i", { class: `event-mark is-${event.kind}` }),
             h("span", { class: "number" }, `${number(event.t, 1)} s`),
-            h("span", {}, event.words),
+            h("span", {}, event.message),
           ),
         ),
       ),

@@ -60,7 +60,7 @@ function replay(app, root, { trial, plan }, line, head, comments, signal) {
   const element = h(
     "section",
     { class: "replay", "aria-label": t("replay.title") },
-    line.words && h("p", { class: "problem" }, line.words),
+    line.message && h("p", { class: "problem" }, line.message),
     h(
       "div",
       { class: "replay-columns" },

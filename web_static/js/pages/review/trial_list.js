@@ -43,7 +43,7 @@ export function trialList(patient, trials, used, compare, unread) {
       listed.map((name) => h("td", {}, comparable(name, trial.measures) ? withUnit(name, measured(trial.measures, name)) : "–")),
       h(
         "td",
-        { title: trial.source.words },
+        { title: trial.source.description },
         groupMark(groupOf(trial)) ?? t("source.group.worn"),
         trial.origin && h("div", { class: "quiet small" }, originWords(trial.origin)),
       ),

@@ -39,7 +39,7 @@ function trialTable(patient, trials, unread) {
         unread({ trial_id: trial.id }),
       ),
       h("td", {}, t(`review.end.${trial.end}`), interruptionMark(trial.measures)),
-      h("td", { title: trial.source.words }, groupMark(groupOf(trial)) ?? t("source.group.worn")),
+      h("td", { title: trial.source.description }, groupMark(groupOf(trial)) ?? t("source.group.worn")),
       h(
         "td",
         {},

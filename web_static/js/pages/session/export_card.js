@@ -57,8 +57,8 @@ function choice(app, patient, code, sessions) {
   const lookForRoom = async () => {
     const room = await app.toasts.attempt(() => app.api.get(`/patients/${patient}/archive/room`));
     if (form !== ARCHIVE || !room) return;
-    offer.hidden = Boolean(room.words);
-    write(words, room.words || t("export.archive.how", { size: size(room.bytes) }));
+    offer.hidden = Boolean(room.message);
+    write(words, room.message || t("export.archive.how", { size: size(room.bytes) }));
   };
   const forms = selection(
     FORMS.map((value) => ({ value, label: t(`export.form.${value}`) })),

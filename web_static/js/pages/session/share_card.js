@@ -138,14 +138,14 @@ function tag(state) {
  * @param {import("../../main.js").App} app @param {MadeShare} made @param {string} what it shows @param {string} code
  * @param {() => void} onDone
  */
-function newLink(app, { url, pin, words }, what, code, onDone) {
+function newLink(app, { url, pin, message }, what, code, onDone) {
   const copy = () => copyText(app, url, t("screens.copied"), t("screens.copy-failed"));
   return h(
     "section",
     { class: "paired" },
     h("h3", { tabindex: "-1" }, t("shares.new", { what })),
     h("p", {}, t("shares.new.lead", { code })),
-    words && h("p", { class: "att" }, words),
+    message && h("p", { class: "att" }, message),
     h("pre", {}, h("code", {}, url)),
     h("p", { class: "small" }, t("shares.pin")),
     h("p", { class: "typed-code" }, pin),

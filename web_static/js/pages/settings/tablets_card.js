@@ -16,15 +16,15 @@ export function tabletsCard(app, signal) {
     try {
       tablets = await app.api.get("/tablets");
     } catch (error) {
-      tablets = { url: null, qr: "", pages: "", words: failureWords(error) };
+      tablets = { url: null, qr: "", pages: "", message: failureWords(error) };
     }
-    const { url, qr, words } = tablets;
-    if (signal.aborted || shown === `${url} ${words}`) return;
-    shown = `${url} ${words}`;
+    const { url, qr, message } = tablets;
+    if (signal.aborted || shown === `${url} ${message}`) return;
+    shown = `${url} ${message}`;
     put(
       link,
       url === null
-        ? h("p", { class: "quiet" }, words)
+        ? h("p", { class: "quiet" }, message)
         : [
             h("p", {}, t("tablets.scan")),
             h("img", { class: "qr", src: pictureOf(qr), alt: t("tablets.qr", { url }), width: 200, height: 200 }),

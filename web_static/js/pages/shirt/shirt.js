@@ -64,7 +64,7 @@ export async function show(app, root, { signal }) {
         h("section", { class: "card" }, h("h2", {}, t("traces.title")), jointStrips(app.live, layout, drawn.signal)),
     );
     drawRight();
-    showWords(equipment.status.words);
+    showWords(equipment.status.message);
     showOnward();
   };
   /** Forms are drawn again only where something differs: what is typed in them would be lost. @param {EquipmentView} answer */
@@ -75,7 +75,7 @@ export async function show(app, root, { signal }) {
     app.toasts.attempt(replaced.show);
     if (keyOf(fresh) !== keyOf(before)) return draw();
     if (formsKeyOf(fresh) !== formsKeyOf(before)) drawRight();
-    showWords(equipment.status.words);
+    showWords(equipment.status.message);
   };
   /** @param {ShirtLayout} layout */
   const lampsCard = (layout) => {
@@ -165,7 +165,7 @@ export async function show(app, root, { signal }) {
       bodyForm(app, equipment, (config) => use(app.api.put("/equipment/body", config), "body"), shown),
     );
   const headCard = () => {
-    const words = [headWords(equipment.head.config), equipment.head.config && equipment.head.words].filter(Boolean).join(" ");
+    const words = [headWords(equipment.head.config), equipment.head.config && equipment.head.message].filter(Boolean).join(" ");
     const element = card("head", words, equipment.head.config?.kind ?? "none", (shown) =>
       headForm(app, equipment, (config) => use(app.api.put("/equipment/head", { config }), "head"), shown),
     );
