@@ -131,6 +131,15 @@ def test_a_receiver_that_was_held_up_finds_itself_disarmed(started):
     assert all(line["v"] <= 0.6 for line in after(receiver.lines, held))
 
 
+@pytest.fixture
+def hang_up_is_heard():
+    """Let processes end on SIGHUP, also when `nohup` started the tests."""
+    before = signal.signal(signal.SIGHUP, signal.SIG_DFL)
+    yield
+    signal.signal(signal.SIGHUP, before)
+
+
+@pytest.mark.usefixtures("hang_up_is_heard")
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
 def test_ended_while_it_moves_it_ramps_says_so_and_leaves(started, number):
     receiver, sender = started()
