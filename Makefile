@@ -83,9 +83,8 @@ safety: $(VENV)/.installed-test
 	$(BIN)/python tests/mutation.py
 
 # A wheel, compiled, in a folder of its own: its drives and tests are compared with those of plain Python.
-# test_stoppable.py is left out: it copies chains, and compiled objects cannot be copied.
 COMPILED := build/compiled
-COMPILED_TESTS := tests/pipeline tests/world tests/study tests/hardware --ignore=tests/pipeline/test_stoppable.py
+COMPILED_TESTS := -m "not long and not uncompiled" tests/pipeline tests/world tests/study tests/hardware
 compiled: $(VENV)/.installed-test
 	@rm -rf $(COMPILED)
 	@BODYDRIVE_COMPILE=must $(OWN) --target $(COMPILED) .

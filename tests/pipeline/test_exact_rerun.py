@@ -1,5 +1,7 @@
 """A rerun of a recorded drive equals the recording to the last bit."""
 
+from dataclasses import fields
+
 import numpy as np
 import pytest
 from recorded_trial import plan_of, record_trial
@@ -10,7 +12,7 @@ from app.pipeline.replay.exact_rerun import Rerun, replay_run
 from app.recording.reader import read_run
 from building import make_parameters, make_signals, taught_by_others
 
-NAMES = tuple(Rerun.__slots__)
+NAMES = tuple(field.name for field in fields(Rerun))
 
 
 def assert_same(run, again):

@@ -227,6 +227,7 @@ def test_rest_is_rest(parameters):
         assert decoder.rate[0] == pytest.approx(0.0, abs=1e-9)
 
 
+@pytest.mark.uncompiled
 def test_a_copy_goes_on_as_the_original_and_without_it():
     parameters = prior_parameters(joints=(1,), guided=(2,))
     values = make_signals(parameters, 300)

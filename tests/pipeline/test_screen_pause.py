@@ -100,6 +100,7 @@ def test_a_silent_web_process_is_a_fault_also_during_a_pause(armed):
     assert state(armed) == (State.FAULT, Fault.WEB_SILENT)
 
 
+@pytest.mark.uncompiled
 def test_a_patient_who_is_not_at_rest_after_a_pause_is_not_driven(armed, monkeypatch):
     report(armed, 0.5, "slow")
     monkeypatch.setattr("app.pipeline.controls.Controls.is_neutral", lambda *_: False)

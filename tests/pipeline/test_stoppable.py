@@ -34,6 +34,8 @@ from app.pipeline.person_brakes import missing_brake
 from app.pipeline.safety_gate import STOP_TIME, Conditions
 from building import make_profile
 
+pytestmark = pytest.mark.uncompiled  # a chain is copied to look at what it would do
+
 RATE = 100.0
 TREMBLE = 1e-6  # signal units of noise, so that no channel is constant
 PROFILE = make_profile(n_channels=8).model_copy(update={"noise": (TREMBLE,) * 8})  # two channels a joint
