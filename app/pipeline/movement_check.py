@@ -165,7 +165,7 @@ class MovementCheck:
             _step_kind(filtered, [joint.filtered_step for joint in joints], FILTERED_STEPS),
         )
         self._common = common
-        self._ones = np.ones(len(channels))  # a product with it is a sum, in a fifth of the time
+        self._ones = np.ones(len(channels))  # the product with it is the sum, in less than half the time
         self._per_span = 1.0 / spans
         self._spans_per_half_range = spans / np.maximum(half_range, SMALLEST_HALF_RANGE)
         self._compares = len(joints) >= FEWEST_JOINTS
@@ -224,7 +224,7 @@ class MovementCheck:
             self._forget()
         self._now += 1
         self._newest = newest = (self._newest + 1) % self._size
-        np.multiply(frame.take(self._take), self._per_span, self._rows[newest])
+        np.multiply(frame.take(self._take), self._per_span, out=self._rows[newest])
         self._known = min(self._size, self._known + 1)
         if estimated or True in bad:
             lost = {joint for joint, is_bad in zip(self._joint_of, bad, strict=True) if is_bad}
@@ -262,7 +262,7 @@ class MovementCheck:
         """Return whether a joint had a large step, or a step or spike that makes too many lately."""
         fast, still = kind.times
         change = self._change(still, still + fast)
-        if change.dot(change) < kind.least_square:  # the usual case at rest, in the shortest way
+        if change.dot(change) < kind.least_square:  # at rest: no joint can have a step
             return False
         at = self._squares(change)
         before: list[float] = []
@@ -282,7 +282,7 @@ class MovementCheck:
         return has_steps
 
     def _is_spike(self, kind: _StepKind, joint: int, steep: float) -> bool:
-        """Return whether a joint is after a step where it was before it, and stays there."""
+        """Return whether a joint returned to where it was before the change, and has been still since then."""
         fast, still = kind.times
         ages = (still - fast, still + fast), (0, still - fast)
         return all(steep > self._squares(self._change(*pair))[joint] for pair in ages)

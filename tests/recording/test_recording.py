@@ -253,6 +253,9 @@ def test_scalars_alone_are_those_of_the_whole_run_or_damaged(ring, tmp_path):
     file.write_bytes(content)
     scalars = read_run(folder, SCALARS)
     assert (scalars.meta, scalars.rows, scalars.damage) == (whole.meta, whole.rows, "")
+    few = read_run(folder, ["t", "x"]).columns
+    assert {name for name, column in few.items() if column.size} == {"t", "x"}
+    assert np.array_equal(few["x"], whole.columns["x"])
 
 
 @pytest.mark.parametrize("failing", ["write", "fsync"])

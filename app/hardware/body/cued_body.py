@@ -31,7 +31,6 @@ class CuedBody:
         self.joints = tuple(joints)
         self._seed = seed
         self._seconds = {name for joint in joints if (name := second_way(joint)) is not None}
-        self._posture = [0.0] * len(self.joints)
         self.reset()
 
     def reset(self) -> None:
@@ -52,7 +51,7 @@ class CuedBody:
         return all(abs(place) < 0.01 for place in self._place)
 
     def follow(self, dt: float, cue: Cue | None) -> list[float]:
-        """Advance by `dt` (s) under `cue` (None: rest) and return the posture (n_joints,), until the next step."""
+        """Advance by `dt` (s) under `cue` (None: rest) and return the posture (n_joints,)."""
         if cue is not self._cue and cue != self._cue:
             self._begin_cue(cue)
         self._cue = cue
@@ -61,7 +60,8 @@ class CuedBody:
         calm = dt / (TREMOR_TIME + dt)
         shake = TREMOR * (2.0 * calm) ** 0.5
         gauss = self._random.gauss
-        places, tremors, posture = self._place, self._tremor, self._posture
+        places, tremors = self._place, self._tremor
+        posture = []
         for i, reach in enumerate(self._reaches):
             if reach is not None:
                 elapsed = self._t - self._begins[i]
@@ -75,7 +75,7 @@ class CuedBody:
                 self._wander(i)
             tremor = tremors[i]
             tremors[i] = tremor = tremor + (gauss(0.0, shake) - calm * tremor)
-            posture[i] = places[i] + tremor
+            posture.append(places[i] + tremor)
         return posture
 
     def _begin_cue(self, cue: Cue | None) -> None:

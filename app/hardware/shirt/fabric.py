@@ -178,25 +178,25 @@ class Fabric:
         before, square, loop, speed = self._before, self._square, self._loop, self._speed
         moved = posture - before
         before[:] = posture
-        np.multiply(posture, posture, square)
+        np.multiply(posture, posture, out=square)
         apart = posture - self._averages
         apart *= self._keep
         self._averages += apart
         # Duhem's hysteresis: after a reversal it changes sign within `loop_length`, at any speed.
         side = np.sign(moved)
-        np.abs(moved, moved)
+        np.abs(moved, out=moved)
         loop -= side
         loop *= np.exp(moved * self._reversal)
         loop += side
         if self._properties.peak:
-            np.power(moved / dt, self._properties.peak_power, speed)
+            np.power(moved / dt, self._properties.peak_power, out=speed)
         values: NDArray[np.float64] = self._matrix.dot(self._movement)  # `@` takes twice as long
         values += self._drift.next_row()
         values += self._noise.next_row()
         values += self._offsets
         self._t += dt
         values *= STEPS_PER_VOLT
-        np.rint(values, values)
+        np.rint(values, out=values)
         np.maximum(values, LOWEST, out=values)  # np.clip takes four times as long
         np.minimum(values, HIGHEST, out=values)
         values *= VOLTS_PER_STEP
