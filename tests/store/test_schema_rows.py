@@ -167,3 +167,17 @@ def test_no_row_is_changed_by_the_way_down_to_a_version_and_up_again(
     assert {table: list(rows[0]) for table, rows in again.items() if rows} == {
         table: list(rows[0]) for table, rows in newest.items() if again[table]
     }
+
+
+def test_the_settings_of_backups_go_with_their_table_and_come_back(tmp_path: Path) -> None:
+    file = migrated(tmp_path / "clinic.sqlite", FIRST)
+    fill_by_its_own_tables(file)
+    with closing(sqlite3.connect(file)) as connection, connection:
+        connection.execute("UPDATE record_keeping SET years = 12, folder = '/media/stick', hour = 23, with_keys = 1")
+    before = rows_of(file)["record_keeping"]
+    after = rows_of(migrated(file))
+    assert after["record_keeping"] == [{"clinic_id": 1, "years": 12}]
+    assert after["backup_settings"] == [{"clinic_id": 1, "folder": "/media/stick", "hour": 23, "with_keys": 1}]
+    assert after["made_backup"][0]["message"] == VALUES[str]
+    down_to(file, FIRST)
+    assert rows_of(file)["record_keeping"] == before

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING, Final
 
-from app.features.backup.tables import MadeBackup
+from app.features.backup.tables import MadeBackup, NightBackupSettings
 from app.features.registration import Feature
 
 if TYPE_CHECKING:
@@ -21,8 +21,8 @@ def night_backups(database: "Database", settings: "Settings", tell: "Callable[[s
 
 
 FEATURE: Final = Feature(
-    tables=(MadeBackup,),
+    tables=(NightBackupSettings, MadeBackup),
     routes=("routes",),
     background=night_backups,
-    not_archived={"made_backup": "backups of this clinic"},
+    not_archived={"backup_settings": "settings of this clinic's owner", "made_backup": "backups of this clinic"},
 )

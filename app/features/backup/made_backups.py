@@ -37,7 +37,7 @@ def add_backup(
             name=name[:80],
             in_folder=in_folder,
             good=good,
-            words=message[:400],
+            message=message[:400],
             files=files,
             bytes=size,
             encrypted=encrypted,

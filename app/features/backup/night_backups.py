@@ -12,18 +12,21 @@ from datetime import datetime, timedelta
 from pathlib import Path
 from typing import Any, Final, NamedTuple, cast
 
+from sqlalchemy.orm import Session
+
 from app.child_process import JsonChild
 from app.clock import utc_now
 from app.features.backup.backup_process import BackupJob, BackupMessage
 from app.features.backup.made_backups import add_backup, last_in_folder
 from app.features.backup.night_secret import read_secret
+from app.features.backup.tables import NightBackupSettings
 from app.refusals import Conflict, Refusal
 from app.settings import Settings
+from app.store.access.visible_patients import own_clinic_id
 from app.store.database import Database
-from app.store.keeping.keeping_tables import RecordKeeping
-from app.store.keeping.record_time import record_keeping
 from app.store.people import the_clinic
 
+FIRST_HOUR: Final = 2  # local time of the backup of every night, until the owner chooses another
 AGAIN_AFTER: Final = timedelta(hours=1)  # a backup that failed is tried again
 LOOK_EVERY: Final = 60.0  # s
 ENDED: Final = "The process that makes the backup has ended: look at the disks, then try again."
@@ -31,6 +34,13 @@ NO_FOLDER: Final = "No folder is chosen: choose one first."
 UNDER_WAY: Final = "A backup is being made already: wait until it is done."
 
 logger = logging.getLogger("bodydrive")
+
+
+def backup_settings(db: Session) -> NightBackupSettings:
+    """Return the clinic's settings; when nobody has chosen any, those of a new clinic, which are not stored."""
+    clinic_id = own_clinic_id(db)
+    first = NightBackupSettings(clinic_id=clinic_id, folder=None, hour=FIRST_HOUR, with_keys=False)
+    return db.get(NightBackupSettings, clinic_id) or first
 
 
 def is_due(now: datetime, hour: int, last_good: datetime | None, last_try: datetime | None) -> bool:
@@ -88,14 +98,14 @@ class NightBackups:
         self._making = asyncio.create_task(self._make(job, person))
 
     def _job(self) -> BackupJob:
-        kept = self._kept()
-        if kept is None or kept.folder is None:
+        chosen = self._chosen()
+        if chosen is None or chosen.folder is None:
             raise Conflict(NO_FOLDER)
         secret = read_secret(self._settings.backup)
         return {
             "state": str(self._settings.state),
-            "target": kept.folder,
-            "with_keys": kept.with_keys,
+            "target": chosen.folder,
+            "with_keys": chosen.with_keys,
             "secret": None if secret is None else asdict(secret),
         }
 
@@ -147,16 +157,15 @@ class NightBackups:
                 logger.exception("It could not be seen whether a backup is due")
             await asyncio.sleep(LOOK_EVERY)
 
-    def _kept(self) -> RecordKeeping | None:
+    def _chosen(self) -> NightBackupSettings | None:
         with self._database.reading() as db:
-            clinic = the_clinic(db)
-            return None if clinic is None else record_keeping(db)
+            return None if the_clinic(db) is None else backup_settings(db)
 
     def _is_due(self) -> bool:
-        kept = self._kept()
-        if kept is None or kept.folder is None:
+        chosen = self._chosen()
+        if chosen is None or chosen.folder is None:
             return False
         with self._database.reading() as db:
             good, tried = last_in_folder(db, good=True), last_in_folder(db, good=False)
         local = [None if moment is None else moment.astimezone() for moment in (good, tried)]
-        return is_due(utc_now().astimezone(), kept.hour, *local)
+        return is_due(utc_now().astimezone(), chosen.hour, *local)

@@ -14,7 +14,7 @@ from app.api.parts import part
 from app.computing_process import ComputingProcess
 from app.features.backup.contents import clinic_mark
 from app.features.backup.made_backups import backup_warning, last_good_backup, newest_backups
-from app.features.backup.night_backups import NightBackups
+from app.features.backup.night_backups import NightBackups, backup_settings
 from app.features.backup.night_secret import keep_secret, opened_folder, read_secret
 from app.features.backup.signature import clinic_fingerprint
 from app.file_modes import OWNER_FOLDER
@@ -25,7 +25,7 @@ from app.store.database import Database
 from app.store.keeping.erasure import deleted_patients, erase_patient
 from app.store.keeping.incidents import all_incidents, lift_incident
 from app.store.keeping.passed_time import clock_warning
-from app.store.keeping.record_time import MOST_YEARS, record_keeping, set_record_time
+from app.store.keeping.record_time import MOST_YEARS, record_time, set_record_time
 from app.store.log import write_log
 
 router = APIRouter(tags=["backup"])
@@ -68,7 +68,7 @@ class MadeBackupView(Answer):
     name: str
     in_folder: bool
     good: bool
-    message: str = Field(validation_alias="words")  # the name of its column
+    message: str
     files: int
     bytes: int
     encrypted: bool
@@ -127,17 +127,17 @@ class BackupsView(Document):
 
 def _view(own: Settings, database: Database, backups: NightBackups) -> BackupsView:
     with database.reading() as db:
-        kept, good = record_keeping(db), last_good_backup(db)
-        folder_is_there = kept.folder is not None and Path(kept.folder).is_dir()
+        chosen, good = backup_settings(db), last_good_backup(db)
+        folder_is_there = chosen.folder is not None and Path(chosen.folder).is_dir()
         course = backups.course
         return BackupsView(
-            folder=kept.folder,
-            hour=kept.hour,
-            with_keys=kept.with_keys,
+            folder=chosen.folder,
+            hour=chosen.hour,
+            with_keys=chosen.with_keys,
             encrypted=read_secret(own.backup) is not None,
-            years=kept.years,
+            years=record_time(db),
             warning=backup_warning(
-                None if good is None else good.at, has_folder=kept.folder is not None, folder_is_there=folder_is_there
+                None if good is None else good.at, has_folder=chosen.folder is not None, folder_is_there=folder_is_there
             ),
             clock=clock_warning(db),
             last_good=None if good is None else good.at.isoformat(),
@@ -218,7 +218,7 @@ def _choose(
         own.backup.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
         keep_secret(own.backup, secret)
     with database.transaction() as db:
-        settings = record_keeping(db)
+        settings = backup_settings(db)
         settings.folder, settings.hour, settings.with_keys = body.folder, body.hour, body.with_keys
         db.add(settings)
         details = {"hour": body.hour, "with_keys": body.with_keys, "encrypted": body.encrypted}

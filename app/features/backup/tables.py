@@ -1,11 +1,21 @@
-"""The table of the backups that were made."""
+"""The tables of backups: the owner's settings, and the backups that were made."""
 
 from datetime import datetime
 
-from sqlalchemy import String
+from sqlalchemy import ForeignKey, String
 from sqlalchemy.orm import Mapped, mapped_column
 
 from app.store.tables import Table
+
+
+class NightBackupSettings(Table):
+    """Where the backups of every night go, when, and what is in them."""
+
+    __tablename__ = "backup_settings"
+    clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"), primary_key=True)
+    folder: Mapped[str | None]  # None: no backups are made at night
+    hour: Mapped[int]  # 0 to 23, local time
+    with_keys: Mapped[bool]  # the chairs' and the authority's keys are in them
 
 
 class MadeBackup(Table):
@@ -18,7 +28,7 @@ class MadeBackup(Table):
     name: Mapped[str] = mapped_column(String(80))  # of the file
     in_folder: Mapped[bool]  # one of a folder, which keeps 7 daily, 4 weekly and 6 monthly ones
     good: Mapped[bool]  # it was read back, and every hash is right
-    words: Mapped[str] = mapped_column(String(400))  # why it is not good, or what was left out
+    message: Mapped[str] = mapped_column(String(400))  # why it is not good, or what was left out
     files: Mapped[int]
     bytes: Mapped[int]
     encrypted: Mapped[bool]

@@ -10,14 +10,11 @@ from app.store.tables import Table
 
 
 class RecordKeeping(Table):
-    """What the owner of a clinic has set about backups and about how long records must be kept."""
+    """What the owner of a clinic has set about how long records must be kept."""
 
     __tablename__ = "record_keeping"
     clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"), primary_key=True)
     years: Mapped[int | None]  # after the last session of a patient; None: the owner has set nothing
-    folder: Mapped[str | None]  # of the backups of every night; None: there are none
-    hour: Mapped[int] = mapped_column(server_default="2")  # 0 to 23, local time, of the backup of every night
-    with_keys: Mapped[bool] = mapped_column(server_default="0")  # the chairs' and the authority's keys are in it
 
 
 class ErasedPatient(Table):

@@ -16,18 +16,14 @@ UNDO_FOR: Final = timedelta(days=30)  # after this a deleted patient is erased
 MOST_YEARS: Final = 100
 
 
-def record_keeping(db: Session) -> RecordKeeping:
-    """Return the clinic's settings; the usual ones, which are not stored, when nobody has chosen any."""
-    clinic_id = own_clinic_id(db)
-    usual = RecordKeeping(clinic_id=clinic_id, years=None, folder=None, hour=2, with_keys=False)
-    return db.get(RecordKeeping, clinic_id) or usual
+def record_time(db: Session) -> int | None:
+    """Return for how many years after the last session records must be kept; None: the owner has set nothing."""
+    return db.scalar(select(RecordKeeping.years).where(RecordKeeping.clinic_id == own_clinic_id(db)))
 
 
 def set_record_time(db: Session, years: int | None) -> None:
     """Set for how many years after the last session records must be kept; None: no longer than somebody wants."""
-    settings = record_keeping(db)
-    settings.years = years
-    db.add(settings)
+    db.merge(RecordKeeping(clinic_id=own_clinic_id(db), years=years))
 
 
 def must_be_kept_until(db: Session, patient: Patient) -> datetime | None:

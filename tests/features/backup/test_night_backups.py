@@ -12,9 +12,9 @@ from api.running_app import running
 from app.clock import utc_now
 from app.features.backup.backup_file import read_backup
 from app.features.backup.made_backups import last_in_folder
+from app.features.backup.night_backups import backup_settings
 from app.settings import Settings
 from app.store.database import Database
-from app.store.keeping.record_time import record_keeping
 from app.store.people import add_clinic, the_clinic
 
 PATIENCE = 60.0  # s: another process makes the backup
@@ -42,7 +42,7 @@ def night(settings: Settings, tmp_path: Path) -> Path:
         with database_of(clinic).transaction() as db:
             if the_clinic(db) is None:
                 add_clinic(db, "Clinic")
-            kept = record_keeping(db)
+            kept = backup_settings(db)
             kept.folder, kept.hour = str(stick), utc_now().astimezone().hour
             db.add(kept)
     return stick

@@ -25,7 +25,7 @@ from folders import ROOT
 for file in sorted((ROOT / "app" / "store").rglob("*_tables.py")):
     import_module(".".join(file.relative_to(ROOT).with_suffix("").parts))
 
-NOT_FILLED = {"log", "erased_patient", "last_id", "record_keeping", "passed_time"}
+NOT_FILLED = {"log", "erased_patient", "last_id", "record_keeping", "backup_settings", "passed_time"}
 
 
 def fill(db: Session, patient: Patient, word: str) -> None:
