@@ -191,7 +191,7 @@ def _described() -> APIRouter:
     router = APIRouter()
 
     @router.get("/openapi.json", include_in_schema=False)
-    def describe(_who: Owner, request: Request) -> dict[str, Any]:
+    def describe(_person: Owner, request: Request) -> dict[str, Any]:
         """Return the OpenAPI document."""
         document: dict[str, Any] = request.app.openapi()
         return document

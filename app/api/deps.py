@@ -96,21 +96,21 @@ ViewKeeperPart = Annotated[ViewKeeper, Depends(part(ViewKeeper))]
 PlacesPart = Annotated[ClinicPlaces, Depends(part(ClinicPlaces))]
 
 
-async def anyone_signed_in(who: WhoAsks) -> SignedInPerson:
+async def anyone_signed_in(person: WhoAsks) -> SignedInPerson:
     """Return the person who is signed in; 401 when nobody is, 423 when the sign-in is locked."""
-    if who is None:
+    if person is None:
         raise HTTPException(401, NOBODY)
-    if who.locked:
+    if person.locked:
         raise HTTPException(423, LOCKED)
-    return who
+    return person
 
 
-def viewer(role: Role, connection: HTTPConnection, database: Db, who: WhoAsks) -> SignedInPerson | PairedScreen:
+def viewer(role: Role, connection: HTTPConnection, database: Db, person: WhoAsks) -> SignedInPerson | PairedScreen:
     """Return who requests the 3D view of a role; the patient's is for the patient's screens, too.
 
     401 for nobody, 423 for a locked sign-in.
     """
-    found = find_viewer(database, connection) if role == "patient" else who
+    found = find_viewer(database, connection) if role == "patient" else person
     if found is None:
         raise HTTPException(401, NOBODY)
     if isinstance(found, SignedInPerson) and found.locked:
@@ -118,29 +118,29 @@ def viewer(role: Role, connection: HTTPConnection, database: Db, who: WhoAsks) -
     return found
 
 
-async def clinician(who: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
+async def clinician(person: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
     """Return the person who is signed in; 403 for reviewers, who may only look."""
-    if not who.drives:
+    if not person.drives:
         raise HTTPException(
             403, "A reviewer reads and comments, and changes nothing else: ask an owner for more rights."
         )
-    return who
+    return person
 
 
-async def exporter(who: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
+async def exporter(person: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
     """Return the person who is signed in; 403 without the right to take reports and exports out of the clinic."""
-    if who.role not in EXPORTERS:
+    if person.role not in EXPORTERS:
         raise HTTPException(
             403, "A reviewer takes no records out of the clinic: ask a clinician for a report or an export."
         )
-    return who
+    return person
 
 
-async def owner(who: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
+async def owner(person: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
     """Return the person who is signed in; 403 for those who are no owner of the clinic."""
-    if who.role != "owner":
+    if person.role != "owner":
         raise HTTPException(403, "Only an owner of the clinic changes this: ask one.")
-    return who
+    return person
 
 
 async def everyone() -> None:

@@ -40,16 +40,16 @@ class DriveAuthority:
             return Controller(drive.person_id, real=True)
         return None if trial is None else Controller(trial.person_id, real=False)
 
-    def require_controller(self, who: SignedInPerson) -> Controller | None:
+    def require_controller(self, person: SignedInPerson) -> Controller | None:
         """Raise 409 unless this person started the running trial or drive; return None when there is none."""
         controller = self.controller()
-        if controller is not None and controller.person_id != who.person_id:
+        if controller is not None and controller.person_id != person.person_id:
             raise HTTPException(409, ANOTHER)
         return controller
 
-    def require_hand_on_chair(self, who: SignedInPerson, connection: HTTPConnection) -> None:
+    def require_hand_on_chair(self, person: SignedInPerson, connection: HTTPConnection) -> None:
         """Refuse to set the chair in motion, unless this person started the drive and, for a real chair, is nearby."""
-        controller = self.require_controller(who)
+        controller = self.require_controller(person)
         if controller is not None and controller.real:
             require_nearby(connection)
 

@@ -84,9 +84,9 @@ class ExportCourseView(Document):
 
 
 @router.get("/exports")
-def export_course(course: CourseWord, who: Exporter, exports: ExportsPart) -> ExportCourseView | None:
+def export_course(course: CourseWord, person: Exporter, exports: ExportsPart) -> ExportCourseView | None:
     """Return how far an export of the person who asks is, by the word that it was begun with; null when none has it."""
-    found = exports.of(who.person_id, course)
+    found = exports.of(person.person_id, course)
     if found is None:
         return None
     return ExportCourseView(packed=found.packed, recordings=found.recordings, sent=found.sent, state=found.state)
@@ -100,7 +100,7 @@ class PackageDownload:
     exports: ExportCourses
 
     def sent(
-        self, steps: list[Step], recordings: int, form: str, who: SignedInPerson, course: str | None
+        self, steps: list[Step], recordings: int, form: str, person: SignedInPerson, course: str | None
     ) -> StreamingResponse:
         """Answer with the zip file of these steps; the first packs no recording, the next ones one each.
 
@@ -108,7 +108,7 @@ class PackageDownload:
         """
         name = f"bodydrive-{form}-{utc_now():%Y%m%dT%H%M%SZ}.zip"
         headers = {"Content-Disposition": f'attachment; filename="{name}"'}
-        begun = self.exports.begun(who.person_id, course, recordings)
+        begun = self.exports.begun(person.person_id, course, recordings)
         return StreamingResponse(
             _content(steps, self.settings.state, begun), media_type="application/zip", headers=headers
         )

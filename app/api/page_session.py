@@ -46,13 +46,13 @@ def any_session(reason: str) -> Callable[[Route], Route]:
     return mark
 
 
-async def clinician_in_session(who: Clinician, database: Db, shown: ShownSession = "") -> SignedInPerson:
+async def clinician_in_session(person: Clinician, database: Db, shown: ShownSession = "") -> SignedInPerson:
     """Return the person who is signed in, whose page shows the open session.
 
     Refuse a request that names no session (422) or another session than the open one (409).
     """
     await require_open(database, shown)
-    return who
+    return person
 
 
 async def require_open(database: Database, shown: str) -> None:

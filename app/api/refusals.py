@@ -95,9 +95,9 @@ def _note(request: Request, error: OtherClinicRow) -> None:
     """Log who requested a row of another clinic; the answer does not depend on it."""
     database = parts_of(request.app)[Database]
     try:
-        who = find_sign_in(database, request)
+        person = find_sign_in(database, request)
         with database.transaction() as db:
-            write_log(db, who.name if who else None, "another clinic's id", **{error.kind: error.row_id})
+            write_log(db, person.name if person else None, "another clinic's id", **{error.kind: error.row_id})
     except Refusal:
         logging.getLogger("bodydrive").exception("A request for another clinic's %s could not be noted", error.kind)
 

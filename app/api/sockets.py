@@ -49,7 +49,7 @@ def cut_off(websocket: WebSocket) -> None:
 class Guarded(NamedTuple):
     """Who opened a websocket, and whether they may see what it shows."""
 
-    who: SignedInPerson | PairedScreen
+    viewer: SignedInPerson | PairedScreen
     sees: Sees
 
 
@@ -81,21 +81,21 @@ class OpenSockets:
 
     async def _admit(self, websocket: WebSocket, find: Find[Who]) -> Who | None:
         if host_is_ours(self._settings, websocket.headers) and origin_is_ours(websocket):
-            who = await asyncio.to_thread(find, self._database, websocket)
-            if who is not None:
-                return who
+            person = await asyncio.to_thread(find, self._database, websocket)
+            if person is not None:
+                return person
         await websocket.close(SIGNED_OUT)
         return None
 
     @asynccontextmanager
     async def guarded(
-        self, websocket: WebSocket, who: SignedInPerson | PairedScreen, sees: Sees = lambda _who: True
+        self, websocket: WebSocket, person: SignedInPerson | PairedScreen, sees: Sees = lambda _person: True
     ) -> AsyncIterator[None]:
         """Close the accepted websocket within CHECK_EVERY of the end of the sign-in or pairing, however it ends.
 
         It is closed, too, when the person may no longer see (`sees`) what it shows.
         """
-        self._open[websocket] = Guarded(who, sees)
+        self._open[websocket] = Guarded(person, sees)
         if self._watching is None or self._watching.done():
             self._watching = asyncio.create_task(self._watch())
         try:
@@ -118,21 +118,21 @@ class OpenSockets:
         """
         of_cookie = defaultdict[tuple[type, str | None], list[WebSocket]](list)
         for websocket in websockets:
-            kind = type(self._open[websocket].who)
+            kind = type(self._open[websocket].viewer)
             cookie = read_cookie(websocket, SCREEN_COOKIE if kind is PairedScreen else COOKIE)
             of_cookie[kind, cookie].append(websocket)
         ending: dict[WebSocket, int] = {}
         for (kind, _), those in of_cookie.items():
-            who = await self._find_again(kind, those[0])
+            person = await self._find_again(kind, those[0])
             for websocket in those:
                 if websocket not in self._open:
                     continue  # it ended by itself meanwhile
-                if who is None:
+                if person is None:
                     ending[websocket] = SIGNED_OUT
                     continue
                 sees = self._open[websocket].sees
-                self._open[websocket] = Guarded(who, sees)
-                if not sees(who):
+                self._open[websocket] = Guarded(person, sees)
+                if not sees(person):
                     ending[websocket] = NOT_VISIBLE
         await self._close(ending)
 
@@ -144,17 +144,17 @@ class OpenSockets:
     def may_see(self, websocket: WebSocket, patient_id: int | None) -> bool:
         """Return whether who opened a websocket may see this patient now."""
         opened = self._open.get(websocket)
-        return opened is not None and opened.who.sees(patient_id)
+        return opened is not None and opened.viewer.sees(patient_id)
 
     def is_locked(self, websocket: WebSocket) -> bool:
         """Return whether the sign-in that opened a websocket is locked."""
-        who = self._person(websocket)
-        return who is not None and who.locked
+        person = self._person(websocket)
+        return person is not None and person.locked
 
     def may_drive(self, websocket: WebSocket) -> bool:
         """Return whether who opened a websocket may change what drives now."""
-        who = self._person(websocket)
-        return who is not None and who.drives
+        person = self._person(websocket)
+        return person is not None and person.drives
 
     async def acted(self, websocket: WebSocket) -> None:
         """Store that the person at the page of a websocket does something."""
@@ -162,23 +162,25 @@ class OpenSockets:
 
     async def close_person(self, person_id: int, but: int | None = None) -> None:
         """Close every websocket of a person whose sign-ins have ended, all but the sign-in with the id `but`."""
-        await self._close(self._of(lambda who: who.person_id == person_id and who.sign_in_id != but))
+        await self._close(self._of(lambda person: person.person_id == person_id and person.sign_in_id != but))
 
     async def look_again(self, sign_in_id: int) -> None:
         """Find anew who opened the websockets of a sign-in: it was unlocked."""
-        await self._check(self._of(lambda who: who.sign_in_id == sign_in_id))
+        await self._check(self._of(lambda person: person.sign_in_id == sign_in_id))
 
     async def close_sign_in(self, sign_in_id: int) -> None:
         """Close every websocket of a sign-in that has ended."""
-        await self._close(self._of(lambda who: who.sign_in_id == sign_in_id))
+        await self._close(self._of(lambda person: person.sign_in_id == sign_in_id))
 
     async def close_ended_screens(self) -> None:
         """Close every websocket of a patient's screen that was unpaired or whose session has ended."""
-        await self._check([websocket for websocket, (who, _) in self._open.items() if isinstance(who, PairedScreen)])
+        await self._check(
+            [websocket for websocket, (person, _) in self._open.items() if isinstance(person, PairedScreen)]
+        )
 
     def screens(self) -> set[int]:
         """Return the ids of the patient's screens that are connected."""
-        return {who.screen_id for who, _ in list(self._open.values()) if isinstance(who, PairedScreen)}
+        return {person.screen_id for person, _ in list(self._open.values()) if isinstance(person, PairedScreen)}
 
     async def close_all(self) -> None:
         """Close every websocket: the process is about to end."""
@@ -186,12 +188,12 @@ class OpenSockets:
 
     def _person(self, websocket: WebSocket) -> SignedInPerson | None:
         opened = self._open.get(websocket)
-        return opened.who if opened is not None and isinstance(opened.who, SignedInPerson) else None
+        return opened.viewer if opened is not None and isinstance(opened.viewer, SignedInPerson) else None
 
     def _of(self, wanted: Callable[[SignedInPerson], bool]) -> dict[WebSocket, int]:
         """Return the websockets of some people, each with the code that says that their sign-in has ended."""
         people = ((websocket, self._person(websocket)) for websocket in self._open)
-        return {websocket: SIGNED_OUT for websocket, who in people if who is not None and wanted(who)}
+        return {websocket: SIGNED_OUT for websocket, person in people if person is not None and wanted(person)}
 
     async def _close(self, codes: dict[WebSocket, int]) -> None:
         """Close websockets, each with its code; a page that does not take it ends without it."""

@@ -29,11 +29,11 @@ async def who_asks(connection: HTTPConnection) -> SignedInPerson | None:
     method = connection.scope["method"]
     acts = method not in READS and _route_path(connection) not in BY_THEMSELVES
     database = parts_of(connection.app)[Database]
-    who = await asyncio.to_thread(find_sign_in, database, connection, acts=acts)
-    if who is not None:
-        VISIBLE_PATIENTS.set(who.patients)
-        OWN_CLINIC.set(who.clinic_id)
-    return who
+    person = await asyncio.to_thread(find_sign_in, database, connection, acts=acts)
+    if person is not None:
+        VISIBLE_PATIENTS.set(person.patients)
+        OWN_CLINIC.set(person.clinic_id)
+    return person
 
 
 def _route_path(connection: HTTPConnection) -> str:

@@ -72,18 +72,18 @@ class CalibratedParticipant:
     profile: CalibrationProfile
 
 
-def calibrated_participant(who: PersonKind, seed: int, map_kind: StudyMap = "pca") -> CalibratedParticipant:
+def calibrated_participant(person: PersonKind, seed: int, map_kind: StudyMap = "pca") -> CalibratedParticipant:
     """Return a participant with this seed, with the profile of the calibration.
 
     For a map from other people the participant wears the simulated shirt that a prior ships for; for the others, a
     shirt of one's own.
     """
     if map_kind == "prior":
-        participant = Participant(SimulatedPerson(PERSONS[who], seed), shirt_layout(), SAMPLE_RATE, GARMENT)
+        participant = Participant(SimulatedPerson(PERSONS[person], seed), shirt_layout(), SAMPLE_RATE, GARMENT)
         participant.wear(seed + SEEDS_APART)
-        return CalibratedParticipant(who, seed, participant, calibrate_with_prior(participant, _other_people()))
-    participant = Participant(SimulatedPerson(PERSONS[who], seed), shirt_layout(), SAMPLE_RATE, seed + SEEDS_APART)
-    return CalibratedParticipant(who, seed, participant, calibrate(participant, map_kind))
+        return CalibratedParticipant(person, seed, participant, calibrate_with_prior(participant, _other_people()))
+    participant = Participant(SimulatedPerson(PERSONS[person], seed), shirt_layout(), SAMPLE_RATE, seed + SEEDS_APART)
+    return CalibratedParticipant(person, seed, participant, calibrate(participant, map_kind))
 
 
 def run_sessions(
@@ -155,7 +155,7 @@ def each_seed(run: Callable[[int], Rows], seeds: Sequence[int], processes: int) 
 
 
 def run_participants(
-    who: PersonKind,
+    person: PersonKind,
     seeds: Sequence[int],
     modes: Sequence[Mode],
     sessions: int,
@@ -170,12 +170,12 @@ def run_participants(
 
     Up to `processes` seeds are driven at once; the results do not depend on their number.
     """
-    run = partial(_run_participant, who, modes, sessions, trials, floorplan, path, map_kind)
+    run = partial(_run_participant, person, modes, sessions, trials, floorplan, path, map_kind)
     return each_seed(run, seeds, processes)
 
 
 def _run_participant(
-    who: PersonKind,
+    person: PersonKind,
     modes: Sequence[Mode],
     sessions: int,
     trials: int,
@@ -187,7 +187,7 @@ def _run_participant(
     return [
         row
         for mode in modes
-        for row in run_sessions(mode, calibrated_participant(who, seed, map_kind), sessions, trials, floorplan, path)
+        for row in run_sessions(mode, calibrated_participant(person, seed, map_kind), sessions, trials, floorplan, path)
     ]
 
 

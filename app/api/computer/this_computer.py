@@ -32,7 +32,11 @@ class ComputerView(Document):
 @router.post("/measurement")
 @any_session(OF_CLINIC)
 async def measure(
-    body: MeasurementRequest, _who: Owner, settings: SettingsPart, graphics: GraphicsPart, measurement: MeasurementPart
+    body: MeasurementRequest,
+    _person: Owner,
+    settings: SettingsPart,
+    graphics: GraphicsPart,
+    measurement: MeasurementPart,
 ) -> ComputerView:
     """Measure this computer; answered afterwards. Refused while a chair is armed or something is recorded.
 

@@ -68,7 +68,7 @@ class NextTaskView(Answer):
 
 
 @router.get("/floorplans")
-def list_floorplans(_who: Anyone, places: PlacesPart) -> list[FloorPlanView]:
+def list_floorplans(_person: Anyone, places: PlacesPart) -> list[FloorPlanView]:
     """List the floor plans to drive in: scenes by level, then buildings; unreadable ones are left out.
 
     With the `task` of each path: `path`, `follow`, `turn`, `back` or `course`.
@@ -109,7 +109,7 @@ def needed_plan(places: ClinicPlaces, name: str) -> FloorPlan:
 
 
 @router.get("/floorplans/{name}")
-def one_floorplan(name: Name, _who: Anyone, places: PlacesPart) -> FloorPlan:
+def one_floorplan(name: Name, _person: Anyone, places: PlacesPart) -> FloorPlan:
     """Return a floor plan."""
     return needed_plan(places, name)
 
@@ -117,7 +117,7 @@ def one_floorplan(name: Name, _who: Anyone, places: PlacesPart) -> FloorPlan:
 @router.get("/patients/{patient_id}/next-task")
 def propose_task(
     patient_id: RowId,
-    who: Anyone,
+    person: Anyone,
     database: Db,
     computing: ComputingPart,
     spread: SpreadPart,
@@ -131,7 +131,7 @@ def propose_task(
     """
     with database.transaction() as db:
         find_patient(db, patient_id)
-        log_viewing(db, who.name, patient_id)
+        log_viewing(db, person.name, patient_id)
         trials = [_past(trial) for trial in trials_of(db, patient_id) if trial.status == "done"]
 
     def _is_worse(floorplan: str, path: str) -> bool:

@@ -103,14 +103,14 @@ async def live(
     graphics: GraphicsPart,
 ) -> None:
     """Send the live picture 20 times a second, and carry out the messages of the page."""
-    who = await sockets.admit(websocket)
-    if who is None:
+    person = await sockets.admit(websocket)
+    if person is None:
         return
     await websocket.accept()
-    viewing = LiveViewing(database, sockets, session_flow, websocket, who.name)
+    viewing = LiveViewing(database, sockets, session_flow, websocket, person.name)
     viewer = Viewer(websocket, viewing.may_see)
-    async with sockets.guarded(websocket, who):
-        graphics.opened(websocket, f"The page of {who.name}")
+    async with sockets.guarded(websocket, person):
+        graphics.opened(websocket, f"The page of {person.name}")
         sending = asyncio.create_task(live.serve(viewer))
         try:
             while True:

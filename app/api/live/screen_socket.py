@@ -40,12 +40,12 @@ async def screen_socket(
     websocket: WebSocket, sockets: SocketsPart, pictures: PicturesPart, driving_screen: DrivingScreenPart
 ) -> None:
     """Receive the reports of one screen; when they end, the chair that was armed from it stops."""
-    who = await sockets.admit(websocket)
-    if who is None:
+    person = await sockets.admit(websocket)
+    if person is None:
         return
     await websocket.accept()
     screen: Screen | None = None
-    async with sockets.guarded(websocket, who):
+    async with sockets.guarded(websocket, person):
         try:
             while True:
                 report = _read(await websocket.receive_text())
@@ -53,7 +53,7 @@ async def screen_socket(
                     continue
                 if screen is not None and screen.word != report.screen:
                     driving_screen.lost(screen, websocket)
-                screen = Screen(who.person_id, report.screen)
+                screen = Screen(person.person_id, report.screen)
                 if not driving_screen.report(screen, PageSign(monotonic(), report.visible, report.silence, websocket)):
                     await websocket.close(TAKEN)
                     return

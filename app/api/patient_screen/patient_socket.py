@@ -47,10 +47,10 @@ async def patient_live(
     graphics: GraphicsPart,
 ) -> None:
     """Send the picture 20 times a second, and receive the screen's reports."""
-    who = await sockets.admit_screen(websocket)
-    if who is None:
+    person = await sockets.admit_screen(websocket)
+    if person is None:
         return
-    session_id = who.session_id
+    session_id = person.session_id
 
     def _read() -> None:
         with every_patient(), database.reading() as db:
@@ -59,12 +59,12 @@ async def patient_live(
     await run_in_threadpool(_read)
     await websocket.accept()
     viewer = Viewer(websocket)
-    async with sockets.guarded(websocket, who):
+    async with sockets.guarded(websocket, person):
         graphics.opened(websocket, "A patient's screen")
         live.tell("screens")
         sending = asyncio.create_task(patient_hub.serve(viewer))
         try:
-            await _take(websocket, who.screen_id, pictures, live, graphics)
+            await _take(websocket, person.screen_id, pictures, live, graphics)
         except RuntimeError:
             pass  # closed by us
         finally:

@@ -132,7 +132,7 @@ PairedScreens = Annotated[PatientScreens, Depends(parts_for(PatientScreens))]
 
 
 @router.get("")
-async def look(_who: Clinician, paired: PairedScreens) -> ScreensView:
+async def look(_person: Clinician, paired: PairedScreens) -> ScreensView:
     """Return the screens of this session; none without a session."""
     try:
         return await paired.view()
@@ -143,7 +143,7 @@ async def look(_who: Clinician, paired: PairedScreens) -> ScreensView:
 @router.post("/pairing", status_code=201)
 async def offer(
     request: Request,
-    who: ClinicianInSession,
+    person: ClinicianInSession,
     settings: SettingsPart,
     session_flow: SessionFlowPart,
     pairing: PairingPart,
@@ -153,7 +153,7 @@ async def offer(
     `message`: when only this machine can open the link.
     """
     session: PatientSession = await session_flow.needed_session()
-    made = pairing.offer(session.id, who.name)
+    made = pairing.offer(session.id, person.name)
     address = await asyncio.to_thread(own_address, settings, request)
     # The part behind # is not sent to a server, so it appears in no log.
     url = f"{address.base}patient.html#pair={made.code}"
@@ -217,7 +217,7 @@ def who_am_i(request: Request, database: Db) -> ScreenStateView:
 @router.post("/settings")
 async def choose(
     body: ScreenSettings,
-    _who: ClinicianInSession,
+    _person: ClinicianInSession,
     paired: PairedScreens,
     database: Db,
     session_flow: SessionFlowPart,
@@ -240,7 +240,7 @@ async def choose(
 @router.delete("/{screen_id}")
 async def unpair(
     screen_id: RowId,
-    who: ClinicianInSession,
+    person: ClinicianInSession,
     paired: PairedScreens,
     database: Db,
     sockets: SocketsPart,
@@ -251,7 +251,7 @@ async def unpair(
 
     def _unpair() -> None:
         with database.transaction(closing=True) as db:
-            unpair_screen(db, screen_id, who.name)
+            unpair_screen(db, screen_id, person.name)
 
     await run_in_threadpool(_unpair)
     pictures.unpair(screen_id)

@@ -72,7 +72,7 @@ class ReplayMoment(Document):
 @any_session(LOOKS)
 def open_replay(
     body: NewReplay,
-    who: Anyone,
+    person: Anyone,
     *,
     settings: SettingsPart,
     database: Db,
@@ -91,9 +91,9 @@ def open_replay(
     with database.reading() as db:
         trial = find_trial(db, body.trial)
     require_ended(trial)
-    word = replays.add(who.person_id, lambda: _replay_of(settings, computing, runs, trial))
+    word = replays.add(person.person_id, lambda: _replay_of(settings, computing, runs, trial))
     with database.transaction(closing=True) as db:  # nothing is shown yet: the word has not been answered
-        write_log(db, who.name, "trial viewed", trial=trial.id)
+        write_log(db, person.name, "trial viewed", trial=trial.id)
     return ReplayView(id=word)
 
 
@@ -102,7 +102,7 @@ def open_replay(
 def show_moment(
     word: Word,
     body: ReplayMoment,
-    who: Anyone,
+    person: Anyone,
     trial_flow: TrialFlowPart,
     drive_flow: DriveFlowPart,
     replays: ReplaysPart,
@@ -112,14 +112,14 @@ def show_moment(
     404 when it is closed, 409 while anybody drives.
     """
     refuse_while_driving(trial_flow, drive_flow)
-    replays.find(word, who.person_id).show(body.t, body.view)
+    replays.find(word, person.person_id).show(body.t, body.view)
 
 
 @router.delete("/replays/{word}", status_code=204)
 @any_session(LOOKS)
-def close_replay(word: Word, who: Anyone, replays: ReplaysPart) -> None:
+def close_replay(word: Word, person: Anyone, replays: ReplaysPart) -> None:
     """Close a replay; do nothing when it is closed already."""
-    replays.close(word, who.person_id)
+    replays.close(word, person.person_id)
 
 
 def refuse_while_driving(trial_flow: TrialFlow, drive_flow: RealDriveFlow) -> None:
@@ -140,9 +140,9 @@ page = ViewPage(client_page(MARK))
 
 
 @page_router.get("/view/replay/{word}/", include_in_schema=False)
-def replay_page(word: Word, who: Anyone, replays: ReplaysPart, request: Request) -> Response:
+def replay_page(word: Word, person: Anyone, replays: ReplaysPart, request: Request) -> Response:
     """Return the page that shows a replay."""
-    replays.find(word, who.person_id)
+    replays.find(word, person.person_id)
     return page.answer(request)
 
 
@@ -150,19 +150,19 @@ def replay_page(word: Word, who: Anyone, replays: ReplaysPart, request: Request)
 @page_router.websocket("/view/replay/{word}/")
 async def replay_socket(websocket: WebSocket, word: str, sockets: SocketsPart, replays: ReplaysPart) -> None:
     """Connect the page of a replay with its server, for the person who opened it."""
-    who = await sockets.admit(websocket)
-    if who is None:
+    person = await sockets.admit(websocket)
+    if person is None:
         return
-    if who.locked:
+    if person.locked:
         await websocket.close(NO_VIEW)
         return
     try:
-        port = replays.find(word, who.person_id).port
+        port = replays.find(word, person.person_id).port
     except NotFound:
         await websocket.close(NO_VIEW)
         return
     if SUBPROTOCOL not in websocket.scope.get("subprotocols", []):
         await websocket.close(NO_VIEW)
         return
-    async with sockets.guarded(websocket, who, lambda now: now.sees(None)):
+    async with sockets.guarded(websocket, person, lambda now: now.sees(None)):
         await bridge(websocket, "patient", port)  # as on the patient's screen: the browser may only tell its camera

@@ -22,7 +22,7 @@ def require_ended(trial: Trial) -> None:
 
 @router.get("/trials/{trial_id}/timeline", response_model=Timeline)
 def trial_timeline(
-    trial_id: RowId, who: Anyone, database: Db, runs: RunsPart, timelines: TimelinesPart, request: Request
+    trial_id: RowId, person: Anyone, database: Db, runs: RunsPart, timelines: TimelinesPart, request: Request
 ) -> Response:
     """Return a trial on one time line: pose, commands, gestures, signals and events.
 
@@ -40,7 +40,7 @@ def trial_timeline(
     except (ValueError, OSError) as error:
         raise NotFound("The recording of this trial cannot be read: restore it from a backup.") from error
     with database.transaction(closing=True) as db:
-        write_log(db, who.name, "trial viewed", trial=trial_id)
+        write_log(db, person.name, "trial viewed", trial=trial_id)
     headers = {"Cache-Control": "private, no-cache", "Vary": "Accept-Encoding"}
     if "gzip" in request.headers.get("accept-encoding", ""):
         return Response(packed, media_type="application/json", headers=headers | {"Content-Encoding": "gzip"})

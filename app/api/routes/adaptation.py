@@ -165,7 +165,7 @@ State = Annotated[AdaptationState, Depends(parts_for(AdaptationState))]
 
 
 @router.get("/adaptation")
-async def look(_who: Anyone, state: State) -> AdaptationView:
+async def look(_person: Anyone, state: State) -> AdaptationView:
     """Return the proposal to adapt the map, or why there is none.
 
     `why`: there is no proposal or nothing to apply; `refusal`: nothing may be applied now; `practised`: kept trials
@@ -176,51 +176,51 @@ async def look(_who: Anyone, state: State) -> AdaptationView:
 
 
 @router.put("/adaptation")
-async def choose_mode(body: AdaptationModeChoice, who: ClinicianInSession, state: State) -> AdaptationView:
+async def choose_mode(body: AdaptationModeChoice, person: ClinicianInSession, state: State) -> AdaptationView:
     """Choose whether this patient's map is adapted: off, suggest, or auto (by itself, between trials)."""
     session = await state.session_flow.needed_session()
-    await state.flow.set_mode(session, body.mode, who.name)
+    await state.flow.set_mode(session, body.mode, person.name)
     return await state.view()
 
 
 @router.post("/adaptation/propose")
-async def propose(_who: ClinicianInSession, state: State) -> AdaptationView:
+async def propose(_person: ClinicianInSession, state: State) -> AdaptationView:
     """Make a proposal from the last trials now, whatever the mode is."""
     await state.flow.propose(await state.session_flow.needed_session())
     return await state.view()
 
 
 @router.post("/adaptation/apply")
-async def apply(body: ProposalChoice, who: ClinicianInSession, state: State) -> AdaptationView:
+async def apply(body: ProposalChoice, person: ClinicianInSession, state: State) -> AdaptationView:
     """Make a proposal the next version of the map; only between trials, and never with a real chair.
 
     409 while anything is driven, armed or moves, with a real chair chosen, or when controls or trials changed since.
     """
-    await state.flow.apply(body.proposal, who.name)
+    await state.flow.apply(body.proposal, person.name)
     return await state.view()
 
 
 @router.post("/adaptation/dismiss")
-async def dismiss(body: ProposalChoice, _who: ClinicianInSession, state: State) -> AdaptationView:
+async def dismiss(body: ProposalChoice, _person: ClinicianInSession, state: State) -> AdaptationView:
     """Dismiss a proposal; 409 as for `apply`."""
     await state.flow.dismiss(await state.session_flow.needed_session(), body.proposal)
     return await state.view()
 
 
 @router.post("/adaptation/back")
-async def back(who: ClinicianInSession, state: State) -> AdaptationView:
+async def back(person: ClinicianInSession, state: State) -> AdaptationView:
     """Restore the map before, as a new version.
 
     409 as for `apply`. The mode `auto` becomes `suggest`.
     """
-    await state.flow.back(who.name)
+    await state.flow.back(person.name)
     return await state.view()
 
 
 @router.get("/patients/{patient_id}/maps")
-def list_maps(patient_id: RowId, who: Anyone, database: Db) -> list[MapView]:
+def list_maps(patient_id: RowId, person: Anyone, database: Db) -> list[MapView]:
     """List the versions of a patient's map, the newest first."""
     with database.transaction(closing=True) as db:
         find_patient(db, patient_id)
-        log_viewing(db, who.name, patient_id)
+        log_viewing(db, person.name, patient_id)
         return [MapView.of(version) for version in versions_of(db, patient_id)]

@@ -57,7 +57,7 @@ async def _view(calibration_flow: CalibrationFlow, session: PatientSession) -> C
 
 @router.get("")
 async def look(
-    _who: Clinician, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+    _person: Clinician, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Return the state of the calibration.
 
@@ -68,7 +68,7 @@ async def look(
 
 
 @router.get("/gestures")
-async def gestures(_who: Clinician, discoveries: DiscoveriesPart, session_flow: SessionFlowPart) -> Discovery:
+async def gestures(_person: Clinician, discoveries: DiscoveriesPart, session_flow: SessionFlowPart) -> Discovery:
     """Return all gestures of the calibration under way, or else of the newest accepted one.
 
     The best first (docs/learning/gestures.md). `weakest`: the number furthest beyond its limit; `effort` in FS; null:
@@ -80,7 +80,7 @@ async def gestures(_who: Clinician, discoveries: DiscoveriesPart, session_flow: 
 
 @router.post("/steps/{step}/start")
 async def start_step(
-    step: StepName, _who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+    step: StepName, _person: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Record a step, for the first time or again."""
     async with session_flow.undisturbed("start a step"):
@@ -91,7 +91,7 @@ async def start_step(
 
 @router.post("/steps/{step}/cancel")
 async def cancel_step(
-    step: StepName, _who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+    step: StepName, _person: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Stop recording a step."""
     session = await session_flow.needed_session()
@@ -101,7 +101,7 @@ async def cancel_step(
 
 @router.post("/steps/{step}/skip")
 async def skip_step(
-    step: StepName, _who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+    step: StepName, _person: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Skip a prompted movement that this patient cannot make."""
     async with session_flow.undisturbed("skip a step"):
@@ -112,7 +112,7 @@ async def skip_step(
 
 @router.post("/go")
 async def go_to_step(
-    body: StepChoice, _who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+    body: StepChoice, _person: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Show another step."""
     session = await session_flow.needed_session()
@@ -122,7 +122,7 @@ async def go_to_step(
 
 @router.post("/restart")
 async def begin_anew(
-    _who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+    _person: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Begin the calibration anew; earlier recordings no longer count."""
     async with session_flow.undisturbed("begin anew"):
@@ -134,7 +134,7 @@ async def begin_anew(
 @router.post("/map")
 async def choose(
     body: MapChoice,
-    _who: ClinicianInSession,
+    _person: ClinicianInSession,
     database: Db,
     calibration_flow: CalibrationFlowPart,
     session_flow: SessionFlowPart,
@@ -156,7 +156,7 @@ async def choose(
 @router.post("/sitting")
 async def say_how_it_sits(
     body: SittingChoice,
-    who: ClinicianInSession,
+    person: ClinicianInSession,
     database: Db,
     calibration_flow: CalibrationFlowPart,
     session_flow: SessionFlowPart,
@@ -171,7 +171,9 @@ async def say_how_it_sits(
         session = await session_flow.needed_session()
         if calibration_flow.running:
             raise Conflict("A step is being recorded, or the calibration is being worked out: wait for its end.")
-        await asyncio.to_thread(override_rotation, database, session.id, body.joint, who.name, is_right=body.is_right)
+        await asyncio.to_thread(
+            override_rotation, database, session.id, body.joint, person.name, is_right=body.is_right
+        )
         await calibration_flow.fit_again(session.id)
     live.tell("calibration")
     return await _view(calibration_flow, session)
@@ -179,7 +181,7 @@ async def say_how_it_sits(
 
 @router.post("/drive-now")
 async def drive_now(
-    who: ClinicianInSession,
+    person: ClinicianInSession,
     database: Db,
     calibration_flow: CalibrationFlowPart,
     session_flow: SessionFlowPart,
@@ -192,7 +194,7 @@ async def drive_now(
     async with session_flow.undisturbed("drive now"):
         session = await session_flow.needed_session()
         await calibration_flow.fit_from_others(session.id)
-        await _accept(who, database, calibration_flow, session_flow, session)
+        await _accept(person, database, calibration_flow, session_flow, session)
         await calibration_flow.learn(session.id)
     for event in ("calibration", "controls", "session"):
         live.tell(event)
@@ -201,7 +203,7 @@ async def drive_now(
 
 @router.post("/fit-earlier")
 async def fit_earlier(
-    who: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart, live: LivePart
+    person: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart, live: LivePart
 ) -> CalibrationView:
     """Fit the patient's earlier calibration to the shirt as it sits today, and use it at once.
 
@@ -209,7 +211,7 @@ async def fit_earlier(
     """
     async with session_flow.undisturbed("fit the calibration"):
         session = await session_flow.needed_session()
-        await calibration_flow.fit_earlier(session.id, who.name)
+        await calibration_flow.fit_earlier(session.id, person.name)
         await session_flow.try_load_parameters()
     for event in ("calibration", "controls", "adaptation"):
         live.tell(event)
@@ -218,7 +220,7 @@ async def fit_earlier(
 
 @router.post("/accept")
 async def accept(
-    who: ClinicianInSession,
+    person: ClinicianInSession,
     database: Db,
     calibration_flow: CalibrationFlowPart,
     session_flow: SessionFlowPart,
@@ -227,7 +229,7 @@ async def accept(
     """Save the profile as the patient's newest, and load standard parameters on it."""
     async with session_flow.undisturbed("use this calibration"):
         session = await session_flow.needed_session()
-        await _accept(who, database, calibration_flow, session_flow, session)
+        await _accept(person, database, calibration_flow, session_flow, session)
         await calibration_flow.learn(session.id)
     for event in ("calibration", "controls", "session"):
         live.tell(event)
@@ -235,7 +237,7 @@ async def accept(
 
 
 async def _accept(
-    who: SignedInPerson,
+    person: SignedInPerson,
     database: Database,
     calibration_flow: CalibrationFlow,
     session_flow: SessionFlow,
@@ -254,7 +256,7 @@ async def _accept(
             row = save_profile(db, session.patient_id, session.id, profile, simulated=simulated)
             save_parameters(db, row, standard_parameters(profile))
             db.get_one(PatientSession, session.id).accepted = True
-            write_log(db, who.name, "calibration accepted", patient=session.patient_id, version=row.version)
+            write_log(db, person.name, "calibration accepted", patient=session.patient_id, version=row.version)
 
     await asyncio.to_thread(_save)
     await session_flow.try_load_parameters()

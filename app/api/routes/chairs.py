@@ -83,7 +83,7 @@ async def _view(database: Database, chairs: Chairs) -> ChairsView:
 
 
 @router.get("")
-async def look(_who: Anyone, database: Db, chairs: ChairsPart) -> ChairsView:
+async def look(_person: Anyone, database: Db, chairs: ChairsPart) -> ChairsView:
     """Return the chairs."""
     return await _view(database, chairs)
 
@@ -91,7 +91,7 @@ async def look(_who: Anyone, database: Db, chairs: ChairsPart) -> ChairsView:
 @router.post("", status_code=201)
 @any_session(OF_CLINIC)
 async def pair(
-    body: NewChair, who: Owner, settings: SettingsPart, database: Db, chairs: ChairsPart, live: LivePart
+    body: NewChair, person: Owner, settings: SettingsPart, database: Db, chairs: ChairsPart, live: LivePart
 ) -> PairedView:
     """Pair a chair: make its key, store it in a file on this machine, and show it this once.
 
@@ -100,10 +100,10 @@ async def pair(
 
     def _pair() -> Key:
         with database.transaction() as db:
-            clinic = db.get_one(Clinic, who.clinic_id)
+            clinic = db.get_one(Clinic, person.clinic_id)
             keys = settings.keys
             chair, key = pair_chair(db, clinic, keys, body.name, body.host, body.port, body.speeds)
-            write_log(db, who.name, "chair paired", chair=chair.id, key_id=key.id, host=body.host, port=body.port)
+            write_log(db, person.name, "chair paired", chair=chair.id, key_id=key.id, host=body.host, port=body.port)
             return key
 
     key = await asyncio.to_thread(_pair)
@@ -116,7 +116,7 @@ async def pair(
 @any_session(OF_CLINIC)
 async def unpair(
     chair_id: RowId,
-    who: Owner,
+    person: Owner,
     settings: SettingsPart,
     database: Db,
     chairs: ChairsPart,
@@ -131,7 +131,7 @@ async def unpair(
     def _unpair() -> None:
         with database.transaction(closing=True) as db:
             chair = unpair_chair(db, settings.keys, chair_id)
-            write_log(db, who.name, "chair unpaired", chair=chair.id, key_id=chair.key_id)
+            write_log(db, person.name, "chair unpaired", chair=chair.id, key_id=chair.key_id)
 
     async with session_flow.undisturbed("unpair a chair"):
         if chairs.chosen is not None and chairs.chosen.id == chair_id:
@@ -143,13 +143,13 @@ async def unpair(
 
 @router.put("/chosen")
 async def choose(
-    body: Choice, who: ClinicianInSession, database: Db, chairs: ChairsPart, session_flow: SessionFlowPart
+    body: Choice, person: ClinicianInSession, database: Db, chairs: ChairsPart, session_flow: SessionFlowPart
 ) -> ChairsView:
     """Use another chair."""
     async with session_flow.undisturbed("choose another chair"):
         chair = None if body.id is None else await asyncio.to_thread(_find, database, body.id)
         await chairs.choose(chair, body.dynamics)
-    await asyncio.to_thread(_note, database, who, body)
+    await asyncio.to_thread(_note, database, person, body)
     return await _view(database, chairs)
 
 
@@ -158,6 +158,6 @@ def _find(database: Database, chair_id: int) -> PairedChair:
         return find_chair(db, chair_id)
 
 
-def _note(database: Database, who: SignedInPerson, choice: Choice) -> None:
+def _note(database: Database, person: SignedInPerson, choice: Choice) -> None:
     with database.transaction() as db:
-        write_log(db, who.name, "chair chosen", chair=choice.id, dynamics=choice.dynamics)
+        write_log(db, person.name, "chair chosen", chair=choice.id, dynamics=choice.dynamics)

@@ -45,7 +45,7 @@ class QualityView(Document):
 @router.get("/patients/{patient_id}/quality")
 def quality(
     patient_id: RowId,
-    who: Anyone,
+    person: Anyone,
     database: Db,
     computing: ComputingPart,
     qualities: QualitiesPart,
@@ -61,7 +61,7 @@ def quality(
         find_patient(db, patient_id)
         trials = trials_of(db, patient_id, floorplan, path)
         newest = newest_profile(db, patient_id)
-        log_viewing(db, who.name, patient_id)
+        log_viewing(db, person.name, patient_id)
     assessments = qualities.assessments([trial for trial in trials if trial.run.source.group == source])
     found = computing.ask(control_warnings, assessments, None if newest is None else newest.version)
     return QualityView(

@@ -121,7 +121,7 @@ class PatientControls:
 
         return await asyncio.to_thread(read)
 
-    async def change(self, who: SignedInPerson, what: str, change: Change) -> ControlsView:
+    async def change(self, person: SignedInPerson, what: str, change: Change) -> ControlsView:
         """Change the current set, and load it into the control process."""
 
         def write(session: PatientSession) -> ControlsView:
@@ -129,7 +129,7 @@ class PatientControls:
             with self.database.transaction() as db:
                 row = change(db, session, suggestion)
                 view = self._view(db, session.patient_id, suggestion)
-                write_log(db, who.name, what, patient=session.patient_id, parameters=row.id, hash=view.hash)
+                write_log(db, person.name, what, patient=session.patient_id, parameters=row.id, hash=view.hash)
                 return view
 
         async with self.session_flow.undisturbed("change the controls"):
@@ -163,7 +163,7 @@ Controls = Annotated[PatientControls, Depends(parts_for(PatientControls))]
 
 
 @router.get("")
-async def look(_who: Clinician, controls: Controls) -> ControlsView:
+async def look(_person: Clinician, controls: Controls) -> ControlsView:
     """Return the current parameter set.
 
     `held`: speeds that clinic or chair do not allow, with what holds instead. `obstacle`: why the set cannot drive, and
@@ -173,20 +173,20 @@ async def look(_who: Clinician, controls: Controls) -> ControlsView:
 
 
 @router.get("/obstacle")
-async def look_at_obstacle(_who: Clinician, session_flow: SessionFlowPart) -> ObstacleView | None:
+async def look_at_obstacle(_person: Clinician, session_flow: SessionFlowPart) -> ObstacleView | None:
     """Return why the current parameter set cannot drive; null when it can, and without a calibration."""
     return ObstacleView.of(await asyncio.to_thread(session_flow.current_obstacle))
 
 
 @router.put("")
-async def set_controls(body: ControlSettings, who: ClinicianInSession, controls: Controls) -> ControlsView:
+async def set_controls(body: ControlSettings, person: ClinicianInSession, controls: Controls) -> ControlsView:
     """Set the controls; an invalid set changes nothing."""
 
     def _set(db: Transaction, session: PatientSession, _suggestion: SuggestedVocabulary) -> ParameterSet:
         _row, profile = current_parameters(db, session.patient_id)
         return save_parameters(db, profile, _whole(body.model_dump(mode="json"), profile))
 
-    return await controls.change(who, "controls set", _set)
+    return await controls.change(person, "controls set", _set)
 
 
 def _whole(settings: dict[str, Any], profile: Profile) -> DriveParameters:
@@ -197,23 +197,23 @@ def _whole(settings: dict[str, Any], profile: Profile) -> DriveParameters:
 
 
 @router.post("/undo")
-async def undo(who: ClinicianInSession, controls: Controls) -> ControlsView:
+async def undo(person: ClinicianInSession, controls: Controls) -> ControlsView:
     """Undo: make the set before current."""
     return await controls.change(
-        who, "controls undone", lambda db, session, _: step_parameters(db, session.patient_id, back=True)
+        person, "controls undone", lambda db, session, _: step_parameters(db, session.patient_id, back=True)
     )
 
 
 @router.post("/redo")
-async def redo(who: ClinicianInSession, controls: Controls) -> ControlsView:
+async def redo(person: ClinicianInSession, controls: Controls) -> ControlsView:
     """Redo: make the set that was undone current."""
     return await controls.change(
-        who, "controls redone", lambda db, session, _: step_parameters(db, session.patient_id, back=False)
+        person, "controls redone", lambda db, session, _: step_parameters(db, session.patient_id, back=False)
     )
 
 
 @router.post("/suggest")
-async def suggest(who: ClinicianInSession, controls: Controls) -> ControlsView:
+async def suggest(person: ClinicianInSession, controls: Controls) -> ControlsView:
     """Bind the gestures that the calibration suggests, with its dead-zones and fulls."""
 
     def _suggest(db: Transaction, session: PatientSession, suggestion: SuggestedVocabulary) -> ParameterSet:
@@ -221,12 +221,12 @@ async def suggest(who: ClinicianInSession, controls: Controls) -> ControlsView:
         settings = {**row.settings, **suggestion.model_dump(mode="json", include={"gestures", "bindings"})}
         return save_parameters(db, profile_row, _whole(settings, profile_row))
 
-    return await controls.change(who, "controls suggested", _suggest)
+    return await controls.change(person, "controls suggested", _suggest)
 
 
 @router.post("/load")
-async def load(body: TitleChoice, who: ClinicianInSession, controls: Controls) -> ControlsView:
+async def load(body: TitleChoice, person: ClinicianInSession, controls: Controls) -> ControlsView:
     """Make a saved set the current one."""
     return await controls.change(
-        who, "controls loaded", lambda db, session, _: load_titled(db, session.patient_id, body.title)
+        person, "controls loaded", lambda db, session, _: load_titled(db, session.patient_id, body.title)
     )

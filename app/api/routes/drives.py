@@ -107,7 +107,7 @@ class DriveView(Answer):
 
 
 @router.get("/summary")
-async def summary(_who: Anyone, chairs: ChairsPart, arming: ArmingPart) -> Summary:
+async def summary(_person: Anyone, chairs: ChairsPart, arming: ArmingPart) -> Summary:
     """Return what arming the chosen chair would apply, and the reasons against it.
 
     Differences to the last practised set by `kind`: `field`, `binding` or `gesture`; null: there is none yet.
@@ -129,7 +129,7 @@ async def summary(_who: Anyone, chairs: ChairsPart, arming: ArmingPart) -> Summa
 async def arm(
     body: NewDrive,
     request: Request,
-    who: ClinicianInSession,
+    person: ClinicianInSession,
     *,
     database: Db,
     drive_flow: DriveFlowPart,
@@ -153,36 +153,36 @@ async def arm(
             raise HTTPException(409, CHANGED)  # unreachable: each of these is among the refusals
         if now.parameters.hash != body.hash:
             raise Conflict(CHANGED)
-        age = screens.age(Screen(who.person_id, body.screen), monotonic())
+        age = screens.age(Screen(person.person_id, body.screen), monotonic())
         if age is None or age > HEARD_WITHIN:
             raise Conflict(NOT_IN_VIEW)
         obstacle = await session_flow.load_parameters()
         if obstacle is not None:
             raise Conflict(obstacle)
-        starter = Starter(who.person_id, who.name, body.screen)
+        starter = Starter(person.person_id, person.name, body.screen)
         drive_id = await drive_flow.start(now.session, starter, chair, now.parameters_id, body.hash)
     return await asyncio.to_thread(_one, database, drive_id)
 
 
 @router.post("/current/end")
 async def end_drive(
-    who: ClinicianInSession, authority: Authority, database: Db, drive_flow: DriveFlowPart
+    person: ClinicianInSession, authority: Authority, database: Db, drive_flow: DriveFlowPart
 ) -> DriveView:
     """End the drive; answer when its recording is closed."""
-    authority.require_controller(who)
+    authority.require_controller(person)
     drive_id = await drive_flow.end()
     return await asyncio.to_thread(_one, database, drive_id)
 
 
 @router.get("")
-def list_drives(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, database: Db) -> list[DriveView]:
+def list_drives(patient: Annotated[int, Query(ge=1, le=2**31)], person: Anyone, database: Db) -> list[DriveView]:
     """List a patient's drives, the newest last.
 
     `end`: `by hand` or `fault`; `distance` null: it never moved.
     """
     with database.transaction(closing=True) as db:
         find_patient(db, patient)
-        log_viewing(db, who.name, patient)
+        log_viewing(db, person.name, patient)
         return [DriveView.of(drive) for drive in drives_of(db, patient)]
 
 

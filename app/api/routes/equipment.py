@@ -203,7 +203,7 @@ State = Annotated[EquipmentState, Depends(parts_for(EquipmentState))]
 
 
 @router.get("")
-async def look(_who: Anyone, state: State) -> EquipmentView:
+async def look(_person: Anyone, state: State) -> EquipmentView:
     """Return the equipment in use, and what can be chosen.
 
     `shirt` null: none chosen yet. `disk.message` is empty above 2 GB and changes within a second (event `disk`).
@@ -212,7 +212,7 @@ async def look(_who: Anyone, state: State) -> EquipmentView:
 
 
 @router.get("/shirts")
-def list_shirts(_who: Anyone) -> list[ShirtKindView]:
+def list_shirts(_person: Anyone) -> list[ShirtKindView]:
     """Return the kinds of shirts that can be chosen.
 
     `form` is the JSON schema of a configuration, of which the page makes the form (docs/drivers.md).
@@ -235,7 +235,11 @@ def practice(equipment: EquipmentPart) -> PracticeShirt:
 
 @router.put("/shirt")
 async def choose_shirt(
-    body: AnyShirtConfig, who: ClinicianInSession, state: State, equipment: EquipmentPart, session_flow: SessionFlowPart
+    body: AnyShirtConfig,
+    person: ClinicianInSession,
+    state: State,
+    equipment: EquipmentPart,
+    session_flow: SessionFlowPart,
 ) -> EquipmentView:
     """Open another shirt; when it does not open, the one before stays.
 
@@ -247,11 +251,11 @@ async def choose_shirt(
             await equipment.use_shirt(config)
         finally:
             await session_flow.try_load_parameters()
-    return await state.logged_view(who.name, "shirt chosen", kind=config["kind"])
+    return await state.logged_view(person.name, "shirt chosen", kind=config["kind"])
 
 
 @router.get("/sender")
-async def look_at_senders(_who: Anyone, control: ControlPart) -> SendersView:
+async def look_at_senders(_person: Anyone, control: ControlPart) -> SendersView:
     """Return who sends frames to the shirt's port."""
     status = await control.call("status")
     return SendersView.model_validate(status["shirt"].get("senders") or {"shirt": "", "other": "", "others": 0})
@@ -259,7 +263,11 @@ async def look_at_senders(_who: Anyone, control: ControlPart) -> SendersView:
 
 @router.put("/sender")
 async def choose_sender(
-    body: ChosenSender, who: ClinicianInSession, state: State, equipment: EquipmentPart, session_flow: SessionFlowPart
+    body: ChosenSender,
+    person: ClinicianInSession,
+    state: State,
+    equipment: EquipmentPart,
+    session_flow: SessionFlowPart,
 ) -> EquipmentView:
     """Take another sender as the shirt; refused while anything is armed, driven or recorded.
 
@@ -267,12 +275,12 @@ async def choose_sender(
     """
     async with session_flow.undisturbed("change the shirt's sender"):
         await equipment.use_sender(body.sender)
-    return await state.logged_view(who.name, "shirt's sender chosen", sender=body.sender)
+    return await state.logged_view(person.name, "shirt's sender chosen", sender=body.sender)
 
 
 @router.put("/body")
 async def choose_body(
-    body: BodyConfig, who: ClinicianInSession, state: State, equipment: EquipmentPart, session_flow: SessionFlowPart
+    body: BodyConfig, person: ClinicianInSession, state: State, equipment: EquipmentPart, session_flow: SessionFlowPart
 ) -> EquipmentView:
     """Choose another simulated body for the simulated shirt.
 
@@ -281,12 +289,12 @@ async def choose_body(
     config = body.model_dump(mode="json")
     async with session_flow.undisturbed("change the body"):
         await equipment.use_body(config)
-    return await state.logged_view(who.name, "body chosen", kind=config["kind"])
+    return await state.logged_view(person.name, "body chosen", kind=config["kind"])
 
 
 @router.put("/head")
 async def choose_head(
-    body: HeadTrackerChoice, who: ClinicianInSession, state: State, head: HeadPart, session_flow: SessionFlowPart
+    body: HeadTrackerChoice, person: ClinicianInSession, state: State, head: HeadPart, session_flow: SessionFlowPart
 ) -> EquipmentView:
     """Use another head tracker, or none.
 
@@ -295,11 +303,11 @@ async def choose_head(
     config = None if body.config is None else body.config.model_dump(mode="json")
     async with session_flow.undisturbed("change the head tracker"):
         await head.use(config)
-    return await state.logged_view(who.name, "head tracker chosen", kind=config["kind"] if config else None)
+    return await state.logged_view(person.name, "head tracker chosen", kind=config["kind"] if config else None)
 
 
 @router.post("/head/ahead")
-async def look_ahead(_who: ClinicianInSession, state: State, head: HeadPart) -> EquipmentView:
+async def look_ahead(_person: ClinicianInSession, state: State, head: HeadPart) -> EquipmentView:
     """Count where the head looks now as straight ahead."""
     await head.set_ahead()
     return await state.view()
@@ -307,19 +315,23 @@ async def look_ahead(_who: ClinicianInSession, state: State, head: HeadPart) -> 
 
 @router.put("/unused")
 async def mark_unused(
-    body: UnusedChannels, who: ClinicianInSession, state: State, equipment: EquipmentPart, session_flow: SessionFlowPart
+    body: UnusedChannels,
+    person: ClinicianInSession,
+    state: State,
+    equipment: EquipmentPart,
+    session_flow: SessionFlowPart,
 ) -> EquipmentView:
     """Mark channels as unused; the next calibration leaves them out."""
     async with session_flow.undisturbed("change which sensors are used"):
         await equipment.leave_unused(body.channels)
-    return await state.logged_view(who.name, "channels marked", unused=equipment.unused)
+    return await state.logged_view(person.name, "channels marked", unused=equipment.unused)
 
 
 @router.post("/files", status_code=201)
 @any_session(OF_CLINIC)
 async def bring_file(
     file: UploadFile,
-    who: Clinician,
+    person: Clinician,
     *,
     state: State,
     database: Db,
@@ -342,7 +354,7 @@ async def bring_file(
     await asyncio.to_thread(note_patient)
     live.tell("equipment")
     return await state.logged_view(
-        who.name,
+        person.name,
         "file added",
         kind=kept.kind,
         size=kept.size,

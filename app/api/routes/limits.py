@@ -10,17 +10,17 @@ router = APIRouter(prefix="/limits", tags=["limits"])
 
 
 @router.get("")
-async def look(_who: Anyone, clinic_limits: LimitsPart) -> Speeds:
+async def look(_person: Anyone, clinic_limits: LimitsPart) -> Speeds:
     """Return the clinic's limits."""
     return clinic_limits.speeds
 
 
 @router.put("")
 @any_session(OF_CLINIC)
-async def set_limits(body: Speeds, who: Owner, clinic_limits: LimitsPart) -> Speeds:
+async def set_limits(body: Speeds, person: Owner, clinic_limits: LimitsPart) -> Speeds:
     """Set the clinic's limits: lower ones hold at once, higher ones only while the chair stands.
 
     For owners. A set above the limits keeps its numbers and drives at the smaller ones.
     """
-    await clinic_limits.set(body, who.name)
+    await clinic_limits.set(body, person.name)
     return clinic_limits.speeds

@@ -75,7 +75,7 @@ def _keep(
 
 
 @router.get("")
-def list_models(_who: Clinician, settings: SettingsPart) -> list[ModelView]:
+def list_models(_person: Clinician, settings: SettingsPart) -> list[ModelView]:
     """List the objects that a box can show."""
     return _list(settings.models)
 
@@ -84,7 +84,7 @@ def list_models(_who: Clinician, settings: SettingsPart) -> list[ModelView]:
 @any_session(OF_CLINIC)
 async def bring_model(
     file: UploadFile,
-    who: Clinician,
+    person: Clinician,
     settings: SettingsPart,
     database: Db,
     replaced: ReplacedFilesPart,
@@ -102,7 +102,7 @@ async def bring_model(
 
     def keep() -> list[ModelView]:
         name = _keep(settings.models, replaced, file, same_name, metres_per_unit)
-        _log(database, who.name, name, same_name)
+        _log(database, person.name, name, same_name)
         return _list(settings.models)
 
     return await readings.run(keep)

@@ -125,27 +125,27 @@ def _view_with(patient: Patient, figures: PatientFigures) -> PatientView:
 
 
 @router.get("/patients")
-def list_patients(who: Anyone, database: Db) -> list[PatientView]:
+def list_patients(person: Anyone, database: Db) -> list[PatientView]:
     """List the patients, the last seen first."""
     with database.transaction(closing=True) as db:
-        log_listing(db, who.name)
+        log_listing(db, person.name)
         return _views(db, all_patients(db))
 
 
 @router.post("/patients", status_code=201)
 @any_session(OWN_NAME)
-def new_patient(body: NewPatient, who: Clinician, database: Db) -> PatientView:
+def new_patient(body: NewPatient, person: Clinician, database: Db) -> PatientView:
     """Add a patient."""
     with database.transaction() as db:
         patient = add_patient(db, body.code, body.pseudonym, body.note)
-        write_log(db, who.name, "patient added", patient=patient.id)
+        write_log(db, person.name, "patient added", patient=patient.id)
         return _view(db, patient)
 
 
 @router.delete("/patients/{patient_id}")
 @any_session(OWN_NAME)
 def remove_patient(
-    patient_id: RowId, who: Clinician, database: Db, replays: ReplaysPart, body: Deletion | None = None
+    patient_id: RowId, person: Clinician, database: Db, replays: ReplaysPart, body: Deletion | None = None
 ) -> PatientView:
     """Delete a patient: everything of the patient is hidden at once, and erased after 30 days; it can be undone.
 
@@ -156,7 +156,7 @@ def remove_patient(
     reason = "" if body is None else body.reason.strip()
     with database.transaction() as db:
         patient = delete_patient(db, patient_id, reason)
-        write_log(db, who.name, "patient deleted", patient=patient_id, reason_given=bool(reason))
+        write_log(db, person.name, "patient deleted", patient=patient_id, reason_given=bool(reason))
         view = _view(db, patient)
     replays.close_all()  # an open replay may be one of this patient
     return view
@@ -164,15 +164,15 @@ def remove_patient(
 
 @router.post("/patients/{patient_id}/restore")
 @any_session(OWN_NAME)
-def undo_removal(patient_id: RowId, who: Clinician, database: Db) -> PatientView:
+def undo_removal(patient_id: RowId, person: Clinician, database: Db) -> PatientView:
     """Undo the deletion of a patient."""
     with database.transaction() as db:
         patient = restore_patient(db, patient_id)
-        write_log(db, who.name, "patient restored", patient=patient_id)
+        write_log(db, person.name, "patient restored", patient=patient_id)
         return _view(db, patient)
 
 
-def current_session(database: Database, session_flow: SessionFlow, who: SignedInPerson) -> CurrentSession:
+def current_session(database: Database, session_flow: SessionFlow, person: SignedInPerson) -> CurrentSession:
     """Return the open session and its patient, whom this person then has seen."""
     obstacle = ObstacleView.of(session_flow.current_obstacle())
     with database.transaction(closing=True) as db:
@@ -186,7 +186,7 @@ def current_session(database: Database, session_flow: SessionFlow, who: SignedIn
                 steps_done=[],
                 obstacle=None,
             )
-        log_viewing(db, who.name, session.patient_id)
+        log_viewing(db, person.name, session.patient_id)
         has_profile, done = session_progress(db, session)
         return CurrentSession(
             patient=_view(db, find_patient(db, session.patient_id)),
@@ -205,18 +205,18 @@ def current_session(database: Database, session_flow: SessionFlow, who: SignedIn
 
 
 @router.get("/session")
-def who_is_here(who: Anyone, database: Db, session_flow: SessionFlowPart) -> CurrentSession:
+def who_is_here(person: Anyone, database: Db, session_flow: SessionFlowPart) -> CurrentSession:
     """Return the patient who is here now, and the open session.
 
     `obstacle`: why no trial would start now, as of `GET /controls`; null when nothing is calibrated.
     """
-    return current_session(database, session_flow, who)
+    return current_session(database, session_flow, person)
 
 
 @router.post("/session")
 async def begin_session(
     body: NewSession,
-    who: ClinicianInSession,
+    person: ClinicianInSession,
     settings: SettingsPart,
     database: Db,
     sockets: SocketsPart,
@@ -231,9 +231,9 @@ async def begin_session(
 
     def _open() -> CurrentSession:
         with database.transaction() as db:
-            session = start_session(db, body.patient_id, who.name, ends=body.ends)
-            write_log(db, who.name, "session opened", patient=body.patient_id, session=session.id)
-        return current_session(database, session_flow, who)
+            session = start_session(db, body.patient_id, person.name, ends=body.ends)
+            write_log(db, person.name, "session opened", patient=body.patient_id, session=session.id)
+        return current_session(database, session_flow, person)
 
     await run_in_threadpool(require_room_to_record, settings.state)
     async with session_flow.undisturbed("open a session"):
@@ -246,7 +246,7 @@ async def begin_session(
 
 @router.delete("/session")
 async def close_session(
-    who: ClinicianInSession,
+    person: ClinicianInSession,
     database: Db,
     sockets: SocketsPart,
     session_flow: SessionFlowPart,
@@ -257,8 +257,8 @@ async def close_session(
     def _end() -> CurrentSession:
         with database.transaction(closing=True) as db:
             end_session(db)
-            write_log(db, who.name, "session ended")
-        return current_session(database, session_flow, who)
+            write_log(db, person.name, "session ended")
+        return current_session(database, session_flow, person)
 
     async with session_flow.undisturbed("end the session"):
         answer = await run_in_threadpool(_end)

@@ -100,19 +100,19 @@ async def _link(settings: Settings, request: Request, person: PersonView, made: 
 
 
 @router.get("")
-def list_people(who: Owner, database: Db) -> list[PersonView]:
+def list_people(owner: Owner, database: Db) -> list[PersonView]:
     """List the people of the clinic.
 
     For owners. `patients` null: the person sees all.
     """
     with database.reading() as db:
-        return [_view(db, person, who.person_id) for person in people_of(db)]
+        return [_view(db, person, owner.person_id) for person in people_of(db)]
 
 
 @router.post("", status_code=201)
 @any_session(OF_CLINIC)
 async def invite_person(
-    body: NewPerson, request: Request, who: Owner, settings: SettingsPart, database: Db
+    body: NewPerson, request: Request, owner: Owner, settings: SettingsPart, database: Db
 ) -> LinkView:
     """Add a person, and make the link by which this person chooses a password within 24 hours.
 
@@ -122,17 +122,17 @@ async def invite_person(
     def _add() -> tuple[PersonView, MadeInvitation]:
         with database.transaction() as db:
             patients = checked_patients(db, body.role, body.patients)
-            clinic = db.get_one(Clinic, who.clinic_id)
-            person = add_person(db, clinic, body.name, body.role, None, patients=patients, by=who.name)
-            made = invite(db, person, who.name)
-            return _view(db, person, who.person_id), made
+            clinic = db.get_one(Clinic, owner.clinic_id)
+            person = add_person(db, clinic, body.name, body.role, None, patients=patients, by=owner.name)
+            made = invite(db, person, owner.name)
+            return _view(db, person, owner.person_id), made
 
     return await _link(settings, request, *await run_in_threadpool(_add))
 
 
 @router.post("/{person_id}/link", status_code=201)
 @any_session(OF_CLINIC)
-async def make_link(person_id: RowId, request: Request, who: Owner, settings: SettingsPart, database: Db) -> LinkView:
+async def make_link(person_id: RowId, request: Request, owner: Owner, settings: SettingsPart, database: Db) -> LinkView:
     """Make a link by which a person chooses a new password; the old one holds until the link is used.
 
     For owners. The earlier link becomes invalid.
@@ -141,8 +141,8 @@ async def make_link(person_id: RowId, request: Request, who: Owner, settings: Se
     def _make() -> tuple[PersonView, MadeInvitation]:
         with database.transaction() as db:
             person = find_person_by_id(db, person_id)
-            made = invite(db, person, who.name)
-            return _view(db, person, who.person_id), made
+            made = invite(db, person, owner.name)
+            return _view(db, person, owner.person_id), made
 
     return await _link(settings, request, *await run_in_threadpool(_make))
 
@@ -150,7 +150,7 @@ async def make_link(person_id: RowId, request: Request, who: Owner, settings: Se
 @router.put("/{person_id}")
 @any_session(OF_CLINIC)
 async def choose_rights(
-    person_id: RowId, body: Rights, who: Owner, database: Db, sockets: SocketsPart, replays: ReplaysPart
+    person_id: RowId, body: Rights, owner: Owner, database: Db, sockets: SocketsPart, replays: ReplaysPart
 ) -> PersonView:
     """Give a person another role or other patients; when they change, the person has to sign in again.
 
@@ -162,8 +162,8 @@ async def choose_rights(
             person = find_person_by_id(db, person_id)
             before = (person.role, person.patients)
             patients = checked_patients(db, body.role, body.patients)
-            change_rights(db, person, body.role, patients, who.name)
-            return _view(db, person, who.person_id), before != (person.role, person.patients)
+            change_rights(db, person, body.role, patients, owner.name)
+            return _view(db, person, owner.person_id), before != (person.role, person.patients)
 
     view, has_changed = await run_in_threadpool(_choose)
     if has_changed:
@@ -175,7 +175,7 @@ async def choose_rights(
 @router.post("/{person_id}/disable")
 @any_session(OF_CLINIC)
 async def disable_person(
-    person_id: RowId, who: Owner, database: Db, sockets: SocketsPart, replays: ReplaysPart
+    person_id: RowId, owner: Owner, database: Db, sockets: SocketsPart, replays: ReplaysPart
 ) -> PersonView:
     """Let a person sign in no longer; every sign-in and socket of this person ends at once.
 
@@ -185,8 +185,8 @@ async def disable_person(
     def _disable() -> PersonView:
         with database.transaction(closing=True) as db:
             person = find_person_by_id(db, person_id)
-            disable(db, person, who.name)
-            return _view(db, person, who.person_id)
+            disable(db, person, owner.name)
+            return _view(db, person, owner.person_id)
 
     view = await run_in_threadpool(_disable)
     await sockets.close_person(person_id)
@@ -196,9 +196,9 @@ async def disable_person(
 
 @router.post("/{person_id}/enable")
 @any_session(OF_CLINIC)
-def enable_person(person_id: RowId, who: Owner, database: Db) -> PersonView:
+def enable_person(person_id: RowId, owner: Owner, database: Db) -> PersonView:
     """Let a disabled person sign in again."""
     with database.transaction() as db:
         person = find_person_by_id(db, person_id)
-        enable(db, person, who.name)
-        return _view(db, person, who.person_id)
+        enable(db, person, owner.name)
+        return _view(db, person, owner.person_id)

@@ -89,14 +89,14 @@ def _log(database: Database, person: str, what: str, **details: Any) -> None:
 
 
 @router.get("/own-floorplans")
-def list_own(_who: Clinician, own_plans: OwnPlansPart) -> list[OwnPlanView]:
+def list_own(_person: Clinician, own_plans: OwnPlansPart) -> list[OwnPlanView]:
     """List the clinic's own floor plans."""
     return [OwnPlanView.of(plan) for plan in own_plans.listed()]
 
 
 @router.post("/floorplans/check")
 @any_session(OF_CLINIC)
-async def check(request: Request, _who: Clinician) -> CheckView:
+async def check(request: Request, _person: Clinician) -> CheckView:
     """Check whether a document is a valid floor plan; save nothing.
 
     `place`: keys and indices of what is wrong.
@@ -109,7 +109,7 @@ async def check(request: Request, _who: Clinician) -> CheckView:
 @any_session(OF_CLINIC)
 async def import_files(
     files: list[UploadFile],
-    _who: Clinician,
+    _person: Clinician,
     readings: ReadingsPart,
     options: Annotated[str, Form(max_length=100_000)] = "{}",
 ) -> DraftView:
@@ -127,7 +127,7 @@ async def import_files(
 @any_session(OF_CLINIC)
 async def save_new(
     request: Request,
-    who: Clinician,
+    person: Clinician,
     database: Db,
     replaced: ReplacedFilesPart,
     own_plans: OwnPlansPart,
@@ -140,7 +140,7 @@ async def save_new(
         saved = own_plans.add(_parsed(content), same_name, replaced)
         _log(
             database,
-            who.name,
+            person.name,
             "floor plan saved",
             floorplan=saved.name,
             version=saved.version,
@@ -157,7 +157,7 @@ async def save_version(
     name: Name,
     version: Annotated[int, Query(ge=1, le=2**31)],
     request: Request,
-    who: Clinician,
+    person: Clinician,
     database: Db,
     own_plans: OwnPlansPart,
 ) -> OwnPlanView:
@@ -172,7 +172,7 @@ async def save_version(
         if plan.name != name:
             raise HTTPException(422, f"{WHERE}, name: it is not '{name}' as in the address: correct it.")
         now = own_plans.replace(plan, version)
-        _log(database, who.name, "floor plan saved", floorplan=name, version=now)
+        _log(database, person.name, "floor plan saved", floorplan=name, version=now)
         return OwnPlanView(name=name, title=plan.title, version=now)
 
     return await asyncio.to_thread(save)
@@ -180,17 +180,17 @@ async def save_version(
 
 @router.delete("/floorplans/{name}")
 @any_session(OF_CLINIC)
-def delete(name: Name, who: Clinician, database: Db, own_plans: OwnPlansPart) -> list[OwnPlanView]:
+def delete(name: Name, person: Clinician, database: Db, own_plans: OwnPlansPart) -> list[OwnPlanView]:
     """Take a floor plan out of what is offered; it can be restored."""
     own_plans.remove(name)
-    _log(database, who.name, "floor plan deleted", floorplan=name)
-    return list_own(who, own_plans)
+    _log(database, person.name, "floor plan deleted", floorplan=name)
+    return list_own(person, own_plans)
 
 
 @router.post("/floorplans/{name}/restore")
 @any_session(OF_CLINIC)
-def restore(name: Name, who: Clinician, database: Db, own_plans: OwnPlansPart) -> list[OwnPlanView]:
+def restore(name: Name, person: Clinician, database: Db, own_plans: OwnPlansPart) -> list[OwnPlanView]:
     """Offer a deleted floor plan again."""
     version = own_plans.restore(name)
-    _log(database, who.name, "floor plan restored", floorplan=name, version=version)
-    return list_own(who, own_plans)
+    _log(database, person.name, "floor plan restored", floorplan=name, version=version)
+    return list_own(person, own_plans)

@@ -39,7 +39,7 @@ class RestoredView(Document):
 
 
 @router.get("")
-def list_replaced(_who: Clinician, replaced: ReplacedFilesPart) -> list[ReplacedView]:
+def list_replaced(_person: Clinician, replaced: ReplacedFilesPart) -> list[ReplacedView]:
     """List what was replaced in the last 30 days, newest first."""
     return [ReplacedView.of(file) for file in replaced.listed()]
 
@@ -47,7 +47,12 @@ def list_replaced(_who: Clinician, replaced: ReplacedFilesPart) -> list[Replaced
 @router.post("/{kind}/{identity}/restore")
 @any_session(OF_CLINIC)
 async def restore(
-    kind: Kind, identity: Identity, who: Clinician, database: Db, replaced: ReplacedFilesPart, own_plans: OwnPlansPart
+    kind: Kind,
+    identity: Identity,
+    person: Clinician,
+    database: Db,
+    replaced: ReplacedFilesPart,
+    own_plans: OwnPlansPart,
 ) -> RestoredView:
     """Restore a replaced file, under a free name when its own is taken."""
 
@@ -56,7 +61,7 @@ async def restore(
             _restored_plan(replaced, own_plans, identity) if kind == "floorplan" else replaced.restore(kind, identity)
         )
         with database.transaction() as db:
-            write_log(db, who.name, "replaced file restored", kind=kind)
+            write_log(db, person.name, "replaced file restored", kind=kind)
         return RestoredView(kind=kind, name=name)
 
     return await asyncio.to_thread(put_back)

@@ -58,7 +58,7 @@ def learning(
     floorplan: PlaceName,
     path: PlaceName,
     source: RequestedGroup,
-    who: Anyone,
+    person: Anyone,
     *,
     database: Db,
     computing: ComputingPart,
@@ -66,7 +66,7 @@ def learning(
     measure: Annotated[str | None, AfterValidator(_known_measure)] = None,
 ) -> LearningView:
     """Return the learning curve of a patient on one path; curves and deterioration in one measure or in every one."""
-    every = _counted(database, who, patient_id, floorplan, path)
+    every = _counted(database, person, patient_id, floorplan, path)
     clinic = spread.of_others(Task(floorplan, path, source), patient_id)
     counted = [one for one in every if one.group == source]
     rows = [one.row() for one in counted]
@@ -86,7 +86,7 @@ def trajectories(
     floorplan: PlaceName,
     path: PlaceName,
     source: RequestedGroup,
-    who: Anyone,
+    person: Anyone,
     database: Db,
     runs: RunsPart,
     trajectories: TrajectoriesPart,
@@ -95,7 +95,7 @@ def trajectories(
 
     Of the newest 30 kept trials.
     """
-    every = _counted(database, who, patient_id, floorplan, path)
+    every = _counted(database, person, patient_id, floorplan, path)
     newest = [one.trial for one in every if one.group == source][-MOST_TRAJECTORIES:]
     return TrajectoriesView(
         trajectories=trajectories.lines([(trial.number, runs.folder_of(trial.run_id)) for trial in newest]),
@@ -103,19 +103,21 @@ def trajectories(
     )
 
 
-def _counted(database: Database, who: SignedInPerson, patient_id: int, floorplan: str, path: str) -> list[CountedTrial]:
+def _counted(
+    database: Database, person: SignedInPerson, patient_id: int, floorplan: str, path: str
+) -> list[CountedTrial]:
     """Return the kept trials of a patient on one path, and log who views them."""
     with database.transaction(closing=True) as db:
         find_patient(db, patient_id)
         found = counted_trials(db, patient_id, floorplan, path)
-        log_viewing(db, who.name, patient_id)
+        log_viewing(db, person.name, patient_id)
     return found
 
 
 @router.get("/trials/{trial_id}/verdicts")
 def verdicts_of_trial(
     trial_id: RowId,
-    who: Anyone,
+    person: Anyone,
     database: Db,
     computing: ComputingPart,
     spread: SpreadPart,
@@ -133,7 +135,7 @@ def verdicts_of_trial(
         other = trial if against is None else find_trial(db, against)
         if _task_of(trial) != _task_of(other):
             raise Conflict("These two trials differ in their patient, task or source, so neither is called better.")
-        log_viewing(db, who.name, trial.patient_id)
+        log_viewing(db, person.name, trial.patient_id)
         counted = counted_trials(db, trial.patient_id, trial.floorplan, trial.path)
     group = trial.run.source.group
     clinic = spread.of_others(Task(trial.floorplan, trial.path, group), trial.patient_id)

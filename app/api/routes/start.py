@@ -25,7 +25,7 @@ class StartView(Document):
 @router.get("/start", dependencies=[ForEveryone])
 def start(
     request: Request,
-    who: WhoAsks,
+    person: WhoAsks,
     settings: SettingsPart,
     database: Db,
     equipment: EquipmentPart,
@@ -37,8 +37,8 @@ def start(
     /session` (null unless signed in).
     """
     return StartView(
-        me=me_view(settings, database, who),
+        me=me_view(settings, database, person),
         is_nearby=is_nearby(request),
         practice=equipment.practice,
-        session=None if who is None or who.locked else current_session(database, session_flow, who),
+        session=None if person is None or person.locked else current_session(database, session_flow, person),
     )

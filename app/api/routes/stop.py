@@ -77,16 +77,16 @@ async def stop(
 
 async def _note_who(request: Request, database: Database, fault_log: FaultLog) -> None:
     if read_cookie(request, COOKIE):
-        who = await asyncio.to_thread(find_sign_in, database, request)
-        if who is not None:
-            await fault_log.stop_requested(who.name)
+        person = await asyncio.to_thread(find_sign_in, database, request)
+        if person is not None:
+            await fault_log.stop_requested(person.name)
 
 
 @router.post("/clear")
 async def clear(
     body: StopCount,
     request: Request,
-    who: ClinicianInSession,
+    person: ClinicianInSession,
     authority: Authority,
     control: ControlPart,
 ) -> ControlView:
@@ -94,7 +94,7 @@ async def clear(
 
     Without the control process `fault` is `control_lost`, and that process is replaced.
     """
-    authority.require_hand_on_chair(who, request)
+    authority.require_hand_on_chair(person, request)
     authority.require_picture()
     before = control.newest()
     await control.call("clear", stops=body.stops)
@@ -111,20 +111,20 @@ async def clear(
 async def turn_dial(
     body: DialShare,
     request: Request,
-    who: Clinician,
+    person: Clinician,
     authority: Authority,
     database: Db,
     control: ControlPart,
     shown: ShownSession = "",
 ) -> DialShare:
     """Turn the speed dial: down at once, up only while the chair stands and the patient is at rest."""
-    authority.require_hand_on_chair(who, request)
+    authority.require_hand_on_chair(person, request)
     tick = control.newest()
     if tick is not None and body.share > float(tick["dial"]):
         await require_open(database, shown)
     answer = await control.load("dial", share=body.share)
     share = float(answer.get("share", body.share))
-    await asyncio.to_thread(_note, database, who.name, share)
+    await asyncio.to_thread(_note, database, person.name, share)
     return DialShare(share=share)
 
 

@@ -39,7 +39,7 @@ def trust(response: Response, settings: SettingsPart) -> TrustView:
 
 
 @router.get("/tablets")
-def tablets(_who: Anyone, settings: SettingsPart) -> TabletsView:
+def tablets(_person: Anyone, settings: SettingsPart) -> TabletsView:
     """Return the link for further tablets."""
     network = settings.network
     if network is None:

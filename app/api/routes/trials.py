@@ -134,7 +134,7 @@ class TrialDetail(Document):
 @router.post("/trials", status_code=201)
 async def start_trial(
     body: NewTrial,
-    who: ClinicianInSession,
+    person: ClinicianInSession,
     *,
     database: Db,
     trial_flow: TrialFlowPart,
@@ -154,7 +154,7 @@ async def start_trial(
         session = await session_flow.needed_session()
         if chairs.chosen is not None:
             raise Conflict("A real chair is chosen: choose the virtual one for a trial.")
-        refusal = NO_PICTURE if body.picture == "none" else pictures.refusal(Screen(who.person_id, body.screen))
+        refusal = NO_PICTURE if body.picture == "none" else pictures.refusal(Screen(person.person_id, body.screen))
         if refusal:
             raise Conflict(refusal)
         plan = await asyncio.to_thread(needed_plan, places, body.floorplan)
@@ -167,7 +167,7 @@ async def start_trial(
             raise Conflict(obstacle)
         await view_keeper.show(plan, path.name)
         trial_id = await trial_flow.start(
-            session, Starter(who.person_id, who.name, body.screen, body.picture), plan, path
+            session, Starter(person.person_id, person.name, body.screen, body.picture), plan, path
         )
     return await asyncio.to_thread(_one, database, trial_id)
 
@@ -188,14 +188,14 @@ def _from(origin: PatientImport | Origin | None, view: TrialView) -> TrialView:
 @router.post("/trials/current/end")
 async def end_trial(
     body: EndTrial,
-    who: ClinicianInSession,
+    person: ClinicianInSession,
     authority: Authority,
     database: Db,
     control: ControlPart,
     trial_flow: TrialFlowPart,
 ) -> TrialView:
     """End the trial by hand; answered when it has been measured."""
-    authority.require_controller(who)
+    authority.require_controller(person)
     trial_id = await trial_flow.end()
     if body.stops is not None:
         # After the run: within it, clearing a stop would begin the check for rest. A stop that stays is in the picture.
@@ -205,7 +205,7 @@ async def end_trial(
 
 
 @router.get("/trials")
-def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, database: Db) -> list[ListedTrial]:
+def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], person: Anyone, database: Db) -> list[ListedTrial]:
     """List a patient's trials, the newest last.
 
     `status` is `running` or `done`, `end` is `goal`, `time-out`, `by hand` or `fault`. `compared_in`: id of the trial's
@@ -214,7 +214,7 @@ def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, dat
     """
     with database.transaction(closing=True) as db:
         find_patient(db, patient)
-        log_viewing(db, who.name, patient)
+        log_viewing(db, person.name, patient)
         origins = origins_of(db, patient)
         found = trials_of(db, patient)
         compared = compared_trials(found)
@@ -227,12 +227,17 @@ def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, dat
 
 @router.get("/trials/{trial_id}")
 def one_trial(
-    trial_id: RowId, who: Anyone, database: Db, runs: RunsPart, trajectories: TrajectoriesPart, qualities: QualitiesPart
+    trial_id: RowId,
+    person: Anyone,
+    database: Db,
+    runs: RunsPart,
+    trajectories: TrajectoriesPart,
+    qualities: QualitiesPart,
 ) -> TrialDetail:
     """Return a trial with its trajectory over its path."""
     with database.transaction(closing=True) as db:
         trial = find_trial(db, trial_id)
-        write_log(db, who.name, "trial viewed", trial=trial_id)
+        write_log(db, person.name, "trial viewed", trial=trial_id)
         view = _view(db, trial)
         code = find_patient(db, trial.patient_id).code
         session_number = db.get_one(PatientSession, trial.session_id).number
@@ -251,25 +256,25 @@ def one_trial(
 
 @router.post("/trials/{trial_id}/discard")
 @any_session(OWN_NAME)
-async def discard_trial(trial_id: RowId, body: Discard, who: Clinician, database: Db, live: LivePart) -> TrialView:
+async def discard_trial(trial_id: RowId, body: Discard, person: Clinician, database: Db, live: LivePart) -> TrialView:
     """Discard a trial: it counts in no curve or figure; it can be kept again."""
-    return await _keep(database, live, who, trial_id, body.reason)
+    return await _keep(database, live, person, trial_id, body.reason)
 
 
 @router.post("/trials/{trial_id}/keep")
 @any_session(OWN_NAME)
-async def keep_again(trial_id: RowId, who: Clinician, database: Db, live: LivePart) -> TrialView:
+async def keep_again(trial_id: RowId, person: Clinician, database: Db, live: LivePart) -> TrialView:
     """Let a discarded trial count again."""
-    return await _keep(database, live, who, trial_id, None)
+    return await _keep(database, live, person, trial_id, None)
 
 
 async def _keep(
-    database: Database, live: ClinicLive, who: SignedInPerson, trial_id: int, reason: str | None
+    database: Database, live: ClinicLive, person: SignedInPerson, trial_id: int, reason: str | None
 ) -> TrialView:
     def _write() -> TrialView:
         with database.transaction() as db:
             trial = keep_trial(db, trial_id, reason)
-            write_log(db, who.name, "trial kept" if reason is None else "trial discarded", trial=trial_id)
+            write_log(db, person.name, "trial kept" if reason is None else "trial discarded", trial=trial_id)
             return _view(db, trial)
 
     kept = await asyncio.to_thread(_write)

@@ -72,11 +72,11 @@ class OwnPassword(Document):
     password: Password
 
 
-def me_view(settings: Settings, database: Database, who: SignedInPerson | None) -> Me:
+def me_view(settings: Settings, database: Database, person: SignedInPerson | None) -> Me:
     """Return the view of who is signed in, None for nobody."""
-    if who is None:
+    if person is None:
         return _me(settings, database, None, None)
-    return _me(settings, database, who.name, who.role, locked=who.locked)
+    return _me(settings, database, person.name, person.role, locked=person.locked)
 
 
 def _me(settings: Settings, database: Database, name: str | None, role: str | None, *, locked: bool = False) -> Me:
@@ -233,20 +233,20 @@ async def sign_out_here(
 async def unlock_here(
     body: OwnPassword,
     request: Request,
-    who: WhoAsks,
+    person: WhoAsks,
     passwords: Passwords,
     settings: SettingsPart,
     database: Db,
     sockets: SocketsPart,
 ) -> Me:
     """Unlock the page with the password of the person who is signed in on it."""
-    if who is None:
+    if person is None:
         raise HTTPException(401, NOBODY)
-    if who.locked:
-        await passwords.require_own(request, who.name, body.password)
-        await run_in_threadpool(_unlock, database, who.sign_in_id)
-        await sockets.look_again(who.sign_in_id)
-    return await run_in_threadpool(_me, settings, database, who.name, who.role)
+    if person.locked:
+        await passwords.require_own(request, person.name, body.password)
+        await run_in_threadpool(_unlock, database, person.sign_in_id)
+        await sockets.look_again(person.sign_in_id)
+    return await run_in_threadpool(_me, settings, database, person.name, person.role)
 
 
 def _unlock(database: Database, sign_in_id: int) -> None:
@@ -255,9 +255,9 @@ def _unlock(database: Database, sign_in_id: int) -> None:
 
 
 @router.get("/me")
-def who_am_i(who: WhoAsks, settings: SettingsPart, database: Db) -> Me:
+def who_am_i(person: WhoAsks, settings: SettingsPart, database: Db) -> Me:
     """Tell who is signed in on this screen.
 
     `introduced`: the person has put the sentences for a first time away.
     """
-    return me_view(settings, database, who)
+    return me_view(settings, database, person)

@@ -11,7 +11,7 @@ router = APIRouter(prefix="/auth", tags=["sign-in"])
 
 @router.post("/introduction", status_code=204)
 @any_session(LOOKS)
-def put_away(who: Anyone, database: Db) -> None:
+def put_away(person: Anyone, database: Db) -> None:
     """Store that the person who is signed in has read or skipped the sentences."""
     with database.transaction() as db:
-        find_person_by_id(db, who.person_id).introduced = True
+        find_person_by_id(db, person.person_id).introduced = True

@@ -26,24 +26,24 @@ class PasswordChange(Document):
 async def change_password(
     body: PasswordChange,
     request: Request,
-    who: Anyone,
+    signed_in: Anyone,
     passwords: Passwords,
     database: Db,
     sockets: SocketsPart,
 ) -> None:
     """Change the own password: every other sign-in of this person ends, and known browsers are forgotten."""
-    weak = weakness(who.name, body.new)
+    weak = weakness(signed_in.name, body.new)
     if weak is not None:
         raise HTTPException(422, weak)
-    await passwords.require_own(request, who.name, body.old)
+    await passwords.require_own(request, signed_in.name, body.old)
     password_hash = await passwords.hash_of(body.new)
 
     def _change() -> None:
         with database.transaction() as db:
-            person = find_person_by_id(db, who.person_id)
+            person = find_person_by_id(db, signed_in.person_id)
             person.password_hash = password_hash
-            end_sign_ins(db, person, but=who.sign_in_id)
-            write_log(db, who.name, "password changed", person=person.id)
+            end_sign_ins(db, person, but=signed_in.sign_in_id)
+            write_log(db, signed_in.name, "password changed", person=person.id)
 
     await run_in_threadpool(_change)
-    await sockets.close_person(who.person_id, but=who.sign_in_id)
+    await sockets.close_person(signed_in.person_id, but=signed_in.sign_in_id)

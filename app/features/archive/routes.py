@@ -95,7 +95,7 @@ class ArchiveRoomView(Document):
 @router.get("/patients/{patient_id}/archive", response_class=StreamingResponse)
 def archive(
     patient_id: RowId,
-    who: Exporter,
+    person: Exporter,
     download: Download,
     settings: SettingsPart,
     database: Db,
@@ -109,14 +109,14 @@ def archive(
 
     For owners and clinicians.
     """
-    material = archive_material(database, patient_id, who.name, settings.runs, settings.state)
+    material = archive_material(database, patient_id, person.name, settings.runs, settings.state)
     spreads_of = spread.for_patient(patient_id)
     make_report = report_for_archive(database, settings, patient_id, spreads_of)
-    return download.sent(material.steps(make_report), len(material.folders), "archive", who, course)
+    return download.sent(material.steps(make_report), len(material.folders), "archive", person, course)
 
 
 @router.get("/patients/{patient_id}/archive/room")
-def room(patient_id: RowId, _who: Exporter, settings: SettingsPart, database: Db) -> ArchiveRoomView:
+def room(patient_id: RowId, _person: Exporter, settings: SettingsPart, database: Db) -> ArchiveRoomView:
     """Return how large the recordings of a patient's archive are, and whether the clinic's disk has room for them."""
     found = archive_room(database, patient_id, settings.runs, settings.state)
     return ArchiveRoomView(**found._asdict())
@@ -145,9 +145,9 @@ class ImportCourseView(Document):
 
 
 @router.get("/archives")
-def import_course(who: Owner, imports: ImportsPart) -> ImportCourseView | None:
+def import_course(person: Owner, imports: ImportsPart) -> ImportCourseView | None:
     """Return how far the import is that the person who asks has begun, null when there is none."""
-    course = imports.of(who.person_id)
+    course = imports.of(person.person_id)
     if course is None:
         return None
     done, total = course.bytes()
@@ -157,7 +157,7 @@ def import_course(who: Owner, imports: ImportsPart) -> ImportCourseView | None:
 @router.post("/archives", openapi_extra=ZIP)
 @any_session(OF_CLINIC)
 async def bring_archive(
-    request: Request, who: Owner, settings: SettingsPart, imports: ImportsPart, replace: bool = False
+    request: Request, person: Owner, settings: SettingsPart, imports: ImportsPart, replace: bool = False
 ) -> ImportedView:
     """Import the archive of a patient, the body of the request; a wrong one changes nothing.
 
@@ -171,7 +171,7 @@ async def bring_archive(
     async with contextmanager_in_threadpool(temporary_folder(settings.state, "import")) as folder:
         announced = request.headers.get("content-length", "")
         total = int(announced) if announced.isdecimal() else 0
-        with imports.begun(who.person_id, folder, total) as course:
+        with imports.begun(person.person_id, folder, total) as course:
             with course.file.open("xb") as opened:
                 waiting = bytearray()
                 async for piece in request.stream():
@@ -181,7 +181,7 @@ async def bring_archive(
                         waiting = bytearray()
                 await asyncio.to_thread(_write, opened, waiting, folder)
             course.begin_to_unpack()
-            imported = await asyncio.to_thread(_import, course, who, settings, replace)
+            imported = await asyncio.to_thread(_import, course, person, settings, replace)
     return ImportedView(**imported._asdict())
 
 
@@ -191,9 +191,9 @@ def _write(opened: BinaryIO, content: bytearray, folder: Path) -> None:
     opened.write(content)
 
 
-def _import(course: ImportCourse, who: SignedInPerson, settings: Settings, replace: bool) -> Imported:
+def _import(course: ImportCourse, person: SignedInPerson, settings: Settings, replace: bool) -> Imported:
     """Import a file; it may take as long as it goes on unpacking recordings."""
-    given = settings.database, who.clinic_id, course.file, who.name, settings.runs, course.recordings
+    given = settings.database, person.clinic_id, course.file, person.name, settings.runs, course.recordings
     shelf = settings.replaced if replace else None
     try:
         with closing(ComputingProcess()) as computing:

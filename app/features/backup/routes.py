@@ -161,7 +161,7 @@ def _view(own: Settings, database: Database, backups: NightBackups) -> BackupsVi
 
 
 @router.get("/backups")
-def look(_who: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
+def look(_person: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
     """Return the settings, the newest backups, how far one is that is being made, deleted patients, incidents.
 
     For owners. The other routes of the page give this answer, too.
@@ -171,22 +171,22 @@ def look(_who: Owner, own: SettingsPart, database: Db, backups: Backups) -> Back
 
 @router.post("/backups", status_code=202)
 @any_session(OF_CLINIC)
-async def begin(who: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
+async def begin(person: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
     """Begin a backup now; it goes on by itself. 409 without a folder, and while one is being made."""
-    await backups.begin(who.name)
+    await backups.begin(person.name)
     return await asyncio.to_thread(_view, own, database, backups)
 
 
 @router.put("/backups/settings")
 @any_session(OF_CLINIC)
 async def choose(
-    body: BackupSettings, who: Owner, own: SettingsPart, database: Db, computing: ComputingPart, backups: Backups
+    body: BackupSettings, person: Owner, own: SettingsPart, database: Db, computing: ComputingPart, backups: Backups
 ) -> BackupsView:
     """Choose the folder, the hour and the passphrase; 409 in one sentence when the folder cannot be used.
 
     For owners. `passphrase` null keeps the one that is set.
     """
-    await asyncio.to_thread(_choose, body, who.name, own, database, computing, backups)
+    await asyncio.to_thread(_choose, body, person.name, own, database, computing, backups)
     return await asyncio.to_thread(_view, own, database, backups)
 
 
@@ -227,37 +227,37 @@ def _choose(
 
 @router.put("/record-keeping")
 @any_session(OF_CLINIC)
-def keep_records(body: RecordTime, who: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
+def keep_records(body: RecordTime, person: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
     """Set for how many years after the last session records must be kept.
 
     For owners.
     """
     with database.transaction() as db:
         set_record_time(db, body.years)
-        write_log(db, who.name, "record time changed", years=body.years)
+        write_log(db, person.name, "record time changed", years=body.years)
     return _view(own, database, backups)
 
 
 @router.post("/deleted-patients/{patient_id}/erasure")
 @any_session(OWN_NAME)
-def erase(patient_id: RowId, who: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
+def erase(patient_id: RowId, person: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
     """Erase a deleted patient for good, now; 409 with the reason when something stands against it.
 
     For owners. An incident, or the time for which records must be kept, can stand against it.
     """
-    erase_patient(database, own, patient_id, who.name)
+    erase_patient(database, own, patient_id, person.name)
     return _view(own, database, backups)
 
 
 @router.post("/incidents/{incident_id}/lifting")
 @any_session(OF_CLINIC)
 def lift(
-    incident_id: RowId, body: Lifting, who: Owner, own: SettingsPart, database: Db, backups: Backups
+    incident_id: RowId, body: Lifting, person: Owner, own: SettingsPart, database: Db, backups: Backups
 ) -> BackupsView:
     """Lift the mark of an incident, so that its patients can be erased.
 
     For owners.
     """
     with database.transaction() as db:
-        lift_incident(db, incident_id, body.reason, who.name)
+        lift_incident(db, incident_id, body.reason, person.name)
     return _view(own, database, backups)

@@ -69,77 +69,77 @@ class CommentView(Document):
 
 @router.get("/comments")
 def unread_comments(
-    who: Anyone, database: Db, patient: Annotated[int | None, Query(ge=1, le=2**31)] = None
+    person: Anyone, database: Db, patient: Annotated[int | None, Query(ge=1, le=2**31)] = None
 ) -> list[CommentView]:
     """List the comments that the person who asks has not read, of all patients or of one."""
     with database.transaction(closing=True) as db:
         if patient is not None:
             find_patient(db, patient)
-        found = comments_of(db, patient_id=patient, not_read_by=who.person_id)
+        found = comments_of(db, patient_id=patient, not_read_by=person.person_id)
         for one in dict.fromkeys(comment.patient_id for comment in found):
-            log_viewing(db, who.name, one)
-        return [_view(db, one, who, unread=True) for one in found]
+            log_viewing(db, person.name, one)
+        return [_view(db, one, person, unread=True) for one in found]
 
 
 @router.get("/trials/{trial_id}/comments")
-def list_comments(trial_id: RowId, who: Anyone, database: Db) -> list[CommentView]:
+def list_comments(trial_id: RowId, person: Anyone, database: Db) -> list[CommentView]:
     """List the comments of a trial by their moments."""
     with database.transaction(closing=True) as db:
         trial = _trial(db, trial_id)
-        log_viewing(db, who.name, trial.patient_id)
-        return _views(db, trial, who)
+        log_viewing(db, person.name, trial.patient_id)
+        return _views(db, trial, person)
 
 
 @router.post("/trials/{trial_id}/comments", status_code=201)
 @any_session(OWN_NAME)
-def new_comment(trial_id: RowId, body: NewComment, who: Anyone, database: Db, live: LivePart) -> list[CommentView]:
+def new_comment(trial_id: RowId, body: NewComment, person: Anyone, database: Db, live: LivePart) -> list[CommentView]:
     """Write a comment on a moment of a trial.
 
     `t` is negative before motion was permitted.
     """
     with database.transaction() as db:
         trial = _trial(db, trial_id)
-        comment = add_comment(db, trial, who.person_id, body.t, body.text)
-        write_log(db, who.name, "comment added", patient=trial.patient_id, trial=trial_id, comment=comment.id)
-        answer = _views(db, trial, who)
+        comment = add_comment(db, trial, person.person_id, body.t, body.text)
+        write_log(db, person.name, "comment added", patient=trial.patient_id, trial=trial_id, comment=comment.id)
+        answer = _views(db, trial, person)
     live.tell("record")
     return answer
 
 
 @router.post("/trials/{trial_id}/comments/read", status_code=204)
 @any_session(LOOKS)
-def read_comments(trial_id: RowId, who: Anyone, database: Db) -> None:
+def read_comments(trial_id: RowId, person: Anyone, database: Db) -> None:
     """Store that the person who asks has read the comments of a trial."""
     with database.transaction() as db:
-        mark_read(db, _trial(db, trial_id).id, who.person_id)
+        mark_read(db, _trial(db, trial_id).id, person.person_id)
 
 
 @router.put("/comments/{comment_id}")
 @any_session(OWN_NAME)
 def new_comment_text(
-    comment_id: RowId, body: RevisedComment, who: Anyone, database: Db, live: LivePart
+    comment_id: RowId, body: RevisedComment, person: Anyone, database: Db, live: LivePart
 ) -> list[CommentView]:
     """Give a comment of one's own another text; the text before stays in its history."""
     with database.transaction() as db:
         comment = find_comment(db, comment_id)
         trial = db.get_one(Trial, comment.trial_id)
-        if revise_comment(db, comment, who.person_id, body.text):
-            write_log(db, who.name, "comment revised", patient=trial.patient_id, trial=trial.id, comment=comment_id)
-        answer = _views(db, trial, who)
+        if revise_comment(db, comment, person.person_id, body.text):
+            write_log(db, person.name, "comment revised", patient=trial.patient_id, trial=trial.id, comment=comment_id)
+        answer = _views(db, trial, person)
     live.tell("record")
     return answer
 
 
 @router.delete("/comments/{comment_id}")
 @any_session(OWN_NAME)
-def no_comment(comment_id: RowId, who: Anyone, database: Db, live: LivePart) -> list[CommentView]:
+def no_comment(comment_id: RowId, person: Anyone, database: Db, live: LivePart) -> list[CommentView]:
     """Withdraw a comment of one's own; its history stays."""
     with database.transaction() as db:
         comment = find_comment(db, comment_id)
         trial = db.get_one(Trial, comment.trial_id)
-        withdraw_comment(db, comment, who.person_id)
-        write_log(db, who.name, "comment withdrawn", patient=trial.patient_id, trial=trial.id, comment=comment_id)
-        answer = _views(db, trial, who)
+        withdraw_comment(db, comment, person.person_id)
+        write_log(db, person.name, "comment withdrawn", patient=trial.patient_id, trial=trial.id, comment=comment_id)
+        answer = _views(db, trial, person)
     live.tell("record")
     return answer
 
@@ -152,12 +152,12 @@ def _trial(db: Transaction, trial_id: int) -> Trial:
     return trial
 
 
-def _views(db: Transaction, trial: Trial, who: SignedInPerson) -> list[CommentView]:
-    unread = {one.id for one in comments_of(db, trial_id=trial.id, not_read_by=who.person_id)}
-    return [_view(db, one, who, unread=one.id in unread) for one in comments_of(db, trial_id=trial.id)]
+def _views(db: Transaction, trial: Trial, person: SignedInPerson) -> list[CommentView]:
+    unread = {one.id for one in comments_of(db, trial_id=trial.id, not_read_by=person.person_id)}
+    return [_view(db, one, person, unread=one.id in unread) for one in comments_of(db, trial_id=trial.id)]
 
 
-def _view(db: Transaction, comment: Comment, who: SignedInPerson, *, unread: bool) -> CommentView:
+def _view(db: Transaction, comment: Comment, person: SignedInPerson, *, unread: bool) -> CommentView:
     return CommentView(
         id=comment.id,
         trial_id=comment.trial_id,
@@ -165,7 +165,7 @@ def _view(db: Transaction, comment: Comment, who: SignedInPerson, *, unread: boo
         patient_id=comment.patient_id,
         session_id=comment.session_id,
         person=comment.person,
-        is_own=comment.person_id == who.person_id,
+        is_own=comment.person_id == person.person_id,
         t=comment.t,
         revisions=[CommentRevisionView.of(row) for row in reversed(comment_history(db, comment.id))],
         unread=unread,

@@ -51,18 +51,18 @@ class ConsentsView(Document):
 
 
 @router.get("/patients/{patient_id}/consents")
-def consents(patient_id: RowId, who: Anyone, database: Db) -> ConsentsView:
+def consents(patient_id: RowId, person: Anyone, database: Db) -> ConsentsView:
     """Return the consents of a patient."""
     with database.transaction(closing=True) as db:
         find_patient(db, patient_id)
-        log_viewing(db, who.name, patient_id)
+        log_viewing(db, person.name, patient_id)
         return _view(db, patient_id)
 
 
 @router.put("/patients/{patient_id}/consents/{consent}")
 @any_session(OWN_NAME)
 def give(
-    patient_id: RowId, consent: Consent, body: GivenConsent, who: Clinician, database: Db, live: LivePart
+    patient_id: RowId, consent: Consent, body: GivenConsent, person: Clinician, database: Db, live: LivePart
 ) -> ConsentsView:
     """Enter the day on which a patient consented; another day replaces the one before.
 
@@ -70,9 +70,9 @@ def give(
     """
     with database.transaction() as db:
         find_patient(db, patient_id)
-        if give_consent(db, patient_id, consent, body.given, who.name):
+        if give_consent(db, patient_id, consent, body.given, person.name):
             given = body.given.isoformat()
-            write_log(db, who.name, "consent given", patient=patient_id, consent=consent, given=given)
+            write_log(db, person.name, "consent given", patient=patient_id, consent=consent, given=given)
         answer = _view(db, patient_id)
     live.tell("session")
     return answer
@@ -80,12 +80,12 @@ def give(
 
 @router.delete("/patients/{patient_id}/consents/{consent}")
 @any_session(OWN_NAME)
-def withdraw(patient_id: RowId, consent: Consent, who: Clinician, database: Db, live: LivePart) -> ConsentsView:
+def withdraw(patient_id: RowId, consent: Consent, person: Clinician, database: Db, live: LivePart) -> ConsentsView:
     """Enter that a patient has withdrawn a consent."""
     with database.transaction() as db:
         find_patient(db, patient_id)
-        if withdraw_consent(db, patient_id, consent, who.name):
-            write_log(db, who.name, "consent withdrawn", patient=patient_id, consent=consent)
+        if withdraw_consent(db, patient_id, consent, person.name):
+            write_log(db, person.name, "consent withdrawn", patient=patient_id, consent=consent)
         for feature in features().values():
             feature.consent_withdrawn(db, patient_id, consent)
         answer = _view(db, patient_id)

@@ -35,9 +35,9 @@ def fhir_bundle(material: ExportMaterial, verdicts: dict[int, dict[str, str]]) -
             found = _observations(run, run.test, f"two-minute test {run.test.number}", TEST_METHOD, TEST_MEASURES, {})
         else:
             continue
-        who = {"subject": {"reference": patient}, "device": {"reference": device}}
+        person = {"subject": {"reference": patient}, "device": {"reference": device}}
         entries += [
-            _entry(_address(clinic, material.code, f"{run.folder.name}/{name}"), {**one, **who})
+            _entry(_address(clinic, material.code, f"{run.folder.name}/{name}"), {**one, **person})
             for name, one in found.items()
         ]
     return {"resourceType": "Bundle", "type": "collection", "entry": entries}

@@ -17,7 +17,7 @@ router = APIRouter(tags=["exports"])
 @router.get("/patients/{patient_id}/export", response_class=StreamingResponse)
 def export(
     patient_id: RowId,
-    who: Exporter,
+    person: Exporter,
     download: Download,
     settings: SettingsPart,
     database: Db,
@@ -42,10 +42,10 @@ def export(
         patient_id,
         session,
         form,
-        who.name,
+        person.name,
         settings.runs,
         spread.for_patient(patient_id),
         place=settings.state,
     )
     recordings = 0 if form == "fhir" else len(material.runs)
-    return download.sent(export_steps(material, form), recordings, form, who, course)
+    return download.sent(export_steps(material, form), recordings, form, person, course)

@@ -47,7 +47,7 @@ class InterfaceTestsView(Document):
 
 @router.post("", status_code=201)
 async def start_interface_test(
-    body: NewTest, who: ClinicianInSession, database: Db, session_flow: SessionFlowPart, tests: Tests
+    body: NewTest, person: ClinicianInSession, database: Db, session_flow: SessionFlowPart, tests: Tests
 ) -> InterfaceTestView:
     """Start the two-minute test; the chair is disarmed and stays where it is.
 
@@ -58,12 +58,12 @@ async def start_interface_test(
         obstacle = await session_flow.load_parameters()
         if obstacle is not None:
             raise Conflict(obstacle)
-        test_id = await tests.start(session, Starter(who.person_id, who.name, body.screen))
+        test_id = await tests.start(session, Starter(person.person_id, person.name, body.screen))
     return await asyncio.to_thread(_one, database, test_id)
 
 
 @router.post("/current/end")
-async def end_interface_test(_who: ClinicianInSession, database: Db, tests: Tests) -> InterfaceTestView:
+async def end_interface_test(_person: ClinicianInSession, database: Db, tests: Tests) -> InterfaceTestView:
     """End the test by hand, so that it does not count; for every clinician, because nothing moves."""
     return await asyncio.to_thread(_one, database, await tests.end())
 
@@ -71,7 +71,7 @@ async def end_interface_test(_who: ClinicianInSession, database: Db, tests: Test
 @router.get("")
 def list_interface_tests(
     patient: Annotated[int, Query(ge=1, le=2**31)],
-    who: Anyone,
+    person: Anyone,
     database: Db,
     computing: ComputingPart,
     source: SourceGroup | None = None,
@@ -82,7 +82,7 @@ def list_interface_tests(
     """
     with database.transaction(closing=True) as db:
         find_patient(db, patient)
-        log_viewing(db, who.name, patient)
+        log_viewing(db, person.name, patient)
         rows = interface_tests_of(db, patient)
         tests = [InterfaceTestView.of_row(test, session) for test, session in rows]
     group = source or (rows[-1][0].source.group if rows else None)
@@ -96,7 +96,7 @@ def list_interface_tests(
 
 @router.put("/{test_id}/workload")
 async def put_workload(
-    test_id: RowId, body: Workload, who: ClinicianInSession, database: Db, live: LivePart
+    test_id: RowId, body: Workload, person: ClinicianInSession, database: Db, live: LivePart
 ) -> InterfaceTestView:
     """Store how demanding the test felt; without any answer, what was stored is removed.
 
@@ -106,7 +106,7 @@ async def put_workload(
     def _write() -> InterfaceTestView:
         with database.transaction() as db:
             test = save_workload(db, test_id, body.model_dump() if body.answers else None)
-            write_log(db, who.name, "workload answered", test=test_id, answers=len(body.answers))
+            write_log(db, person.name, "workload answered", test=test_id, answers=len(body.answers))
             return _view(db, test)
 
     saved = await asyncio.to_thread(_write)

@@ -51,7 +51,7 @@ class LogView(Document):
 
 @router.get("")
 def look(
-    _who: Owner,
+    _person: Owner,
     database: Db,
     person: Annotated[str | None, Query(max_length=80)] = None,
     patient: Annotated[int | None, Query(ge=1, le=2**31)] = None,
@@ -74,13 +74,13 @@ def look(
 
 
 @router.get("/export", response_class=StreamingResponse)
-def export(form: Literal["csv", "jsonl"], who: Owner, database: Db) -> StreamingResponse:
+def export(form: Literal["csv", "jsonl"], person: Owner, database: Db) -> StreamingResponse:
     """Return the whole log as a file: CSV for a spreadsheet, or JSON lines, from which the chain can be computed.
 
     For owners: all rows with their hashes, oldest first.
     """
     with database.transaction(closing=True) as db:
-        write_log(db, who.name, "log exported", form=form)
+        write_log(db, person.name, "log exported", form=form)
     name = f"bodydrive-log-{utc_now():%Y%m%dT%H%M%SZ}.{form}"
     lines = exported_lines(database, as_csv=form == "csv")
     headers = {"Content-Disposition": f'attachment; filename="{name}"'}
@@ -88,6 +88,6 @@ def export(form: Literal["csv", "jsonl"], who: Owner, database: Db) -> Streaming
 
 
 @router.get("/check")
-def check_log(_who: Owner, settings: SettingsPart) -> LogCheckView:
+def check_log(_person: Owner, settings: SettingsPart) -> LogCheckView:
     """Check every row of the log, and its newest rows against its head."""
     return LogCheckView.of(verify_log(settings.database))

@@ -30,7 +30,7 @@ class PriorView(Document):
 
 
 @router.get("")
-def look(_who: Anyone, database: Db, equipment: EquipmentPart) -> PriorView:
+def look(_person: Anyone, database: Db, equipment: EquipmentPart) -> PriorView:
     """Return the switch, and how many people are known in the shirt in use."""
     with database.reading() as db:
         return _view(db, equipment)
@@ -38,11 +38,11 @@ def look(_who: Anyone, database: Db, equipment: EquipmentPart) -> PriorView:
 
 @router.put("")
 @any_session(OF_CLINIC)
-def choose(body: PriorChoice, who: Owner, database: Db, equipment: EquipmentPart, live: LivePart) -> PriorView:
+def choose(body: PriorChoice, person: Owner, database: Db, equipment: EquipmentPart, live: LivePart) -> PriorView:
     """Switch it on or off; what was learnt before stays, and helps again when it is switched on."""
     with database.transaction() as db:
         if switch_prior(db, on=body.on):
-            write_log(db, who.name, "prior switched", on=body.on)
+            write_log(db, person.name, "prior switched", on=body.on)
         answer = _view(db, equipment)
     live.tell("calibration")
     return answer

@@ -46,14 +46,14 @@ class NewScale(Document):
 
 
 @router.get("/patients/{patient_id}/sessions")
-def list_sessions(patient_id: RowId, who: Anyone, database: Db) -> list[SessionRow]:
+def list_sessions(patient_id: RowId, person: Anyone, database: Db) -> list[SessionRow]:
     """List a patient's sessions, the newest first.
 
     `trials` is their count; `origin`: from which archive a session came, null: held here.
     """
     with database.transaction(closing=True) as db:
         find_patient(db, patient_id)
-        log_viewing(db, who.name, patient_id)
+        log_viewing(db, person.name, patient_id)
         counted, signed = counted_by_session(db, patient_id), sign_offs_of(db, patient_id)
         origins = {session: OriginView.of(origin) for session, origin in origins_of(db, patient_id).items()}
         return [
@@ -71,7 +71,7 @@ def list_sessions(patient_id: RowId, who: Anyone, database: Db) -> list[SessionR
 
 
 @router.get("/sessions/{session_id}")
-def one_session(session_id: RowId, who: Anyone, database: Db) -> SessionRecordView:
+def one_session(session_id: RowId, person: Anyone, database: Db) -> SessionRecordView:
     """Return the record of a session, and what was done in it.
 
     Reading is logged. The newest revision of a note comes first. Each change of the record gives this answer; after the
@@ -79,76 +79,76 @@ def one_session(session_id: RowId, who: Anyone, database: Db) -> SessionRecordVi
     """
     with database.transaction(closing=True) as db:
         session = find_session(db, session_id)
-        write_log(db, who.name, "session viewed", patient=session.patient_id, session=session_id)
+        write_log(db, person.name, "session viewed", patient=session.patient_id, session=session_id)
         return record_view(db, session)
 
 
 @router.put("/sessions/{session_id}/goal")
 @any_session(OWN_NAME)
-def put_goal(session_id: RowId, body: Goal, who: Clinician, database: Db, live: LivePart) -> SessionRecordView:
+def put_goal(session_id: RowId, body: Goal, person: Clinician, database: Db, live: LivePart) -> SessionRecordView:
     """Write the goal of a session, in the patient's words."""
 
     def write(db: Transaction) -> dict[str, Any]:
         write_goal(db, session_id, body.goal)
         return {}
 
-    return _changed(database, live, who, session_id, "goal written", write)
+    return _changed(database, live, person, session_id, "goal written", write)
 
 
 @router.post("/sessions/{session_id}/notes", status_code=201)
 @any_session(OWN_NAME)
-def new_note(session_id: RowId, body: NoteText, who: Clinician, database: Db, live: LivePart) -> SessionRecordView:
+def new_note(session_id: RowId, body: NoteText, person: Clinician, database: Db, live: LivePart) -> SessionRecordView:
     """Add a note to a session."""
     return _changed(
         database,
         live,
-        who,
+        person,
         session_id,
         "note added",
-        lambda db: {"note": add_note(db, session_id, body.text, who.name)},
+        lambda db: {"note": add_note(db, session_id, body.text, person.name)},
     )
 
 
 @router.put("/sessions/{session_id}/notes/{note_id}")
 @any_session(OWN_NAME)
 def new_revision(
-    session_id: RowId, note_id: RowId, body: NoteText, who: Clinician, database: Db, live: LivePart
+    session_id: RowId, note_id: RowId, body: NoteText, person: Clinician, database: Db, live: LivePart
 ) -> SessionRecordView:
     """Give a note another text; the text before stays in its history."""
 
     def write(db: Transaction) -> dict[str, Any] | None:
-        return {"note": note_id} if revise_note(db, session_id, note_id, body.text, who.name) else None
+        return {"note": note_id} if revise_note(db, session_id, note_id, body.text, person.name) else None
 
-    return _changed(database, live, who, session_id, "note revised", write)
+    return _changed(database, live, person, session_id, "note revised", write)
 
 
 @router.post("/sessions/{session_id}/scales", status_code=201)
 @any_session(OWN_NAME)
-def new_scale(session_id: RowId, body: NewScale, who: Clinician, database: Db, live: LivePart) -> SessionRecordView:
+def new_scale(session_id: RowId, body: NewScale, person: Clinician, database: Db, live: LivePart) -> SessionRecordView:
     """Add the total of an outcome scale."""
 
     def write(db: Transaction) -> dict[str, Any]:
         return {"scale": add_scale(db, session_id, body.name, body.total, body.day)}
 
-    return _changed(database, live, who, session_id, "scale added", write)
+    return _changed(database, live, person, session_id, "scale added", write)
 
 
 @router.delete("/sessions/{session_id}/scales/{scale_id}")
 @any_session(OWN_NAME)
-def no_scale(session_id: RowId, scale_id: RowId, who: Clinician, database: Db, live: LivePart) -> SessionRecordView:
+def no_scale(session_id: RowId, scale_id: RowId, person: Clinician, database: Db, live: LivePart) -> SessionRecordView:
     """Remove a scale; the log keeps who added it and who removed it, not what it was: a patient can be erased."""
 
     def write(db: Transaction) -> dict[str, Any]:
         remove_scale(db, session_id, scale_id)
         return {"scale": scale_id}
 
-    return _changed(database, live, who, session_id, "scale removed", write)
+    return _changed(database, live, person, session_id, "scale removed", write)
 
 
 def _changed(
     database: Database,
     live: LivePart,
-    who: SignedInPerson,
+    person: SignedInPerson,
     session_id: int,
     what: str,
     write: Callable[[Transaction], dict[str, Any] | None],
@@ -159,7 +159,7 @@ def _changed(
         require_unsigned(db, session_id)
         details = write(db)
         if details is not None:
-            write_log(db, who.name, what, patient=session.patient_id, session=session_id, **details)
+            write_log(db, person.name, what, patient=session.patient_id, session=session_id, **details)
         answer = record_view(db, session)
     live.tell("record")
     return answer
@@ -175,7 +175,7 @@ class Unlock(Document):
 @any_session(OWN_NAME)
 async def sign_session_off(
     session_id: RowId,
-    who: Clinician,
+    person: Clinician,
     database: Db,
     sockets: SocketsPart,
     session_flow: SessionFlowPart,
@@ -191,8 +191,8 @@ async def sign_session_off(
         with database.transaction() as db:
             session = find_session(db, session_id)
             was_open = session.ended is None
-            sign_off(db, session, who.name)
-            write_log(db, who.name, "session signed off", patient=session.patient_id, session=session_id)
+            sign_off(db, session, person.name)
+            write_log(db, person.name, "session signed off", patient=session.patient_id, session=session_id)
             return record_view(db, session), was_open
 
     async with session_flow.undisturbed("sign off"):
@@ -207,16 +207,16 @@ async def sign_session_off(
 
 @router.post("/sessions/{session_id}/unlock")
 @any_session(OWN_NAME)
-def unlock_session(session_id: RowId, body: Unlock, who: Owner, database: Db, live: LivePart) -> SessionRecordView:
+def unlock_session(session_id: RowId, body: Unlock, person: Owner, database: Db, live: LivePart) -> SessionRecordView:
     """Unlock a signed session, for a reason, which stays with its sign-off in the history of the session.
 
     For owners.
     """
     with database.transaction() as db:
         session = find_session(db, session_id)
-        row = unlock(db, session, who.name, body.reason)
+        row = unlock(db, session, person.name, body.reason)
         details = {"patient": session.patient_id, "session": session_id, "signed_by": row.person}
-        write_log(db, who.name, "session unlocked", **details)
+        write_log(db, person.name, "session unlocked", **details)
         answer = record_view(db, session)
     live.tell("record")
     return answer

@@ -111,7 +111,7 @@ class SessionComparison(Document):
 def compare_two(
     session_id: RowId,
     other: Annotated[int, Query(ge=1, le=2**31)],
-    who: Anyone,
+    person: Anyone,
     database: Db,
     computing: ComputingPart,
     spread: SpreadPart,
@@ -128,7 +128,7 @@ def compare_two(
         if pair[0].patient_id != pair[1].patient_id:
             raise Conflict(OTHER_PATIENT)
         earlier, later = sorted(pair, key=lambda one: one.number)
-        write_log(db, who.name, "sessions compared", patient=earlier.patient_id, sessions=[earlier.id, later.id])
+        write_log(db, person.name, "sessions compared", patient=earlier.patient_id, sessions=[earlier.id, later.id])
         trials = [trials_of_session(db, one.id) for one in (earlier, later)]
         driven = [Counter(map(_task, of_session)) for of_session in trials]
         titles = {_task(one): one.floorplan_title for of_session in trials for one in of_session}

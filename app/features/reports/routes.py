@@ -16,7 +16,7 @@ router = APIRouter(tags=["reports"])
 @router.get("/patients/{patient_id}/report", response_class=Response)
 def report(
     patient_id: RowId,
-    who: Exporter,
+    person: Exporter,
     *,
     settings: SettingsPart,
     database: Db,
@@ -36,7 +36,7 @@ def report(
     """
     spreads_of = spread.for_patient(patient_id)
     subject = Subject(patient_id, session)
-    material = exported_material(database, settings, subject, form, who.name, spreads_of, for_patient=for_patient)
+    material = exported_material(database, settings, subject, form, person.name, spreads_of, for_patient=for_patient)
     content = computing.ask(report_file, material, form, "us-letter" if letter else "a4")
     disposition = f'attachment; filename="{file_name(material, form)}"'
     return Response(content, media_type=MEDIA_TYPES[form], headers={"Content-Disposition": disposition})

@@ -117,7 +117,7 @@ class PatientAttention(Document):
 
 
 @router.get("/attention")
-def attention(who: Anyone, database: Db, deteriorations: DeteriorationsPart) -> list[PatientAttention]:
+def attention(person: Anyone, database: Db, deteriorations: DeteriorationsPart) -> list[PatientAttention]:
     """List the patients that the person who asks may see, those who need attention first.
 
     Reasons: drives of a real chair that a fault stopped, deterioration, halted trials, unread comments, unsigned
@@ -125,9 +125,9 @@ def attention(who: Anyone, database: Db, deteriorations: DeteriorationsPart) -> 
     page asks again after some seconds.
     """
     with database.transaction(closing=True) as db:
-        found = patients_and_reasons(db, who.person_id)
+        found = patients_and_reasons(db, person.person_id)
         tasks = counted_tasks(db)
-        write_log(db, who.name, "patients viewed by attention")
+        write_log(db, person.name, "patients viewed by attention")
     known = deteriorations.known(tasks)
     pending = {task.patient_id for task in tasks if task not in known}
     worse: dict[int, list[Attention]] = defaultdict(list)

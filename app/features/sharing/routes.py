@@ -83,7 +83,7 @@ class NewLinks:
     live: LivePart
 
     async def make(
-        self, who: SignedInPerson, days: int, *, patient_id: int = 0, session_id: int | None = None
+        self, person: SignedInPerson, days: int, *, patient_id: int = 0, session_id: int | None = None
     ) -> MadeShare:
         """Make a link to one session, or to all sessions of a patient."""
 
@@ -100,9 +100,9 @@ class NewLinks:
         def store(pin_hash: str) -> MadeShare:
             with self.database.transaction() as db:
                 patient = whose(db)
-                link, token = add_share(db, patient, session_id, pin_hash, days, who.name)
+                link, token = add_share(db, patient, session_id, pin_hash, days, person.name)
                 details = {"patient": patient, "session": session_id, "share": link.id, "days": days}
-                write_log(db, who.name, "share link made", **details)
+                write_log(db, person.name, "share link made", **details)
                 return MadeShare(
                     patient_id=patient,
                     shares=_rows(db, patient),
@@ -120,14 +120,14 @@ class NewLinks:
 
 
 @router.get("/patients/{patient_id}/shares")
-def list_shares(patient_id: RowId, who: Clinician, database: Db) -> SharesView:
+def list_shares(patient_id: RowId, person: Clinician, database: Db) -> SharesView:
     """List the share links of a patient.
 
     For owners and clinicians: with the count and last time of openings (event `shares`; visitors have no names).
     """
     with database.transaction(closing=True) as db:
         find_patient(db, patient_id)
-        log_viewing(db, who.name, patient_id)
+        log_viewing(db, person.name, patient_id)
         return SharesView(patient_id=patient_id, shares=_rows(db, patient_id))
 
 
@@ -136,7 +136,7 @@ def list_shares(patient_id: RowId, who: Clinician, database: Db) -> SharesView:
 async def share_course(
     patient_id: RowId,
     body: NewShare,
-    who: Clinician,
+    person: Clinician,
     links: Annotated[NewLinks, Depends()],
 ) -> MadeShare:
     """Make a link to all sessions of a patient, who consents to sharing.
@@ -144,7 +144,7 @@ async def share_course(
     For owners and clinicians. `days` 1 to 14; link and PIN are answered once, with `message` where the link does not
     work.
     """
-    return await links.make(who, body.days, patient_id=patient_id)
+    return await links.make(person, body.days, patient_id=patient_id)
 
 
 @router.post("/sessions/{session_id}/shares", status_code=201)
@@ -152,24 +152,24 @@ async def share_course(
 async def share_session(
     session_id: RowId,
     body: NewShare,
-    who: Clinician,
+    person: Clinician,
     links: Annotated[NewLinks, Depends()],
 ) -> MadeShare:
     """Make a link to one session of a patient, who consents to sharing.
 
     As for all sessions of a patient.
     """
-    return await links.make(who, body.days, session_id=session_id)
+    return await links.make(person, body.days, session_id=session_id)
 
 
 @router.delete("/shares/{share_id}")
 @any_session(OWN_NAME)
-def no_share(share_id: RowId, who: Clinician, database: Db, live: LivePart) -> SharesView:
+def no_share(share_id: RowId, person: Clinician, database: Db, live: LivePart) -> SharesView:
     """Revoke a share link: nobody reads by it any more."""
     with database.transaction(closing=True) as db:
         link = find_share(db, share_id)
         revoke_share(db, link)
-        write_log(db, who.name, "share link revoked", patient=link.patient_id, share=share_id)
+        write_log(db, person.name, "share link revoked", patient=link.patient_id, share=share_id)
         answer = SharesView(patient_id=link.patient_id, shares=_rows(db, link.patient_id))
     live.tell(CHANGED)
     return answer

@@ -140,9 +140,9 @@ def story_view(db: Transaction, session: PatientSession) -> StoryView:
 
 
 @router.get("/sessions/{session_id}/story")
-def story(session_id: RowId, who: Anyone, database: Db) -> StoryView:
+def story(session_id: RowId, person: Anyone, database: Db) -> StoryView:
     """Return what was done, changed and said in a session, in time order."""
     with database.transaction(closing=True) as db:
         session = find_session(db, session_id)
-        write_log(db, who.name, "session viewed", patient=session.patient_id, session=session_id)
+        write_log(db, person.name, "session viewed", patient=session.patient_id, session=session_id)
         return story_view(db, session)
