@@ -101,48 +101,48 @@ def make_parts(
     return parts
 
 
-def _teller(parts: Parts) -> Callable[[str], None]:
+def _notifier(parts: Parts) -> Callable[[str], None]:
     """Return what tells the pages that something has changed on the server."""
 
-    def tell(event: str) -> None:
-        parts[ClinicLive].tell(event)
+    def notify(event: str) -> None:
+        parts[ClinicLive].notify(event)
 
-    return tell
+    return notify
 
 
 def _add_what_runs(parts: Parts, start_process: StartProcess) -> None:
     """Add the link to the control process, the equipment, and the flows of a session."""
-    settings, database, computing, tell = parts[Settings], parts[Database], parts[ComputingProcess], _teller(parts)
+    settings, database, computing, notify = parts[Settings], parts[Database], parts[ComputingProcess], _notifier(parts)
     control = parts.add(ControlLink, ControlLink(start_process))
-    choices = Equipment(database, control, settings.files, settings.keys, tell, demonstration=settings.demo)
+    choices = Equipment(database, control, settings.files, settings.keys, notify, demonstration=settings.demo)
     equipment = parts.add(Equipment, choices)
     parts.add(ShirtWatch, ShirtWatch(equipment))
     runs = parts.add(SessionRuns, SessionRuns(database, control, settings.runs, lambda: equipment.simulated))
-    chairs = parts.add(Chairs, Chairs(database, control, settings.keys, tell))
-    parts.add(HeadChoice, HeadChoice(database, control, equipment.with_path, tell))
-    limits = parts.add(ClinicLimits, ClinicLimits(database, control, tell))
+    chairs = parts.add(Chairs, Chairs(database, control, settings.keys, notify))
+    parts.add(HeadChoice, HeadChoice(database, control, equipment.with_path, notify))
+    limits = parts.add(ClinicLimits, ClinicLimits(database, control, notify))
     priors = (one.prior(database) for one in features().values() if one.prior is not None)
     prior: OthersPrior = next(priors, NobodyElse())
     calibration = parts.add(
-        CalibrationFlow, CalibrationFlow(database, control, equipment, runs, tell, computing, prior)
+        CalibrationFlow, CalibrationFlow(database, control, equipment, runs, notify, computing, prior)
     )
-    trials = parts.add(TrialFlow, TrialFlow(database, control, runs, tell, computing))
-    drives = parts.add(RealDriveFlow, RealDriveFlow(database, control, runs, tell, computing))
+    trials = parts.add(TrialFlow, TrialFlow(database, control, runs, notify, computing))
+    drives = parts.add(RealDriveFlow, RealDriveFlow(database, control, runs, notify, computing))
     flows = (one.flow for one in features().values() if one.flow is not None)
-    others = [make(database, control, runs, tell, computing) for make in flows]
+    others = [make(database, control, runs, notify, computing) for make in flows]
     made = (one.background for one in features().values() if one.background is not None)
-    background = [make(database, settings, tell) for make in made]
+    background = [make(database, settings, notify) for make in made]
     parts.add(FeatureParts, FeatureParts(others, background))
     for part in (*others, *background):
         parts.add(type(part), part)
     session = parts.add(
-        SessionFlow, SessionFlow(database, control, equipment, calibration, trials, drives, others, tell)
+        SessionFlow, SessionFlow(database, control, equipment, calibration, trials, drives, others, notify)
     )
     parts.add(RealArming, RealArming(database, control, equipment, session, chairs, limits))
-    parts.add(AdaptationFlow, AdaptationFlow(database, control, runs, trials, session, chairs, tell, computing))
+    parts.add(AdaptationFlow, AdaptationFlow(database, control, runs, trials, session, chairs, notify, computing))
 
     async def control_changed(_state: str) -> None:
-        tell("equipment")
+        notify("equipment")
 
     control.on_change.append(control_changed)
 
@@ -166,7 +166,7 @@ def _add_pictures(parts: Parts) -> None:
 
 def _add_what_is_recorded(parts: Parts) -> None:
     """Add what reads recordings, and what keeps the state of the clinic."""
-    settings, database, computing, tell = parts[Settings], parts[Database], parts[ComputingProcess], _teller(parts)
+    settings, database, computing, notify = parts[Settings], parts[Database], parts[ComputingProcess], _notifier(parts)
     runs, trials, drives = parts[SessionRuns], parts[TrialFlow], parts[RealDriveFlow]
 
     def current_drive() -> dict[str, int]:
@@ -176,13 +176,13 @@ def _add_what_is_recorded(parts: Parts) -> None:
         return {} if trial is None else {"trial": trial.id}
 
     parts.add(FaultLog, FaultLog(database, parts[ControlLink], current_drive))
-    parts.add(DiskWatch, DiskWatch(settings.state, database.ballast, tell))
+    parts.add(DiskWatch, DiskWatch(settings.state, database.ballast, notify))
     parts.add(ErasureWatch, ErasureWatch(database, settings))
     parts.add(GestureDiscoveries, GestureDiscoveries(database, runs.folder_of, computing))
     parts.add(Trajectories, Trajectories(computing))
     parts.add(Timelines, Timelines(computing))
     parts.add(TrialQualities, TrialQualities(database, runs.folder_of, computing))
-    parts.add(MeasuresRenewal, MeasuresRenewal(database, runs, computing, tell))
+    parts.add(MeasuresRenewal, MeasuresRenewal(database, runs, computing, notify))
     parts.add(ClinicSpread, ClinicSpread(database, computing))
     parts.add(Replays, Replays())
 

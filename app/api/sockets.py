@@ -164,7 +164,7 @@ class OpenSockets:
         """Close every websocket of a person whose sign-ins have ended, all but the sign-in with the id `but`."""
         await self._close(self._of(lambda person: person.person_id == person_id and person.sign_in_id != but))
 
-    async def look_again(self, sign_in_id: int) -> None:
+    async def recheck(self, sign_in_id: int) -> None:
         """Find anew who opened the websockets of a sign-in: it was unlocked."""
         await self._check(self._of(lambda person: person.sign_in_id == sign_in_id))
 

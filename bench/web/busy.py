@@ -71,13 +71,13 @@ def _row(
 
 
 def in_turn(
-    clock: MonotonicClock, rounds: int, stops: int, port: int, tell: Callable[[str], str]
+    clock: MonotonicClock, rounds: int, stops: int, port: int, notify: Callable[[str], str]
 ) -> dict[str, list[float]]:
     """Return how long each stop took (s), without the work ("off") and with it ("on")."""
     pause = random.Random(1)
     times: dict[str, list[float]] = {"off": [], "on": []}
     for word in ("off", "on") * rounds:
-        tell(word)
+        notify(word)
         clock.sleep_until(clock.now() + SETTLING)
         for _ in range(stops):
             before = request(("127.0.0.1", port), "POST", "/api/v1/control/stop")

@@ -26,15 +26,15 @@ def measure_slow_pages(rounds: int = ROUNDS, stops: int = STOPS, reading: int = 
     ):
         now = "before"
 
-        def tell(word: str) -> str:
+        def notify(word: str) -> str:
             nonlocal now
             turns[now].append([float(figure) for figure in ask(web, "turns").split()])
             now = word
             return ask(pages, word)
 
         try:
-            times = in_turn(MonotonicClock(), rounds, stops, port, tell)
-            counts = tell("off")
+            times = in_turn(MonotonicClock(), rounds, stops, port, notify)
+            counts = notify("off")
         finally:
             pages.communicate()
     quiet, busy = (1e3 * np.array(times[word]).reshape(rounds, stops) for word in ("off", "on"))

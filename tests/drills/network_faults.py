@@ -113,7 +113,7 @@ async def recorded_switch(runs, dice):
             made.relay.cut = True
             await asyncio.sleep(0.4)  # until another nonce than the newest is taken
             for _ in range(TELLINGS):  # again: on a busy machine the silence may begin later
-                made.relay.tell(pressed)
+                made.relay.notify(pressed)
                 await asyncio.sleep(0.1)
             old += made.control.newest()["stop_input"] != 1  # a newer one of the same nonce came before the cut
             made.relay.cut = False

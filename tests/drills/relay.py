@@ -90,7 +90,7 @@ class Relay:
         """Send a datagram to the chair from the sender's address."""
         self._far.sendto(datagram, ("127.0.0.1", self.chair_port))
 
-    def tell(self, datagram: bytes) -> None:
+    def notify(self, datagram: bytes) -> None:
         """Send a datagram to the sender, of which the relay has heard, from the chair's address."""
         assert self._sender is not None
         self._near.sendto(datagram, self._sender)

@@ -49,7 +49,7 @@ class CommandedLoop:
                 return json.loads(self._ours.recv(1 << 16))
         raise AssertionError("there is no answer")
 
-    def tell(self, do, **fields):
+    def notify(self, do, **fields):
         """Send a command without waiting for an answer."""
         self._ours.sendall(json.dumps({"id": NO_ANSWER, "do": do, **fields}).encode() + b"\n")
         self.commands.poll()

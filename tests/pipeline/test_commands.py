@@ -87,12 +87,12 @@ def test_the_dial_turns_down_at_once_and_up_only_at_rest(control):
 )
 def test_the_heartbeat_says_which_of_three_is_wrong_with_the_screen(control, said, fault):
     control.live(0.1)
-    control.tell("heartbeat", screen_age=0.0, screen="hidden")  # of the drive before
+    control.notify("heartbeat", screen_age=0.0, screen="hidden")  # of the drive before
     control.done("arm", hash=control.parameters.hash)
     control.loop.turn()
     gate = control.setup.chain.gate
     assert (gate.state, gate.fault) == (State.CHECKING, Fault.NONE)
-    control.tell("heartbeat", **said)
+    control.notify("heartbeat", **said)
     control.loop.turn()
     assert gate.fault is fault
     assert "screen" in control.refused("heartbeat", screen_age=0.0, screen="away")
@@ -229,7 +229,7 @@ def test_a_head_tracker_is_chosen_asked_and_given_back(control, tmp_path):
     control.done("head", config={"kind": "tablet"})
     assert control.done("status")["head"]["kind"] == "tablet"
     assert "first pose" in control.refused("head_ahead")
-    control.tell("look", yaw=0.5, pitch=0.1, roll=0.0)
+    control.notify("look", yaw=0.5, pitch=0.1, roll=0.0)
     control.live(0.05)
     assert float(control.ring.newest()["head_yaw"]) == 0.5
     control.done("head_ahead")
@@ -240,7 +240,7 @@ def test_a_head_tracker_is_chosen_asked_and_given_back(control, tmp_path):
     assert control.done("status")["head"]["kind"] == "tablet", "what cannot be read changes nothing"
     control.done("head", config=None)
     assert control.done("status")["head"] == nobody
-    control.tell("look", yaw=0.5, pitch=0.1, roll=0.0)
+    control.notify("look", yaw=0.5, pitch=0.1, roll=0.0)
     control.live(0.05)
     assert math.isnan(control.ring.newest()["head_yaw"])
     control.done("run", run_id="r", folder=str(tmp_path / "r"), kind="drive")

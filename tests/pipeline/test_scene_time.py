@@ -55,7 +55,7 @@ def test_it_counts_armed_time_and_begins_anew_with_each_drive(control, tmp_path)
     assert held == pytest.approx(float(armed["scene_t"][-1]), abs=0.011)
     control.live(0.5)
     assert newest(control)[1] == held
-    control.tell("end_run")
+    control.notify("end_run")
     control.done("run", run_id="two", folder=str(tmp_path / "two"), kind="drive")
     control.live(0.05)
     assert newest(control)[1] == 0.0

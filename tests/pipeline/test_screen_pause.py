@@ -43,7 +43,7 @@ def report(control, seconds, screen="in view", screen_age=0.0):
     until = control.clock.now() + seconds
     while control.clock.now() < until:
         beat = control.clock.now() + 0.1
-        control.tell("heartbeat", screen=screen, screen_age=screen_age)
+        control.notify("heartbeat", screen=screen, screen_age=screen_age)
         while control.clock.now() < min(beat, until):
             control.loop.turn()
 

@@ -30,7 +30,7 @@ class Graphics:
         self._names.pop(socket, None)
         self._rates.pop(socket, None)
 
-    def take(self, socket: object, rate: float) -> None:
+    def set_rate(self, socket: object, rate: float) -> None:
         """Store the pictures a second of a screen."""
         self._rates[socket] = rate
 
@@ -38,6 +38,6 @@ class Graphics:
         """Return the name of each open screen and its pictures a second, None for one that did not answer."""
         self._rates.clear()
         for hub in self._hubs:
-            hub.tell(EVENT)
+            hub.notify(EVENT)
         await asyncio.sleep(ANSWER_LIMIT)
         return [(name, self._rates.get(socket)) for socket, name in self._names.items()]

@@ -43,7 +43,7 @@ class DrivingScreen:
         When the screen that drives goes out of view, stop the chair by a heartbeat at once.
         """
         before = self.sign()
-        is_taken = self._screens.take(screen, sign)
+        is_taken = self._screens.report(screen, sign)
         if before.view == "in view" != self.sign().view:
             self._control.beat()
         return is_taken

@@ -65,7 +65,7 @@ class LiveHub(Generic[Message]):
             self._task.cancel()
             await asyncio.gather(self._task, return_exceptions=True)
 
-    def tell(self, event: str) -> None:
+    def notify(self, event: str) -> None:
         """Send every page the name of what changed on the server."""
         for viewer in self._viewers:
             viewer.events[event] = None

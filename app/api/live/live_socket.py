@@ -114,7 +114,7 @@ async def live(
         sending = asyncio.create_task(live.serve(viewer))
         try:
             while True:
-                await _take(await websocket.receive_text(), websocket, sockets, control, graphics)
+                await _carry_out(await websocket.receive_text(), websocket, sockets, control, graphics)
         except (WebSocketDisconnect, RuntimeError):
             pass  # disconnected, or closed by us: in both cases the page connects again by itself
         except KeyError:
@@ -127,7 +127,7 @@ async def live(
             await viewing.close()
 
 
-async def _take(
+async def _carry_out(
     text: str, websocket: WebSocket, sockets: OpenSockets, control: ControlLink, graphics: Graphics
 ) -> None:
     """Carry out a message of a page. An invalid message is ignored, but a Stop in it counts; so on a locked page."""
@@ -145,7 +145,7 @@ async def _take(
     if sockets.is_locked(websocket):
         return
     if message.pictures is not None:
-        graphics.take(websocket, message.pictures)
+        graphics.set_rate(websocket, message.pictures)
     if not sockets.may_drive(websocket):
         return
     if message.move is not None:

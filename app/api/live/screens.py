@@ -31,7 +31,7 @@ class Screens:
     def __init__(self) -> None:
         self._signs: dict[Screen, PageSign] = {}
 
-    def take(self, screen: Screen, sign: PageSign) -> bool:
+    def report(self, screen: Screen, sign: PageSign) -> bool:
         """Store the report of a screen; return False, and store nothing, while another socket reports for it.
 
         Another socket takes over when the first has ended, or has sent nothing for LINK_LIMIT. Without that limit, a

@@ -61,10 +61,10 @@ async def patient_live(
     viewer = Viewer(websocket)
     async with sockets.guarded(websocket, person):
         graphics.opened(websocket, "A patient's screen")
-        live.tell("screens")
+        live.notify("screens")
         sending = asyncio.create_task(patient_hub.serve(viewer))
         try:
-            await _take(websocket, person.screen_id, pictures, live, graphics)
+            await _receive(websocket, person.screen_id, pictures, live, graphics)
         except RuntimeError:
             pass  # closed by us
         finally:
@@ -73,10 +73,10 @@ async def patient_live(
             graphics.forget(websocket)
             sending.cancel()
             await asyncio.gather(sending, return_exceptions=True)
-    live.tell("screens")
+    live.notify("screens")
 
 
-async def _take(
+async def _receive(
     websocket: WebSocket, screen_id: int, pictures: ScreenPictures, live: ClinicLive, graphics: Graphics
 ) -> None:
     """Receive picture reports until the page leaves, or has sent more than `FLOOD` messages within 10 s.
@@ -105,12 +105,12 @@ async def _take(
         if report is None:
             continue
         if report.pictures is not None:
-            graphics.take(websocket, report.pictures)
+            graphics.set_rate(websocket, report.pictures)
         if report.picture is None:
             continue
         limit = SILENCE
         if pictures.of_patient(screen_id, report.picture, websocket):
-            live.tell("screens")
+            live.notify("screens")
 
 
 def _read(message: Mapping[str, Any]) -> PictureReport | None:

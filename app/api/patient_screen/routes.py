@@ -132,7 +132,7 @@ PairedScreens = Annotated[PatientScreens, Depends(parts_for(PatientScreens))]
 
 
 @router.get("")
-async def look(_person: Clinician, paired: PairedScreens) -> ScreensView:
+async def read_screens(_person: Clinician, paired: PairedScreens) -> ScreensView:
     """Return the screens of this session; none without a session."""
     try:
         return await paired.view()
@@ -200,7 +200,7 @@ async def pair(
     token = await run_in_threadpool(_pair)
     set_cookie(request, response, SCREEN_COOKIE, token, max_age=int(PAIRED_FOR.total_seconds()))
     await sockets.close_ended_screens()
-    live.tell("screens")
+    live.notify("screens")
     return ScreenStateView(state="paired")
 
 
@@ -233,7 +233,7 @@ async def choose(
 
     await run_in_threadpool(_write)
     patient_picture.settings = body
-    live.tell("screens")
+    live.notify("screens")
     return await paired.view()
 
 
@@ -256,5 +256,5 @@ async def unpair(
     await run_in_threadpool(_unpair)
     pictures.unpair(screen_id)
     await sockets.close_ended_screens()
-    live.tell("screens")
+    live.notify("screens")
     return await paired.view()

@@ -165,7 +165,7 @@ State = Annotated[AdaptationState, Depends(parts_for(AdaptationState))]
 
 
 @router.get("/adaptation")
-async def look(_person: Anyone, state: State) -> AdaptationView:
+async def read_adaptation(_person: Anyone, state: State) -> AdaptationView:
     """Return the proposal to adapt the map, or why there is none.
 
     `why`: there is no proposal or nothing to apply; `refusal`: nothing may be applied now; `practised`: kept trials

@@ -56,7 +56,7 @@ async def _view(calibration_flow: CalibrationFlow, session: PatientSession) -> C
 
 
 @router.get("")
-async def look(
+async def read_calibration(
     _person: Clinician, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Return the state of the calibration.
@@ -149,7 +149,7 @@ async def choose(
         if calibration_flow.running:
             raise Conflict("A step is being recorded, or the calibration is being worked out: wait for its end.")
         await asyncio.to_thread(choose_map, database, session.id, body.joint, body.map)
-    live.tell("calibration")
+    live.notify("calibration")
     return await _view(calibration_flow, session)
 
 
@@ -175,7 +175,7 @@ async def say_how_it_sits(
             override_rotation, database, session.id, body.joint, person.name, is_right=body.is_right
         )
         await calibration_flow.fit_again(session.id)
-    live.tell("calibration")
+    live.notify("calibration")
     return await _view(calibration_flow, session)
 
 
@@ -197,7 +197,7 @@ async def drive_now(
         await _accept(person, database, calibration_flow, session_flow, session)
         await calibration_flow.learn(session.id)
     for event in ("calibration", "controls", "session"):
-        live.tell(event)
+        live.notify(event)
     return await _view(calibration_flow, session)
 
 
@@ -214,7 +214,7 @@ async def fit_earlier(
         await calibration_flow.fit_earlier(session.id, person.name)
         await session_flow.try_load_parameters()
     for event in ("calibration", "controls", "adaptation"):
-        live.tell(event)
+        live.notify(event)
     return await _view(calibration_flow, session)
 
 
@@ -232,7 +232,7 @@ async def accept(
         await _accept(person, database, calibration_flow, session_flow, session)
         await calibration_flow.learn(session.id)
     for event in ("calibration", "controls", "session"):
-        live.tell(event)
+        live.notify(event)
     return await _view(calibration_flow, session)
 
 

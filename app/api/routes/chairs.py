@@ -83,7 +83,7 @@ async def _view(database: Database, chairs: Chairs) -> ChairsView:
 
 
 @router.get("")
-async def look(_person: Anyone, database: Db, chairs: ChairsPart) -> ChairsView:
+async def read_chairs(_person: Anyone, database: Db, chairs: ChairsPart) -> ChairsView:
     """Return the chairs."""
     return await _view(database, chairs)
 
@@ -107,7 +107,7 @@ async def pair(
             return key
 
     key = await asyncio.to_thread(_pair)
-    live.tell("equipment")
+    live.notify("equipment")
     view = await _view(database, chairs)
     return PairedView(**view.model_dump(), key_line=key.line, qr=qr_picture(key.line))
 
@@ -137,7 +137,7 @@ async def unpair(
         if chairs.chosen is not None and chairs.chosen.id == chair_id:
             await chairs.choose(None, chairs.dynamics)
         await asyncio.to_thread(_unpair)
-    live.tell("equipment")
+    live.notify("equipment")
     return await _view(database, chairs)
 
 

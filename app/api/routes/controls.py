@@ -135,7 +135,7 @@ class PatientControls:
         async with self.session_flow.undisturbed("change the controls"):
             view = await asyncio.to_thread(write, await self.session_flow.needed_session())
             await self.session_flow.try_load_parameters()
-        self.live.tell("controls")
+        self.live.notify("controls")
         return view
 
     def _view(self, db: Transaction, patient_id: int, suggestion: SuggestedVocabulary) -> ControlsView:
@@ -163,7 +163,7 @@ Controls = Annotated[PatientControls, Depends(parts_for(PatientControls))]
 
 
 @router.get("")
-async def look(_person: Clinician, controls: Controls) -> ControlsView:
+async def read_controls(_person: Clinician, controls: Controls) -> ControlsView:
     """Return the current parameter set.
 
     `held`: speeds that clinic or chair do not allow, with what holds instead. `obstacle`: why the set cannot drive, and
@@ -173,7 +173,7 @@ async def look(_person: Clinician, controls: Controls) -> ControlsView:
 
 
 @router.get("/obstacle")
-async def look_at_obstacle(_person: Clinician, session_flow: SessionFlowPart) -> ObstacleView | None:
+async def read_obstacle(_person: Clinician, session_flow: SessionFlowPart) -> ObstacleView | None:
     """Return why the current parameter set cannot drive; null when it can, and without a calibration."""
     return ObstacleView.of(await asyncio.to_thread(session_flow.current_obstacle))
 

@@ -203,7 +203,7 @@ State = Annotated[EquipmentState, Depends(parts_for(EquipmentState))]
 
 
 @router.get("")
-async def look(_person: Anyone, state: State) -> EquipmentView:
+async def read_equipment(_person: Anyone, state: State) -> EquipmentView:
     """Return the equipment in use, and what can be chosen.
 
     `shirt` null: none chosen yet. `disk.message` is empty above 2 GB and changes within a second (event `disk`).
@@ -255,7 +255,7 @@ async def choose_shirt(
 
 
 @router.get("/sender")
-async def look_at_senders(_person: Anyone, control: ControlPart) -> SendersView:
+async def read_senders(_person: Anyone, control: ControlPart) -> SendersView:
     """Return who sends frames to the shirt's port."""
     status = await control.call("status")
     return SendersView.model_validate(status["shirt"].get("senders") or {"shirt": "", "other": "", "others": 0})
@@ -352,7 +352,7 @@ async def bring_file(
             add_patient_file(db, kept.name)
 
     await asyncio.to_thread(note_patient)
-    live.tell("equipment")
+    live.notify("equipment")
     return await state.logged_view(
         person.name,
         "file added",

@@ -10,7 +10,7 @@ router = APIRouter(prefix="/limits", tags=["limits"])
 
 
 @router.get("")
-async def look(_person: Anyone, clinic_limits: LimitsPart) -> Speeds:
+async def read_limits(_person: Anyone, clinic_limits: LimitsPart) -> Speeds:
     """Return the clinic's limits."""
     return clinic_limits.speeds
 

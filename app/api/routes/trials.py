@@ -278,5 +278,5 @@ async def _keep(
             return _view(db, trial)
 
     kept = await asyncio.to_thread(_write)
-    live.tell("trial")
+    live.notify("trial")
     return kept

@@ -46,14 +46,14 @@ class _Invited(Document):
 async def _require_invited(database: Database, sign_in_limits: SignInLimits, request: Request, code: str) -> _Invited:
     """Return for whom a code is valid; 401 for a wrong one, which is counted by address."""
     attempt = await sign_in_limits.code(address_of(request))
-    found = await run_in_threadpool(_look_up, database, code)
+    found = await run_in_threadpool(_find, database, code)
     if found is None:
         raise HTTPException(401, WRONG)
     attempt.take_back()
     return found
 
 
-def _look_up(database: Database, code: str) -> _Invited | None:
+def _find(database: Database, code: str) -> _Invited | None:
     with database.reading() as db:
         person = find_invited(db, code)
         if person is None:
@@ -64,7 +64,9 @@ def _look_up(database: Database, code: str) -> _Invited | None:
 
 @router.post("")
 @any_session(SIGN_IN)
-async def look(body: InvitationCode, request: Request, database: Db, sign_in_limits: SignInLimitsPart) -> InvitedView:
+async def read_invitation(
+    body: InvitationCode, request: Request, database: Db, sign_in_limits: SignInLimitsPart
+) -> InvitedView:
     """Tell for whom an invitation is; it stays valid.
 
     Without sign-in. The code stands behind `#invite=` of the link, is valid once and for 24 hours, and is stored as

@@ -245,7 +245,7 @@ async def unlock_here(
     if person.locked:
         await passwords.require_own(request, person.name, body.password)
         await run_in_threadpool(_unlock, database, person.sign_in_id)
-        await sockets.look_again(person.sign_in_id)
+        await sockets.recheck(person.sign_in_id)
     return await run_in_threadpool(_me, settings, database, person.name, person.role)
 
 

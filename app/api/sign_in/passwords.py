@@ -77,7 +77,7 @@ class PasswordCheck:
             await self.limits.require(attempt)
         try:
             async with self.hashing.slot():
-                found = await run_in_threadpool(self._look_up, request, name)
+                found = await run_in_threadpool(self._find, request, name)
                 if attempt.wait and found.browser is not None:
                     attempt = self.limits.password_in(found.browser)
                 is_right = not attempt.wait and await self.hashing.matches(found.stored, password)
@@ -90,7 +90,7 @@ class PasswordCheck:
             raise HTTPException(401, wrong)
         attempt.take_back()
 
-    def _look_up(self, request: Request, name: str) -> _StoredCredentials:
+    def _find(self, request: Request, name: str) -> _StoredCredentials:
         with self.database.reading() as db:
             person = find_person(db, name)
             if person is None or person.disabled is not None:

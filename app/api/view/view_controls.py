@@ -79,7 +79,7 @@ def view_controls(scene_now: SceneNow, clinician: Callable[..., Any]) -> APIRout
     SceneOfSession = Annotated[LiveScene, Depends(scene)]  # noqa: N806
 
     @router.post("/{role}/camera")
-    def look(role: Role, choice: CameraChoice, drawn: SceneOfSession) -> ViewState:
+    def choose_camera(role: Role, choice: CameraChoice, drawn: SceneOfSession) -> ViewState:
         """Look from the patient's eye, from behind the chair, from above, or from anywhere.
 
         `fov_deg`, `eye_height`, `roll_share` and `head` are the patient's eye's.

@@ -13,11 +13,11 @@ if TYPE_CHECKING:
     from app.store.database import Database
 
 
-def night_backups(database: "Database", settings: "Settings", tell: "Callable[[str], None]") -> "Background":
+def night_backups(database: "Database", settings: "Settings", notify: "Callable[[str], None]") -> "Background":
     """Return what makes the backup of every night."""
     from app.features.backup.night_backups import NightBackups
 
-    return NightBackups(database, settings, tell)
+    return NightBackups(database, settings, notify)
 
 
 FEATURE: Final = Feature(

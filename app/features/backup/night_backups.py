@@ -66,21 +66,21 @@ class BackupProgress(NamedTuple):
 class NightBackups:
     """Looks every minute whether a backup is due, and makes one when somebody asks."""
 
-    def __init__(self, database: Database, settings: Settings, tell: Callable[[str], None]) -> None:
+    def __init__(self, database: Database, settings: Settings, notify: Callable[[str], None]) -> None:
         self._database = database
         self._settings = settings
-        self._tell = tell
-        self._looking: asyncio.Task[None] | None = None
+        self._notify = notify
+        self._watching: asyncio.Task[None] | None = None
         self._making: asyncio.Task[None] | None = None
         self.course: BackupProgress | None = None  # None: no backup is being made
 
     def start(self) -> None:
         """Begin to look."""
-        self._looking = asyncio.create_task(self._look())
+        self._watching = asyncio.create_task(self._watch())
 
     async def close(self) -> None:
         """Stop looking, and end a backup that is being made; nothing of it is left."""
-        tasks = [task for task in (self._looking, self._making) if task is not None]
+        tasks = [task for task in (self._watching, self._making) if task is not None]
         for task in tasks:
             task.cancel()
         await asyncio.gather(*tasks, return_exceptions=True)
@@ -117,7 +117,7 @@ class NightBackups:
             logger.exception("A backup could not be put into the log")
         finally:
             self.course = None
-            self._tell("backups")
+            self._notify("backups")
 
     async def _answer(self, job: BackupJob) -> BackupMessage:
         """Return the last message of the process that makes the backup."""
@@ -148,7 +148,7 @@ class NightBackups:
         with self._database.transaction(closing=True) as db:
             add_backup(db, person, place=job["target"], in_folder=True, **facts)
 
-    async def _look(self) -> None:
+    async def _watch(self) -> None:
         while True:
             try:
                 if self.course is None and await asyncio.to_thread(self._is_due):

@@ -161,7 +161,7 @@ def _view(own: Settings, database: Database, backups: NightBackups) -> BackupsVi
 
 
 @router.get("/backups")
-def look(_person: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
+def read_backups(_person: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
     """Return the settings, the newest backups, how far one is that is being made, deleted patients, incidents.
 
     For owners. The other routes of the page give this answer, too.

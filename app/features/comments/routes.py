@@ -102,7 +102,7 @@ def new_comment(trial_id: RowId, body: NewComment, person: Anyone, database: Db,
         comment = add_comment(db, trial, person.person_id, body.t, body.text)
         write_log(db, person.name, "comment added", patient=trial.patient_id, trial=trial_id, comment=comment.id)
         answer = _views(db, trial, person)
-    live.tell("record")
+    live.notify("record")
     return answer
 
 
@@ -126,7 +126,7 @@ def new_comment_text(
         if revise_comment(db, comment, person.person_id, body.text):
             write_log(db, person.name, "comment revised", patient=trial.patient_id, trial=trial.id, comment=comment_id)
         answer = _views(db, trial, person)
-    live.tell("record")
+    live.notify("record")
     return answer
 
 
@@ -140,7 +140,7 @@ def no_comment(comment_id: RowId, person: Anyone, database: Db, live: LivePart) 
         withdraw_comment(db, comment, person.person_id)
         write_log(db, person.name, "comment withdrawn", patient=trial.patient_id, trial=trial.id, comment=comment_id)
         answer = _views(db, trial, person)
-    live.tell("record")
+    live.notify("record")
     return answer
 
 

@@ -74,7 +74,7 @@ def give(
             given = body.given.isoformat()
             write_log(db, person.name, "consent given", patient=patient_id, consent=consent, given=given)
         answer = _view(db, patient_id)
-    live.tell("session")
+    live.notify("session")
     return answer
 
 
@@ -89,7 +89,7 @@ def withdraw(patient_id: RowId, consent: Consent, person: Clinician, database: D
         for feature in features().values():
             feature.consent_withdrawn(db, patient_id, consent)
         answer = _view(db, patient_id)
-    live.tell("session")
+    live.notify("session")
     return answer
 
 

@@ -22,13 +22,13 @@ def flow(
     database: "Database",
     control: "ControlLink",
     runs: "SessionRuns",
-    tell: "Callable[[str], None]",
+    notify: "Callable[[str], None]",
     computing: "ComputingProcess",
 ) -> "RunFlow[Any]":
     """Return what starts a test and follows it to its measures."""
     from app.features.interface_tests.flow import InterfaceTestFlow
 
-    return InterfaceTestFlow(database, control, runs, tell, computing)
+    return InterfaceTestFlow(database, control, runs, notify, computing)
 
 
 FEATURE: Final = Feature(routes=("routes",), flow=flow)

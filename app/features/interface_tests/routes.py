@@ -110,7 +110,7 @@ async def put_workload(
             return _view(db, test)
 
     saved = await asyncio.to_thread(_write)
-    live.tell("test")
+    live.notify("test")
     return saved
 
 

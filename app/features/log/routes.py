@@ -50,7 +50,7 @@ class LogView(Document):
 
 
 @router.get("")
-def look(
+def read_log_page(
     _person: Owner,
     database: Db,
     person: Annotated[str | None, Query(max_length=80)] = None,

@@ -30,7 +30,7 @@ class PriorView(Document):
 
 
 @router.get("")
-def look(_person: Anyone, database: Db, equipment: EquipmentPart) -> PriorView:
+def read_prior(_person: Anyone, database: Db, equipment: EquipmentPart) -> PriorView:
     """Return the switch, and how many people are known in the shirt in use."""
     with database.reading() as db:
         return _view(db, equipment)
@@ -44,7 +44,7 @@ def choose(body: PriorChoice, person: Owner, database: Db, equipment: EquipmentP
         if switch_prior(db, on=body.on):
             write_log(db, person.name, "prior switched", on=body.on)
         answer = _view(db, equipment)
-    live.tell("calibration")
+    live.notify("calibration")
     return answer
 
 

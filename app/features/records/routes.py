@@ -161,7 +161,7 @@ def _changed(
         if details is not None:
             write_log(db, person.name, what, patient=session.patient_id, session=session_id, **details)
         answer = record_view(db, session)
-    live.tell("record")
+    live.notify("record")
     return answer
 
 
@@ -201,7 +201,7 @@ async def sign_session_off(
             await sockets.close_ended_screens()
             await view_keeper.close()
             await session_flow.session_changed()
-    live.tell("record")
+    live.notify("record")
     return answer
 
 
@@ -218,5 +218,5 @@ def unlock_session(session_id: RowId, body: Unlock, person: Owner, database: Db,
         details = {"patient": session.patient_id, "session": session_id, "signed_by": row.person}
         write_log(db, person.name, "session unlocked", **details)
         answer = record_view(db, session)
-    live.tell("record")
+    live.notify("record")
     return answer

@@ -115,7 +115,7 @@ class NewLinks:
         address = await asyncio.to_thread(own_address, self.settings, self.request)
         pin = new_pin()
         made = await run_in_threadpool(store, await self.passwords.hash_of(pin))
-        self.live.tell(CHANGED)
+        self.live.notify(CHANGED)
         return made
 
 
@@ -171,7 +171,7 @@ def no_share(share_id: RowId, person: Clinician, database: Db, live: LivePart) -
         revoke_share(db, link)
         write_log(db, person.name, "share link revoked", patient=link.patient_id, share=share_id)
         answer = SharesView(patient_id=link.patient_id, shares=_rows(db, link.patient_id))
-    live.tell(CHANGED)
+    live.notify(CHANGED)
     return answer
 
 

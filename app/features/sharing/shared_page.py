@@ -162,7 +162,7 @@ async def open_share(
         await run_in_threadpool(_take_back, database, share_id)
         await sign_in_limits.refuse(503, BUSY, BUSY_FOR)
     token = await run_in_threadpool(_note, database, share_id, patient_id, is_right=is_right)
-    live.tell(CHANGED)
+    live.notify(CHANGED)
     if token is None:
         raise HTTPException(401, WRONG)
     attempt.take_back()

@@ -23,7 +23,7 @@ def test_the_last_word_counts_and_hidden_comes_before_slow(said, limit, later):
     screens, t = Screens(), 0.0
     for pause, visible, silence in said:
         t += pause
-        assert screens.take(MINE, sign(t, visible=visible, silence=silence))
+        assert screens.report(MINE, sign(t, visible=visible, silence=silence))
     found = screens.sign(MINE, t + later, limit)
     if not said:
         assert found == ScreenSign(None)
@@ -36,7 +36,7 @@ def test_the_last_word_counts_and_hidden_comes_before_slow(said, limit, later):
 
 def test_screens_of_other_people_and_other_words_are_others():
     screens = Screens()
-    screens.take(MINE, sign(1.0))
+    screens.report(MINE, sign(1.0))
     assert screens.age(Screen(2, MINE.word), 1.0) is None
     assert screens.age(Screen(1, "another-word"), 1.0) is None
     assert screens.age(MINE, 1.25) == 0.25
@@ -49,7 +49,7 @@ def test_one_link_at_a_time_speaks_for_a_screen(steps):
     for pause, link, says in steps:
         t += pause
         if says:
-            is_taken = screens.take(MINE, sign(t, link))
+            is_taken = screens.report(MINE, sign(t, link))
             assert is_taken == (speaker in {None, link} or t - spoke >= LINK_LIMIT)
             if is_taken:
                 speaker, spoke = link, t
@@ -66,5 +66,5 @@ def test_a_dead_link_gives_way_only_when_the_gate_has_long_stopped_the_chair():
 
 def test_a_clock_that_is_read_just_before_the_word_makes_no_negative_age():
     screens = Screens()
-    screens.take(MINE, sign(1.0))
+    screens.report(MINE, sign(1.0))
     assert screens.age(MINE, math.nextafter(1.0, 0.0)) == 0.0

@@ -92,7 +92,7 @@ def draw_again(page, clinic, others):
     answer = {**clinic.good("GET", "/calibration"), "others": others}
     page.route("**/api/v1/calibration", lambda route: route.fulfill(json=answer))
     page.locator("main h1").evaluate("(one) => one.setAttribute('data-before', '')")
-    clinic.app.state.parts[ClinicLive].tell("calibration")
+    clinic.app.state.parts[ClinicLive].notify("calibration")
     expect(page.locator("main h1:not([data-before])")).to_be_attached()
     page.unroute_all()
 

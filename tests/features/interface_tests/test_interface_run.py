@@ -44,7 +44,7 @@ def test_no_chair_is_armed_during_the_test_and_nothing_moves(control, tmp_path):
     task = control.loop.run.task
     assert abs(task.ahead) + abs(task.left) > 0.1  # the strokes move the cursor
     assert max(abs(task.ahead), abs(task.left)) <= 1.0
-    control.tell("stop")
+    control.notify("stop")
     control.live(0.1)
     assert int(control.ring.newest()["state"]) == State.FAULT
 

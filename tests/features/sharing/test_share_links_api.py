@@ -97,7 +97,7 @@ def test_an_opening_and_a_wrong_pin_are_told_to_open_pages_with_their_time(
     consented: Clinic, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     events: list[str] = []
-    monkeypatch.setattr(consented.parts[ClinicLive], "tell", events.append)
+    monkeypatch.setattr(consented.parts[ClinicLive], "notify", events.append)
     link = made(consented)
     (row,) = link["shares"]
     assert (row["openings"], row["last_opened"], events) == (0, None, ["shares"])

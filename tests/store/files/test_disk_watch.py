@@ -33,7 +33,7 @@ class FullAt:
             raise asyncio.CancelledError
         await asyncio.to_thread(lambda: None)
 
-    def tell(self, event: str) -> None:
+    def notify(self, event: str) -> None:
         assert event == "disk"
         self.told.append(self.time)
 
@@ -45,7 +45,7 @@ def test_open_pages_are_told_within_two_seconds_of_a_full_disk(
     disk = FullAt(full)
     monkeypatch.setattr(shutil, "disk_usage", disk.usage)
     monkeypatch.setattr(disk_watch, "asyncio", SimpleNamespace(sleep=disk.sleep, to_thread=asyncio.to_thread))
-    watch = DiskWatch(tmp_path, Ballast(tmp_path), disk.tell)
+    watch = DiskWatch(tmp_path, Ballast(tmp_path), disk.notify)
     with pytest.raises(asyncio.CancelledError):
         asyncio.run(watch._watch())
     (told,) = disk.told

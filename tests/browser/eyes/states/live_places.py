@@ -152,7 +152,7 @@ def screen_out_of_reach(page: Any, clinic: EyesClinic) -> None:
     trial_stopped(page, clinic)
     screen = {"id": 1, "number": 1, "paired": "2026-03-01T10:00:00+00:00", "connected": False, "picture": None}
     page.route("**/patient-screen", lambda route: route.fulfill(json={**route.fetch().json(), "screens": [screen]}))
-    clinic.app.state.parts[ClinicLive].tell("screens")
+    clinic.app.state.parts[ClinicLive].notify("screens")
     expect(page.locator(".screen-lamp")).to_be_visible()
 
 

@@ -50,7 +50,7 @@ def test_focus_and_what_is_open_stay(page, clinic, until, name):
         if before is None:  # it is covered by a dialog, or has just gone
             continue
         for what in NEWS:
-            clinic.app.state.parts[ClinicLive].tell(what)
+            clinic.app.state.parts[ClinicLive].notify(what)
         page.wait_for_timeout(DRAWN_WITHIN)
         until(page, "document.activeElement !== document.body")  # a page may still be on its way
         now = page.evaluate(f"() => ({NAME})(document.activeElement)")
