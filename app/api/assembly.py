@@ -121,17 +121,17 @@ def _add_what_runs(parts: Parts, start_process: StartProcess) -> None:
     chairs = parts.add(Chairs, Chairs(database, control, settings.keys, notify))
     parts.add(HeadChoice, HeadChoice(database, control, equipment.with_path, notify))
     limits = parts.add(ClinicLimits, ClinicLimits(database, control, notify))
-    priors = (one.prior(database) for one in features().values() if one.prior is not None)
+    priors = (feature.prior(database) for feature in features().values() if feature.prior is not None)
     prior: OthersPrior = next(priors, NobodyElse())
     calibration = parts.add(
         CalibrationFlow, CalibrationFlow(database, control, equipment, runs, notify, computing, prior)
     )
     trials = parts.add(TrialFlow, TrialFlow(database, control, runs, notify, computing))
     drives = parts.add(RealDriveFlow, RealDriveFlow(database, control, runs, notify, computing))
-    flows = (one.flow for one in features().values() if one.flow is not None)
+    flows = (feature.flow for feature in features().values() if feature.flow is not None)
     others = [make(database, control, runs, notify, computing) for make in flows]
-    made = (one.background for one in features().values() if one.background is not None)
-    background = [make(database, settings, notify) for make in made]
+    makers = (feature.background for feature in features().values() if feature.background is not None)
+    background = [make(database, settings, notify) for make in makers]
     parts.add(FeatureParts, FeatureParts(others, background))
     for part in (*others, *background):
         parts.add(type(part), part)

@@ -98,9 +98,9 @@ def _map(linear: LinearMap | None, layout: ShirtLayout) -> dict[str, Any] | None
     sits = {
         name: {
             ring: {**sits.model_dump(), "sensors": len(layout.rings[ring]), **landmarks(layout, ring)._asdict()}
-            for ring, sits in found.items()
+            for ring, sits in rings.items()
         }
-        for name, found in (("arrangement", linear.arrangement), ("as_worn", linear.as_worn))
+        for name, rings in (("arrangement", linear.arrangement), ("as_worn", linear.as_worn))
     }
     with_prompts = None if linear.hits is None or linear.repetitions else hits_with_prompts(linear.hits)
     return {

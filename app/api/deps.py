@@ -110,12 +110,12 @@ def viewer(role: Role, connection: HTTPConnection, database: Db, person: WhoAsks
 
     401 for nobody, 423 for a locked sign-in.
     """
-    found = find_viewer(database, connection) if role == "patient" else person
-    if found is None:
+    viewing = find_viewer(database, connection) if role == "patient" else person
+    if viewing is None:
         raise HTTPException(401, NOBODY)
-    if isinstance(found, SignedInPerson) and found.locked:
+    if isinstance(viewing, SignedInPerson) and viewing.locked:
         raise HTTPException(423, LOCKED)
-    return found
+    return viewing
 
 
 async def clinician(person: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:

@@ -86,10 +86,15 @@ class ExportCourseView(Document):
 @router.get("/exports")
 def export_course(course: CourseWord, person: Exporter, exports: ExportsPart) -> ExportCourseView | None:
     """Return how far an export of the person who asks is, by the word that it was begun with; null when none has it."""
-    found = exports.of(person.person_id, course)
-    if found is None:
+    course_of_export = exports.of(person.person_id, course)
+    if course_of_export is None:
         return None
-    return ExportCourseView(packed=found.packed, recordings=found.recordings, sent=found.sent, state=found.state)
+    return ExportCourseView(
+        packed=course_of_export.packed,
+        recordings=course_of_export.recordings,
+        sent=course_of_export.sent,
+        state=course_of_export.state,
+    )
 
 
 @dataclass(frozen=True, slots=True)

@@ -121,7 +121,7 @@ class Pages:
         Its script, with links to the modules, stands in a template: the browser draws the entry's own words first.
         """
         preloads = "".join(f'  <link rel="modulepreload" href="{module}">\n' for module in modules)
-        scripts = "".join(found[0] for found in ENTRY.finditer(text))
+        scripts = "".join(match[0] for match in ENTRY.finditer(text))
         joined = STYLES.sub(f'  <link rel="stylesheet" href="{styles}">\n', text)
         joined = ENTRY.sub(BEGINNING, joined).replace("</body>", PROGRAM.format(preloads + scripts))
         return LINK.sub(rf'\1="/v-{self.version}/\2"', joined).encode()
@@ -185,4 +185,4 @@ def _needed(names: Iterable[str], contents: dict[str, bytes]) -> list[str]:
 def _imported(name: str, script: bytes) -> list[str]:
     """Return the names of the modules that a module imports."""
     imported = IMPORT.findall(script.decode())
-    return [posixpath.normpath(posixpath.join(posixpath.dirname(name), one)) for one in imported]
+    return [posixpath.normpath(posixpath.join(posixpath.dirname(name), path)) for path in imported]

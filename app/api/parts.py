@@ -30,8 +30,8 @@ class Parts:
 
 def parts_of(app: FastAPI) -> Parts:
     """Return the parts of an application that has started."""
-    found: Parts = app.state.parts
-    return found
+    parts: Parts = app.state.parts
+    return parts
 
 
 def part(kind: type[Part]) -> Callable[[HTTPConnection], Awaitable[Part]]:
@@ -52,6 +52,6 @@ def parts_for(kind: type[Part]) -> Callable[[HTTPConnection], Awaitable[Part]]:
 
     async def make(connection: HTTPConnection) -> Part:
         parts = parts_of(connection.app)
-        return kind(**{name: parts[one] for name, one in classes.items()})
+        return kind(**{name: parts[kind_of_part] for name, kind_of_part in classes.items()})
 
     return make

@@ -37,15 +37,15 @@ Limits = dict[str, dict[str, FieldLimits]]
 
 def request_limits(app: FastAPI) -> Limits:
     """Return the limits of every model that a request of the API can hold."""
-    found: Limits = {}
+    limits: Limits = {}
     for context in iter_route_contexts(app.routes):
         route = context.original_route
         if isinstance(route, APIRoute) and route.body_field is not None:
             body: TypeAdapter[Any] = TypeAdapter(route.body_field.field_info.annotation or Any)
             schema = body.json_schema()
             models = {schema.get("title", ""): schema, **schema.get("$defs", {})}
-            found |= {name: fields for name, model in models.items() if (fields := dict(_fields(model)))}
-    return found
+            limits |= {name: fields for name, model in models.items() if (fields := dict(_fields(model)))}
+    return limits
 
 
 def _fields(model: Mapping[str, Any]) -> Iterator[tuple[str, FieldLimits]]:

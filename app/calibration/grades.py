@@ -53,10 +53,10 @@ def grade(measured: JointMeasurements) -> tuple[Grade, str]:
     sentences = [*_of_movement(measured), *_of_prompts(measured), *_of_channels(measured)]
     sentences.sort(key=lambda finding: -ORDER[finding[0]])
     worst: Grade = sentences[0][0] if sentences else "good"
-    words = [words for _, words in sentences if words]
+    sentence = [sentence for _, sentence in sentences if sentence]
     if worst == "good":
-        words.insert(0, _good_sentence(measured))
-    return worst, " ".join(words)
+        sentence.insert(0, _good_sentence(measured))
+    return worst, " ".join(sentence)
 
 
 def _of_movement(measured: JointMeasurements) -> list[tuple[Grade, str]]:

@@ -24,8 +24,8 @@ NEEDS: Final[Mapping[str, tuple[str, ...]]] = {
 
 def names() -> tuple[str, ...]:
     """Return the features that the program has."""
-    found = dict(NEEDS)
-    while missing := [name for name, needs in found.items() if not set(needs) <= found.keys()]:
+    needs_of = dict(NEEDS)
+    while missing := [name for name, needs in needs_of.items() if not set(needs) <= needs_of.keys()]:
         for name in missing:
-            del found[name]
-    return tuple(found)
+            del needs_of[name]
+    return tuple(needs_of)

@@ -218,7 +218,9 @@ def report_for_archive(
     database: "Database", settings: "Settings", patient_id: int, spreads_of: "SpreadsOf"
 ) -> "MakeReport | None":
     """Return what makes the report that an archive holds; None: there is none."""
-    made = (
-        one.report(database, settings, patient_id, spreads_of) for one in features().values() if one.report is not None
+    reports = (
+        feature.report(database, settings, patient_id, spreads_of)
+        for feature in features().values()
+        if feature.report is not None
     )
-    return next(made, None)
+    return next(reports, None)

@@ -104,7 +104,7 @@ class LocalCertificate:
 
     def refresh(self) -> list[str]:
         """Follow the machine's addresses, renew what is due, and return the sentences that hold at present."""
-        words, self._words = self._words, []
+        messages, self._words = self._words, []
         machine = self._machine()
         unusable = self._unusable()
         if unusable:
@@ -116,16 +116,16 @@ class LocalCertificate:
                 self._leaf = leaf
         except OSError as error:
             end = self._leaf.certificate.not_valid_after_utc
-            words.append(NOT_RENEWED.format(why=error.strerror or error, day=f"{end:%Y-%m-%d}"))
+            messages.append(NOT_RENEWED.format(why=error.strerror or error, day=f"{end:%Y-%m-%d}"))
         self.trust = self._trust(machine)
         present = [*self.trust.names, *self.trust.addresses]
         outside = [each for each in (*machine.names, *map(str, machine.addresses)) if each not in present]
         if outside:
-            words.append(OUTSIDE.format(names=", ".join(outside), file=self._root_file))
+            messages.append(OUTSIDE.format(names=", ".join(outside), file=self._root_file))
         end = self._root.certificate.not_valid_after_utc
         if end - self._now() < 2 * LEAF_LIFE:
-            words.append(ENDS_SOON.format(day=f"{end:%Y-%m-%d}", file=self._root_file))
-        return words
+            messages.append(ENDS_SOON.format(day=f"{end:%Y-%m-%d}", file=self._root_file))
+        return messages
 
     def _unusable(self) -> str:
         """Return in a sentence why the root is not valid now, empty when it is."""
@@ -265,13 +265,13 @@ def _trust_of(certificate: x509.Certificate, root: bytes | None, order: list[str
     subjects = certified(certificate)
     addresses = {str(each.value) for each in subjects if isinstance(each, x509.IPAddress)}
     names = sorted(each.value.lower() for each in subjects if isinstance(each, x509.DNSName))
-    own = certificate.public_bytes(serialization.Encoding.DER)
+    public_bytes = certificate.public_bytes(serialization.Encoding.DER)
     return CertificateTrust(
         names=tuple(names),
         addresses=tuple([each for each in order if each in addresses] or sorted(addresses, key=_readable)),
         start=certificate.not_valid_before_utc,
         end=certificate.not_valid_after_utc,
-        fingerprint=sha256(root or own).hexdigest(),
+        fingerprint=sha256(root or public_bytes).hexdigest(),
         root=root,
     )
 

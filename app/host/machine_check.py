@@ -47,15 +47,15 @@ def lateness_finding(lateness: Sequence[float]) -> Finding:
     ranked = sorted(lateness)
     late = sum(each > PERIOD for each in ranked)
     p99 = ranked[ceil(0.99 * len(ranked)) - 1]
-    words = (
+    message = (
         f"Of {len(ranked)} ticks of the control loop, {late} came more than {1000 * PERIOD:.0f} ms late; "
         f"99 of 100 came within {1000 * p99:.1f} ms, the latest after {1000 * ranked[-1]:.1f} ms."
     )
     if late == 0:
-        return Finding("good", words)
+        return Finding("good", message)
     if late <= FEW * len(ranked):
-        return Finding("attention", f"{words} Close other programs while driving.")
-    return Finding("bad", f"{words} This machine is too busy or too slow to drive a chair.")
+        return Finding("attention", f"{message} Close other programs while driving.")
+    return Finding("bad", f"{message} This machine is too busy or too slow to drive a chair.")
 
 
 def real_time_findings(sentences: Sequence[str]) -> list[Finding]:
@@ -65,10 +65,10 @@ def real_time_findings(sentences: Sequence[str]) -> list[Finding]:
 
 def disk_finding(free: int) -> Finding:
     """Return whether there is room for recordings; `free` in bytes."""
-    words = f"{free / 1e9:.1f} GB of the disk are free."
+    message = f"{free / 1e9:.1f} GB of the disk are free."
     if free < ROOM_TO_RECORD:
-        return Finding("bad", f"{words} Nothing can be recorded: make room.")
-    return Finding("attention", f"{words} Make room soon.") if free < LITTLE_ROOM else Finding("good", words)
+        return Finding("bad", f"{message} Nothing can be recorded: make room.")
+    return Finding("attention", f"{message} Make room soon.") if free < LITTLE_ROOM else Finding("good", message)
 
 
 def free_room(folder: Path) -> int:
@@ -82,14 +82,14 @@ def clock_finding(now: datetime, installed: datetime, *, is_kept: bool | None) -
 
     `installed` is when the program was; `is_kept`: whether a time server keeps the clock, None when unknown.
     """
-    words = f"The clock shows {now:%Y-%m-%d %H:%M} UTC"
+    message = f"The clock shows {now:%Y-%m-%d %H:%M} UTC"
     if now < installed:
-        return Finding("bad", f"{words}, but the program was installed later: set the clock.")
+        return Finding("bad", f"{message}, but the program was installed later: set the clock.")
     if is_kept is None:
-        return Finding("good", f"{words}.")
+        return Finding("good", f"{message}.")
     if is_kept:
-        return Finding("good", f"{words}, and a time server keeps it right.")
-    return Finding("attention", f"{words}, and no time server keeps it right: compare it with a clock now and then.")
+        return Finding("good", f"{message}, and a time server keeps it right.")
+    return Finding("attention", f"{message}, and no time server keeps it right: compare it with a clock now and then.")
 
 
 def clock_is_kept() -> bool | None:
@@ -134,11 +134,11 @@ def screen_finding(name: str, rate: float | None) -> Finding:
     """
     if rate is None:
         return Finding("attention", f"{name} did not answer: it is out of view, locked or asleep.")
-    words = f"{name} draws {rate:.0f} pictures a second."
+    message = f"{name} draws {rate:.0f} pictures a second."
     if rate >= FLUENT:
-        return Finding("good", words)
+        return Finding("good", message)
     advice = "Close other programs there, or choose the drawn plan."
-    return Finding("attention" if rate >= TOO_FEW else "bad", f"{words} {advice}")
+    return Finding("attention" if rate >= TOO_FEW else "bad", f"{message} {advice}")
 
 
 def install_time() -> float:

@@ -186,10 +186,10 @@ class ChannelSubstitution:
         """Go over to another set of bad channels in a row; return what remains open about those that returned."""
         both = self._estimate_of(self._bad | bad)
         frame = filled[row]
-        own = both.channels
-        shift = both.base if self._last is None else self._last[own] - both.gain @ self._last
+        channels = both.channels
+        shift = both.base if self._last is None else self._last[channels] - both.gain @ self._last
         shown = frame.copy()
-        frame[own] = both.gain @ frame + shift
+        frame[channels] = both.gain @ frame + shift
         returned = self._bad & ~bad
         surprise = None
         if returned.any():
@@ -197,7 +197,7 @@ class ChannelSubstitution:
             filled[row + 1 :] -= unexplained
             self._offset = self._offset + unexplained
             reach = np.zeros(len(bad))
-            reach[own] = both.reach
+            reach[channels] = both.reach
             surprise = np.clip(unexplained, -reach, reach)
         self._bad = bad.copy()
         if bad.any():

@@ -172,7 +172,9 @@ def _pushes(parameters: DriveParameters, name: str) -> list[_Push]:
         for gesture in binding.gestures if binding.control.startswith(name) else ():
             gains[places[gesture]] += binding.gain if binding.control.endswith("+") else -binding.gain
     movements = [(gesture.joint, gesture.feature, gesture.direction) for gesture in parameters.gestures]
-    reached = [[gain for gain, other in zip(gains, movements, strict=True) if other == own] for own in movements]
+    reached = [
+        [gain for gain, other in zip(gains, movements, strict=True) if other == movement] for movement in movements
+    ]
     return [_Push(min(0.0, *those), max(0.0, *those)) for those in reached]
 
 
@@ -184,7 +186,9 @@ def _both_pushes(parameters: DriveParameters) -> list[tuple[_Push, _Push]]:
 def _possible_stops(parameters: DriveParameters) -> list[list[int]]:
     """Return the indices of the gestures of each stop, without the stops that no body can make."""
     places = {gesture.name: i for i, gesture in enumerate(parameters.gestures)}
-    stops = [[places[name] for name in one.gestures] for one in parameters.bindings if one.control == "stop"]
+    stops = [
+        [places[name] for name in binding.gestures] for binding in parameters.bindings if binding.control == "stop"
+    ]
     return [stop for stop in stops if stop and _can_be_together(parameters, stop)]
 
 

@@ -31,16 +31,16 @@ class TrialQualities:
 
     def assessments(self, trials: list[Trial]) -> list[TrialAssessment]:
         """Return the assessments of the kept trials whose recording can be read, in the order driven."""
-        kept = {trial.id: trial for trial in trials if trial.kept}
+        kept_trials = {trial.id: trial for trial in trials if trial.kept}
         with self._database.reading() as db:
-            stored = stored_qualities(db, kept)
-            places = sessions_and_versions(db, kept)
+            stored = stored_qualities(db, kept_trials)
+            places = sessions_and_versions(db, kept_trials)
         assessments = []
-        for own, trial in kept.items():
-            quality = stored.get(own) or self._measure(trial)
+        for trial_id, trial in kept_trials.items():
+            quality = stored.get(trial_id) or self._measure(trial)
             if quality is not None:
                 task = f"{trial.floorplan}/{trial.path}"
-                assessments.append(TrialAssessment(own, trial.number, *places[own], task, quality))
+                assessments.append(TrialAssessment(trial_id, trial.number, *places[trial_id], task, quality))
         return assessments
 
     def _measure(self, trial: Trial) -> ControlQuality | None:

@@ -30,10 +30,10 @@ def calibration_steps(db: Session, session_id: int) -> dict[str, CalibrationStep
     return {row.step: row for row in rows}
 
 
-def set_step(db: Session, session_id: int, step: str, status: str, words: str, run_id: str | None = None) -> None:
+def set_step(db: Session, session_id: int, step: str, status: str, message: str, run_id: str | None = None) -> None:
     """Store the status of a step, and its run when one is given; otherwise the step keeps its run."""
     row = db.get_one(CalibrationStep, (session_id, step))
-    row.status, row.words = status, words
+    row.status, row.words = status, message
     if run_id is not None:
         row.run_id = run_id
     db.flush()

@@ -146,8 +146,8 @@ def _familiarisation(trials: Iterable[tuple[int, Hashable]]) -> set[int]:
     """
     driven: Counter[Hashable] = Counter()
     first = set()
-    for own, kind in trials:
+    for trial_id, kind in trials:
         driven[kind] += 1
         if driven[kind] <= FAMILIARISATION:
-            first.add(own)
+            first.add(trial_id)
     return first

@@ -168,12 +168,12 @@ def patient_figures(db: Session, patients: Sequence[Patient]) -> dict[int, Patie
         .where(PatientSession.patient_id.in_(ids))
         .group_by(PatientSession.patient_id)
     )
-    kept = (
+    kept_trials = (
         select(Trial.patient_id, func.count())
         .where(Trial.patient_id.in_(ids), Trial.status == "done", Trial.kept.is_(True))
         .group_by(Trial.patient_id)
     )
-    trials = {row[0]: row[1] for row in db.execute(kept)}
+    trials = {row[0]: row[1] for row in db.execute(kept_trials)}
     figures = {
         patient_id: PatientFigures(count, trials.get(patient_id, 0), last)
         for patient_id, count, last in db.execute(sessions)

@@ -9,19 +9,19 @@ from app.world.scene import DrivingPlace, bundled_places
 
 
 class ClinicPlaces:
-    """Finds the places to drive in by name; `own` is the folder of the clinic's own floor plans."""
+    """Finds the places to drive in by name; `folder` is that of the clinic's own floor plans."""
 
-    def __init__(self, own: Path) -> None:
-        self.own = own
+    def __init__(self, folder: Path) -> None:
+        self.own = folder
 
     def all(self) -> dict[str, DrivingPlace]:
         """Return all places by name: scenes, buildings, then the clinic's own plans that can be read."""
-        own: dict[str, DrivingPlace] = {}
+        places: dict[str, DrivingPlace] = {}
         for file in sorted(self.own.glob("*.json")):
             with suppress(ValueError):
-                own[file.stem] = DrivingPlace(load_floorplan(file))
+                places[file.stem] = DrivingPlace(load_floorplan(file))
         bundled = bundled_places()
-        return bundled | {name: offer for name, offer in own.items() if name not in bundled}
+        return bundled | {name: offer for name, offer in places.items() if name not in bundled}
 
     def plan(self, name: str) -> FloorPlan | None:
         """Return a floor plan by its name, None when there is none; ValueError when it cannot be read."""

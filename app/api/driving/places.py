@@ -138,7 +138,7 @@ def propose_task(
         with database.reading() as db:
             counted = counted_trials(db, patient_id, floorplan, path)
         clinic = spread.of_others(Task(floorplan, path, source), patient_id)
-        rows = [one.row() for one in counted if one.group == source]
+        rows = [counted_trial.row() for counted_trial in counted if counted_trial.group == source]
         return computing.ask(is_worse_than_noise, rows, clinic)
 
     return NextTaskView.of(next_task(trials, source, places.all(), _is_worse))

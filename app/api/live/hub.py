@@ -133,6 +133,6 @@ class LiveHub(Generic[Message]):
             return None
 
 
-def _joined(one: str, other: str) -> str:
+def _joined(first: str, other: str) -> str:
     """Return one JSON object with the fields of two, none of which is empty."""
-    return f"{one[:-1]},{other[1:]}"
+    return f"{first[:-1]},{other[1:]}"

@@ -232,7 +232,7 @@ class LivePicture:
 
     def _test(self) -> TestMoment | None:
         shown = ((flow.current, flow.cursor_task) for flow in self._others)
-        current, task = next((one for one in shown if None not in one), (None, None))
+        current, task = next((pair for pair in shown if None not in pair), (None, None))
         if current is None or task is None:
             return None
         target = task.target
@@ -265,8 +265,10 @@ def fault_words(fault: Fault) -> FaultWords | None:
     """Return a fault in words, None when there is none."""
     if fault is Fault.NONE:
         return None
-    words = EXPLANATIONS[fault]
-    return FaultWords(name=fault.name.lower(), happened=words.happened, next_step=words.next_step, remedy=words.remedy)
+    message = EXPLANATIONS[fault]
+    return FaultWords(
+        name=fault.name.lower(), happened=message.happened, next_step=message.next_step, remedy=message.remedy
+    )
 
 
 def lamps(

@@ -39,7 +39,11 @@ class ScreenPictures:
 
     def of_screen(self, screen: Screen, picture: ScreenPicture, socket: object) -> None:
         """Store the report of the screen of a person who is signed in; one socket at a time reports for a screen."""
-        for other in [one for one, (known, _) in self._screens.items() if known == screen and one is not socket]:
+        for other in [
+            known_socket
+            for known_socket, (shown_screen, _) in self._screens.items()
+            if shown_screen == screen and known_socket is not socket
+        ]:
             del self._screens[other]  # a dead socket that was never closed: its last report is outdated
         self._screens[socket] = (screen, picture)
         self._note_late()
@@ -66,7 +70,7 @@ class ScreenPictures:
 
     def unpair(self, screen_id: int) -> None:
         """Forget one of the patient's screens for good: no trial waits for it."""
-        for socket in [one for one, (known, _) in self._patients.items() if known == screen_id]:
+        for socket in [opened for opened, (shown_screen, _) in self._patients.items() if shown_screen == screen_id]:
             self.forget(socket)
         self._away.pop(screen_id, None)
 

@@ -88,7 +88,7 @@ class PatientPicture:
         """Return the current picture."""
         live = self._live.picture()
         fault, over, drives = live.fault, self._trials.last_end, live.trial is not None or live.drive is not None
-        words = patient_message(
+        message = patient_message(
             State[live.state.upper()],
             Fault.NONE if fault is None else Fault[fault.name.upper()],
             drives=drives,
@@ -97,8 +97,8 @@ class PatientPicture:
         common = {name: getattr(live, name) for name in CommonMessage.model_fields}
         return PatientMessage(
             **common,
-            fault=None if fault is None else PatientFault(name=fault.name, message=words.happened),
-            waits=Waiting(actor=words.actor, message=words.wait),
+            fault=None if fault is None else PatientFault(name=fault.name, message=message.happened),
+            waits=Waiting(actor=message.actor, message=message.wait),
             trial=None
             if live.trial is None
             else PatientTrial(**{name: getattr(live.trial, name) for name in PatientTrial.model_fields}),
@@ -127,7 +127,9 @@ class PatientPicture:
         layout = self._equipment.layout
         if joint is None or layout is None:
             return None
-        return next((movement_instruction(known) for known in layout.joints if known.name == joint), None)
+        return next(
+            (movement_instruction(layout_joint) for layout_joint in layout.joints if layout_joint.name == joint), None
+        )
 
 
 class PatientLive(LiveHub[PatientMessage]):

@@ -153,15 +153,15 @@ async def offer(
     `message`: when only this machine can open the link.
     """
     session: PatientSession = await session_flow.needed_session()
-    made = pairing.offer(session.id, person.name)
+    offered = pairing.offer(session.id, person.name)
     address = await asyncio.to_thread(own_address, settings, request)
     # The part behind # is not sent to a server, so it appears in no log.
-    url = f"{address.base}patient.html#pair={made.code}"
+    url = f"{address.base}patient.html#pair={offered.code}"
     return OfferView(
-        code=made.code,
+        code=offered.code,
         url=url,
         qr=qr_picture(url),
-        expires=made.expires.isoformat(),
+        expires=offered.expires.isoformat(),
         message=_words(settings, only_here=address.only_here),
     )
 

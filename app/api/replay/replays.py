@@ -31,33 +31,33 @@ class Replays:
         while self._close_one_of(MOST):
             pass
         word = secrets.token_urlsafe(16)
-        made = OpenReplay(person_id, make())
+        replay = OpenReplay(person_id, make())
         with self._lock:
-            self._open[word] = made
+            self._open[word] = replay
         return word
 
     def find(self, word: str, person_id: int) -> Replay:
         """Return a replay of this person; NotFound when there is none, or it was closed."""
         with self._lock:
-            found = self._open.get(word)
-            if found is None or found.person_id != person_id:
+            replay = self._open.get(word)
+            if replay is None or replay.person_id != person_id:
                 raise NotFound("This replay was closed: open it again.")
             self._open[word] = self._open.pop(word)
-        return found.replay
+        return replay.replay
 
     def close(self, word: str, person_id: int) -> None:
         """Close a replay of this person; do nothing when it is closed already."""
         with self._lock:
-            found = self._open.get(word)
-            if found is None or found.person_id != person_id:
+            replay = self._open.get(word)
+            if replay is None or replay.person_id != person_id:
                 return
             del self._open[word]
-        found.replay.stop()
+        replay.replay.stop()
 
     def close_of(self, person_id: int) -> None:
         """Close all replays of a person whose rights have changed."""
         with self._lock:
-            ended = [word for word, found in self._open.items() if found.person_id == person_id]
+            ended = [word for word, replay in self._open.items() if replay.person_id == person_id]
         for word in ended:
             self.close(word, person_id)
 

@@ -44,28 +44,30 @@ class Trajectories:
 
     def all(self, folders: Sequence[Path]) -> list[Trajectory | None]:
         """Return the trajectory of each ended trial; those that are not known yet are read in one go."""
-        known = self._trajectories.find(folders)
-        unread = [folder for folder in folders if folder not in known]
+        remembered = self._trajectories.find(folders)
+        unread = [folder for folder in folders if folder not in remembered]
         answers = self._computing.ask(shown_trajectories, unread) if unread else []
-        read = {folder: found for folder, found in zip(unread, answers, strict=True) if found is not None}
+        read = {
+            folder: trajectory for folder, trajectory in zip(unread, answers, strict=True) if trajectory is not None
+        }
         self._trajectories.store(read)
-        return [known.get(folder) or read.get(folder) for folder in folders]
+        return [remembered.get(folder) or read.get(folder) for folder in folders]
 
     def lines(self, trials: Sequence[tuple[int, Path]]) -> list[TrialLine]:
         """Return the lines of ended trials, given by number and folder, without those that cannot be read."""
-        found = zip(trials, self.all([folder for _, folder in trials]), strict=True)
-        return [TrialLine(number=number, x=line.x, y=line.y) for (number, _), line in found if line is not None]
+        read = zip(trials, self.all([folder for _, folder in trials]), strict=True)
+        return [TrialLine(number=number, x=line.x, y=line.y) for (number, _), line in read if line is not None]
 
 
 def shown_trajectories(folders: Sequence[Path]) -> list[Trajectory | None]:
     """Read the trajectories of these recordings, thinned; None for one that cannot be read."""
-    found: list[Trajectory | None] = []
+    shown: list[Trajectory | None] = []
     for folder in folders:
         try:
             rows = read_trajectory(folder)
         except (ValueError, OSError):
-            found.append(None)
+            shown.append(None)
             continue
-        kept = thinned(rows.x, rows.y)
-        found.append(Trajectory(*(np.round(column[kept], 3).tolist() for column in rows)))
-    return found
+        indices = thinned(rows.x, rows.y)
+        shown.append(Trajectory(*(np.round(column[indices], 3).tolist() for column in rows)))
+    return shown

@@ -345,18 +345,18 @@ async def bring_file(
 
     The multipart field `file`: CSV or Parquet, at most 64 MB and 40 million numbers.
     """
-    kept = await uploads.run(keep_upload, replaced, computing, file.filename or "", file.file, same_name)
+    stored = await uploads.run(keep_upload, replaced, computing, file.filename or "", file.file, same_name)
 
     def note_patient() -> None:
         with database.transaction() as db:
-            add_patient_file(db, kept.name)
+            add_patient_file(db, stored.name)
 
     await asyncio.to_thread(note_patient)
     live.notify("equipment")
     return await state.logged_view(
         person.name,
         "file added",
-        kind=kept.kind,
-        size=kept.size,
+        kind=stored.kind,
+        size=stored.size,
         **log_details(same_name),
     )

@@ -42,13 +42,13 @@ def _model_view(file: Path, _changed_at: int) -> ModelView:
 
 
 def _list(folder: Path) -> list[ModelView]:
-    found = []
+    models = []
     for file in sorted(folder.glob(f"*{SUFFIX}")):
         try:
-            found.append(_model_view(file, file.stat().st_mtime_ns))
+            models.append(_model_view(file, file.stat().st_mtime_ns))
         except (ValueError, OSError):
             continue  # unreadable: not drawn either
-    return found
+    return models
 
 
 def _keep(

@@ -87,14 +87,16 @@ def _view(db: Transaction, person: Person, own_id: int) -> PersonView:
     )
 
 
-async def _link(settings: Settings, request: Request, person: PersonView, made: MadeInvitation) -> LinkView:
+async def _link(settings: Settings, request: Request, person: PersonView, invitation: MadeInvitation) -> LinkView:
     address = await asyncio.to_thread(own_address, settings, request)
-    url = f"{address.base}#invite={made.code}"  # the part behind # is not sent to a server, so it appears in no log
+    url = (
+        f"{address.base}#invite={invitation.code}"  # the part behind # is not sent to a server, so it appears in no log
+    )
     return LinkView(
         person=person,
         url=url,
         qr=qr_picture(url),
-        expires=made.expires.isoformat(),
+        expires=invitation.expires.isoformat(),
         message=link_words(settings, address),
     )
 
@@ -124,8 +126,8 @@ async def invite_person(
             patients = checked_patients(db, body.role, body.patients)
             clinic = db.get_one(Clinic, owner.clinic_id)
             person = add_person(db, clinic, body.name, body.role, None, patients=patients, by=owner.name)
-            made = invite(db, person, owner.name)
-            return _view(db, person, owner.person_id), made
+            invitation = invite(db, person, owner.name)
+            return _view(db, person, owner.person_id), invitation
 
     return await _link(settings, request, *await run_in_threadpool(_add))
 
@@ -141,8 +143,8 @@ async def make_link(person_id: RowId, request: Request, owner: Owner, settings: 
     def _make() -> tuple[PersonView, MadeInvitation]:
         with database.transaction() as db:
             person = find_person_by_id(db, person_id)
-            made = invite(db, person, owner.name)
-            return _view(db, person, owner.person_id), made
+            invitation = invite(db, person, owner.name)
+            return _view(db, person, owner.person_id), invitation
 
     return await _link(settings, request, *await run_in_threadpool(_make))
 

@@ -33,10 +33,10 @@ async def draft_of_uploads(files: list[UploadFile], options: str, readings: OneA
         raise HTTPException(422, "The import, options: this is not JSON: correct it.") from error
     folder = Path(await asyncio.to_thread(tempfile.mkdtemp, prefix="bodydrive-import-"))
     try:
-        kept = [await asyncio.to_thread(_keep, folder, number, file) for number, file in enumerate(files)]
-        plan, image = _plan_and_image(kept)
+        stored = [await asyncio.to_thread(_keep, folder, number, file) for number, file in enumerate(files)]
+        plan, image = _plan_and_image(stored)
         question = {"file": str(plan), "image": None if image is None else str(image), "options": import_options}
-        return await readings.run(read_or_refuse, READER, question, [f"{file.parent}/" for file in kept])
+        return await readings.run(read_or_refuse, READER, question, [f"{file.parent}/" for file in stored])
     finally:
         await asyncio.to_thread(shutil.rmtree, folder, ignore_errors=True)
 
@@ -46,16 +46,16 @@ def _keep(folder: Path, number: int, file: UploadFile) -> Path:
     name = harmless_name(file.filename or "")
     suffix = Path(name).suffix
     if suffix not in (*SUFFIXES, *PICTURES):
-        known = ", ".join((*SUFFIXES, ".pgm"))
-        raise HTTPException(415, f"'{name}' is none of these: {known}. Save it as one of them, then add it again.")
+        suffixes = ", ".join((*SUFFIXES, ".pgm"))
+        raise HTTPException(415, f"'{name}' is none of these: {suffixes}. Save it as one of them, then add it again.")
     content = file.file.read(LARGEST + 1)
     if len(content) > LARGEST or (suffix in MAPS and len(content) > LARGEST_MAP):
         most = "100 kB" if suffix in MAPS else f"{LARGEST // 1_000_000} MB"
         raise HTTPException(413, f"'{name}' is larger than {most}: make it smaller, then add it again.")
-    own = folder / str(number)
-    own.mkdir()
-    (own / name).write_bytes(content)
-    return own / name
+    own_folder = folder / str(number)
+    own_folder.mkdir()
+    (own_folder / name).write_bytes(content)
+    return own_folder / name
 
 
 def _plan_and_image(files: list[Path]) -> tuple[Path, Path | None]:

@@ -102,8 +102,8 @@ def reference(request: Request) -> Reference:
     state = request.app.state
     if not hasattr(state, "reference"):
         state.reference = reference_of(request.app)
-    found: Reference = state.reference
-    return found
+    reference_document: Reference = state.reference
+    return reference_document
 
 
 def reference_of(app: FastAPI) -> Reference:

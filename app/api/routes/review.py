@@ -68,13 +68,13 @@ def learning(
     """Return the learning curve of a patient on one path; curves and deterioration in one measure or in every one."""
     every = _counted(database, person, patient_id, floorplan, path)
     clinic = spread.of_others(Task(floorplan, path, source), patient_id)
-    counted = [one for one in every if one.group == source]
-    rows = [one.row() for one in counted]
+    counted = [trial for trial in every if trial.group == source]
+    rows = [trial.row() for trial in counted]
     names = list(TRIAL_MEASURES) if measure is None else [measure]
     return LearningView(
         source=source,
-        others=dict(Counter(one.group for one in every if one.group != source)),
-        trials=[{**row, "started": one.trial.started.isoformat()} for row, one in zip(rows, counted, strict=True)],
+        others=dict(Counter(trial.group for trial in every if trial.group != source)),
+        trials=[{**row, "started": trial.trial.started.isoformat()} for row, trial in zip(rows, counted, strict=True)],
         curves=computing.ask(learning_curves, rows, names, clinic, every_model=True),
         verdicts=computing.ask(task_verdicts, rows, clinic, names),
     )
@@ -96,7 +96,7 @@ def trajectories(
     Of the newest 30 kept trials.
     """
     every = _counted(database, person, patient_id, floorplan, path)
-    newest = [one.trial for one in every if one.group == source][-MOST_TRAJECTORIES:]
+    newest = [counted_trial.trial for counted_trial in every if counted_trial.group == source][-MOST_TRAJECTORIES:]
     return TrajectoriesView(
         trajectories=trajectories.lines([(trial.number, runs.folder_of(trial.run_id)) for trial in newest]),
         path=[(x, y) for x, y in newest[-1].path_points] if newest else [],
@@ -109,9 +109,9 @@ def _counted(
     """Return the kept trials of a patient on one path, and log who views them."""
     with database.transaction(closing=True) as db:
         find_patient(db, patient_id)
-        found = counted_trials(db, patient_id, floorplan, path)
+        trials = counted_trials(db, patient_id, floorplan, path)
         log_viewing(db, person.name, patient_id)
-    return found
+    return trials
 
 
 @router.get("/trials/{trial_id}/verdicts")
@@ -139,7 +139,7 @@ def verdicts_of_trial(
         counted = counted_trials(db, trial.patient_id, trial.floorplan, trial.path)
     group = trial.run.source.group
     clinic = spread.of_others(Task(trial.floorplan, trial.path, group), trial.patient_id)
-    rows = [one.row() for one in counted if one.group == group]
+    rows = [counted_trial.row() for counted_trial in counted if counted_trial.group == group]
     return computing.ask(trial_verdicts, rows, clinic, trial_id, against)
 
 

@@ -216,12 +216,12 @@ def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], person: Anyone, 
         find_patient(db, patient)
         log_viewing(db, person.name, patient)
         origins = origins_of(db, patient)
-        found = trials_of(db, patient)
-        compared = compared_trials(found)
-        views = [_from(origins.get(trial.session_id), TrialView.of(trial)) for trial in found]
+        trials = trials_of(db, patient)
+        compared = compared_trials(trials)
+        views = [_from(origins.get(trial.session_id), TrialView.of(trial)) for trial in trials]
         return [
             ListedTrial(**dict(view), compared_in=trial.session_id if trial.id in compared else None)
-            for trial, view in zip(found, views, strict=True)
+            for trial, view in zip(trials, views, strict=True)
         ]
 
 
@@ -241,7 +241,7 @@ def one_trial(
         view = _view(db, trial)
         code = find_patient(db, trial.patient_id).code
         session_number = db.get_one(PatientSession, trial.session_id).number
-    found = trajectories.of(runs.folder_of(trial.run_id)) if trial.status == "done" else None
+    trajectory = trajectories.of(runs.folder_of(trial.run_id)) if trial.status == "done" else None
     shown = view.model_dump(exclude={"path"})
     return TrialDetail(
         **shown,
@@ -249,7 +249,7 @@ def one_trial(
         session_number=session_number,
         path=[(x, y) for x, y in trial.path_points],
         path_name=trial.path,
-        trajectory=None if found is None else TrajectoryView.of(found),
+        trajectory=None if trajectory is None else TrajectoryView.of(trajectory),
         quality=qualities.of(trial),
     )
 
@@ -277,6 +277,6 @@ async def _keep(
             write_log(db, person.name, "trial kept" if reason is None else "trial discarded", trial=trial_id)
             return _view(db, trial)
 
-    kept = await asyncio.to_thread(_write)
+    stored = await asyncio.to_thread(_write)
     live.notify("trial")
-    return kept
+    return stored

@@ -35,23 +35,23 @@ class FileView(Document):
 
 def list_files(folder: Path, computing: ComputingProcess) -> list[FileView]:
     """List the files in `folder` that a shirt or a body can be played from; what cannot be read is left out."""
-    found = []
+    files = []
     for file in sorted(folder.glob("*")) if folder.is_dir() else []:
         if file.name.startswith("."):
             continue
         if file.is_dir():
             size = sum(part.stat().st_size for part in file.iterdir() if part.is_file())
-            found.append(FileView(name=file.name, kind="recording", size=size))
+            files.append(FileView(name=file.name, kind="recording", size=size))
         elif file.is_file() and file.suffix in KINDS:
-            known = file.stat()
+            status = file.stat()
             if file.suffix == ".parquet":
-                columns = _names_of_file(computing, file, known.st_mtime_ns, known.st_size)
+                columns = _names_of_file(computing, file, status.st_mtime_ns, status.st_size)
             else:
                 with file.open("rb") as opened:
                     columns = _csv_names(opened.read(HEADER))
             if columns is not None:
-                found.append(FileView(name=file.name, kind=_kind(columns), size=known.st_size))
-    return found
+                files.append(FileView(name=file.name, kind=_kind(columns), size=status.st_size))
+    return files
 
 
 def keep_upload(
@@ -83,12 +83,12 @@ def keep_upload(
             f"the first row must name t and each channel.",
         )
     try:
-        kept = shelf.put("file", safe, data, same_name)
+        stored = shelf.put("file", safe, data, same_name)
     except OSError as error:
         raise HTTPException(
             409, f"'{safe}' cannot be kept ({error.strerror or error}): free some disk space, then add it again."
         ) from error
-    return FileView(name=kept, kind=_kind(columns), size=len(data))
+    return FileView(name=stored, kind=_kind(columns), size=len(data))
 
 
 def harmless_name(name: str) -> str:

@@ -46,11 +46,11 @@ class _Invited(Document):
 async def _require_invited(database: Database, sign_in_limits: SignInLimits, request: Request, code: str) -> _Invited:
     """Return for whom a code is valid; 401 for a wrong one, which is counted by address."""
     attempt = await sign_in_limits.code(address_of(request))
-    found = await run_in_threadpool(_find, database, code)
-    if found is None:
+    invitation = await run_in_threadpool(_find, database, code)
+    if invitation is None:
         raise HTTPException(401, WRONG)
     attempt.take_back()
-    return found
+    return invitation
 
 
 def _find(database: Database, code: str) -> _Invited | None:

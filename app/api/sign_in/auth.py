@@ -107,8 +107,8 @@ def let_in(settings: Settings, database: Database, request: Request, response: R
             raise HTTPException(401, "This person may no longer sign in: ask an owner.")
         token, role = sign_in(db, person, how), person.role
         cookie = f"{BROWSER_COOKIE}{person.id}"
-        known = read_cookie(request, cookie, BROWSER_PATH)
-        browser = None if person.password_hash is None else remember_browser(db, person, known)
+        known_browser = read_cookie(request, cookie, BROWSER_PATH)
+        browser = None if person.password_hash is None else remember_browser(db, person, known_browser)
     set_cookie(request, response, COOKIE, token)
     if browser is not None:
         lifetime = int(KNOWN_FOR.total_seconds())

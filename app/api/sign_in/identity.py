@@ -46,10 +46,10 @@ def find_sign_in(database: Database, connection: HTTPConnection, *, acts: bool =
     if not token:
         return None
     with database.transaction() if acts else database.reading() as db:
-        found = signed_in(db, token)
-        if found is None:
+        sign_in = signed_in(db, token)
+        if sign_in is None:
             return None
-        opened, person = found
+        opened, person = sign_in
         if acts:
             store_action(opened, person)
         return SignedInPerson(

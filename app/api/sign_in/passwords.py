@@ -72,15 +72,15 @@ class PasswordCheck:
         The try is counted before anything is looked up or hashed, so that concurrent tries all count.
         """
         attempt = self.limits.password(name, address_of(request))
-        known = cookie_name(request, BROWSER_COOKIE, BROWSER_PATH)
-        if not any(cookie.startswith(known) for cookie in request.cookies):
+        browser_cookie = cookie_name(request, BROWSER_COOKIE, BROWSER_PATH)
+        if not any(cookie.startswith(browser_cookie) for cookie in request.cookies):
             await self.limits.require(attempt)
         try:
             async with self.hashing.slot():
-                found = await run_in_threadpool(self._find, request, name)
-                if attempt.wait and found.browser is not None:
-                    attempt = self.limits.password_in(found.browser)
-                is_right = not attempt.wait and await self.hashing.matches(found.stored, password)
+                account = await run_in_threadpool(self._find, request, name)
+                if attempt.wait and account.browser is not None:
+                    attempt = self.limits.password_in(account.browser)
+                is_right = not attempt.wait and await self.hashing.matches(account.stored, password)
         except Busy:
             attempt.take_back()
             await self.limits.refuse(503, BUSY, BUSY_FOR)

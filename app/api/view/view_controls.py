@@ -71,10 +71,10 @@ def view_controls(scene_now: SceneNow, clinician: Callable[..., Any]) -> APIRout
     router = APIRouter(prefix="/view", tags=["view"], dependencies=[Depends(clinician)])
 
     def scene() -> LiveScene:
-        found = scene_now()
-        if found is None:
+        drawn_scene = scene_now()
+        if drawn_scene is None:
             raise HTTPException(409, "There is no 3D view while no session is open: open one first.")
-        return found
+        return drawn_scene
 
     SceneOfSession = Annotated[LiveScene, Depends(scene)]  # noqa: N806
 

@@ -63,12 +63,12 @@ def _map_trial(parameters: DriveParameters, movement: Movement) -> MappedTrial:
         dead_zone, full = handles.dead_zone, handles.full
         size = np.abs(rate[joint.name])
         speed[joint.name], fast[joint.name] = size / max(full, 1e-9), size > dead_zone
-    own = {}
+    own_values = {}
     for name in rate:
         others = [other for key, other in speed.items() if key != name]
         strongest = np.max(others, axis=0) if others else np.zeros(len(values))
-        own[name] = armed & fast[name] & (speed[name] >= OWN_FACTOR * strongest)
-    return MappedTrial(values, movement.sample_rate, armed, rate, own)
+        own_values[name] = armed & fast[name] & (speed[name] >= OWN_FACTOR * strongest)
+    return MappedTrial(values, movement.sample_rate, armed, rate, own_values)
 
 
 def gesture_of(parameters: DriveParameters, joint: str) -> Gesture | None:

@@ -322,13 +322,13 @@ def _cross_talk(evidence: _Evidence, joint: JointMap, gesture: Gesture, weights:
         values = np.concatenate([active[trial.own[name]] for active, trial in zip(activation, trials, strict=True)])
         return float(values.mean()) if len(values) else None
 
-    own = _mean(joint.name)
+    own_mean = _mean(joint.name)
     others = [
         value
         for other in trials[0].own
         if other != joint.name and gesture_of(evidence.parameters, other) and (value := _mean(other)) is not None
     ]
-    return max(others) / max(own, 0.05) if own is not None and others else None
+    return max(others) / max(own_mean, 0.05) if own_mean is not None and others else None
 
 
 def _reason(change: JointChange, refusal: str) -> str:

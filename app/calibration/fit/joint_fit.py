@@ -73,33 +73,33 @@ class FittedJoint:
 
 
 def fit_joint(
-    channels: tuple[int, ...], free: Frames, rest: Frames | None, own: Sequence[Repetition], sample_rate: float
+    channels: tuple[int, ...], free: Frames, rest: Frames | None, repetitions: Sequence[Repetition], sample_rate: float
 ) -> FittedJoint:
-    """Return the map of one joint from frames (n, n_channels) without NaN; `own` are the joint's own repetitions."""
+    """Return the map of one joint from frames (n, n_channels) without NaN; `repetitions` are those of the joint."""
     pca = JointPCA(channels).fit(free)
     direction = Direction(channels, pca.components_[0], pca.mean_)
     angle = None
-    prompted = _prompted_direction(channels, own, sample_rate)
+    prompted = _prompted_direction(channels, repetitions, sample_rate)
     if prompted is not None:
         angle = angle_between(direction.weights, prompted)
         if angle > LARGEST_ANGLE:
             direction = Direction(channels, prompted, pca.mean_)
     place = direction.place(free)
     free_span = percentile_span(place)
-    own_span = prompted_span(direction, own) if own else 0.0
+    own_span = prompted_span(direction, repetitions) if repetitions else 0.0
     from_prompts = own_span > SPAN_FACTOR * free_span
     span = own_span if from_prompts else free_span
-    pointing = prompt_sign(direction, own, span, sample_rate) if own else None
+    pointing = prompt_sign(direction, repetitions, span, sample_rate) if repetitions else None
     # Without prompts the sign is arbitrary: a positive weight of the heaviest channel makes it reproducible.
     sign = pointing.sign if pointing else (1 if direction.weights[np.abs(direction.weights).argmax()] > 0 else -1)
     scale = sign / span
     quiet = rate_along(place if rest is None else direction.place(rest), scale, sample_rate)
     noise = min(rest_rate(quiet, sample_rate, at_rest=rest is not None), LARGEST_THRESHOLD)
     dead_zone = round(min(max(REST_NOISE_FACTOR * noise, SMALLEST_DEAD_ZONE), LARGEST_THRESHOLD), 4)
-    if own:
+    if repetitions:
         rates = [
             rate_of(direction, repetition.values, scale, sample_rate)[with_lag(repetition, sample_rate)]
-            for repetition in own
+            for repetition in repetitions
         ]
     else:
         rates = [np.abs(quiet if rest is None else rate_along(place, scale, sample_rate))]
@@ -112,22 +112,22 @@ def fit_joint(
         evr=float(pca.explained_variance_ratio_[0]),
         angle_deg=angle,
         agreement=pointing.agreement if pointing else None,
-        prompted_share=own_span / span if own else None,
+        prompted_share=own_span / span if repetitions else None,
         span_from_prompts=from_prompts,
         rest_rate=noise,
         dead_zone=dead_zone,
         full=full,
         reaches_full=reached is not None,
-        repeatability=repeatability(rates, sample_rate) if own else None,
-        steps=least_steps(channels, span, free, rest, own, sample_rate),
+        repeatability=repeatability(rates, sample_rate) if repetitions else None,
+        steps=least_steps(channels, span, free, rest, repetitions, sample_rate),
     )
 
 
 def _prompted_direction(
-    channels: tuple[int, ...], own: Sequence[Repetition], sample_rate: float
+    channels: tuple[int, ...], repetitions: Sequence[Repetition], sample_rate: float
 ) -> NDArray[np.float64] | None:
     """Return PC1 (k,) of the prompted movements about their own means (because of drift); None for too few rows."""
-    moved = [repetition.values[with_lag(repetition, sample_rate)] for repetition in own]
+    moved = [repetition.values[with_lag(repetition, sample_rate)] for repetition in repetitions]
     if sum(map(len, moved)) <= 3 * len(channels):
         return None
     pca = JointPCA(channels).fit(np.concatenate([piece - piece.mean(axis=0) for piece in moved]))
@@ -140,12 +140,12 @@ def least_steps(
     span: float,
     free: Frames,
     rest: Frames | None,
-    own: Sequence[Repetition],
+    repetitions: Sequence[Repetition],
     sample_rate: float,
 ) -> LeastSteps:
     """Return the least steps of a joint, from frames (n, n_channels) of free movement, of rest, and of its prompts."""
     least = list(SMALLEST_STEPS)
-    for piece in (free, rest, *(repetition.values for repetition in own)):
+    for piece in (free, rest, *(repetition.values for repetition in repetitions)):
         if piece is None:
             continue
         changes = [step / span for step in steps_of(piece, channels, sample_rate)]

@@ -88,9 +88,9 @@ def _quality(
         at_rest = channel_quality(rest, list(groups.values()), sample_rate, full_scale, moving=False)
         quality = [worse_of(first, second) for first, second in zip(quality, at_rest, strict=True)]
     for joint, indices in groups.items():
-        own = _values_of(joint, repetitions)
-        if own:
-            prompted = channel_quality(np.concatenate(own), [indices], sample_rate, full_scale)
+        joint_values = _values_of(joint, repetitions)
+        if joint_values:
+            prompted = channel_quality(np.concatenate(joint_values), [indices], sample_rate, full_scale)
             findings = {i: prompted[i] for i in indices if prompted[i].condition in PROMPT_CONDITIONS}
             if len(findings) < len(indices):  # when all channels are affected, the joint stood still
                 for i, finding in findings.items():

@@ -93,11 +93,12 @@ def _cross_talk(
     names = list(fitted)
     activation = np.zeros((len(names), len(names)))
     for row in prompted:
-        own = [repetition for repetition in repetitions if repetition.joint == names[row]]
+        joint_repetitions = [repetition for repetition in repetitions if repetition.joint == names[row]]
         for column in prompted:
             joint = fitted[names[column]]
             rates = [
-                joint.rate(repetition.values, sample_rate)[with_lag(repetition, sample_rate)] for repetition in own
+                joint.rate(repetition.values, sample_rate)[with_lag(repetition, sample_rate)]
+                for repetition in joint_repetitions
             ]
             above = (np.concatenate(rates) - joint.dead_zone) / (joint.full - joint.dead_zone)
             activation[row, column] = np.clip(above, 0.0, 1.0).mean()

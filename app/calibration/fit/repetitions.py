@@ -93,7 +93,7 @@ def stretches_of_prompts(
     stretches = []
     for joint in dict.fromkeys(prompt.joint for prompt in merged):
         groups: list[list[Prompt]] = []
-        for prompt in (one for one in merged if one.joint == joint):
+        for prompt in (merged_prompt for merged_prompt in merged if merged_prompt.joint == joint):
             if groups and prompt.start - groups[-1][-1].end <= longest_pause:
                 groups[-1].append(prompt)
             else:

@@ -75,11 +75,11 @@ def abilities(profile: CalibrationProfile, evidence: Evidence) -> list[Ability]:
 
 
 def _ability(
-    evidence: Evidence, joint: JointMap, column: int, direction: Direction, own: Sequence[RepetitionRates]
+    evidence: Evidence, joint: JointMap, column: int, direction: Direction, joint_repetitions: Sequence[RepetitionRates]
 ) -> Ability:
     windows = [
         (repetition.there, repetition.travel_there) if direction > 0 else (repetition.back, repetition.travel_back)
-        for repetition in own
+        for repetition in joint_repetitions
     ]
     windows = [(rates, travel) for rates, travel in windows if len(rates)]
     rates = [direction * window[:, column] for window, _ in windows]
@@ -128,12 +128,12 @@ class _Answer:
 
 
 def _shares(
-    answer: _Answer, joint: str, own: Sequence[Frames], repetitions: Sequence[RepetitionRates]
+    answer: _Answer, joint: str, stretches: Sequence[Frames], repetitions: Sequence[RepetitionRates]
 ) -> dict[str, float]:
     """Return the activation during whole repetitions of each other joint, as a share of that during its own."""
-    if not own:
+    if not stretches:
         return {}
-    least = max(answer.seconds(own), LEAST_ACTIVATION)
+    least = max(answer.seconds(stretches), LEAST_ACTIVATION)
     others = dict.fromkeys(repetition.joint for repetition in repetitions if repetition.joint != joint)
     return {
         other: answer.seconds([repetition.whole for repetition in repetitions if repetition.joint == other]) / least

@@ -99,8 +99,8 @@ def hit_probability(peaks: Sequence[float], level: float, others: Sequence[Seque
     logs = np.log(np.maximum(peaks, 1e-3 * level))
     count = len(logs)
     own_freedom = count - 1
-    own = float(logs.var(ddof=1)) if own_freedom else 0.0
-    variance = (PRIOR_FREEDOM * _usual_variance(others) + own_freedom * own) / (PRIOR_FREEDOM + own_freedom)
+    own_variance = float(logs.var(ddof=1)) if own_freedom else 0.0
+    variance = (PRIOR_FREEDOM * _usual_variance(others) + own_freedom * own_variance) / (PRIOR_FREEDOM + own_freedom)
     spread = math.sqrt(max(variance, LEAST_SPREAD**2) * (1.0 + 1.0 / count))
     return float(t.sf((math.log(level) - float(logs.mean())) / spread, PRIOR_FREEDOM + own_freedom))
 

@@ -77,9 +77,9 @@ def with_guided_maps(profile: CalibrationProfile, recording: CleanRecording) -> 
     """
     joints, reasons = [], {}
     for joint in profile.joints:
-        own = recording.stretches_of(joint.name)
+        stretches = recording.stretches_of(joint.name)
         try:
-            guided = _guided_map(joint, own, recording.rest, recording.sample_rate)
+            guided = _guided_map(joint, stretches, recording.rest, recording.sample_rate)
             joints.append(joint.model_copy(update={"guided": guided}))
         except GuidedMapError as error:
             joints.append(joint)
@@ -107,7 +107,11 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
         weights = _Regression(data).weights(np.inf)
         lags = [lags_of(piece.features @ weights, piece.cued, sample_rate) for piece in pieces]
     data = _training_rows(
-        joint, pieces, [[lag - round(LEAD * sample_rate) for lag in own] for own in lags], rest, sample_rate
+        joint,
+        pieces,
+        [[lag - round(LEAD * sample_rate) for lag in piece_lags] for piece_lags in lags],
+        rest,
+        sample_rate,
     )
     if (data.label == 0).sum() < SHORTEST_REST * sample_rate:
         raise GuidedMapError(
@@ -153,9 +157,9 @@ def _training_rows(
 ) -> _TrainingRows:
     """Return all rows with their labels; the rest around a repetition gets that repetition's number."""
     label, repetition, before = [], [], 0
-    for piece, own in zip(pieces, lags, strict=True):
-        label.append(labels(piece.pca, piece.cued, own, sample_rate))
-        starts = [movement.start + lag for movement, lag in zip(piece.cued, own, strict=True)]
+    for piece, piece_lags in zip(pieces, lags, strict=True):
+        label.append(labels(piece.pca, piece.cued, piece_lags, sample_rate))
+        starts = [movement.start + lag for movement, lag in zip(piece.cued, piece_lags, strict=True)]
         edges = [_middle_of_pause(label[-1], start, following) for start, following in pairwise(starts)]
         repetition.append(before + np.searchsorted(np.array(edges, dtype=np.int_), np.arange(len(piece.pca)), "right"))
         before += len(piece.cued)

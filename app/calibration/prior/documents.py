@@ -122,11 +122,11 @@ class PersonEntry(PriorPart):
 
     def in_layout(self, layout: ShirtLayout) -> "PersonEntry":
         """Return the entry with those of its rings only that are the layout's, sensor by sensor."""
-        own = {ring: tuple(layout.channel_names[i] for i in sensors) for ring, sensors in layout.rings.items()}
+        layout_rings = {ring: tuple(layout.channel_names[i] for i in sensors) for ring, sensors in layout.rings.items()}
         rings = {
             name: ring
             for name, ring in self.rings.items()
-            if len(ring.logs) == len(own.get(name, ())) and ring.sensors in ((), own[name])
+            if len(ring.logs) == len(layout_rings.get(name, ())) and ring.sensors in ((), layout_rings[name])
         }
         return self.model_copy(update={"rings": rings})
 

@@ -64,14 +64,14 @@ def _joint_entry(
     used = [i for i, is_alive in zip(channels, alive, strict=True) if is_alive]
     logs, moments, seconds, strokes = [], [], 0.0, 0
     for recording, free in zip(recordings, moved, strict=True):
-        own = log_ranges(free[:, used], recording.sample_rate)
-        if not np.isfinite(own).all():
+        ranges = log_ranges(free[:, used], recording.sample_rate)
+        if not np.isfinite(ranges).all():
             continue
         frames = prompted_frames(
-            recording.stretches_of(joint), used, scales(own, np.ones(len(used), np.bool_)), recording.sample_rate
+            recording.stretches_of(joint), used, scales(ranges, np.ones(len(used), np.bool_)), recording.sample_rate
         )
         if frames is not None:
-            logs.append(own)
+            logs.append(ranges)
             moments.append(Moments.of(frames.features, frames.label))
             seconds += len(frames.label) / recording.sample_rate
             strokes += frames.repetitions

@@ -87,8 +87,8 @@ def _first_rates(
 ) -> list[Array]:
     """Return the rates along the mean displacement of the prompted movements."""
     moved = np.zeros(pieces[0].shape[1])
-    for piece, cued, own in zip(pieces, cues, lags, strict=True):
-        for movement, lag in zip(cued, own, strict=True):
+    for piece, cued, piece_lags in zip(pieces, cues, lags, strict=True):
+        for movement, lag in zip(cued, piece_lags, strict=True):
             start, stop = np.clip((movement.start + lag, movement.stop + lag), 0, len(piece) - 1)
             moved += piece[stop] - piece[start]
     places = [smooth(piece @ moved, STANDARD_CUTOFF, sample_rate) for piece in pieces]
@@ -100,8 +100,10 @@ def _repetitions(
 ) -> NDArray[np.int_]:
     """Return (n,) the repetition of each frame: from shortly before its stroke to shortly before the next one."""
     numbers, before = [], 0
-    for piece, cued, own in zip(pieces, cues, lags, strict=True):
-        starts = [movement.start + lag - round(STILL * sample_rate) for movement, lag in zip(cued, own, strict=True)]
+    for piece, cued, piece_lags in zip(pieces, cues, lags, strict=True):
+        starts = [
+            movement.start + lag - round(STILL * sample_rate) for movement, lag in zip(cued, piece_lags, strict=True)
+        ]
         edges = [max(start, following) for start, following in pairwise(starts)]
         numbers.append(before + np.searchsorted(np.array(edges, dtype=np.int_), np.arange(len(piece)), "right"))
         before += len(cued)

@@ -166,9 +166,9 @@ def _sum(entries: list[JointEntry]) -> JointPrior:
     used = alive.sum(axis=0) > 0.0
     parts = []
     for entry in entries:
-        own = np.array(entry.alive)
-        level = float(expected[used].mean() - expected[own].mean())  # 0 when every channel could be used
-        parts.append(entry.moments.moments.rescaled(np.full(len(own), np.exp(-level / 2.0))))
+        entry_alive = np.array(entry.alive)
+        level = float(expected[used].mean() - expected[entry_alive].mean())  # 0 when every channel could be used
+        parts.append(entry.moments.moments.rescaled(np.full(len(entry_alive), np.exp(-level / 2.0))))
     return JointPrior(
         people=len(entries),
         seconds=sum(entry.seconds for entry in entries),

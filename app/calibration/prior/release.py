@@ -49,12 +49,12 @@ def release(documents: Iterable[PriorDocument]) -> Release:
     people, left_out = ReleasedPeople(), set[str]()
     own_priors = [document for document in priors if isinstance(document, OwnPrior)]
     if own_priors:
-        own = union_of_people(own_priors)
-        people = _new_people(own)
+        united = union_of_people(own_priors)
+        people = _new_people(united)
         if not people.joints:
-            raise PriorError(_too_few(own))
-        left_out = {name for entry in own.people.values() for name in entry.joints} - people.joints.keys()
-        sums.append(_sums_over(own, people))
+            raise PriorError(_too_few(united))
+        left_out = {name for entry in united.people.values() for name in entry.joints} - people.joints.keys()
+        sums.append(_sums_over(united, people))
     everybody = reduce(add, sums)
     document = ReleasedPrior(
         layout=everybody.layout,
@@ -65,12 +65,12 @@ def release(documents: Iterable[PriorDocument]) -> Release:
     return Release(document, people, tuple(sorted(left_out)))
 
 
-def _new_people(own: OwnPrior) -> ReleasedPeople:
+def _new_people(prior: OwnPrior) -> ReleasedPeople:
     """Return the codes of the people who are in no release yet, of joints and rings that have eight of them."""
-    joints = {code: entry.joints for code, entry in own.people.items()}
-    rings = {code: entry.rings for code, entry in own.people.items()}
+    joints = {code: entry.joints for code, entry in prior.people.items()}
+    rings = {code: entry.rings for code, entry in prior.people.items()}
     return ReleasedPeople(
-        joints=_eight_or_more(joints, own.released.joints), rings=_eight_or_more(rings, own.released.rings)
+        joints=_eight_or_more(joints, prior.released.joints), rings=_eight_or_more(rings, prior.released.rings)
     )
 
 
@@ -86,7 +86,7 @@ def _eight_or_more(
     return {name: codes for name, codes in new.items() if len(codes) >= FEWEST_RELEASED}
 
 
-def _sums_over(own: OwnPrior, people: ReleasedPeople) -> MapPrior:
+def _sums_over(prior: OwnPrior, people: ReleasedPeople) -> MapPrior:
     """Return the sums over these people, joint by joint and ring by ring."""
     chosen = [
         entry.model_copy(
@@ -95,15 +95,15 @@ def _sums_over(own: OwnPrior, people: ReleasedPeople) -> MapPrior:
                 "rings": {name: part for name, part in entry.rings.items() if code in people.rings.get(name, ())},
             }
         )
-        for code, entry in own.people.items()
+        for code, entry in prior.people.items()
     ]
-    return MapPrior(own.layout, *sums_of(chosen))
+    return MapPrior(prior.layout, *sums_of(chosen))
 
 
-def _too_few(own: OwnPrior) -> str:
-    count = len(own.people)
+def _too_few(prior: OwnPrior) -> str:
+    count = len(prior.people)
     everybody = f"together they hold {count} {'person' if count == 1 else 'people'}"
-    if any(own.released.joints.values()):
+    if any(prior.released.joints.values()):
         return (
             f"{everybody}, of whom fewer than {FEWEST_RELEASED} are in no release yet: use the earlier release, and "
             f"make another one when at least {FEWEST_RELEASED} people have been added, so that nobody can be found by "

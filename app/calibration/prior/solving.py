@@ -41,7 +41,7 @@ class OwnFrames:
         return OwnFrames(self.features[rows], self.label[rows], self.repetition[rows], self.asked)
 
 
-def solve(people: Moments, sample_rate: float, own: OwnFrames | None = None) -> Array:
+def solve(people: Moments, sample_rate: float, own_frames: OwnFrames | None = None) -> Array:
     """Return the weights (d,) of the ridge regression to the labels.
 
     Parameters
@@ -50,28 +50,28 @@ def solve(people: Moments, sample_rate: float, own: OwnFrames | None = None) -> 
         Mean over other people, of the channels that are used.
     sample_rate : float
         Hz, of the person's own frames.
-    own : OwnFrames or None
+    own_frames : OwnFrames or None
         Without own frames the weights are other people's.
     """
     channel = np.tile(np.arange(len(people.moment) // KINDS), KINDS)
-    return _solve(people, channel, sample_rate, own)
+    return _solve(people, channel, sample_rate, own_frames)
 
 
-def _solve(people: Moments, channel: NDArray[np.int_], sample_rate: float, own: OwnFrames | None) -> Array:
+def _solve(people: Moments, channel: NDArray[np.int_], sample_rate: float, own_frames: OwnFrames | None) -> Array:
     """Return the weights of features, each of which belongs to a `channel`."""
     gram: Array = people.gram
     moment: Array = people.moment
-    if own is not None:
+    if own_frames is not None:
         frames = WORTH * sample_rate
-        gram = np.asarray(frames * gram + own.features.T @ own.features, dtype=np.float64)
-        moment = np.asarray(frames * moment + own.features.T @ own.label, dtype=np.float64)
+        gram = np.asarray(frames * gram + own_frames.features.T @ own_frames.features, dtype=np.float64)
+        moment = np.asarray(frames * moment + own_frames.features.T @ own_frames.label, dtype=np.float64)
     gram = np.where(np.equal.outer(channel, channel), GAIN_UNCERTAINTY * gram, gram)
     power = np.diag(gram).copy()
     power[power <= 0.0] = 1.0  # a channel that no other person had
     return ridge(gram, moment, RIDGE * power)
 
 
-def solve_direction(people: Moments, sample_rate: float, own: OwnFrames | None = None) -> Array:
+def solve_direction(people: Moments, sample_rate: float, own_frames: OwnFrames | None = None) -> Array:
     """Return weights (d,) of the newest rates alone, all others 0; parameters as of `solve`.
 
     Such a map ends when the movement ends, also when the labels that it is learnt from are longer than the movement.
@@ -79,7 +79,11 @@ def solve_direction(people: Moments, sample_rate: float, own: OwnFrames | None =
     d = len(people.moment)
     k = d // KINDS
     newest = Moments(people.gram[:k, :k], people.moment[:k], people.stroke_mean[:k], people.stroke_gram[:k, :k])
-    rates = None if own is None else OwnFrames(own.features[:, :k], own.label, own.repetition, own.asked)
+    rates = (
+        None
+        if own_frames is None
+        else OwnFrames(own_frames.features[:, :k], own_frames.label, own_frames.repetition, own_frames.asked)
+    )
     weights = np.zeros(d)
     weights[:k] = _solve(newest, np.arange(k), sample_rate, rates)
     return weights

@@ -214,13 +214,15 @@ def export_prior(
         try:
             with database.transaction() as db:
                 _require_clinic(db, settings)
-                own = _own_prior(db, shirt, to_share=release)
-                write_log(db, COMMAND_LINE, "prior exported", release=release, people=len(own.people))
+                own_prior = _own_prior(db, shirt, to_share=release)
+                write_log(db, COMMAND_LINE, "prior exported", release=release, people=len(own_prior.people))
                 if release:
-                    result = _write_release(db, own, out, layout)
+                    result = _write_release(db, own_prior, out, layout)
                 else:
-                    write_output(out, bytes_of(own), layout)
-                    result = f"{_people(len(own.people))} in {out}, with an entry each: it must not leave the clinic."
+                    write_output(out, bytes_of(own_prior), layout)
+                    result = (
+                        f"{_people(len(own_prior.people))} in {out}, with an entry each: it must not leave the clinic."
+                    )
                 is_written = True
         except BaseException:
             if is_written:  # the clinic could not store whose entries are released: there is no such release
@@ -310,7 +312,7 @@ def _own_prior(db: "Transaction", layout: "ShirtLayout", *, to_share: bool) -> "
         ) from error
 
 
-def _write_release(db: "Transaction", own: "OwnPrior", out: Path, layout: Path) -> str:
+def _write_release(db: "Transaction", own_prior: "OwnPrior", out: Path, layout: Path) -> str:
     """Write the sums that may leave the clinic, note whose entries they hold, and return a sentence on the result."""
     from app.calibration.prior.map_prior import PriorError
     from app.calibration.prior.release import release
@@ -318,11 +320,11 @@ def _write_release(db: "Transaction", own: "OwnPrior", out: Path, layout: Path) 
     from app.session.calibration.garment import Garment
 
     try:
-        document, people, left_out = release([own])
+        document, people, left_out = release([own_prior])
     except PriorError as error:
         raise InputError(f"Of those who have consented to “Sharing outside”: {error}") from error
-    shirt = Garment(own.layout, False, None).hash
-    for code in own.people:
+    shirt = Garment(own_prior.layout, False, None).hash
+    for code in own_prior.people:
         _mark_released(db, code, shirt, people)
     write_output(out, bytes_of(document), layout)
     result = f"{_people(document.people)} in {out}: sums only, which may leave the clinic."

@@ -54,7 +54,7 @@ class ArchiveList(Document):
 
 def hash_of(files: dict[str, FileEntry]) -> str:
     """Return the hash of an archive: SHA-256 of a line `HASH  NAME` for each file, in the order of the names."""
-    lines = "".join(f"{known.sha256}  {name}\n" for name, known in sorted(files.items()))
+    lines = "".join(f"{entry.sha256}  {name}\n" for name, entry in sorted(files.items()))
     return sha256(lines.encode()).hexdigest()
 
 
@@ -109,15 +109,15 @@ class OpenArchive:
         if self.listed.report is not None:
             self._checked(REPORT, self.listed.report)
         for info in opened.infolist()[len(expected) :]:
-            known = self.listed.files[info.filename]
+            entry = self.listed.files[info.filename]
             if not RUN_FILE.fullmatch(info.filename) or info.compress_type != zipfile.ZIP_STORED:
                 raise ValueError(NO_ARCHIVE.format(file=file))
-            if info.file_size != known.bytes:
+            if info.file_size != entry.bytes:
                 raise ValueError(CHANGED.format(file=file, name=info.filename))
 
     def recording_bytes(self, without: frozenset[str]) -> int:
         """Return how much room the recordings need, without those of these names."""
-        return sum(known.bytes for _, _, known in self._recordings(without))
+        return sum(entry.bytes for _, _, entry in self._recordings(without))
 
     def patient(self) -> Any:
         """Return the document of the patient."""
@@ -125,13 +125,13 @@ class OpenArchive:
 
     def _recordings(self, without: frozenset[str]) -> Iterator[tuple[str, str, FileEntry]]:
         """Yield name in the archive, recording, size and hash of each recorded file."""
-        for name, known in self.listed.files.items():
+        for name, entry in self.listed.files.items():
             if name != PATIENT and (run := name.split("/")[1]) not in without:
-                yield name, run, known
+                yield name, run, entry
 
     def unpack_recordings(self, folder: Path, without: frozenset[str]) -> None:
         """Write the recordings to `folder`, one folder each, without those of these names; check their hashes."""
-        for name, run, known in self._recordings(without):
+        for name, run, entry in self._recordings(without):
             target = folder / run / name.rpartition("/")[2]
             target.parent.mkdir(parents=True, exist_ok=True)
             try:
@@ -139,13 +139,13 @@ class OpenArchive:
                     shutil.copyfileobj(source, written, CHUNK)
             except DAMAGED as error:
                 raise ValueError(CHANGED.format(file=self.file, name=name)) from error
-            if _hash_of(target) != known.sha256:
+            if _hash_of(target) != entry.sha256:
                 raise ValueError(CHANGED.format(file=self.file, name=name))
 
-    def _checked(self, name: str, known: FileEntry) -> bytes:
+    def _checked(self, name: str, entry: FileEntry) -> bytes:
         """Return a file whose hash is right."""
-        content = self._content(name, known.bytes)
-        if entry_of(content) != known:
+        content = self._content(name, entry.bytes)
+        if entry_of(content) != entry:
             raise ValueError(CHANGED.format(file=self.file, name=name))
         return content
 

@@ -75,12 +75,14 @@ NOT_IN_ARCHIVE: Final = {
 @cache
 def archived_tables() -> tuple[ArchivedTable, ...]:
     """Return the tables that an archive carries, those of features last."""
-    return (*KERNEL, *(table for one in features().values() for table in one.archived))
+    return (*KERNEL, *(table for feature in features().values() for table in feature.archived))
 
 
 def not_archived() -> Mapping[str, str]:
     """Return every other table by its name, with the reason."""
-    return NOT_IN_ARCHIVE | {table: why for one in features().values() for table, why in one.not_archived.items()}
+    return NOT_IN_ARCHIVE | {
+        table: why for feature in features().values() for table, why in feature.not_archived.items()
+    }
 
 
 MOST_ROWS = 100_000  # of an archive: far more than a patient has; while they are added, nothing else is stored
@@ -96,21 +98,21 @@ class WrongRows(ValueError):  # noqa: N818
 def patient_rows(db: Session, patient_id: int) -> Rows:
     """Return all rows of a patient."""
     places: dict[str, dict[Any, int]] = {}
-    found: Rows = {}
+    rows_of_tables: Rows = {}
     for archived in archived_tables():
         table, by = table_of(archived.kind), archived.by
         (reference,) = [key.column.table.name for key in table.c[by].foreign_keys] or [table.name]
-        known = [patient_id] if by == "id" else list(places[reference])
+        ids = [patient_id] if by == "id" else list(places[reference])
         order = list(table.primary_key.columns)
-        query = select(table).where(table.c[by].in_(known)).order_by(*order)
+        query = select(table).where(table.c[by].in_(ids)).order_by(*order)
         rows = [dict(row) for row in db.execute(query).mappings()]
         archived.complete(db, rows)
         if "id" in table.c:
             places[table.name] = {row["id"]: place for place, row in enumerate(rows, start=1)}
-        found[table.name] = [
+        rows_of_tables[table.name] = [
             {column.name: _written(column, row[column.name], places) for column in exchanged(table)} for row in rows
         ]
-    return found
+    return rows_of_tables
 
 
 def add_patient_rows(db: Session, rows: Rows) -> int:
@@ -130,17 +132,17 @@ def add_patient_rows(db: Session, rows: Rows) -> int:
 
 def insert_row(db: Session, table: SqlTable, values: dict[str, Any], place: int) -> Any:
     """Add the row at this place of a document and return its id; WrongRows when it contradicts another one."""
-    own = {name: value for name, value in values.items() if name != "id" or not isinstance(value, int)}
-    if "id" in table.c and "id" not in own and (following := next_id(db.connection(), table.name)) is not None:
-        own["id"] = following
+    columns = {name: value for name, value in values.items() if name != "id" or not isinstance(value, int)}
+    if "id" in table.c and "id" not in columns and (following := next_id(db.connection(), table.name)) is not None:
+        columns["id"] = following
     if "clinic_id" in table.c:
-        own["clinic_id"] = own_clinic_id(db)
+        columns["clinic_id"] = own_clinic_id(db)
     if "folder" in table.c:
-        own["folder"] = own["id"]
+        columns["folder"] = columns["id"]
     if "chair_id" in table.c:
-        own["chair_id"] = chair_elsewhere(db).id
+        columns["chair_id"] = chair_elsewhere(db).id
     try:
-        added: Any = db.execute(insert(table).values(own))
+        added: Any = db.execute(insert(table).values(columns))
     except IntegrityError as error:
         raise WrongRows(f"row {place} of its table '{table.name}' contradicts another one") from error
     return added.inserted_primary_key[0]
@@ -148,7 +150,9 @@ def insert_row(db: Session, table: SqlTable, values: dict[str, Any], place: int)
 
 def check_rows(rows: Any) -> Rows:
     """Return the rows of a foreign document when it has the tables and columns of this program; WrongRows otherwise."""
-    if not isinstance(rows, dict) or set(rows) != {one.kind.__tablename__ for one in archived_tables()}:
+    if not isinstance(rows, dict) or set(rows) != {
+        kind_of_table.kind.__tablename__ for kind_of_table in archived_tables()
+    }:
         raise WrongRows("its tables are others")
     for archived in archived_tables():
         table = table_of(archived.kind)
@@ -161,10 +165,10 @@ def check_rows(rows: Any) -> Rows:
         raise WrongRows(f"it has more than {MOST_ROWS:,} rows")
     if len(rows["patient"]) != 1:
         raise WrongRows("it has not exactly one patient")
-    wrong = (_wrong_value(one, rows) for one in archived_tables())
-    words = next(filter(None, wrong), "") or wrong_versions(rows)
-    if words:
-        raise WrongRows(words)
+    wrong = (_wrong_value(kind_of_table, rows) for kind_of_table in archived_tables())
+    refusal = next(filter(None, wrong), "") or wrong_versions(rows)
+    if refusal:
+        raise WrongRows(refusal)
     if any(row["ended"] is None for row in rows["session"]):
         raise WrongRows("one of its sessions has not ended")
     return rows

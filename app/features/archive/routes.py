@@ -118,8 +118,8 @@ def archive(
 @router.get("/patients/{patient_id}/archive/room")
 def room(patient_id: RowId, _person: Exporter, settings: SettingsPart, database: Db) -> ArchiveRoomView:
     """Return how large the recordings of a patient's archive are, and whether the clinic's disk has room for them."""
-    found = archive_room(database, patient_id, settings.runs, settings.state)
-    return ArchiveRoomView(**found._asdict())
+    room_needed = archive_room(database, patient_id, settings.runs, settings.state)
+    return ArchiveRoomView(**room_needed._asdict())
 
 
 ImportsPart = Annotated[ImportCourses, Depends(part(ImportCourses))]

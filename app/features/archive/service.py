@@ -118,7 +118,7 @@ def archive_room(database: Database, patient_id: int, runs: Path, place: Path) -
     """
     with database.reading() as db:
         find_patient(db, patient_id)
-        folders = [runs / one for one in run_ids(db, patient_id)]
+        folders = [runs / run_id for run_id in run_ids(db, patient_id)]
     return room_for(folders, place)
 
 
@@ -189,5 +189,5 @@ def make_archive(
     material = archive_material(database, patient_id, person, runs, package.parent)
     for step in material.steps(make_report):
         step(package)
-    with open_archive(package) as made:
-        return made.listed.hash
+    with open_archive(package) as archive:
+        return archive.listed.hash

@@ -100,8 +100,8 @@ def read_backup(
     OSError
         When it cannot be read.
     """
-    manifest, found = _read(file, secret, store, progress)
-    require_equal([one for one in manifest.files if not one.part], found)
+    manifest, stored = _read(file, secret, store, progress)
+    require_equal([listed for listed in manifest.files if not listed.part], stored)
     for part in manifest.parts:
         read_part(file.parent / PARTS, part, manifest, secret, store, progress)
     return manifest
@@ -123,7 +123,7 @@ def read_part(
             for member, content in members_of(reader):
                 files.append(_stored(member, content, store))
                 progress(member.size)
-        require_equal([one for one in manifest.files if one.part == part], files)
+        require_equal([file for file in manifest.files if file.part == part], files)
     except (Refusal, FileNotFoundError) as error:
         raise Refusal(f"This backup is damaged: {name} is missing or was changed. Take another one.") from error
 
@@ -133,9 +133,9 @@ def manifest_of(file: Path, secret: Secret | None) -> Manifest:
     return _read(file, secret, only_hash, lambda _: None)[0]
 
 
-def require_equal(listed: Iterable[StoredFile], found: Iterable[StoredFile]) -> None:
+def require_equal(listed: Iterable[StoredFile], stored: Iterable[StoredFile]) -> None:
     """Raise Refusal unless the files that were found are those that the manifest lists."""
-    both = ({one.path: (one.size, one.sha256) for one in files} for files in (listed, found))
+    both = ({file.path: (file.size, file.sha256) for file in files} for files in (listed, stored))
     if next(both) != next(both):
         raise Refusal(DAMAGED)
 
@@ -157,7 +157,7 @@ def sealed_key_of(file: Path) -> str | None:
 
 def _read(file: Path, secret: Secret | None, store: Store, progress: Progress) -> tuple[Manifest, list[StoredFile]]:
     """Return the manifest of a backup's file, and the files that are in it."""
-    found: list[StoredFile] = []
+    stored: list[StoredFile] = []
     manifest, listed = None, b""
     with QuietReader(file) as quiet, _content(quiet, secret) as reader:
         for member, content in members_of(reader):
@@ -168,11 +168,11 @@ def _read(file: Path, secret: Secret | None, store: Store, progress: Progress) -
             elif member.path == PART_LIST:
                 listed = content.read(MOST_BYTES)
             else:
-                found.append(_stored(member, content, store))
+                stored.append(_stored(member, content, store))
                 progress(member.size)
     if manifest is None or listed != _part_list(manifest, secret):
         raise Refusal(DAMAGED)
-    return manifest, found
+    return manifest, stored
 
 
 def _part_list(manifest: Manifest, secret: Secret | None) -> bytes:

@@ -65,10 +65,10 @@ class BackupFolder:
                 raise Refusal(f"{self.folder} holds backups, but its file {HEADER} is missing: choose another folder.")
             header = json.dumps({"format": 2, "clinic": clinic, "identity": sealed})
             write_atomically(file, header.encode() + b"\n", OWNER_FILE)
-        known = _header(self.folder)
-        if known["clinic"] != clinic:
+        folder_header = _header(self.folder)
+        if folder_header["clinic"] != clinic:
             raise Refusal(f"{self.folder} {OTHER_CLINIC}.")
-        if known["identity"] != sealed:
+        if folder_header["identity"] != sealed:
             raise Refusal(f"{self.folder} {OTHER_KEY}.")
 
     def names(self) -> list[str]:
@@ -84,15 +84,15 @@ class BackupFolder:
 
         Parts that are stored already are not written again. What reads back wrongly is stored again, once.
         """
-        known = self._known_parts()
+        parts = self._known_parts()
         for _ in range(2):
-            files = self._stored(contents.sources, known, progress)
+            files = self._stored(contents.sources, parts, progress)
             now = utc_now()
             manifest = Manifest(now.isoformat(), version, contents.rows, with_keys, contents.left_out, tuple(files))
             wrong = self._wrong_parts(manifest, progress)
             if not wrong:
                 break
-            known = {part: stored for part, stored in known.items() if part not in wrong}
+            parts = {part: stored for part, stored in parts.items() if part not in wrong}
         else:
             raise Refusal(f"{len(wrong)} files in {self.folder} read back wrongly: this disk is damaged, take another.")
         name = now.strftime(STAMP)
@@ -103,10 +103,10 @@ class BackupFolder:
         return name, manifest
 
     def _stored(
-        self, sources: Iterable[BackupFile], known: dict[str, list[StoredFile]], progress: Progress
+        self, sources: Iterable[BackupFile], stored_parts: dict[str, list[StoredFile]], progress: Progress
     ) -> list[StoredFile]:
         parts = _parts_of(sources)
-        total = sum(source.size for own in parts.values() for source in own)
+        total = sum(source.size for part_files in parts.values() for source in part_files)
         done, files = 0, []
 
         def count(size: int) -> None:
@@ -114,12 +114,12 @@ class BackupFolder:
             done += size
             progress("store", done, total)
 
-        for part, own in parts.items():
-            if part in known and self._part(part).exists():
-                files += known[part]
-                count(sum(source.size for source in own))
+        for part, part_files in parts.items():
+            if part in stored_parts and self._part(part).exists():
+                files += stored_parts[part]
+                count(sum(source.size for source in part_files))
             else:
-                fill = partial(add_sources, sources=own, progress=count, part=part)
+                fill = partial(add_sources, sources=part_files, progress=count, part=part)
                 files += write_part(self._part(part), self.secret, fill)
         return files
 
@@ -144,11 +144,11 @@ class BackupFolder:
 
     def _known_parts(self) -> dict[str, list[StoredFile]]:
         """Return the files of each part of the newest backup."""
-        known: dict[str, list[StoredFile]] = {}
+        parts: dict[str, list[StoredFile]] = {}
         for name in self.names()[-1:]:
             for file in self.manifest(name).files:
-                known.setdefault(file.part, []).append(file)
-        return known
+                parts.setdefault(file.part, []).append(file)
+        return parts
 
     def _remove_old(self, passed: datetime) -> None:
         """Remove backups that are not to be kept, parts that none names any more, and what a kill has left.
@@ -156,9 +156,9 @@ class BackupFolder:
         `passed` is up to when time has really passed: a clock that was set forward makes no backup old.
         """
         moments = {datetime.strptime(name, STAMP).replace(tzinfo=UTC): name for name in self.names()}
-        kept = kept_backups(moments, passed)
+        kept_moments = kept_backups(moments, passed)
         for moment, name in moments.items():
-            if moment not in kept:
+            if moment not in kept_moments:
                 (self.folder / name).unlink()
         needed = {self._part(part) for name in self.names() for part in self.manifest(name).parts}
         for stored in (self.folder / PARTS).glob("*"):
@@ -185,7 +185,7 @@ def _parts_of(sources: Iterable[BackupFile]) -> dict[str, list[BackupFile]]:
         else:
             group = "uploads"
         groups.setdefault(group, []).append(source)
-    return {f"{group}-{_listing_hash(own)}": own for group, own in groups.items()}
+    return {f"{group}-{_listing_hash(files)}": files for group, files in groups.items()}
 
 
 def _listing_hash(sources: list[BackupFile]) -> str:
@@ -195,8 +195,8 @@ def _listing_hash(sources: list[BackupFile]) -> str:
 
 def _header(folder: Path) -> dict[str, str | None]:
     try:
-        known = json.loads((folder / HEADER).read_bytes())
-        clinic, identity = known["clinic"], known["identity"]
+        header = json.loads((folder / HEADER).read_bytes())
+        clinic, identity = header["clinic"], header["identity"]
         if not isinstance(clinic, str) or not isinstance(identity, str | None):
             raise TypeError
     except (OSError, ValueError, KeyError, TypeError) as error:
@@ -219,11 +219,11 @@ def kept_backups(moments: Iterable[datetime], passed: datetime) -> set[datetime]
     out: the newest backup of each day is kept until 7 days have.
     """
     newest_first = sorted(moments, reverse=True)
-    kept: set[datetime] = set()
+    moments_to_keep: set[datetime] = set()
     for many, period_of in KEPT:
         newest: dict[Any, datetime] = {}
         for moment in newest_first:
             newest.setdefault(period_of(moment), moment)
         each = list(newest.values())
-        kept |= {*each[:many], *(moment for moment in each if moment + ALL_DAYS_FOR > passed)}
-    return kept
+        moments_to_keep |= {*each[:many], *(moment for moment in each if moment + ALL_DAYS_FOR > passed)}
+    return moments_to_keep

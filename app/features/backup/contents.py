@@ -67,8 +67,8 @@ def contents_of(settings: Settings, *, with_keys: bool) -> Iterator[Contents]:
         folders = [settings.runs, settings.files, settings.models, settings.floorplans, settings.replaced]
         folders += [settings.keys, settings.authority, settings.signing] if with_keys else []
         listed = [source for folder in folders for source in _listed(settings, folder, left_out)]
-        own = [_source(work / DATABASE, DATABASE), *(_source(file, file.name) for file in beside)]
-        yield Contents((*own, *listed), copy.rows, tuple(left_out), passed_of(work / DATABASE))
+        sources = [_source(work / DATABASE, DATABASE), *(_source(file, file.name) for file in beside)]
+        yield Contents((*sources, *listed), copy.rows, tuple(left_out), passed_of(work / DATABASE))
     finally:
         shutil.rmtree(work, ignore_errors=True)
 
@@ -122,5 +122,5 @@ def _is_going_on(folder: Path, files: list[str]) -> bool:
 
 
 def _source(file: Path, path: str) -> BackupFile:
-    known = file.stat()
-    return BackupFile(path, file, known.st_size, known.st_mtime_ns)
+    status = file.stat()
+    return BackupFile(path, file, status.st_size, status.st_mtime_ns)

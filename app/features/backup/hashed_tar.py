@@ -55,14 +55,14 @@ class _Hashed:
         self.digest = sha256()
 
     def read(self, size: int, /) -> bytes:
-        found = bytearray()
-        while len(found) < size:
-            part = self._content.read(size - len(found))
+        content = bytearray()
+        while len(content) < size:
+            part = self._content.read(size - len(content))
             if not part:
                 raise Refusal(f"{self._path} was changed while it was copied: try again.")
-            found += part
-        self.digest.update(found)
-        return bytes(found)
+            content += part
+        self.digest.update(content)
+        return bytes(content)
 
 
 class _Content:

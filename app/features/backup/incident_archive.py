@@ -69,11 +69,11 @@ def log_lines(database: Database, since: datetime, newest: int) -> Iterator[str]
     while True:
         query = select(LogEntry).where(LogEntry.id > last, LogEntry.id <= newest, LogEntry.at >= since)
         with database.reading() as db:
-            found = [(row.id, _document(row)) for row in db.scalars(query.order_by(LogEntry.id).limit(AT_ONCE))]
-        if not found:
+            rows = [(row.id, _document(row)) for row in db.scalars(query.order_by(LogEntry.id).limit(AT_ONCE))]
+        if not rows:
             return
-        yield from (f"{json.dumps(document)}\n" for _, document in found)
-        last = found[-1][0]
+        yield from (f"{json.dumps(document)}\n" for _, document in rows)
+        last = rows[-1][0]
 
 
 def newest_log_row(db: Session) -> tuple[int, str]:
@@ -84,7 +84,7 @@ def newest_log_row(db: Session) -> tuple[int, str]:
 
 def incident_rows(db: Session, sessions: list[int]) -> Rows:
     """Return everything that describes these sessions: equipment, maps, parameters, runs, trials, drives."""
-    own: dict[type[Table], Any] = {
+    conditions: dict[type[Table], Any] = {
         PatientSession: PatientSession.id.in_(sessions),
         Run: Run.session_id.in_(sessions),
         CalibrationStep: CalibrationStep.session_id.in_(sessions),
@@ -94,17 +94,17 @@ def incident_rows(db: Session, sessions: list[int]) -> Rows:
         PatientScreen: PatientScreen.session_id.in_(sessions),
         ImportedSession: ImportedSession.session_id.in_(sessions),
     }
-    found: Rows = {kind.__tablename__: _all(db, select(kind).where(condition)) for kind, condition in own.items()}
-    patients = {row["patient_id"] for row in found["session"]}
+    rows: Rows = {kind.__tablename__: _all(db, select(kind).where(condition)) for kind, condition in conditions.items()}
+    patients = {row["patient_id"] for row in rows["session"]}
     of_patients: list[type[Any]] = [PatientImport]
     of_patients += (table for feature in features().values() for table in feature.of_incidents)
     for kind in of_patients:
-        found[kind.__tablename__] = _all(db, select(kind).where(kind.patient_id.in_(patients)))
+        rows[kind.__tablename__] = _all(db, select(kind).where(kind.patient_id.in_(patients)))
     profiles = _all(db, select(Profile).where(Profile.patient_id.in_(patients)))
-    used = {row["parameters_id"] for row in (*found["trial"], *found["drive"], *found["interface_test"])}
+    used = {row["parameters_id"] for row in (*rows["trial"], *rows["drive"], *rows["interface_test"])}
     of_profiles = ParameterSet.profile_id.in_([row["id"] for row in profiles])
     wanted = of_profiles & (ParameterSet.current | ParameterSet.id.in_(used))
-    return found | {
+    return rows | {
         "profile": profiles,
         "parameters": _all(db, select(ParameterSet).where(wanted)),
         "chair": _all(db, select(PairedChair)),
@@ -202,10 +202,10 @@ def archive_incident(
             for name, content in ((NAME, manifest), (SIGNATURE, signature), (PUBLIC_KEY, public)):
                 tar.add_bytes(name, content)
         out.keep()
-    found = check_incident(target)
+    checked = check_incident(target)
     with database.transaction(closing=True) as db:
-        mark_incident(db, since, found.hash, _patients(rows), person)
-    return found
+        mark_incident(db, since, checked.hash, _patients(rows), person)
+    return checked
 
 
 def check_incident(file: Path, public: bytes | None = None) -> ArchivedIncident:
@@ -217,20 +217,20 @@ def check_incident(file: Path, public: bytes | None = None) -> ArchivedIncident:
         In one sentence, when anything was changed, or when another key has signed it.
     """
     hashes: dict[str, str] = {}
-    own: dict[str, bytes] = {}
+    files: dict[str, bytes] = {}
     with QuietReader(file) as opened:
         for member, content in members_of(opened):
             if member.path in {NAME, SIGNATURE, PUBLIC_KEY}:
-                own[member.path] = content.read(MOST_BYTES)
+                files[member.path] = content.read(MOST_BYTES)
             else:
                 _, hashes[member.path] = hash_of(content)
-    if own.keys() != {NAME, SIGNATURE, PUBLIC_KEY}:
+    if files.keys() != {NAME, SIGNATURE, PUBLIC_KEY}:
         raise Refusal(DAMAGED)
-    if public is not None and fingerprint(public) != fingerprint(own[PUBLIC_KEY]):
+    if public is not None and fingerprint(public) != fingerprint(files[PUBLIC_KEY]):
         raise Refusal("Another key than the given one has signed this archive: ask where it comes from.")
-    if not is_signed(own[NAME], own[SIGNATURE], own[PUBLIC_KEY]):
+    if not is_signed(files[NAME], files[SIGNATURE], files[PUBLIC_KEY]):
         raise Refusal("The signature of this archive is wrong: it was changed after it was made.")
-    document: dict[str, Any] = json.loads(own[NAME])
+    document: dict[str, Any] = json.loads(files[NAME])
     if document["files"] != hashes:
         wrong = sorted(
             name for name in {*hashes, *document["files"]} if hashes.get(name) != document["files"].get(name)
@@ -242,8 +242,8 @@ def check_incident(file: Path, public: bytes | None = None) -> ArchivedIncident:
         since=document["since"],
         files=len(hashes),
         recordings=len(recordings),
-        hash=sha256(own[NAME]).hexdigest(),
-        fingerprint=fingerprint(own[PUBLIC_KEY]),
+        hash=sha256(files[NAME]).hexdigest(),
+        fingerprint=fingerprint(files[PUBLIC_KEY]),
     )
 
 
@@ -253,9 +253,9 @@ def _recorded(settings: Settings, runs: list[str]) -> Iterator[tuple[str, Path]]
     Of a recording that is going on, what is written by now is archived.
     """
     for run in runs:
-        known: set[Path] = set()
-        while more := sorted({*(settings.runs / run).glob("*")} - known):
-            known.update(more)
+        folders: set[Path] = set()
+        while more := sorted({*(settings.runs / run).glob("*")} - folders):
+            folders.update(more)
             yield from ((f"recordings/{run}/{file.name}", file) for file in more)
 
 

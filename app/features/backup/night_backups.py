@@ -140,11 +140,11 @@ class NightBackups:
             await child.end()
 
     def _store(self, job: BackupJob, answer: BackupMessage, person: str | None) -> None:
-        made = answer.get("made")
+        report = answer.get("made")
         facts: dict[str, Any] = {"name": "", "good": False, "message": answer.get("refused", ENDED)}
-        if made is not None:
-            same = {name: made[name] for name in ("name", "message", "files", "encrypted", "with_keys")}
-            facts = {**same, "good": True, "size": made["bytes"], "digest": made["hash"]}
+        if report is not None:
+            same = {name: report[name] for name in ("name", "message", "files", "encrypted", "with_keys")}
+            facts = {**same, "good": True, "size": report["bytes"], "digest": report["hash"]}
         with self._database.transaction(closing=True) as db:
             add_backup(db, person, place=job["target"], in_folder=True, **facts)
 

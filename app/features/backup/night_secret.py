@@ -31,14 +31,16 @@ def keep_secret(folder: Path, secret: Secret | None) -> None:
         write_atomically(folder / FILE, json.dumps(document).encode(), OWNER_FILE)
 
 
-def opened_folder(folder: Path, passphrase: str, kept: Secret | None, clinic: str) -> tuple[Secret | None, str]:
+def opened_folder(
+    folder: Path, passphrase: str, secret_before: Secret | None, clinic: str
+) -> tuple[Secret | None, str]:
     """Open a folder for the backups of every night: with a passphrase, or when it is empty with the key that is kept.
 
     `clinic` is the mark of the clinic. Return the key, and in one sentence why the folder cannot be used, empty when it
     can; for the computing process, because making the key takes long.
     """
     try:
-        secret = secret_of_folder(folder, passphrase) if passphrase else kept
+        secret = secret_of_folder(folder, passphrase) if passphrase else secret_before
         BackupFolder(folder, secret).open(clinic)
     except Refusal as refusal:
         return None, str(refusal)

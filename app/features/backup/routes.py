@@ -125,7 +125,7 @@ class BackupsView(Document):
     fingerprint: str  # of the public key that signs archives; empty before the first one
 
 
-def _view(own: Settings, database: Database, backups: NightBackups) -> BackupsView:
+def _view(settings: Settings, database: Database, backups: NightBackups) -> BackupsView:
     with database.reading() as db:
         chosen, good = backup_settings(db), last_good_backup(db)
         folder_is_there = chosen.folder is not None and Path(chosen.folder).is_dir()
@@ -134,66 +134,71 @@ def _view(own: Settings, database: Database, backups: NightBackups) -> BackupsVi
             folder=chosen.folder,
             hour=chosen.hour,
             with_keys=chosen.with_keys,
-            encrypted=read_secret(own.backup) is not None,
+            encrypted=read_secret(settings.backup) is not None,
             years=record_time(db),
             warning=backup_warning(
                 None if good is None else good.at, has_folder=chosen.folder is not None, folder_is_there=folder_is_there
             ),
             clock=clock_warning(db),
             last_good=None if good is None else good.at.isoformat(),
-            made=[MadeBackupView.of(one) for one in newest_backups(db)],
+            made=[MadeBackupView.of(row) for row in newest_backups(db)],
             course=None if course is None else CourseView.of(course),
-            deleted=[DeletedPatientView.of(one) for one in deleted_patients(db)],
+            deleted=[DeletedPatientView.of(row) for row in deleted_patients(db)],
             incidents=[
                 IncidentView(
-                    id=one.id,
-                    made=one.made,
-                    since=one.since,
-                    hash=one.hash,
-                    lifted=one.lifted,
-                    reason=one.reason,
+                    id=row.id,
+                    made=row.made,
+                    since=row.since,
+                    hash=row.hash,
+                    lifted=row.lifted,
+                    reason=row.reason,
                     patients=patients,
                 )
-                for one, patients in all_incidents(db)
+                for row, patients in all_incidents(db)
             ],
-            fingerprint=clinic_fingerprint(own.signing),
+            fingerprint=clinic_fingerprint(settings.signing),
         )
 
 
 @router.get("/backups")
-def read_backups(_person: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
+def read_backups(_person: Owner, settings: SettingsPart, database: Db, backups: Backups) -> BackupsView:
     """Return the settings, the newest backups, how far one is that is being made, deleted patients, incidents.
 
     For owners. The other routes of the page give this answer, too.
     """
-    return _view(own, database, backups)
+    return _view(settings, database, backups)
 
 
 @router.post("/backups", status_code=202)
 @any_session(OF_CLINIC)
-async def begin(person: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
+async def begin(person: Owner, settings: SettingsPart, database: Db, backups: Backups) -> BackupsView:
     """Begin a backup now; it goes on by itself. 409 without a folder, and while one is being made."""
     await backups.begin(person.name)
-    return await asyncio.to_thread(_view, own, database, backups)
+    return await asyncio.to_thread(_view, settings, database, backups)
 
 
 @router.put("/backups/settings")
 @any_session(OF_CLINIC)
 async def choose(
-    body: BackupSettings, person: Owner, own: SettingsPart, database: Db, computing: ComputingPart, backups: Backups
+    body: BackupSettings,
+    person: Owner,
+    settings: SettingsPart,
+    database: Db,
+    computing: ComputingPart,
+    backups: Backups,
 ) -> BackupsView:
     """Choose the folder, the hour and the passphrase; 409 in one sentence when the folder cannot be used.
 
     For owners. `passphrase` null keeps the one that is set.
     """
-    await asyncio.to_thread(_choose, body, person.name, own, database, computing, backups)
-    return await asyncio.to_thread(_view, own, database, backups)
+    await asyncio.to_thread(_choose, body, person.name, settings, database, computing, backups)
+    return await asyncio.to_thread(_view, settings, database, backups)
 
 
 def _choose(
     body: BackupSettings,
     person: str,
-    own: Settings,
+    clinic: Settings,
     database: Database,
     computing: ComputingProcess,
     backups: NightBackups,
@@ -201,22 +206,22 @@ def _choose(
     if backups.course is not None:
         raise Conflict("A backup is being made: wait until it is done.")
     passphrase = "" if body.passphrase is None else body.passphrase.get_secret_value()
-    kept = read_secret(own.backup) if body.encrypted else None
-    if body.encrypted and not passphrase and kept is None:
+    secret_before = read_secret(clinic.backup) if body.encrypted else None
+    if body.encrypted and not passphrase and secret_before is None:
         raise Conflict("Give a passphrase of at least 8 characters.")
     if body.folder is not None:
         folder = Path(body.folder)
         if not folder.is_absolute():
             raise Conflict(NOT_ABSOLUTE)
         place = folder.resolve()
-        if place.is_relative_to(own.state.resolve()) or own.state.resolve().is_relative_to(place):
+        if place.is_relative_to(clinic.state.resolve()) or clinic.state.resolve().is_relative_to(place):
             raise Conflict(INSIDE)
         given = passphrase if body.encrypted else ""
-        secret, why_not = computing.ask(opened_folder, folder, given, kept, clinic_mark(own))
+        secret, why_not = computing.ask(opened_folder, folder, given, secret_before, clinic_mark(clinic))
         if why_not:
             raise Conflict(why_not)
-        own.backup.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
-        keep_secret(own.backup, secret)
+        clinic.backup.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
+        keep_secret(clinic.backup, secret)
     with database.transaction() as db:
         settings = backup_settings(db)
         settings.folder, settings.hour, settings.with_keys = body.folder, body.hour, body.with_keys
@@ -227,7 +232,9 @@ def _choose(
 
 @router.put("/record-keeping")
 @any_session(OF_CLINIC)
-def keep_records(body: RecordTime, person: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
+def keep_records(
+    body: RecordTime, person: Owner, settings: SettingsPart, database: Db, backups: Backups
+) -> BackupsView:
     """Set for how many years after the last session records must be kept.
 
     For owners.
@@ -235,24 +242,24 @@ def keep_records(body: RecordTime, person: Owner, own: SettingsPart, database: D
     with database.transaction() as db:
         set_record_time(db, body.years)
         write_log(db, person.name, "record time changed", years=body.years)
-    return _view(own, database, backups)
+    return _view(settings, database, backups)
 
 
 @router.post("/deleted-patients/{patient_id}/erasure")
 @any_session(OWN_NAME)
-def erase(patient_id: RowId, person: Owner, own: SettingsPart, database: Db, backups: Backups) -> BackupsView:
+def erase(patient_id: RowId, person: Owner, settings: SettingsPart, database: Db, backups: Backups) -> BackupsView:
     """Erase a deleted patient for good, now; 409 with the reason when something stands against it.
 
     For owners. An incident, or the time for which records must be kept, can stand against it.
     """
-    erase_patient(database, own, patient_id, person.name)
-    return _view(own, database, backups)
+    erase_patient(database, settings, patient_id, person.name)
+    return _view(settings, database, backups)
 
 
 @router.post("/incidents/{incident_id}/lifting")
 @any_session(OF_CLINIC)
 def lift(
-    incident_id: RowId, body: Lifting, person: Owner, own: SettingsPart, database: Db, backups: Backups
+    incident_id: RowId, body: Lifting, person: Owner, settings: SettingsPart, database: Db, backups: Backups
 ) -> BackupsView:
     """Lift the mark of an incident, so that its patients can be erased.
 
@@ -260,4 +267,4 @@ def lift(
     """
     with database.transaction() as db:
         lift_incident(db, incident_id, body.reason, person.name)
-    return _view(own, database, backups)
+    return _view(settings, database, backups)

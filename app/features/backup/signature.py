@@ -19,10 +19,10 @@ def sign(folder: Path, content: bytes) -> tuple[bytes, bytes]:
     file = folder / KEY
     if not file.exists():
         folder.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
-        made = Ed25519PrivateKey.generate().private_bytes(
+        private_key = Ed25519PrivateKey.generate().private_bytes(
             serialization.Encoding.PEM, serialization.PrivateFormat.PKCS8, serialization.NoEncryption()
         )
-        write_atomically(file, made, OWNER_FILE)
+        write_atomically(file, private_key, OWNER_FILE)
     key = serialization.load_pem_private_key(file.read_bytes(), password=None)
     assert isinstance(key, Ed25519PrivateKey)
     public = key.public_key().public_bytes(serialization.Encoding.PEM, serialization.PublicFormat.SubjectPublicKeyInfo)

@@ -75,10 +75,10 @@ def unread_comments(
     with database.transaction(closing=True) as db:
         if patient is not None:
             find_patient(db, patient)
-        found = comments_of(db, patient_id=patient, not_read_by=person.person_id)
-        for one in dict.fromkeys(comment.patient_id for comment in found):
-            log_viewing(db, person.name, one)
-        return [_view(db, one, person, unread=True) for one in found]
+        unread = comments_of(db, patient_id=patient, not_read_by=person.person_id)
+        for patient_id in dict.fromkeys(comment.patient_id for comment in unread):
+            log_viewing(db, person.name, patient_id)
+        return [_view(db, patient_id, person, unread=True) for patient_id in unread]
 
 
 @router.get("/trials/{trial_id}/comments")
@@ -153,8 +153,8 @@ def _trial(db: Transaction, trial_id: int) -> Trial:
 
 
 def _views(db: Transaction, trial: Trial, person: SignedInPerson) -> list[CommentView]:
-    unread = {one.id for one in comments_of(db, trial_id=trial.id, not_read_by=person.person_id)}
-    return [_view(db, one, person, unread=one.id in unread) for one in comments_of(db, trial_id=trial.id)]
+    unread = {comment.id for comment in comments_of(db, trial_id=trial.id, not_read_by=person.person_id)}
+    return [_view(db, comment, person, unread=comment.id in unread) for comment in comments_of(db, trial_id=trial.id)]
 
 
 def _view(db: Transaction, comment: Comment, person: SignedInPerson, *, unread: bool) -> CommentView:

@@ -97,13 +97,13 @@ def _view(db: Transaction, patient_id: int) -> ConsentsView:
     rows = consent_history(db, patient_id)[::-1]
     kinds = []
     for consent in CONSENTS:
-        own = [row for row in rows if row.consent == consent]
-        now = next((row for row in own if row.withdrawn is None), None)
+        rows_of_consent = [row for row in rows if row.consent == consent]
+        now = next((row for row in rows_of_consent if row.withdrawn is None), None)
         kinds.append(
             ConsentView(
                 consent=consent,
                 given=None if now is None else now.given,
-                history=[ConsentRow.of(row) for row in own],
+                history=[ConsentRow.of(row) for row in rows_of_consent],
             )
         )
     return ConsentsView(patient_id=patient_id, code=find_patient(db, patient_id).code, consents=kinds)

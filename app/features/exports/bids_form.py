@@ -84,7 +84,7 @@ def write_bids(run: RunGroups, facts: dict[str, Any], folder: Path, place: dict[
         nominal, span = float(run.meta["sample_rate"]), spans[name]
         rate = (span.rate or nominal) if name == "wheelchair" else nominal
         table = "\t".join(("name", "component", "type", "tracked_point", "units", "sampling_frequency"))
-        lines = [table, *("\t".join((*one, f"{rate:g}")) for one in (LATENCY, *channels))]
+        lines = [table, *("\t".join((*channel, f"{rate:g}")) for channel in (LATENCY, *channels))]
         Path(f"{stems[name]}_channels.tsv").write_text("\n".join(lines) + "\n")
         sidecar = _sidecar(name, channels, rate, span, place, facts)
         Path(f"{stems[name]}_motion.json").write_text(json.dumps(sidecar, indent=2, ensure_ascii=False))

@@ -71,30 +71,30 @@ def exported_material(
     with database.transaction() as db:
         patient = find_patient(db, patient_id)
         require_consent(db, patient_id, "sharing")
-        found = recorded_runs(db, patient_id, session, runs)
-        if not found:
+        recorded = recorded_runs(db, patient_id, session, runs)
+        if not recorded:
             raise NotFound(NOTHING)
         if form != "fhir":
-            _require_room(found, place)
+            _require_room(recorded, place)
         tasks = {
-            (one.trial.floorplan, one.trial.path, one.source.group): list[dict[str, Any]]()
-            for one in found
-            if one.trial is not None
+            (row.trial.floorplan, row.trial.path, row.source.group): list[dict[str, Any]]()
+            for row in recorded
+            if row.trial is not None
         }
         for floorplan, path, group in tasks:
             counted = counted_trials(db, patient_id, floorplan, path)
-            tasks[floorplan, path, group] += [one.row() for one in counted if one.group == group]
+            tasks[floorplan, path, group] += [row.row() for row in counted if row.group == group]
         mark = clinic_mark(db)
-        write_log(db, person, "export", patient=patient_id, session=session, form=form, runs=len(found))
-    known = tuple(ExportedTask(rows, spreads_of(*task)) for task, rows in tasks.items())
-    return ExportMaterial(patient_id, patient.code, tuple(found), known, mark)
+        write_log(db, person, "export", patient=patient_id, session=session, form=form, runs=len(recorded))
+    exported_tasks = tuple(ExportedTask(rows, spreads_of(*task)) for task, rows in tasks.items())
+    return ExportMaterial(patient_id, patient.code, tuple(recorded), exported_tasks, mark)
 
 
-def _require_room(found: list[RecordedRun], place: Path) -> None:
-    size = sum(file.stat().st_size for run in found for file in run.folder.glob("*"))
-    words = room_refusal("export", LARGEST * size, place)
-    if words:
-        raise DiskFull(words)
+def _require_room(recorded: list[RecordedRun], place: Path) -> None:
+    size = sum(file.stat().st_size for run in recorded for file in run.folder.glob("*"))
+    refusal = room_refusal("export", LARGEST * size, place)
+    if refusal:
+        raise DiskFull(refusal)
 
 
 def run_facts(code: str, run: RecordedRun, meta: dict[str, Any], damage: str) -> dict[str, str]:

@@ -30,15 +30,17 @@ def fhir_bundle(material: ExportMaterial, verdicts: dict[int, dict[str, str]]) -
     for run in material.runs:
         if run.trial is not None and run.trial.kept:
             method, verdict = f"{run.trial.title}, path {run.trial.path}", verdicts.get(run.trial.id, {})
-            found = _observations(run, run.trial, f"trial {run.trial.number}", method, EXPORTED, verdict)
+            observations = _observations(run, run.trial, f"trial {run.trial.number}", method, EXPORTED, verdict)
         elif run.test is not None and run.test.end == COMPLETE:
-            found = _observations(run, run.test, f"two-minute test {run.test.number}", TEST_METHOD, TEST_MEASURES, {})
+            observations = _observations(
+                run, run.test, f"two-minute test {run.test.number}", TEST_METHOD, TEST_MEASURES, {}
+            )
         else:
             continue
         person = {"subject": {"reference": patient}, "device": {"reference": device}}
         entries += [
-            _entry(_address(clinic, material.code, f"{run.folder.name}/{name}"), {**one, **person})
-            for name, one in found.items()
+            _entry(_address(clinic, material.code, f"{run.folder.name}/{name}"), {**measure, **person})
+            for name, measure in observations.items()
         ]
     return {"resourceType": "Bundle", "type": "collection", "entry": entries}
 

@@ -93,10 +93,10 @@ def recorded_runs(db: Session, patient_id: int, session: int | None, runs: Path)
     origins = origins_of(db, patient_id)
     trials, tests = _trials(db, patient_id), _tests(db, patient_id)
     counts: Counter[int] = Counter()
-    found = []
+    recorded = []
     for run, number in db.execute(query.order_by(PatientSession.number, Run.started, Run.id)):
         counts[number] += 1
-        found.append(
+        recorded.append(
             RecordedRun(
                 session=number,
                 number=counts[number],
@@ -109,7 +109,7 @@ def recorded_runs(db: Session, patient_id: int, session: int | None, runs: Path)
                 origin=origins.get(run.session_id),
             )
         )
-    return found
+    return recorded
 
 
 def _trials(db: Session, patient_id: int) -> dict[str, RecordedTrial]:

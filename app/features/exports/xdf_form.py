@@ -41,7 +41,7 @@ class Stream(NamedTuple):
 def streams_of(meta: dict[str, Any]) -> list[Stream]:
     """Return the streams of a run; without gestures there is no stream of them."""
     gestures = tuple(f"{name}.{gesture}" for name in PER_GESTURE for gesture in gesture_names(meta))
-    found = [
+    streams = [
         Stream(1, "shirt", "Shirt", (PER_CHANNEL,), tuple(channel_names(meta)), "float32", True),
         Stream(2, "gestures", "Gestures", PER_GESTURE, gestures, "double64", False),
         Stream(3, "commands", "Commands", COMMANDS, COMMANDS, "double64", False),
@@ -49,7 +49,7 @@ def streams_of(meta: dict[str, Any]) -> list[Stream]:
         Stream(5, "state", "State", STATE, STATE, "int64", False),
         Stream(6, "clocks", "Clocks", ("t", "t_device"), ("t", "t_device"), "double64", False),
     ]
-    return [stream for stream in found if stream.labels]
+    return [stream for stream in streams if stream.labels]
 
 
 def write_xdf(run: RunGroups, facts: dict[str, Any], folder: Path, stem: str) -> list[Path]:
@@ -133,9 +133,9 @@ def _xml(name: str, content: dict[str, Any]) -> bytes:
 
 def _fill(element: Xml.Element, content: dict[str, Any]) -> None:
     for name, value in content.items():
-        for one in value if isinstance(value, list) else [value]:
+        for item in value if isinstance(value, list) else [value]:
             inner = Xml.SubElement(element, name)
-            if isinstance(one, dict):
-                _fill(inner, one)
+            if isinstance(item, dict):
+                _fill(inner, item)
             else:
-                inner.text = str(one)
+                inner.text = str(item)

@@ -65,10 +65,10 @@ def read_log_page(
     with database.reading() as db:
         if patient is not None:
             find_patient(db, patient, deleted=True)
-        found = read_log(db, PAGE + 1, person=person, patient=patient, before=before)
+        entries = read_log(db, PAGE + 1, person=person, patient=patient, before=before)
         return LogView(
-            entries=[LogEntryView.of(entry) for entry in found[:PAGE]],
-            has_more=len(found) > PAGE,
+            entries=[LogEntryView.of(entry) for entry in entries[:PAGE]],
+            has_more=len(entries) > PAGE,
             people=people_in_log(db),
         )
 

@@ -46,8 +46,10 @@ def _of_patient(patient: int) -> Any:
 
 def people_in_log(db: Session) -> list[str]:
     """Return the names of all who did something, by name; also of those who are no longer there."""
-    found = db.scalars(select(LogEntry.person).where(LogEntry.person.is_not(None)).distinct().order_by(LogEntry.person))
-    return [name for name in found if name is not None]
+    people = db.scalars(
+        select(LogEntry.person).where(LogEntry.person.is_not(None)).distinct().order_by(LogEntry.person)
+    )
+    return [name for name in people if name is not None]
 
 
 def exported_lines(database: Database, as_csv: bool) -> Iterator[str]:

@@ -50,8 +50,8 @@ def put_entry(db: Session, patient_id: int, shirt: str, document: dict[str, Any]
 
 def entry_of_patient(db: Session, patient_id: int, shirt: str, *, simulated: bool) -> dict[str, Any] | None:
     """Return what a patient adds to the prior of a shirt (its hash), None when it is nothing."""
-    found = db.scalar(select(PriorEntry.document).where(*_own(patient_id, shirt, simulated)))
-    return None if found is None else without_releases(found)
+    document = db.scalar(select(PriorEntry.document).where(*_own(patient_id, shirt, simulated)))
+    return None if document is None else without_releases(document)
 
 
 def remove_entries(db: Session, patient_id: int) -> int:
@@ -114,8 +114,8 @@ def mark_released(db: Session, code: str, shirt: str, joints: Collection[str], r
 
 def releases_of(document: dict[str, Any]) -> dict[str, list[str]]:
     """Return the joints and the rings of a stored entry that are in a release."""
-    found: dict[str, list[str]] = document.get(RELEASED, {"joints": [], "rings": []})
-    return found
+    releases: dict[str, list[str]] = document.get(RELEASED, {"joints": [], "rings": []})
+    return releases
 
 
 def without_releases(document: dict[str, Any]) -> dict[str, Any]:

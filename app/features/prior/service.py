@@ -48,8 +48,8 @@ class ClinicPrior:
             session = db.get_one(PatientSession, session_id)
             if not is_prior_on(db):
                 return None
-            found = entries_of_others(db, garment.hash, session.patient_id, simulated=garment.simulated)
-        entries = [PersonEntry.model_validate(entry).in_layout(garment.layout) for entry in found]
+            others = entries_of_others(db, garment.hash, session.patient_id, simulated=garment.simulated)
+        entries = [PersonEntry.model_validate(entry).in_layout(garment.layout) for entry in others]
         prior = MapPrior(garment.layout, *sums_of(entries))
         shipped = garment.shipped_prior
         if shipped is not None:

@@ -57,21 +57,23 @@ def pairs_of_tests(db: Transaction, earlier: PatientSession, later: PatientSessi
     for test, session in interface_tests_of(db, later.patient_id):
         if session <= later.number and test.status == "done":
             of.setdefault(test.source.group, []).append((test, session))
-    found = []
+    pairs = []
     for group, tests in of.items():
-        own = [[test for test, session in tests if session == one.number] for one in (earlier, later)]
-        if not any(own):
+        tests_of_sides = [[test for test, session in tests if session == side.number] for side in (earlier, later)]
+        if not any(tests_of_sides):
             continue
-        complete = [[one for one in each if one.end == COMPLETE and one.measures is not None] for each in own]
+        complete = [
+            [side for side in each if side.end == COMPLETE and side.measures is not None] for each in tests_of_sides
+        ]
         views = [
             InterfaceTestView.of_row(each[-1], session.number) if each else None
             for each, session in zip(complete, (earlier, later), strict=True)
         ]
         counts = (len(complete[0]), len(complete[1]))
         shown = ComparedTests(source=group, complete=counts, earlier=views[0], later=views[1], verdicts={})
-        counted = counted_tests([StoredTest(one.number, one.end, one.plan, one.measures) for one, _ in tests])
-        found.append(PairOfTests(shown, counted))
-    return found
+        counted = counted_tests([StoredTest(side.number, side.end, side.plan, side.measures) for side, _ in tests])
+        pairs.append(PairOfTests(shown, counted))
+    return pairs
 
 
 def verdicts_on(pair: PairOfTests, computing: ComputingProcess) -> ComparedTests:
@@ -79,8 +81,8 @@ def verdicts_on(pair: PairOfTests, computing: ComputingProcess) -> ComparedTests
     shown, counted = pair
     if shown.earlier is None or shown.later is None:
         return shown
-    found = computing.ask(verdicts_between, counted, shown.earlier.number, shown.later.number)
-    return shown if found is None else shown.model_copy(update={"verdicts": found.verdicts})
+    verdicts = computing.ask(verdicts_between, counted, shown.earlier.number, shown.later.number)
+    return shown if verdicts is None else shown.model_copy(update={"verdicts": verdicts.verdicts})
 
 
 class TaskComparison(Document):
@@ -122,23 +124,25 @@ def compare_two(
     Differences of the last parameter sets are null when one session has none.
     """
     with database.transaction(closing=True) as db:
-        pair = [find_session(db, one) for one in (session_id, other)]
+        pair = [find_session(db, parameter_set) for parameter_set in (session_id, other)]
         if pair[0].id == pair[1].id:
             raise Conflict(SAME_SESSION)
         if pair[0].patient_id != pair[1].patient_id:
             raise Conflict(OTHER_PATIENT)
-        earlier, later = sorted(pair, key=lambda one: one.number)
+        earlier, later = sorted(pair, key=lambda parameter_set: parameter_set.number)
         write_log(db, person.name, "sessions compared", patient=earlier.patient_id, sessions=[earlier.id, later.id])
-        trials = [trials_of_session(db, one.id) for one in (earlier, later)]
+        trials = [trials_of_session(db, parameter_set.id) for parameter_set in (earlier, later)]
         driven = [Counter(map(_task, of_session)) for of_session in trials]
-        titles = {_task(one): one.floorplan_title for of_session in trials for one in of_session}
+        titles = {
+            _task(parameter_set): parameter_set.floorplan_title for of_session in trials for parameter_set in of_session
+        }
         rows = {}
         for task in titles:
             counted = counted_trials(db, earlier.patient_id, task.floorplan, task.path)
-            rows[task] = [one.row() for one in counted if one.group == task.group]
+            rows[task] = [parameter_set.row() for parameter_set in counted if parameter_set.group == task.group]
         pairs = pairs_of_tests(db, earlier, later)
         views = record_view(db, earlier), record_view(db, later)
-        sets = [_last_set(db, one) for one in (earlier, later)]
+        sets = [_last_set(db, parameter_set) for parameter_set in (earlier, later)]
         changes = _changes(db, sets[0], sets[1])
     spreads = [spread.of_others(task, earlier.patient_id) for task in rows]
     given = list(zip(rows.values(), spreads, strict=True))
@@ -151,12 +155,12 @@ def compare_two(
             path_title=path_title(places.own, task.floorplan, task.path),
             source=task.group,
             trials=(driven[0][task], driven[1][task]),
-            counted=(_of_session(own, earlier), _of_session(own, later)),
+            counted=(_of_session(task_rows, earlier), _of_session(task_rows, later)),
             measures=of_task,
         )
-        for (task, own), of_task in zip(rows.items(), measures, strict=True)
+        for (task, task_rows), of_task in zip(rows.items(), measures, strict=True)
     ]
-    shown = [None if one is None else UsedSetView.of(one) for one in sets]
+    shown = [None if parameter_set is None else UsedSetView.of(parameter_set) for parameter_set in sets]
     return SessionComparison(
         earlier=views[0],
         later=views[1],

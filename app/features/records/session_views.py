@@ -124,9 +124,9 @@ class SessionRecordView(Document):
     sign_offs: list[PastSignOff]
 
 
-def sign_off_view(found: SignOff | None) -> SignOffView | None:
+def sign_off_view(sign_off: SignOff | None) -> SignOffView | None:
     """Return a sign-off as it is answered."""
-    return None if found is None else SignOffView.of(found)
+    return None if sign_off is None else SignOffView.of(sign_off)
 
 
 def record_view(db: Transaction, session: PatientSession) -> SessionRecordView:
@@ -147,7 +147,7 @@ def record_view(db: Transaction, session: PatientSession) -> SessionRecordView:
         scales=[ScaleView.of(scale) for scale in record.scales],
         trials=[SessionTrial.of(trial) for trial in trials_of_session(db, session.id)],
         drives=[SessionDrive.of(drive) for drive in drives_of_session(db, session.id)],
-        tests=[InterfaceTestView.of_row(one, session.number) for one in interface_tests_of_session(db, session.id)],
+        tests=[InterfaceTestView.of_row(test, session.number) for test in interface_tests_of_session(db, session.id)],
         sets=[UsedSetView.of(used) for used in sets_of_session(db, session.id)],
         sign_off=sign_off_view(record.sign_off),
         sign_offs=[PastSignOff.of(row) for row in sign_off_history(db, session.id)],

@@ -139,8 +139,8 @@ def why_locked(db: Session, session_id: int) -> str:
 
 def _require_unsigned(db: Session, sessions: set[int]) -> None:
     """Raise Conflict when one of these sessions is signed off."""
-    if words := _signed(db, sessions):
-        raise Conflict(words)
+    if refusal := _signed(db, sessions):
+        raise Conflict(refusal)
 
 
 def _signed(db: Session, sessions: set[int]) -> str:
@@ -150,12 +150,12 @@ def _signed(db: Session, sessions: set[int]) -> str:
     query = select(SessionSignOff, PatientSession.number).join(
         PatientSession, PatientSession.id == SessionSignOff.session_id
     )
-    found = db.execute(
+    signed = db.execute(
         query.where(SessionSignOff.session_id.in_(sessions), SessionSignOff.unlocked.is_(None)).limit(1)
     ).first()
-    if found is None:
+    if signed is None:
         return ""
-    row, number = found
+    row, number = signed
     return SIGNED.format(number=number, person=row.person, at=row.at.astimezone())
 
 

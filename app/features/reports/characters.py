@@ -39,21 +39,28 @@ def coverage_of_fonts() -> Coverage:
 def without_invisible(text: str) -> str:
     """Return a text with each invisible character as its number: it could turn the order of what stands beside it."""
     text = text.replace("\r\n", "\n").replace("\r", "\n")
-    return "".join(_number(one) if _is_invisible(one) else one for one in text)
+    return "".join(_number(character) if _is_invisible(character) else character for character in text)
 
 
 def printable(text: str, coverage: Coverage) -> str:
     """Return a visible text with each character that no font has as its number."""
-    return "".join(one if one in LINE_BREAKS or one in coverage else _number(one) for one in text)
+    return "".join(
+        character if character in LINE_BREAKS or character in coverage else _number(character) for character in text
+    )
 
 
 def missing_words(texts: Iterable[str], coverage: Coverage) -> str:
     """Return in a sentence which characters of the texts no font has; "" when there are none."""
-    found = dict.fromkeys(one for text in texts for one in text if one not in LINE_BREAKS and one not in coverage)
-    if not found:
+    missing = dict.fromkeys(
+        character for text in texts for character in text if character not in LINE_BREAKS and character not in coverage
+    )
+    if not missing:
         return ""
-    named = [f"{_number(one)} ({unicodedata.name(one, 'without a name').lower()})" for one in list(found)[:MOST_NAMED]]
-    more = f" and {len(found) - MOST_NAMED} more" if len(found) > MOST_NAMED else ""
+    named = [
+        f"{_number(character)} ({unicodedata.name(character, 'without a name').lower()})"
+        for character in list(missing)[:MOST_NAMED]
+    ]
+    more = f" and {len(missing) - MOST_NAMED} more" if len(missing) > MOST_NAMED else ""
     return f"No font here has these characters, so their numbers stand in their place: {', '.join(named)}{more}."
 
 

@@ -58,10 +58,10 @@ def dot(x: float, y: float, radius: float, colour: str, *, hollow: bool = False)
     return f'<circle class="f-{colour}" {place} fill="{COLOURS[colour]}"/>'
 
 
-def label(x: float, y: float, words: str, *, anchor: str = "start", colour: str = "quiet") -> str:
-    """Return a label; `words` are the program's own, numbers and units."""
+def label(x: float, y: float, text: str, *, anchor: str = "start", colour: str = "quiet") -> str:
+    """Return a label; `text` are the program's own, numbers and units."""
     place = f'x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"'
-    return f'<text class="f-{colour}" {place} fill="{COLOURS[colour]}">{words}</text>'
+    return f'<text class="f-{colour}" {place} fill="{COLOURS[colour]}">{text}</text>'
 
 
 def nice_step(span: float, steps: int) -> float:
@@ -74,7 +74,7 @@ def nice_step(span: float, steps: int) -> float:
 BAND_WIDTH, BAND_HEIGHT, BAND_EDGE = 96.0, 11.0, 4.0  # points
 
 
-def band_drawing(verdict: Verdict, tone: Tone, words: str) -> Drawing | None:
+def band_drawing(verdict: Verdict, tone: Tone, description: str) -> Drawing | None:
     """Draw a verdict; None without a band."""
     low, high, earlier, later = verdict.low, verdict.high, verdict.earlier, verdict.later
     if low is None or high is None or earlier is None or later is None:
@@ -94,7 +94,7 @@ def band_drawing(verdict: Verdict, tone: Tone, words: str) -> Drawing | None:
         line([(x_of(earlier), 2.0), (x_of(earlier), BAND_HEIGHT - 2)], "before", 1.2),
         dot(x_of(later), middle, 2.8, tone or "ink"),
     ]
-    return Drawing(picture(BAND_WIDTH, BAND_HEIGHT, parts), words)
+    return Drawing(picture(BAND_WIDTH, BAND_HEIGHT, parts), description)
 
 
 WIDTH, HEIGHT = 250.0, 128.0  # points
@@ -113,7 +113,7 @@ class CurvePoint(NamedTuple):
 
 
 def curve_drawing(
-    points: Sequence[CurvePoint], fit: dict[str, Any] | None, measure: Measure, words: str
+    points: Sequence[CurvePoint], fit: dict[str, Any] | None, measure: Measure, description: str
 ) -> Drawing | None:
     """Draw a learning curve; None without points. `fit` as of `app.scoring.learning.learning_curves`."""
     if not points:
@@ -138,15 +138,20 @@ def curve_drawing(
         parts += [line([place(n, value) for n, value in zip(fit["n"], fit["value"], strict=True)], "path", 1.2)]
     radius = 2.0 if len(points) <= 60 else 1.2
     parts += [
-        dot(*place(one.number, one.value), radius, "now" if one.reported else "before", hollow=one.familiarisation)
-        for one in points
+        dot(
+            *place(curve_point.number, curve_point.value),
+            radius,
+            "now" if curve_point.reported else "before",
+            hollow=curve_point.familiarisation,
+        )
+        for curve_point in points
     ]
     y = HEIGHT - CURVE_BOTTOM + 9
     parts.append(label(place(first, low)[0], y, f"{first}", anchor="middle"))
     if len(points) > 1:
         parts.append(label(place(points[-1].number, low)[0], y, f"{points[-1].number}", anchor="middle"))
     parts.append(label((CURVE_LEFT + WIDTH - CURVE_RIGHT) / 2, HEIGHT - 3, "trial", anchor="middle"))
-    return Drawing(picture(WIDTH, HEIGHT, parts), words)
+    return Drawing(picture(WIDTH, HEIGHT, parts), description)
 
 
 def _near(value: float, values: Sequence[float]) -> bool:
@@ -160,10 +165,10 @@ def _axes(low: float, high: float, step: float, measure: Measure) -> list[str]:
     for number in range(round((high - low) / step) + 1):
         value = low + number * step
         y = CURVE_TOP + (HEIGHT - CURVE_TOP - CURVE_BOTTOM) * (1 - (value - low) / (high - low))
-        words = with_minus(f"{value * measure.factor:.6g}")
+        text = with_minus(f"{value * measure.factor:.6g}")
         parts += [
             line([(CURVE_LEFT, y), (WIDTH - CURVE_RIGHT, y)], "line", 0.5),
-            label(CURVE_LEFT - 3, y + 2.4, words, anchor="end"),
+            label(CURVE_LEFT - 3, y + 2.4, text, anchor="end"),
         ]
     return [*parts, label(2, 6, measure.unit)]
 
@@ -172,9 +177,9 @@ def _sessions(points: Sequence[CurvePoint], place: Any) -> list[str]:
     """Return a mark where each session begins; with many sessions only of some."""
     starts = {point.session: point.number for point in reversed(points)}
     every = sorted(starts)
-    kept = every[:: -(-len(every) // MOST_SESSION_MARKS)]
+    shown = every[:: -(-len(every) // MOST_SESSION_MARKS)]
     parts = []
-    for session in kept:
+    for session in shown:
         x, _ = place(starts[session] - (0.5 if starts[session] > points[0].number else 0), 0.0)
         parts.append(line([(x, CURVE_TOP), (x, HEIGHT - CURVE_BOTTOM)], "line", 0.5, dash="1.5 1.5"))
         parts.append(label(x + 1.5, CURVE_TOP - 2, f"S{session}"))
@@ -189,7 +194,7 @@ Trajectory = Sequence[tuple[float, float]]  # m
 
 
 def trajectory_drawing(
-    path: Trajectory, before: Sequence[Trajectory], now: Sequence[Trajectory], words: str
+    path: Trajectory, before: Sequence[Trajectory], now: Sequence[Trajectory], description: str
 ) -> Drawing:
     """Draw the path, the earlier trajectories below, and those that are reported above.
 
@@ -214,7 +219,7 @@ def trajectory_drawing(
     parts += [line(on_paper(points), "now", 0.8, opacity=0.85) for points in now]
     parts += [line(target, "path", 0.9, dash="3 2"), dot(*target[0], 3.0, "path", hollow=True)]
     parts += [dot(*target[-1], 3.0, "path")]
-    return Drawing(picture(WIDTH, height, [*parts, *_scale_bar(scale, wide, height)]), words)
+    return Drawing(picture(WIDTH, height, [*parts, *_scale_bar(scale, wide, height)]), description)
 
 
 def _scale_bar(scale: float, wide: float, height: float) -> list[str]:

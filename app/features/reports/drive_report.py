@@ -60,7 +60,9 @@ def drives_table(drives: Sequence[ReportedDrive], *, course: bool) -> ReportTabl
     of: dict[int, list[ReportedDrive]] = {}
     for drive in drives:
         of.setdefault(drive.session, []).append(drive)
-    return ReportTable(COURSE_HEAD, tuple(_session_row(session, own) for session, own in of.items()))
+    return ReportTable(
+        COURSE_HEAD, tuple(_session_row(session, session_drives) for session, session_drives in of.items())
+    )
 
 
 def _row(number: int, drive: ReportedDrive) -> tuple[str, ...]:
@@ -88,7 +90,7 @@ def _session_row(session: int, drives: list[ReportedDrive]) -> tuple[str, ...]:
 
 
 def _duration(drives: Iterable[ReportedDrive]) -> str:
-    seconds = [(one.ended - one.started).total_seconds() for one in drives if one.ended is not None]
+    seconds = [(drive.ended - drive.started).total_seconds() for drive in drives if drive.ended is not None]
     if not seconds:
         return ""
     minutes, rest = divmod(round(sum(seconds)), 60)
@@ -96,5 +98,5 @@ def _duration(drives: Iterable[ReportedDrive]) -> str:
 
 
 def _distance(drives: Iterable[ReportedDrive]) -> str:
-    known = [one.distance for one in drives if one.distance is not None]
-    return f"{sum(known):.1f} m" if known else NOT_REPORTED
+    distances = [drive.distance for drive in drives if drive.distance is not None]
+    return f"{sum(distances):.1f} m" if distances else NOT_REPORTED

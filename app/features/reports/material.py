@@ -134,19 +134,23 @@ def report_material(
         When the clinic has no such patient, or the patient no such session.
     """
     with database.reading() as db:
-        own = _own_material(db, find_patient(db, patient_id), session, settings)
-    tasks = [replace(task, clinic=spreads_of(task.floorplan, task.path_name, task.group)) for task in own.tasks]
-    return replace(own, tasks=tuple(tasks))
+        material = _own_material(db, find_patient(db, patient_id), session, settings)
+    tasks = [replace(task, clinic=spreads_of(task.floorplan, task.path_name, task.group)) for task in material.tasks]
+    return replace(material, tasks=tuple(tasks))
 
 
 def _own_material(db: Transaction, patient: Patient, session: int | None, settings: Settings) -> ReportMaterial:
-    every = [one for one in reversed(sessions_of(db, patient.id)) if session is None or one.number <= session]
-    reported = [one for one in every if session is None or one.number == session]
+    every = [
+        past_session
+        for past_session in reversed(sessions_of(db, patient.id))
+        if session is None or past_session.number <= session
+    ]
+    reported = [past_session for past_session in every if session is None or past_session.number == session]
     if not reported:
         raise NotFound(NO_SESSION if session is None else NOT_THIS_SESSION.format(number=session))
-    numbers = {one.id: one.number for one in reported}
-    driven = {one.id: trials_of_session(db, one.id) for one in reported}
-    trials = [trial for own in driven.values() for trial in own]
+    numbers = {past_session.id: past_session.number for past_session in reported}
+    driven = {past_session.id: trials_of_session(db, past_session.id) for past_session in reported}
+    trials = [trial for task_trials in driven.values() for trial in task_trials]
     drives = reported_drives(db, patient.id, numbers)
     last, origins = every[-1].number, origins_of(db, patient.id)
     return ReportMaterial(
@@ -155,20 +159,25 @@ def _own_material(db: Transaction, patient: Patient, session: int | None, settin
         clinic=db.get_one(Clinic, patient.clinic_id).name,
         made=utc_now(),
         session=session,
-        sessions=tuple(_session(db, one, driven[one.id], origins.get(one.id)) for one in reported),
+        sessions=tuple(
+            _session(db, past_session, driven[past_session.id], origins.get(past_session.id))
+            for past_session in reported
+        ),
         tasks=tuple(_tasks(db, patient, trials, last, settings)),
         tests=tuple(_tests(db, patient, set(numbers.values()), last)),
         drives=tuple(drives),
-        comments=tuple(remark for one in features().values() for remark in one.remarks(db, patient.id)),
+        comments=tuple(
+            remark for past_session in features().values() for remark in past_session.remarks(db, patient.id)
+        ),
         parameters=_parameters(db, [*trials, *drives]),
     )
 
 
 def _session(db: Transaction, row: PatientSession, driven: list[Trial], origin: Origin | None) -> SessionMaterial:
-    own = [trial for trial in driven if trial.status == "done"]
+    done = [trial for trial in driven if trial.status == "done"]
     left_out = [
         (trial.floorplan_title, trial.number, trial.discard_reason or "it could not be measured")
-        for trial in own
+        for trial in done
         if not _counts(trial)
     ]
     return SessionMaterial(
@@ -178,7 +187,7 @@ def _session(db: Transaction, row: PatientSession, driven: list[Trial], origin: 
         ended=row.ended,
         opened_by=row.opened_by,
         record=session_record(db, row.id),
-        counted=len(own) - len(left_out),
+        counted=len(done) - len(left_out),
         left_out=tuple(left_out),
         origin=origin,
     )
@@ -204,7 +213,9 @@ def _task(
 ) -> TaskMaterial:
     floorplan, path, group = key
     counted: list[CountedTrial] = [
-        one for one in counted_trials(db, patient.id, floorplan, path) if one.group == group and one.session <= last
+        trial
+        for trial in counted_trials(db, patient.id, floorplan, path)
+        if trial.group == group and trial.session <= last
     ]
     newest = counted[-1].trial
     return TaskMaterial(
@@ -214,26 +225,26 @@ def _task(
         path=tuple((x, y) for x, y in newest.path_points),
         group=group,
         source=source_description(newest.run.source),
-        rows=[one.row() for one in counted],
-        folders=tuple(settings.runs / one.trial.run.folder for one in counted),
+        rows=[trial.row() for trial in counted],
+        folders=tuple(settings.runs / trial.trial.run.folder for trial in counted),
         clinic={},
     )
 
 
 def _tests(db: Transaction, patient: Patient, reported: set[int], last: int) -> list[InterfaceTestMaterial]:
     """Return the two-minute tests by kind of source, as far as a reported session has one of it."""
-    found: dict[SourceGroup, list[tuple[InterfaceTest, int]]] = {}
+    tests: dict[SourceGroup, list[tuple[InterfaceTest, int]]] = {}
     for test, session in interface_tests_of(db, patient.id):
         if test.status == "done" and session <= last:
-            found.setdefault(test.source.group, []).append((test, session))
+            tests.setdefault(test.source.group, []).append((test, session))
     return [
         InterfaceTestMaterial(
             group=group,
-            source=source_description(own[-1][0].source),
-            tests=tuple(_reported_test(test, session) for test, session in own),
+            source=source_description(group_tests[-1][0].source),
+            tests=tuple(_reported_test(test, session) for test, session in group_tests),
         )
-        for group, own in found.items()
-        if any(session in reported for _, session in own)
+        for group, group_tests in tests.items()
+        if any(session in reported for _, session in group_tests)
     ]
 
 
@@ -248,7 +259,7 @@ def _reported_test(test: InterfaceTest, session: int) -> ReportedTest:
 def _parameters(db: Transaction, driven: list[Trial | ReportedDrive]) -> ParameterMaterial | None:
     if not driven:
         return None
-    newest = max(driven, key=lambda one: one.started)
+    newest = max(driven, key=lambda used: used.started)
     row = db.get_one(ParameterSet, newest.parameters_id)
     profile = db.get_one(Profile, row.profile_id)
     return ParameterMaterial(
@@ -259,6 +270,6 @@ def _parameters(db: Transaction, driven: list[Trial | ReportedDrive]) -> Paramet
         version=profile.version,
         origin=profile.origin,
         parent=profile.parent,
-        others=len({one.parameters_id for one in driven}) - 1,
+        others=len({used.parameters_id for used in driven}) - 1,
         simulated=profile.simulated,
     )

@@ -39,13 +39,13 @@ def render_pdf(report: Report, paper: Paper) -> bytes:
     complete = replace(report, missing=missing_words(_texts(asdict(report)), coverage))
     document = json.dumps(_printable(asdict(complete), coverage))
     fonts = typst.Fonts(include_system_fonts=False, include_embedded_fonts=False, font_paths=[data_folder() / "fonts"])
-    made: bytes = typst.compile(
+    pdf: bytes = typst.compile(
         data_folder() / "reports" / "report.typ",
         font_paths=fonts,
         sys_inputs={"report": document, "paper": paper},
         format="pdf",
     )
-    return made
+    return pdf
 
 
 def _texts(value: Any) -> Iterator[str]:
@@ -127,7 +127,7 @@ def _condition(report: Report) -> list[str]:
 def _task(task: TaskReport) -> list[str]:
     rows = "".join(_measure(row) for row in task.measures)
     columns = ("Measure", "Now", task.before, "Band", "Verdict")
-    head = "".join(f'<th scope="col">{escape(words)}</th>' for words in columns)
+    head = "".join(f'<th scope="col">{escape(title)}</th>' for title in columns)
     return _section(
         f"<bdi>{escape(task.title)}</bdi>",
         [
@@ -161,10 +161,10 @@ def _measure(row: MeasureRow) -> str:
     return f"<tr>{''.join(cells)}</tr>"
 
 
-def _figure(title: str, drawing: Drawing | None, words: str) -> str:
+def _figure(title: str, drawing: Drawing | None, description: str) -> str:
     if drawing is None:
         return ""
-    caption = f"<b>{escape(title)}.</b> {escape(words)}"
+    caption = f"<b>{escape(title)}.</b> {escape(description)}"
     return f"<figure>{_drawing(drawing)}<figcaption>{caption}</figcaption></figure>"
 
 
@@ -189,8 +189,8 @@ def _section(title: str, parts: Iterable[str], *, title_is_markup: bool = False)
     return [f"<section><h2>{title if title_is_markup else escape(title)}</h2>", *parts, "</section>"]
 
 
-def _paragraph(words: str) -> str:
-    return f"<p>{escape(words)}</p>" if words else ""
+def _paragraph(text: str) -> str:
+    return f"<p>{escape(text)}</p>" if text else ""
 
 
 def _facts(facts: Iterable[Fact]) -> str:
@@ -206,6 +206,6 @@ def _remark(remark: Remark) -> str:
 def _table(table: ReportTable) -> str:
     if not table.rows:
         return ""
-    head = "".join(f'<th scope="col">{escape(words)}</th>' for words in table.head)
+    head = "".join(f'<th scope="col">{escape(title)}</th>' for title in table.head)
     rows = "".join(f"<tr>{''.join(f'<td dir=auto>{escape(cell)}</td>' for cell in row)}</tr>" for row in table.rows)
     return f'<div class="scroll"><table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table></div>'

@@ -36,9 +36,9 @@ def task_report(task: TaskMaterial, session: int | None, *, name_source: bool) -
     newest = max(row["session"] for row in rows)
     names = leading_of_task(rows)
     main = names[0] if names else "time"
-    found = task_verdicts(rows, task.clinic, [main])
-    compared = _comparison(found.sessions, newest, course=session is None)
-    trajectories, words = _trajectories(task, session, compared)
+    verdicts = task_verdicts(rows, task.clinic, [main])
+    compared = _comparison(verdicts.sessions, newest, course=session is None)
+    trajectories, description = _trajectories(task, session, compared)
     curve = learning_curves(rows, [main], task.clinic).get(main)
     said = () if curve is None else (curve["text"], curve["sessions"])
     return TaskReport(
@@ -47,49 +47,49 @@ def task_report(task: TaskMaterial, session: int | None, *, name_source: bool) -
         before="" if compared is None else f"Session {compared.earlier}",
         measures=tuple(_measure(name, rows, newest, compared) for name in names) + _reaching(rows, newest, compared),
         trajectories=trajectories,
-        trajectories_words=words,
+        trajectories_words=description,
         curve=None if curve is None else _curve(main, rows, newest, curve["fit"]),
         curve_words=f"{amount(len(rows), 'trial')}; session {newest} is orange. Rings: to get used to the task. "
         "S: a session begins.",
         curve_title=f"Learning curve: {TRIAL_MEASURES[main].name.lower()} in every trial",
-        sentences=tuple(sentence for sentence in (*found.deterioration.values(), *said) if sentence),
+        sentences=tuple(sentence for sentence in (*verdicts.deterioration.values(), *said) if sentence),
         statistics=() if curve is None else tuple(curve["details"]),
     )
 
 
 def _comparison(sessions: Sequence[SessionVerdicts], newest: int, *, course: bool) -> SessionVerdicts | None:
     """Return the verdicts on the reported session against the one before; of a course, against the first."""
-    own = [one for one in sessions if one.later == newest]
-    return None if not own else own[-1 if course else 0]
+    comparisons = [pair for pair in sessions if pair.later == newest]
+    return None if not comparisons else comparisons[-1 if course else 0]
 
 
 def _measure(name: str, rows: Rows, newest: int, compared: SessionVerdicts | None) -> MeasureRow:
     verdict: Verdict | None = None if compared is None else compared.verdicts.get(name)
-    words = TRIAL_MEASURES[name].name
+    measure_name = TRIAL_MEASURES[name].name
     if verdict is None:
         level = with_unit(name, _level(name, rows, newest))
-        return MeasureRow(words, level, "", "", NOTHING_BEFORE, "", None)
+        return MeasureRow(measure_name, level, "", "", NOTHING_BEFORE, "", None)
     tone = TONES[verdict.word]
     noise = noise_words(name, verdict)
     now, before = with_unit(name, verdict.later), with_unit(name, verdict.earlier)
-    drawing = band_drawing(verdict, tone, f"{words}: {before}, now {now}; within noise from {noise}.")
-    return MeasureRow(words, now, before, noise, VERDICT_WORDS[verdict.word], tone, drawing)
+    drawing = band_drawing(verdict, tone, f"{measure_name}: {before}, now {now}; within noise from {noise}.")
+    return MeasureRow(measure_name, now, before, noise, VERDICT_WORDS[verdict.word], tone, drawing)
 
 
 def _reaching(rows: Rows, newest: int, compared: SessionVerdicts | None) -> tuple[MeasureRow, ...]:
     """Return the row of how often the goal was reached."""
     verdict: Verdict | None = None if compared is None else compared.verdicts.get(REACHED)
     if verdict is None:
-        own = [bool(row.get("reached", True)) for row in rows if row["session"] == newest]
-        return (MeasureRow(REACHED_NAME, share_words(sum(own) / len(own)), "", "", NOTHING_BEFORE, "", None),)
+        reached = [bool(row.get("reached", True)) for row in rows if row["session"] == newest]
+        return (MeasureRow(REACHED_NAME, share_words(sum(reached) / len(reached)), "", "", NOTHING_BEFORE, "", None),)
     now, before = share_words(verdict.later), share_words(verdict.earlier)
     return (MeasureRow(REACHED_NAME, now, before, "", VERDICT_WORDS[verdict.word], TONES[verdict.word], None),)
 
 
 def _level(name: str, rows: Rows, session: int) -> float | None:
     """Return the mean of a session's compared trials on the measure's scale; of all of its trials without such."""
-    own = [row for row in rows if row["session"] == session]
-    for chosen in (own, [{**row, "familiarisation": False} for row in own]):
+    session_rows = [row for row in rows if row["session"] == session]
+    for chosen in (session_rows, [{**row, "familiarisation": False} for row in session_rows]):
         series, _ = series_of(chosen, name)
         if len(series.value):
             return from_scale(name, float(series.value.mean()))
@@ -97,12 +97,14 @@ def _level(name: str, rows: Rows, session: int) -> float | None:
 
 
 def _trials_words(rows: Rows, session: int | None) -> str:
-    own = [row for row in rows if session is None or row["session"] == session]
-    reached = sum(bool(row.get("reached", True)) for row in own)
-    used = sum(row["familiarisation"] for row in own)
+    session_rows = [row for row in rows if session is None or row["session"] == session]
+    reached = sum(bool(row.get("reached", True)) for row in session_rows)
+    used = sum(row["familiarisation"] for row in session_rows)
     getting_used = f", {used} of them to get used to the task" if used else ""
-    counted = f"{amount(len(own), 'trial')} counted{getting_used}; the goal was reached in {reached}."
-    interrupted = [f"trial {row['number']} ({words})" for row in own if (words := interruption_text(row))]
+    counted = f"{amount(len(session_rows), 'trial')} counted{getting_used}; the goal was reached in {reached}."
+    interrupted = [
+        f"trial {row['number']} ({interruption})" for row in session_rows if (interruption := interruption_text(row))
+    ]
     if not interrupted:
         return counted
     more = f" and {len(interrupted) - MOST_NAMED} more" if len(interrupted) > MOST_NAMED else ""
@@ -125,22 +127,22 @@ def _trajectories(
     of: dict[int | None, list[int]] = {}
     for place, row in enumerate(task.rows):
         of.setdefault(row["session"], []).append(place)
-    own = of.pop(newest)
+    newest_trials = of.pop(newest)
     past = _spread([place for places in of.values() for place in places] if session is None else of.get(earlier, []))
-    chosen = [*past, *own[-MOST_OWN:]]
+    chosen = [*past, *newest_trials[-MOST_OWN:]]
     if not task.path:
         return None, ""
     read = {place: _trajectory(task.folders[place]) for place in chosen}
     now = [line for place, line in read.items() if line and task.rows[place]["session"] == newest]
     before = [line for place, line in read.items() if line and task.rows[place]["session"] != newest]
     others = "earlier sessions" if session is None else f"session {earlier}"
-    words = f"{amount(len(now), 'trajectory', 'trajectories')} of session {newest} (orange)"
-    words += f" over {len(before)} of {others} (grey)" if before else ""
+    description = f"{amount(len(now), 'trajectory', 'trajectories')} of session {newest} (orange)"
+    description += f" over {len(before)} of {others} (grey)" if before else ""
     if session is None and len(chosen) < len(task.rows):
-        words += f", chosen evenly of {len(task.rows)} trials"
+        description += f", chosen evenly of {len(task.rows)} trials"
     lost = len(read) - len(now) - len(before)
-    words += f"; {amount(lost, 'recording')} cannot be read" if lost else ""
-    return trajectory_drawing(task.path, before, now, f"{task.source}: {words}."), f"{words}."
+    description += f"; {amount(lost, 'recording')} cannot be read" if lost else ""
+    return trajectory_drawing(task.path, before, now, f"{task.source}: {description}."), f"{description}."
 
 
 def _spread(places: Sequence[int]) -> list[int]:
@@ -155,8 +157,8 @@ def _trajectory(folder: Path) -> Trajectory:
         rows = read_trajectory(folder)
     except (ValueError, OSError):
         return ()
-    kept = thinned(rows.x, rows.y)
-    return list(zip(rows.x[kept].tolist(), rows.y[kept].tolist(), strict=True))
+    indices = thinned(rows.x, rows.y)
+    return list(zip(rows.x[indices].tolist(), rows.y[indices].tolist(), strict=True))
 
 
 def _curve(name: str, rows: Rows, newest: int, fit: dict[str, Any] | None) -> Drawing | None:
@@ -165,8 +167,8 @@ def _curve(name: str, rows: Rows, newest: int, fit: dict[str, Any] | None) -> Dr
         for row in rows
         if (value := value_of(row, name)) is not None
     ]
-    words = f"{TRIAL_MEASURES[name].as_subject} over {amount(len(points), 'trial')}."
-    return curve_drawing(points, fit, TRIAL_MEASURES[name], words)
+    description = f"{TRIAL_MEASURES[name].as_subject} over {amount(len(points), 'trial')}."
+    return curve_drawing(points, fit, TRIAL_MEASURES[name], description)
 
 
 def with_unit(name: str, value: float | None) -> str:

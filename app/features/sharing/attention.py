@@ -125,26 +125,36 @@ def attention(person: Anyone, database: Db, deteriorations: DeteriorationsPart) 
     page asks again after some seconds.
     """
     with database.transaction(closing=True) as db:
-        found = patients_and_reasons(db, person.person_id)
+        reasons_of = patients_and_reasons(db, person.person_id)
         tasks = counted_tasks(db)
         write_log(db, person.name, "patients viewed by attention")
-    known = deteriorations.known(tasks)
-    pending = {task.patient_id for task in tasks if task not in known}
+    deteriorations_of = deteriorations.known(tasks)
+    pending = {task.patient_id for task in tasks if task not in deteriorations_of}
     worse: dict[int, list[Attention]] = defaultdict(list)
-    for task, one in known.items():
-        if one is not None:
-            reason = Attention("deterioration", one.measures, one.session_id, None, one.sentence)
+    for task, deterioration in deteriorations_of.items():
+        if deterioration is not None:
+            reason = Attention(
+                "deterioration", deterioration.measures, deterioration.session_id, None, deterioration.sentence
+            )
             worse[task.patient_id].append(reason)
-    listed = [_view(one, [*worse[one.id], *reasons], pending=one.id in pending) for one, reasons in found]
-    return sorted(listed, key=lambda one: URGENCY.index(one.reasons[0].reason) if one.reasons else len(URGENCY))
+    listed = [
+        _view(deterioration, [*worse[deterioration.id], *reasons], pending=deterioration.id in pending)
+        for deterioration, reasons in reasons_of
+    ]
+    return sorted(
+        listed,
+        key=lambda deterioration: (
+            URGENCY.index(deterioration.reasons[0].reason) if deterioration.reasons else len(URGENCY)
+        ),
+    )
 
 
 def _view(patient: Patient, reasons: Sequence[Attention], *, pending: bool) -> PatientAttention:
-    ordered = sorted(reasons, key=lambda one: URGENCY.index(one.reason))
+    ordered = sorted(reasons, key=lambda reason: URGENCY.index(reason.reason))
     return PatientAttention(
         patient_id=patient.id,
         code=patient.code,
         pseudonym=patient.pseudonym,
-        reasons=[AttentionView.of(one) for one in ordered],
+        reasons=[AttentionView.of(reason) for reason in ordered],
         pending=pending,
     )

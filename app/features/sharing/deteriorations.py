@@ -56,13 +56,13 @@ class Deteriorations:
     def known(self, tasks: Sequence[CountedTask]) -> dict[CountedTask, Deterioration | None]:
         """Return what is known of these tasks, and begin to work out the others; None: no worse than noise explains."""
         with self._lock:
-            found = self._known.find(tasks)
-            self._missing.update({task: None for task in tasks if task not in found})
+            known_tasks = self._known.find(tasks)
+            self._missing.update({task: None for task in tasks if task not in known_tasks})
             begin = bool(self._missing) and not self._is_working
             self._is_working = self._is_working or begin
         if begin:
             threading.Thread(target=self._work, name="deteriorations", daemon=True).start()
-        return found
+        return known_tasks
 
     def _work(self) -> None:
         try:
@@ -80,10 +80,10 @@ class Deteriorations:
             self._is_working = task is not None
             return task
 
-    def _keep(self, task: CountedTask, found: Deterioration | None) -> None:
+    def _keep(self, task: CountedTask, deterioration: Deterioration | None) -> None:
         with self._lock:
             self._known.forget(lambda one: one[:4] == task[:4])  # with the trials that counted before
-            self._known.store({task: found})
+            self._known.store({task: deterioration})
             self._missing.pop(task, None)
 
     def _found(self, task: CountedTask) -> Deterioration | None:
@@ -92,8 +92,8 @@ class Deteriorations:
             if patient is None:  # deleted meanwhile
                 return None
             every = counted_trials(db, task.patient_id, task.floorplan, task.path)
-            trials = [one for one in every if one.group == task.group]
-            rows = [one.row() for one in trials]
+            trials = [trial for trial in every if trial.group == task.group]
+            rows = [trial.row() for trial in trials]
             newest = trials[-1].trial.session_id if trials else 0
         with of_clinic(patient.clinic_id):
             spread = self._spread.of_others(Task(task.floorplan, task.path, task.group), task.patient_id)

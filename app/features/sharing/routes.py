@@ -88,10 +88,10 @@ class NewLinks:
         """Make a link to one session, or to all sessions of a patient."""
 
         def whose(db: Transaction) -> int:
-            found = patient_id if session_id is None else find_session(db, session_id).patient_id
-            find_patient(db, found)
-            require_consent(db, found, "sharing")
-            return found
+            owner_id = patient_id if session_id is None else find_session(db, session_id).patient_id
+            find_patient(db, owner_id)
+            require_consent(db, owner_id, "sharing")
+            return owner_id
 
         def check() -> None:
             with self.database.reading() as db:
@@ -114,9 +114,9 @@ class NewLinks:
         await run_in_threadpool(check)  # before the PIN is hashed, which takes long
         address = await asyncio.to_thread(own_address, self.settings, self.request)
         pin = new_pin()
-        made = await run_in_threadpool(store, await self.passwords.hash_of(pin))
+        share_link = await run_in_threadpool(store, await self.passwords.hash_of(pin))
         self.live.notify(CHANGED)
-        return made
+        return share_link
 
 
 @router.get("/patients/{patient_id}/shares")

@@ -80,26 +80,26 @@ class SharedLearning:
 
     def of_patient(self, patient_id: int, session_id: int | None) -> list[TaskLearning]:
         """Return what a patient drove, by task; with a session, its trials only, and verdicts up to it."""
-        found = []
+        task_views = []
         with self.database.reading() as db:
             tasks = tasks_of(db, patient_id)
             counted = {task: counted_trials(db, patient_id, task[0], task[1]) for task in tasks}
         for (floorplan, path, source), every in counted.items():
-            trials = [one for one in every if one.group == source]
-            shown = [one for one in trials if session_id is None or one.trial.session_id == session_id]
+            trials = [trial for trial in every if trial.group == source]
+            shown = [trial for trial in trials if session_id is None or trial.trial.session_id == session_id]
             if shown:
-                until = [one for one in trials if one.session <= shown[-1].session]
-                found.append(self._of_task(Task(floorplan, path, source), patient_id, shown, until))
-        return found
+                until = [trial for trial in trials if trial.session <= shown[-1].session]
+                task_views.append(self._of_task(Task(floorplan, path, source), patient_id, shown, until))
+        return task_views
 
     def _of_task(
         self, task: Task, patient_id: int, shown: list[CountedTrial], until: list[CountedTrial]
     ) -> TaskLearning:
-        rows = [one.row() for one in shown]
+        rows = [shown_trial.row() for shown_trial in shown]
         clinic = self.spread.of_others(task, patient_id)
-        compared = self.computing.ask(task_verdicts, [one.row() for one in until], clinic, ()).sessions
+        compared = self.computing.ask(task_verdicts, [shown_trial.row() for shown_trial in until], clinic, ()).sessions
         verdicts = compared[0].verdicts if compared else {}
-        newest = [one.trial for one in shown[-MOST_TRAJECTORIES:]]
+        newest = [shown_trial.trial for shown_trial in shown[-MOST_TRAJECTORIES:]]
         recordings = [(trial.number, self.runs.folder_of(trial.run_id)) for trial in newest]
         return TaskLearning(
             floorplan_title=newest[-1].floorplan_title,
@@ -150,10 +150,10 @@ async def open_share(
     For everybody: a cookie for one hour, for `/api/v1/shared` only, which names the patient by the code.
     """
     attempt = await sign_in_limits.code(address_of(request))
-    found = await run_in_threadpool(_count, database, body.token)
-    if found is None:
+    share = await run_in_threadpool(_count, database, body.token)
+    if share is None:
         raise HTTPException(401, WRONG)
-    share_id, patient_id, pin_hash = found
+    share_id, patient_id, pin_hash = share
     try:
         async with hashing.slot():
             is_right = await hashing.matches(pin_hash, body.pin)

@@ -108,8 +108,8 @@ class SimulatedDrive:
     def _words(self, state: str, reason: str) -> str:
         x, y, theta = self.pose
         where = f"at ({x:.2f}, {y:.2f}) m, heading {math.degrees(theta):.0f} degrees"
-        words = f"{state}: wheels at {self.left:.2f} and {self.right:.2f} m/s, {where}."
-        return f"{words} {reason}" if reason else words
+        text = f"{state}: wheels at {self.left:.2f} and {self.right:.2f} m/s, {where}."
+        return f"{text} {reason}" if reason else text
 
 
 OUTPUTS: Mapping[str, tuple[str, str]] = {

@@ -126,8 +126,8 @@ def _shows_now(pressed: PressedSwitch, telemetry: Telemetry, t: float) -> bool:
 
 def telemetry_description(telemetry: Telemetry) -> str:
     """Return the state, the battery and the fault of a telemetry in words."""
-    words = "stop switch pressed" if telemetry.stop_input else STATE_NAMES[min(telemetry.state, FAULT)]
+    description = "stop switch pressed" if telemetry.stop_input else STATE_NAMES[min(telemetry.state, FAULT)]
     if 0.0 <= telemetry.battery <= 1.0:
-        words += f", battery {percent(telemetry.battery)}"
+        description += f", battery {percent(telemetry.battery)}"
     reason = Reason(telemetry.fault) if telemetry.fault in DESCRIPTIONS else Reason.NONE
-    return f"{words}." if reason is Reason.NONE else f"{words}. {DESCRIPTIONS[reason]}"
+    return f"{description}." if reason is Reason.NONE else f"{description}. {DESCRIPTIONS[reason]}"

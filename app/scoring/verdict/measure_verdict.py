@@ -234,14 +234,14 @@ def people_variances(people: Mapping[int, Rows]) -> PeopleVariances:
             continue
         least = least_spread(name, np.concatenate([trials.value for trials in series.values()]))
         variances = {person: person_variances(trials, least) for person, trials in series.items()}
-        by_measure[name] = {person: own for person, own in variances.items() if own is not None}
+        by_measure[name] = {person: variance for person, variance in variances.items() if variance is not None}
     return by_measure
 
 
 def clinic_spreads(variances: PeopleVariances, person: int | None = None) -> dict[str, Spread]:
     """Return the median spread of everybody but `person`, for each measure that enough people have."""
     medians = {
-        name: median_spread([own for other, own in people.items() if other != person])
+        name: median_spread([own_spread for other, own_spread in people.items() if other != person])
         for name, people in variances.items()
     }
     return {name: spread for name, spread in medians.items() if spread is not None}

@@ -171,11 +171,11 @@ def course_spread(series: Series, least: float = 0.0) -> OwnSpread:
     A change that goes on from session to session does not count as noise. Of the curve's three parameters, level and
     size are counted among those of the session means; how fast it falls is told by the trials within the sessions.
     """
-    own = own_spread(series, None, least)
+    spread = own_spread(series, None, least)
     residual, parameters = _residuals(series)
     if parameters == 1:
         residual = _around_line(series.session, residual)
-    return OwnSpread(own.trial, *_between_sessions((series.session, residual, 2)))
+    return OwnSpread(spread.trial, *_between_sessions((series.session, residual, 2)))
 
 
 def _around_line(session: Sessions, residual: Numbers) -> Numbers:
@@ -261,14 +261,14 @@ def person_variances(series: Series, least: float = 0.0) -> PersonVariances | No
     A variance with few degrees of freedom is more often too small than too large, so each is divided by the median of
     chi-squared over its degrees of freedom (Wilson and Hilferty, PNAS 17 (1931)).
     """
-    own = own_spread(series, None, least)
-    if own.trial.df < 2:
+    spread = own_spread(series, None, least)
+    if spread.trial.df < 2:
         return None
-    within = max(own.trial.value / _median_share(own.trial.df), least**2)
-    if own.mean.df < 1:
+    within = max(spread.trial.value / _median_share(spread.trial.df), least**2)
+    if spread.mean.df < 1:
         return PersonVariances(within, None)
-    between = own.mean.value / _median_share(own.mean.df)
-    return PersonVariances(within, max(between - own.share * own.trial.value, 0.0))
+    between = spread.mean.value / _median_share(spread.mean.df)
+    return PersonVariances(within, max(between - spread.share * spread.trial.value, 0.0))
 
 
 def median_spread(people: Sequence[PersonVariances]) -> Spread | None:

@@ -45,8 +45,8 @@ def of_clinic(clinic_id: int) -> Iterator[None]:
 
 def own_clinic_id(db: Session) -> int:
     """Return the id of the clinic to which new rows belong: that of who asks, or the database's first one."""
-    own = OWN_CLINIC.get()
-    return db.scalars(select(Clinic.id).order_by(Clinic.id).limit(1)).one() if own is None else own
+    clinic_id = OWN_CLINIC.get()
+    return db.scalars(select(Clinic.id).order_by(Clinic.id).limit(1)).one() if clinic_id is None else clinic_id
 
 
 @contextmanager
@@ -69,15 +69,15 @@ def restrict(db: Session) -> None:
 
     Deleted patients are left out for everybody: only a query with the execution options `WITH_DELETED` finds them.
     """
-    visible, own = VISIBLE_PATIENTS.get(), OWN_CLINIC.get()
-    if own is not None and _has_one_clinic(db):
-        own = None  # the usual case, without a condition in each query
+    visible, clinic_id = VISIBLE_PATIENTS.get(), OWN_CLINIC.get()
+    if clinic_id is not None and _has_one_clinic(db):
+        clinic_id = None  # the usual case, without a condition in each query
     read_deleted(db)
 
     @event.listens_for(db, "do_orm_execute")
     def _leave_out(state: ORMExecuteState) -> None:
         deleted = NOBODY if state.execution_options.get(_WITH_DELETED) else db.info[_DELETED]
-        clinic = None if state.execution_options.get(_OF_ANY_CLINIC) else own
+        clinic = None if state.execution_options.get(_OF_ANY_CLINIC) else clinic_id
         if state.is_select and (deleted or visible is not None or clinic is not None):
             state.statement = state.statement.options(*_loader_criteria(visible, deleted, clinic))
 

@@ -142,9 +142,9 @@ class _Grid:
     def _keep_largest(self) -> None:
         """Leave out the nodes that are not connected with most others."""
         _, part = connected_components(self._graph, directed=False)
-        kept = np.flatnonzero(part == np.argmax(np.bincount(part)))
-        self._graph = self._graph[kept][:, kept]
-        self.rows, self.columns, self.room = self.rows[kept], self.columns[kept], self.room[kept]
+        largest = np.flatnonzero(part == np.argmax(np.bincount(part)))
+        self._graph = self._graph[largest][:, largest]
+        self.rows, self.columns, self.room = self.rows[largest], self.columns[largest], self.room[largest]
 
     def costs(self, node: int) -> NDArray[np.float64]:
         """Return the cost of each node's cheapest way from `node`."""
