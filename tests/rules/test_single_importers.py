@@ -33,7 +33,7 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         *("app.pipeline.movement_check", "app.pipeline.runs", "app.pipeline.screen_pause", "app.recording.arrow"),
         *("app.scene.meshes.furniture", "app.scene.meshes.ground", "app.scene.meshes.interior"),
         *("app.scene.meshes.walls", "app.scene.unlit_glb", "app.scoring.decimation", "app.session.adaptation_reading"),
-        *("app.world.imports.boundary", "app.world.imports.dxf", "app.world.imports.dxf_lines"),
+        *("app.world.imports.dxf", "app.world.imports.dxf_lines"),
         "app.world.imports.image",
     ),
     TOO_LONG: (
