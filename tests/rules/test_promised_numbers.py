@@ -11,7 +11,7 @@ from app.api.live import screens
 from app.api.sign_in import passwords, set_up, sign_in_limits
 from app.calibration.vocabulary import DriveParameters
 from app.hardware.chair import receiver
-from app.hardware.shirt import lateness
+from app.hardware.shirt import frame_order
 from app.pipeline import channel_health, frame_rate, movement_check, opening, safety_gate, screen_pause
 from app.recording.format import LOST_AT_MOST
 from app.session import run_watch, screen_codes
@@ -43,7 +43,7 @@ NUMBERS = [
     ("S10", "turning after 3 s", DriveParameters.model_fields["turn_cruise_time"].default, 3.0),
     ("S17", "below 500 MB", disk_room.ROOM_TO_RECORD, 500_000_000),
     ("S21", "silent for 300 ms", safety_gate.CHAIR_SILENT, 0.3),
-    ("S23", "in time by the shirt's own clock", lateness.LATE, 0.1),
+    ("S23", "in time by the shirt's own clock", frame_order.LATE, 0.1),
     ("S27", "waits 5 min for Continue", run_watch.HALT_LIMIT, 300.0),
     ("S28", "at most 8 s", opening.OPENING_LIMIT, 8.0),
     ("S30", "within 2 s after one", movement_check.DOUBT, 2.0),

@@ -13,12 +13,11 @@ from app.clock import Clock
 from app.hardware.addresses import Host
 from app.hardware.base import HardwareError
 from app.hardware.chair.key import Key, KeyRefused, lost_key, read_key
+from app.hardware.shirt.frame_order import Lateness, Sequence
 from app.hardware.shirt.kind import LayoutFile, ShirtConfig, ShirtKey, ShirtKind, ShirtRate, Trust, page_texts
-from app.hardware.shirt.lateness import Lateness
 from app.hardware.shirt.newest_frame import NewestFrame, newest_file
 from app.hardware.shirt.packet import LONGEST, Packet, decode, decode_signed, refusal
 from app.hardware.shirt.sender_choice import Address, SenderChoice
-from app.hardware.shirt.sequence import Sequence
 from app.hardware.shirt.standard import standard_layout
 from app.messages import ALIVE, SensorFrame
 from app.quantities import Port
