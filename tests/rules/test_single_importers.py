@@ -74,8 +74,6 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.scene.meshes.walls",
         "app.scene.models.glb_check",
         "app.scene.unlit_glb",
-        "app.scoring.map_losses.gesture_trial",
-        "app.scoring.retention",
     ),
 }
 
