@@ -67,7 +67,6 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.pipeline.frame_rate",
         "app.pipeline.head_tracking",
         "app.pipeline.screen_pause",
-        "app.recording.arrow",
         "app.scene.meshes.furniture",
         "app.scene.meshes.ground",
         "app.scene.meshes.interior",
