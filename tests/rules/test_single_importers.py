@@ -29,6 +29,8 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.pipeline.commands",
         "app.pipeline.movement_check",
         "app.pipeline.runs",
+        "app.scene.meshes.furniture",
+        "app.scene.meshes.walls",
         "app.scene.models.glb_geometry",
         "app.scene.plots",
         "app.scoring.decimation",
@@ -64,12 +66,6 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.features.exports.measure_tables",
         "app.features.reports.condition",
         "app.features.reports.interface_test_report",
-        "app.scene.meshes.furniture",
-        "app.scene.meshes.ground",
-        "app.scene.meshes.interior",
-        "app.scene.meshes.walls",
-        "app.scene.models.glb_check",
-        "app.scene.unlit_glb",
     ),
 }
 
