@@ -57,8 +57,6 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.hardware.chair.telemetry_sender",
     ),
     "a subject of its own, with tests of its own": (
-        "app.api.docs_pages",
-        "app.api.request_bodies",
         "app.calibration.prior.forecasts",
         "app.cli.calibration.map_choice",
         "app.cli.demonstration",
