@@ -57,8 +57,6 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.hardware.chair.telemetry_sender",
     ),
     "a subject of its own, with tests of its own": (
-        "app.cli.calibration.map_choice",
-        "app.cli.demonstration",
         "app.features.archive.imported_patient",
         "app.features.exports.measure_tables",
         "app.features.reports.condition",
