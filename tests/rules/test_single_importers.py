@@ -21,7 +21,7 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.cli.calibration.prior_files",
         "app.cli.server",
         "app.features.reports.drawings",
-        "app.features.reports.task_report",
+        "app.features.reports.measure_reports",
         "app.hardware.body.driver",
         "app.hardware.body.steering",
         "app.hardware.chair.telemetry",
@@ -55,12 +55,6 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
     "the arithmetic of every frame is measured and compiled apart from the decoder": ("app.pipeline.map_readings",),
     "what a receiver sends, when and where, is read apart from the loop that keeps its limits of time": (
         "app.hardware.chair.telemetry_sender",
-    ),
-    "a subject of its own, with tests of its own": (
-        "app.features.archive.imported_patient",
-        "app.features.exports.measure_tables",
-        "app.features.reports.condition",
-        "app.features.reports.interface_test_report",
     ),
 }
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.features.reports.task_report import _trials_words
+from app.features.reports.measure_reports import _trials_words
 
 ROW = {"session": 1, "familiarisation": False, "reached": True}
 
