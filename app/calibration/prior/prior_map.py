@@ -38,7 +38,7 @@ USUAL_FALSE, USUAL_MINUTES = 1.0, 0.5  # false activations expected before any i
 Array = NDArray[np.float64]
 
 
-def held_out_rate(frames: OwnFrames, people: Moments, sample_rate: float) -> Array:
+def _held_out_rate(frames: OwnFrames, people: Moments, sample_rate: float) -> Array:
     """Return the rate (n,) of each repetition by the map that is learnt without that repetition; Hz."""
     rate = np.empty(len(frames.label))
     for repetition in range(frames.repetitions):
@@ -85,7 +85,7 @@ def expected_hits(peaks: Sequence[float], dead_zone: float, full: float, repetit
     return Forecast(value=round(100 * share, 1), uncertainty=deviation_of_hits(repetitions))
 
 
-def expected_false(held_out: Array, frames: OwnFrames, dead_zone: float, sample_rate: float) -> Forecast | None:
+def _expected_false(held_out: Array, frames: OwnFrames, dead_zone: float, sample_rate: float) -> Forecast | None:
     """Return the expected activations a minute at rest, from the pauses between the repetitions.
 
     None when the pauses are shorter than SHORTEST_REST; parameters as of `own_peaks`, `sample_rate` in Hz.
@@ -232,7 +232,7 @@ def _joint(
     if not full_of_others > 0.0:
         raise PriorMapError("Other people's movements have nothing in common with each other: add more people.")
     in_free = features(moved[:, list(used.channels)] / used.scale, rate)
-    held_out = None if frames is None else held_out_rate(frames, others, rate)
+    held_out = None if frames is None else _held_out_rate(frames, others, rate)
     peaks = own_peaks(in_free @ weights, dead_zone, held_out, frames)
     full = joint.pca.full
     in_fs = full / own_full(peaks, dead_zone, full_of_others)
@@ -259,7 +259,7 @@ def _joint(
         held_out = held_out * in_fs
         pca = frames.features @ by_pca
         update |= {
-            "false_per_minute": expected_false(held_out, frames, fitted.dead_zone, rate),
+            "false_per_minute": _expected_false(held_out, frames, fitted.dead_zone, rate),
             "check": _check(held_out, frames, fitted.dead_zone, fitted.full, rate),
             "pca_check": _check(pca, frames, joint.pca.dead_zone, full, rate),
         }

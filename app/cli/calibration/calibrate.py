@@ -232,8 +232,8 @@ def _prior_facts(joint: "JointMap", reasons: dict[str, str]) -> dict[str, object
         "full": prior.full,
         "hits_of_100": _forecast(prior.hits),
         "false_per_minute": _forecast(prior.false_per_minute),
-        "prior_check": check_facts(prior.check),
-        "pca_check": check_facts(prior.pca_check),
+        "prior_check": _check_facts(prior.check),
+        "pca_check": _check_facts(prior.pca_check),
     }
 
 
@@ -325,12 +325,12 @@ def checks(joint: "JointMap", reasons: dict[str, str]) -> dict[str, object]:
         "repetitions": guided.repetitions,
         "dead_zone": guided.dead_zone,
         "full": guided.full,
-        "pca_check": check_facts(guided.pca_check),
-        "guided_check": check_facts(guided.check),
+        "pca_check": _check_facts(guided.pca_check),
+        "guided_check": _check_facts(guided.check),
     }
 
 
-def check_facts(check: "MapCheck | None") -> object:
+def _check_facts(check: "MapCheck | None") -> object:
     """Return a check as `--json` has it."""
     return None if check is None else check.model_dump(mode="json")
 

@@ -165,18 +165,18 @@ def import_archive(
     """
     with open_archive(file) as archive:
         with database.reading() as db:
-            known = earlier_import(db, archive.listed.hash)
+            known = _earlier_import(db, archive.listed.hash)
             if known is not None:
                 return Imported(known.id, known.code, is_new=False)
         rows = checked_rows(archive)
         with database.reading() as db:
-            patient = patient_of_rows(db, rows)
+            patient = _patient_of_rows(db, rows)
             if patient is not None and shelf is None:
                 raise PatientHere(HERE.format(code=patient.code))
             here: frozenset[str] = frozenset()
             if patient is not None:
-                require_replaceable(db, patient, rows)
-                here = runs_here(db, patient.id)
+                _require_replaceable(db, patient, rows)
+                here = _runs_here(db, patient.id)
         if disk_room(runs.parent).free < archive.recording_bytes(here) + ROOM_TO_RECORD:
             raise DiskFull(NO_ROOM)
         runs.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
@@ -193,11 +193,11 @@ def import_archive(
 def _put_on_shelf(database: Database, rows: Rows, runs: Path, shelf: Path) -> str:
     """Write an archive of the patient as it is here, and return its place on the shelf."""
     with database.reading() as db:
-        patient = patient_of_rows(db, rows)
+        patient = _patient_of_rows(db, rows)
         if patient is None:
             return ""
         name = archive_on_shelf(utc_now(), patient.created)
-        folders = [runs / run for run in runs_here(db, patient.id)]
+        folders = [runs / run for run in _runs_here(db, patient.id)]
         own, clinic = patient_rows(db, patient.id), clinic_name(db)
     require_room_for(folders, runs)
     target = shelf / name
@@ -268,22 +268,22 @@ def _add_rows(
     db: Transaction, archive: OpenArchive, rows: Rows, person: str, kept: str
 ) -> tuple[Imported, frozenset[str]]:
     """Add an archive's rows; return what came in, and the recordings that are no longer needed."""
-    patient, listed = patient_of_rows(db, rows), archive.listed
+    patient, listed = _patient_of_rows(db, rows), archive.listed
     before: frozenset[str] = frozenset()
     uploads: list[PatientFile] = []
     if patient is not None:
         if not kept:  # somebody else imported the patient meanwhile
             raise PatientHere(HERE.format(code=patient.code))
-        require_replaceable(db, patient, rows)
-        before = runs_here(db, patient.id)
+        _require_replaceable(db, patient, rows)
+        before = _runs_here(db, patient.id)
         rows["patient"][0] |= {"code": patient.code, "pseudonym": patient.pseudonym}  # each clinic gives its own
-        uploads = remove_replaced_rows(db, patient.id)
-    require_new(db, rows)
+        uploads = _remove_replaced_rows(db, patient.id)
+    _require_new(db, rows)
     patient_id = add_patient_rows(db, rows)
     for upload in uploads:
         upload.patient_id = patient_id
         db.add(upload)
-    store_import(db, patient_id, listed.hash, listed.clinic, person)
+    _store_import(db, patient_id, listed.hash, listed.clinic, person)
     trials = sum(row["status"] == "done" and row["kept"] is True for row in rows["trial"])
     code = rows["patient"][0]["code"]
     details = {"archive": listed.hash, "sessions": len(rows["session"])} | ({"replaced": kept} if kept else {})
@@ -292,13 +292,13 @@ def _add_rows(
     return imported, before - {row["id"] for row in rows["run"]}
 
 
-def earlier_import(db: Session, archive: str) -> Patient | None:
+def _earlier_import(db: Session, archive: str) -> Patient | None:
     """Return the patient that an archive brought, None when it was not imported here."""
     query = select(Patient).join(PatientImport, PatientImport.patient_id == Patient.id)
     return db.scalar(query.where(PatientImport.archive == archive))
 
 
-def patient_of_rows(db: Session, rows: Rows) -> Patient | None:
+def _patient_of_rows(db: Session, rows: Rows) -> Patient | None:
     """Return the patient of an archive's rows who is in the clinic already, None when there is none.
 
     A patient is known again by the moment at which the first clinic added the patient.
@@ -310,21 +310,21 @@ def patient_of_rows(db: Session, rows: Rows) -> Patient | None:
     return db.scalar(select(Patient).where(Patient.created == created).limit(1))
 
 
-def runs_here(db: Session, patient_id: int) -> frozenset[str]:
+def _runs_here(db: Session, patient_id: int) -> frozenset[str]:
     """Return the recordings of a patient."""
     query = select(Run.id).join(PatientSession, PatientSession.id == Run.session_id)
     return frozenset(db.scalars(query.where(PatientSession.patient_id == patient_id)))
 
 
-def require_new(db: Session, rows: Rows) -> None:
+def _require_new(db: Session, rows: Rows) -> None:
     """Raise Conflict when the clinic has the patient's code or one of the recordings already."""
-    require_no_runs(db, [row["id"] for row in rows["run"]])
+    _require_no_runs(db, [row["id"] for row in rows["run"]])
     code = rows["patient"][0]["code"]
     if db.scalar(select(Patient.id).where(Patient.code == code)) is not None:
         raise Conflict(CODE_TAKEN.format(code=code))
 
 
-def store_import(db: Session, patient_id: int, archive: str, clinic: str, person: str) -> None:
+def _store_import(db: Session, patient_id: int, archive: str, clinic: str, person: str) -> None:
     """Store that all sessions of a patient came with an archive of `clinic`."""
     row = PatientImport(patient_id=patient_id, archive=archive, clinic=clinic, person=person, at=utc_now())
     db.add(row)
@@ -334,17 +334,17 @@ def store_import(db: Session, patient_id: int, archive: str, clinic: str, person
     db.flush()
 
 
-def require_no_runs(db: Session, ids: list[str]) -> None:
+def _require_no_runs(db: Session, ids: list[str]) -> None:
     """Raise Conflict when one of these recordings is in the clinic."""
     here = select(Run.id).where(or_(Run.id.in_(ids), Run.folder.in_(ids))).limit(1)
     if db.scalar(here) is not None:
         raise Conflict(RUNS_HERE)
 
 
-def require_replaceable(db: Session, patient: Patient, rows: Rows) -> None:
+def _require_replaceable(db: Session, patient: Patient, rows: Rows) -> None:
     """Raise Conflict when a patient cannot be replaced by these rows of an archive."""
-    own = runs_here(db, patient.id)
-    require_no_runs(db, [row["id"] for row in rows["run"] if row["id"] not in own])
+    own = _runs_here(db, patient.id)
+    _require_no_runs(db, [row["id"] for row in rows["run"] if row["id"] not in own])
     of_patient = select(PatientSession.id).where(PatientSession.patient_id == patient.id)
     if db.scalar(of_patient.where(PatientSession.ended.is_(None)).limit(1)) is not None:
         raise Conflict(GOES_ON.format(code=patient.code))
@@ -357,7 +357,7 @@ def require_replaceable(db: Session, patient: Patient, rows: Rows) -> None:
         raise Conflict(KEPT.format(code=patient.code, until=until))
 
 
-def remove_replaced_rows(db: Session, patient_id: int) -> list[PatientFile]:
+def _remove_replaced_rows(db: Session, patient_id: int) -> list[PatientFile]:
     """Remove all rows of a patient; return what says which uploads are theirs, for the patient who takes the place.
 
     No tombstone is made: the person is still a patient.

@@ -48,7 +48,7 @@ def _begin(material: ExportMaterial, form: Form, package: Path) -> int:
         contents["bundle.json"] = _json(fhir_bundle(material, verdicts))
     else:
         contents["trials.csv"] = trial_csv(material, verdicts).encode()
-        if tests := interface_test_csv(material.code, material.runs):
+        if tests := _interface_test_csv(material.code, material.runs):
             contents["interface_tests.csv"] = tests.encode()
     with zipfile.ZipFile(package, "x") as opened, tempfile.TemporaryDirectory(dir=package.parent) as name:
         for file, content in contents.items():
@@ -105,7 +105,7 @@ def _json(document: Any) -> bytes:
     return json.dumps(document, indent=1, ensure_ascii=False).encode() + b"\n"
 
 
-def recorded_with(folder: Path) -> str:
+def _recorded_with(folder: Path) -> str:
     """Return the version that a recording names; "unknown" when it is gone, cannot be read, or names none."""
     try:
         meta = json.loads((folder / META_FILE).read_bytes())
@@ -148,7 +148,7 @@ def _trial_cells(code: str, run: RecordedRun, verdicts: dict[int, dict[str, str]
     yield from (code, run.session, run.number, trial.number, trial.title, trial.path)
     yield from (trial.started.isoformat(), trial.end or "", "yes" if trial.kept else "no", trial.reason or "")
     yield from (source_description(run.source), SIMULATED_WORDS[run.source.simulated])
-    yield from (trial.map_version, trial.parameters_hash, recorded_with(run.folder), __version__)
+    yield from (trial.map_version, trial.parameters_hash, _recorded_with(run.folder), __version__)
     yield from ("", "", "") if (origin := run.origin) is None else (origin.clinic, origin.person, origin.at.isoformat())
     for name in EXPORTED:
         value = trial.measures.get(name)
@@ -162,7 +162,7 @@ TEST_ABOUT = (
 )
 
 
-def interface_test_csv(code: str, runs: tuple[RecordedRun, ...]) -> str:
+def _interface_test_csv(code: str, runs: tuple[RecordedRun, ...]) -> str:
     """Return the two-minute tests as CSV; what was not measured or answered is an empty cell. "" without tests."""
     rows = [csv_line(list(_test_cells(code, run, run.test))) for run in runs if run.test is not None]
     if not rows:
@@ -175,6 +175,6 @@ def interface_test_csv(code: str, runs: tuple[RecordedRun, ...]) -> str:
 def _test_cells(code: str, run: RecordedRun, test: RecordedTest) -> Iterator[str | float | None]:
     yield from (code, run.session, run.number, test.number, test.started.isoformat(), test.end or "")
     yield from (source_description(run.source), SIMULATED_WORDS[run.source.simulated])
-    yield from (test.map_version, test.parameters_hash, recorded_with(run.folder), __version__)
+    yield from (test.map_version, test.parameters_hash, _recorded_with(run.folder), __version__)
     yield from (test.measures.get(name) for name in TEST_MEASURES)
     yield from (test.workload.get(name) for name in Workload.model_fields)

@@ -67,8 +67,8 @@ def compose(material: ReportMaterial) -> Report:
         facts=_facts(material),
         goals=goals if len(goals) < 3 else (goals[0], goals[-1]),
         other_goals=goals[1:-1],
-        condition=() if parameters is None else condition_facts(parameters),
-        controls=NO_TABLE if parameters is None else controls_table(parameters),
+        condition=() if parameters is None else _condition_facts(parameters),
+        controls=NO_TABLE if parameters is None else _controls_table(parameters),
         condition_note=_condition_note(parameters),
         tasks=tuple(task_report(task, material.session, name_source=several) for task in material.tasks),
         tests=tuple(interface_test_report(one, material.session, name_source=several) for one in material.tests),
@@ -279,7 +279,7 @@ METHOD_WORDS: Final = {"pca": "standard", "guided": "learnt from the cues", "pri
 CONTROLS_HEAD: Final = ("Control", "Movement", "Counts from", "Full at", "Gain")
 
 
-def condition_facts(parameters: ParameterMaterial) -> tuple[Fact, ...]:
+def _condition_facts(parameters: ParameterMaterial) -> tuple[Fact, ...]:
     """Return the map, the modes and the speeds in words."""
     settings = parameters.settings
     maps = {joint.get("map", "pca") for joint in parameters.profile.get("joints", ())}
@@ -298,7 +298,7 @@ def condition_facts(parameters: ParameterMaterial) -> tuple[Fact, ...]:
     )
 
 
-def controls_table(parameters: ParameterMaterial) -> ReportTable:
+def _controls_table(parameters: ParameterMaterial) -> ReportTable:
     """Return what each movement does, from where it counts, where it is full, and its gain."""
     gestures = {gesture["name"]: gesture for gesture in parameters.settings.get("gestures", ())}
     labels = _joint_labels(parameters.profile)

@@ -238,7 +238,7 @@ def check(content: bytes) -> GlbDocument:
         _check_lists(document)
         faces = sum(_faces(document, primitive) for primitive in _drawn(document))
         points = sum(_points(document, primitive) for primitive in _drawn(document))
-        check_pictures(_pictures(document, content))
+        _check_pictures(_pictures(document, content))
     except IndexError as error:
         raise ValueError("it refers to parts that are not in it: export it again") from error
     if faces > MOST_FACES:
@@ -327,7 +327,7 @@ def _faces(document: GlbDocument, primitive: Primitive) -> int:
     return max(count - 2, 0) if primitive.mode in {STRIP, FAN} else 0
 
 
-def check_pictures(pictures: Iterable[bytes | str]) -> None:
+def _check_pictures(pictures: Iterable[bytes | str]) -> None:
     """Refuse pictures, as bytes or as a data URI, that have too many pixels or are neither PNG nor JPEG.
 
     Raises

@@ -92,7 +92,7 @@ def gesture_trials(parameters: DriveParameters, movement: Movement) -> dict[str,
             noise=math.log(noise) if noise else None,
             size=math.log(float(np.percentile(strokes, 90))) if strokes is not None else None,
             missed=float(np.mean(strokes <= gesture.dead_zone)) if strokes is not None else None,
-            blind=blindness(joint, filled, is_own & (np.abs(rates[:, i]) > needed), sample_rate),
+            blind=_blindness(joint, filled, is_own & (np.abs(rates[:, i]) > needed), sample_rate),
             silent=silent,
         )
     return figures
@@ -104,7 +104,7 @@ def _strokes(rate: Numbers, is_own: Flags, above: float, sample_rate: float) -> 
     return np.concatenate(strokes) if len(strokes) >= FEWEST_STROKES else None
 
 
-def blindness(joint: JointMap, values: Numbers, moving: NDArray[np.bool_], sample_rate: float) -> float | None:
+def _blindness(joint: JointMap, values: Numbers, moving: NDArray[np.bool_], sample_rate: float) -> float | None:
     """Return the share (0..1) of the movement's rate that is lost because the map points beside the movement.
 
     It is 1 - sqrt(share of the variance along the map / share along the movement's own main direction). A direction
