@@ -17,7 +17,7 @@ from app.messages import NO_CUE
 from app.pipeline.chain import Chain
 from app.pipeline.safety_gate import Conditions
 from app.process.ring import TickRing
-from app.recording.arrow import Encoder
+from app.recording.writer import Encoder
 from bench.children import next_line, started
 from bench.datagram import DATAGRAM, datagram_time
 from bench.row import Row

@@ -6081,7 +6081,7 @@ export interface components {
             /** @enum {string} */
             state: "going on" | "complete" | "broken off";
         };
-        FaultWords: {
+        FaultMessage: {
             name: string;
             happened: string;
             next_step: string;
@@ -6626,7 +6626,7 @@ export interface components {
             practice: string | null;
             /** @default null */
             test: components["schemas"]["TestMoment"] | null;
-            fault: components["schemas"]["FaultWords"] | null;
+            fault: components["schemas"]["FaultMessage"] | null;
             /** @default 0 */
             u1: number | null;
             /** @default 0 */
@@ -7821,7 +7821,7 @@ export interface components {
         TrialMoment: {
             id: number;
             waits: number | null;
-            paused: components["schemas"]["FaultWords"] | null;
+            paused: components["schemas"]["FaultMessage"] | null;
             pauses: number;
             measuring: boolean;
             t: number | null;
@@ -8036,7 +8036,7 @@ export type EquipmentView = components['schemas']['EquipmentView'];
 export type Event = components['schemas']['Event'];
 export type EventView = components['schemas']['EventView'];
 export type ExportCourseView = components['schemas']['ExportCourseView'];
-export type FaultWords = components['schemas']['FaultWords'];
+export type FaultMessage = components['schemas']['FaultMessage'];
 export type FieldDifference = components['schemas']['FieldDifference'];
 export type FieldLimits = components['schemas']['FieldLimits'];
 export type FileView = components['schemas']['FileView'];

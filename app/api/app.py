@@ -14,12 +14,11 @@ from app.api import package_download
 from app.api.assembly import StartProcess, end_parts, make_parts, start_parts
 from app.api.computer import this_computer
 from app.api.deps import Owner, viewer
-from app.api.docs_pages import docs_pages
 from app.api.driving import places
 from app.api.guard import Guard
 from app.api.live import live_socket, screen_socket
 from app.api.page_session import clinician_in_session
-from app.api.pages import Pages, PagesFirst
+from app.api.pages import Pages, PagesFirst, docs_pages
 from app.api.parts import Parts, parts_of
 from app.api.patient_screen import patient_socket
 from app.api.patient_screen import routes as patient_screen
@@ -207,6 +206,6 @@ def prepare_routes(app: WebApp) -> None:
 
 async def say_goodbye(app: WebApp) -> None:
     """Close every open page's sockets, so that nothing is waited for when the program ends."""
-    found: Parts | None = getattr(app.state, "parts", None)
-    if found is not None:
-        await found[OpenSockets].close_all()
+    parts: Parts | None = getattr(app.state, "parts", None)
+    if parts is not None:
+        await parts[OpenSockets].close_all()

@@ -40,17 +40,17 @@ def own_address(settings: Settings, connection: HTTPConnection) -> OwnAddress:
     return OwnAddress(link("http", settings.host, settings.port), only_here=True)
 
 
-def link_words(settings: Settings, address: OwnAddress) -> str:
+def link_hint(settings: Settings, address: OwnAddress) -> str:
     """Return where a link to this address does not work, and what a new device needs first; empty: nothing to say."""
-    return " ".join(filter(None, (ONLY_HERE if address.only_here else "", first_words(settings))))
+    return " ".join(filter(None, (ONLY_HERE if address.only_here else "", setup_hint(settings))))
 
 
-def first_words(settings: Settings) -> str:
+def setup_hint(settings: Settings) -> str:
     """Return what a device needs before it opens its first link; empty: nothing."""
     return settings.network.certificate_hint if settings.network else ""
 
 
-def reach_words(settings: Settings, address: OwnAddress) -> str:
+def reach_hint(settings: Settings, address: OwnAddress) -> str:
     """Return from where a link for somebody outside does not open; empty: it opens from everywhere, by the proxy."""
     if settings.public_name:
         return ""

@@ -1,17 +1,26 @@
-"""The files of the pages: read once, compressed, and kept by a browser under an address that names their version."""
+"""The files of the pages: read once, compressed, and kept by a browser under an address that names their version.
+
+The pages of the folder docs/ stand under /docs/, where the "?" of a page leads.
+"""
 
 import gzip
+import html
 import posixpath
 import re
 from collections.abc import Iterable
+from functools import lru_cache
 from hashlib import sha256
+from itertools import pairwise
 from pathlib import Path
 from typing import Final, NamedTuple
 
 from fastapi import HTTPException
 from fastapi.concurrency import run_in_threadpool
+from markdown_it import MarkdownIt
 from starlette.datastructures import Headers
-from starlette.responses import Response
+from starlette.requests import Request
+from starlette.responses import FileResponse, HTMLResponse, Response
+from starlette.routing import Route, Router
 from starlette.types import ASGIApp, Receive, Scope, Send
 from starlette.websockets import WebSocketClose
 
@@ -29,6 +38,11 @@ FIRST: Final = {"index.html": ["js/pages/drive/drive.js"]}  # modules that an en
 FOREIGN: Final = "vendor/"  # scripts of others: large, so that one is compressed when a page first asks for it
 FOR_EVER: Final = "public, max-age=31536000, immutable"
 ASK_AGAIN: Final = "no-cache"  # a browser asks each time whether its copy is still good
+
+DOCS_LIST: Final = "README"  # of docs/, the page that lists all others
+MARKDOWN: Final = ".md"
+DOCS_KINDS: Final = {".webp": "image/webp"}  # of files beside the pages; all others are plain text
+NO_DOCS_PAGE: Final = "There is no page of this name: the list of all pages is at /docs/."
 
 VERSION: Final = re.compile(r"v-([0-9a-f]+)/")
 LINK: Final = re.compile(r'(href|src)="([a-z][^":]+)"')
@@ -186,3 +200,46 @@ def _imported(name: str, script: bytes) -> list[str]:
     """Return the names of the modules that a module imports."""
     imported = IMPORT.findall(script.decode())
     return [posixpath.normpath(posixpath.join(posixpath.dirname(name), path)) for path in imported]
+
+
+def docs_pages(folder: Path, frame: str) -> Router:
+    """Return the application for the pages of a folder; `frame` is the HTML around each, with an empty main."""
+    files = {file.relative_to(folder).as_posix(): file for file in folder.rglob("*") if file.is_file()}
+
+    @lru_cache
+    def page(name: str) -> str:
+        title, content = to_html(files[name].read_text(encoding="utf-8"))
+        framed = frame.replace("<title>", f"<title>{html.escape(title)} · ")
+        return framed.replace("<main></main>", f"<main>{content}</main>")
+
+    def answer(request: Request) -> Response:
+        """Return a page as HTML, or a file that one leads to as it is."""
+        name = request.path_params["name"]
+        if (text := f"{name or DOCS_LIST}{MARKDOWN}") in files:
+            return HTMLResponse(page(text))
+        if name not in files:
+            raise HTTPException(404, NO_DOCS_PAGE)
+        return FileResponse(files[name], media_type=DOCS_KINDS.get(files[name].suffix, "text/plain; charset=utf-8"))
+
+    return Router([Route("/{name:path}", answer)])
+
+
+def to_html(text: str) -> tuple[str, str]:
+    """Return the title and the HTML of a text in Markdown.
+
+    Tags within the text are shown, not obeyed. A heading can be linked to by its words. Links to other pages lose
+    their ".md", because the pages here have none.
+    """
+    reader = MarkdownIt("commonmark", {"html": False}).enable("table")
+    tokens = reader.parse(text)
+    headings = [(tag, text_token) for tag, text_token in pairwise(tokens) if tag.type == "heading_open"]
+    for tag, text_token in headings:
+        tag.attrSet("id", _anchor(text_token.content))
+    for link in (part for token in tokens for part in token.children or [] if part.type == "link_open"):
+        link.attrSet("href", re.sub(r"\.md(?=#|$)", "", str(link.attrGet("href"))))
+    title = headings[0][1].content if headings else ""
+    return title, str(reader.renderer.render(tokens, reader.options, {}))
+
+
+def _anchor(heading: str) -> str:
+    return re.sub(r"[^a-z0-9]+", "-", heading.lower()).strip("-")

@@ -14,16 +14,18 @@ from app.cli.clinic_folder import keep_private, lock_folder
 from app.cli.common_options import State, folder_of
 from app.cli.errors import InputError
 from app.cli.port import bind, bind_here, proxy_network, public_name
+from app.clock import utc_now
 from app.files import write_atomically
 from app.network import link
 from app.python_release import python_warning
 from app.realtime import collect_seldom
 from app.refusals import Refusal
-from app.settings import Settings, new_code
+from app.settings import Settings, data_folder, new_code
 
 if TYPE_CHECKING:
     from app.cli.host.lan import Lan
     from app.process.supervisor import Launch
+    from app.store.database import Database
     from app.world.floorplan import FloorPlan
 
 Port = Annotated[int, typer.Option(min=0, max=65_535, help="The port to listen on; 0 takes any free one.")]
@@ -51,6 +53,8 @@ Proxy = Annotated[
     ),
 ]
 Name = Annotated[str | None, typer.Option(help="The name, or NAME:PORT, by which browsers reach the proxy.")]
+PATIENT = ("DEMO-1", "Kingfisher", "A demonstration patient: nobody real. Calibrated in the simulated shirt.")
+NEWCOMER = ("DEMO-2", "Heron", "A demonstration patient: nobody real. Never calibrated: drives by what others taught.")
 
 
 def demo(port: Port = 8080, host: Host = "127.0.0.1", floorplans: Plans = None) -> None:
@@ -177,7 +181,6 @@ def _floorplan(file: Path) -> "FloorPlan":
 
 
 def _furnish_demonstration(settings: Settings, plans: "list[FloorPlan]") -> None:
-    from app.cli.demonstration import furnish
     from app.store.database import Database
 
     for plan in plans:
@@ -187,6 +190,33 @@ def _furnish_demonstration(settings: Settings, plans: "list[FloorPlan]") -> None
         furnish(database)
     finally:
         database.close()
+
+
+def furnish(database: "Database") -> None:
+    """Make the demonstration clinic: a patient in an open session, ready to drive, and one never calibrated.
+
+    The first patient was calibrated by the application's own calibration.
+    """
+    from app.calibration.profile import CalibrationProfile
+    from app.calibration.vocabulary import standard_parameters
+    from app.store.parameters import save_parameters, save_profile
+    from app.store.patients import add_patient, start_session
+    from app.store.people import add_clinic
+
+    shipped = CalibrationProfile.model_validate_json(profile_file().read_bytes())
+    profile = shipped.model_copy(update={"created": utc_now().isoformat(timespec="seconds")})
+    with database.transaction() as db:
+        add_clinic(db, "Demonstration")
+        patient = add_patient(db, *PATIENT)
+        add_patient(db, *NEWCOMER)
+        session = start_session(db, patient.id)
+        row = save_profile(db, patient.id, session.id, profile, simulated=True)
+        save_parameters(db, row, standard_parameters(profile))
+
+
+def profile_file() -> Path:
+    """Return the file of the simulated person's calibration; `make shipped FILE=demo-profile` writes it."""
+    return data_folder() / "demo" / "profile.json"
 
 
 def _nobody_yet(folder: Path) -> bool:

@@ -3,6 +3,7 @@
 # Compiled in a wheel (hatch_build.py).
 
 import math
+from typing import Final
 
 from app.calibration.vocabulary import DriveParameters
 from app.faults import Fault, State
@@ -12,7 +13,6 @@ from app.messages import SensorFrame, Tick
 from app.pipeline.channel_health import LossWindow
 from app.pipeline.controls import Controls
 from app.pipeline.decoder import Decoder, periods_between
-from app.pipeline.frame_rate import FrameRate
 from app.pipeline.movement_check import MovementCheck
 from app.pipeline.safety_gate import (
     ARMED,
@@ -28,6 +28,52 @@ from app.pipeline.shaping import Shaper
 from app.speeds import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
 
 NONE_BAD = BadGestures()
+RATE_TOLERANCE: Final = 0.25  # of the rate: with less, a movement is taken for one up to a quarter faster or slower
+DEVICE_WINDOW: Final = 0.5  # s by the shirt's own clock
+ARRIVAL_WINDOW: Final = 2.0  # s by our clock: frames come in bursts, and later than they were sent
+
+
+class _Window:
+    """Frames counted over one window after the other, by the shirt's own counter: lost frames count as well."""
+
+    __slots__ = ("_begin", "_rate", "_seq", "_size", "differs")
+
+    def __init__(self, rate: float, size: float) -> None:
+        self._rate, self._size = rate, size
+        self._seq, self._begin = 0, math.nan
+        self.differs = False
+
+    def step(self, seq: int, t: float) -> None:
+        """Count the frame `seq` of the time `t` (s)."""
+        passed = t - self._begin
+        if 0.0 <= passed < self._size:
+            return
+        count = seq - self._seq
+        # Otherwise: the first frame, a pause, or the shirt began anew.
+        if self._size <= passed < 2.0 * self._size and count > 0:
+            self.differs = abs(count / passed - self._rate) > RATE_TOLERANCE * self._rate
+        self._seq, self._begin = seq, t
+
+
+class FrameRate:
+    """Compares the rate of the frames with the one that the chain counts on, by the shirt's clock and by ours."""
+
+    def __init__(self, sample_rate: float) -> None:
+        self._sample_rate = sample_rate
+        self.reset()
+
+    def reset(self) -> None:
+        """Begin to count anew."""
+        self._device = _Window(self._sample_rate, DEVICE_WINDOW)
+        self._arrival = _Window(self._sample_rate, ARRIVAL_WINDOW)
+        self.differs = False
+        """Whether the last count was another rate."""
+
+    def step(self, seq: int, t_device: float, t: float) -> None:
+        """Count a frame with its number, by the shirt's clock and by ours (s)."""
+        self._device.step(seq, t_device)
+        self._arrival.step(seq, t)
+        self.differs = self._device.differs or self._arrival.differs
 
 
 class Chain:
@@ -80,8 +126,8 @@ class Chain:
         return True
 
     def _limits(self, clinic: Speeds, share: float) -> Speeds:
-        own = self.parameters.speeds if self.parameters else Speeds()
-        return apply_dial(most_restrictive(own, clinic, self.chair.speeds), share)
+        speeds = self.parameters.speeds if self.parameters else Speeds()
+        return apply_dial(most_restrictive(speeds, clinic, self.chair.speeds), share)
 
     def reset(self) -> None:
         """Disarm and reset all state: the next frame begins a new run. A latched fault stays."""

@@ -348,7 +348,7 @@ def status(loop: ControlLoop) -> JsonDocument:
         },
         "chair": {
             "kind": setup.chair_kind,
-            "words": setup.chair_words,
+            "words": setup.chair_description,
             "switch_seen": setup.link is not None and setup.link.switch_reported,
         },
         "head": {"kind": setup.head.kind, "words": setup.head.description},

@@ -1,20 +1,21 @@
 """What is connected and loaded: shirt, body, chair, limits, parameters, world; and the chain made of these."""
 
+import math
 from typing import Protocol, cast
 
 from app.calibration.vocabulary import DriveParameters
 from app.clock import Clock
 from app.faults import State
-from app.geometry import STANDSTILL
-from app.hardware.base import ORIGIN, Body, BodyView, Chair, DrivingBody, LinkedChair, NetworkShirt, Shirt
+from app.geometry import STANDSTILL, wrap_angle
+from app.hardware.base import ORIGIN, Body, BodyView, Chair, DrivingBody, HeadTracker, LinkedChair, NetworkShirt, Shirt
 from app.hardware.chair.packet import DIGEST_BYTES
 from app.hardware.chair.simulator import Dynamics, VirtualChair
-from app.hardware.configs import SHIRTS, BodyConfig, ChairConfig, RealChairConfig
-from app.hardware.registry import make_body, make_real_chair, make_shirt
+from app.hardware.configs import SHIRTS, BodyConfig, ChairConfig, HeadConfig, RealChairConfig
+from app.hardware.registry import make_body, make_head, make_real_chair, make_shirt
 from app.hardware.shirt.kind import ShirtConfig
 from app.json_values import JsonDocument
+from app.messages import HeadPose, Tick
 from app.pipeline.chain import Chain
-from app.pipeline.head_tracking import HeadTracking
 from app.pipeline.opening import DeviceChange, close_quietly, one_line, open_device
 from app.source import UNKNOWN, Source
 from app.speeds import HIGHEST_SPEEDS, Speeds
@@ -24,6 +25,84 @@ from app.world.progress import leader_of
 
 IDLE_RATE = 50.0  # Hz: how often the loop turns while there is no shirt
 NO_SHIRT = "No shirt is connected: choose one on the Shirt page."
+NO_TRACKER = "No head tracker is connected: the view looks straight ahead."
+
+
+class HeadTracking:
+    """The head tracker in use: its newest pose goes into every tick; the loop never waits for it or ends by it."""
+
+    def __init__(self, clock: Clock) -> None:
+        self._clock = clock
+        self._tracker: HeadTracker | None = None
+        self._ahead = (0.0, 0.0, 0.0)  # yaw, pitch, roll (rad) of the pose that counts as straight ahead
+        self._failed = ""
+        self.kind = ""
+
+    @property
+    def description(self) -> str:
+        """The tracker's state in words."""
+        return self._failed or (self._tracker.description() if self._tracker else NO_TRACKER)
+
+    def change(self, config: HeadConfig | None) -> DeviceChange:
+        """Release the head tracker in use, and return the change that opens another one."""
+        before = self._release_tracker()
+
+        def opened() -> HeadTracker | None:
+            close_quietly(before)
+            return None if config is None else open_device(make_head(config, self._clock))
+
+        def use(tracker: HeadTracker | None) -> None:
+            self._tracker, self.kind = tracker, config.kind if config else ""
+
+        return DeviceChange("head tracker", opened, use)
+
+    def close(self) -> None:
+        """Close the head tracker in use."""
+        close_quietly(self._release_tracker())
+
+    def look(self, yaw: float, pitch: float, roll: float) -> bool:
+        """Pass on the orientation (rad) that a tablet reports; False when the tracker in use is no tablet."""
+        look = getattr(self._tracker, "look", None)
+        if look is not None:
+            look(yaw, pitch, roll)
+        return look is not None
+
+    def set_ahead(self) -> bool:
+        """Make the newest pose straight ahead; False when there is no pose."""
+        pose = self._newest()
+        if pose is None:
+            return False
+        self._ahead = pose.yaw, pose.pitch, pose.roll
+        return True
+
+    def note(self, tick: Tick, t: float) -> None:
+        """Write the newest head pose and its age at `t` (s) into a tick."""
+        pose = self._newest()
+        if pose is None:
+            tick.head_yaw = tick.head_pitch = tick.head_roll = tick.head_age = math.nan
+            return
+        yaw, pitch, roll = self._ahead
+        tick.head_yaw = wrap_angle(pose.yaw - yaw)
+        tick.head_pitch, tick.head_roll = wrap_angle(pose.pitch - pitch), wrap_angle(pose.roll - roll)
+        tick.head_age = max(0.0, t - pose.t)
+
+    def _release_tracker(self) -> HeadTracker | None:
+        """Release the head tracker in use and return it, still open."""
+        before, self._tracker = self._tracker, None
+        self.kind = self._failed = ""
+        self._ahead = (0.0, 0.0, 0.0)
+        return before
+
+    def _newest(self) -> HeadPose | None:
+        if self._tracker is None:
+            return None
+        try:
+            return self._tracker.newest()
+        except Exception as error:  # whatever a device does, the loop turns on
+            tracker, self._tracker = self._tracker, None
+            self._failed = f"The head tracker failed ({one_line(str(error)) or type(error).__name__}): choose it again."
+            close_quietly(tracker)
+            return None
 
 
 class CommandRefused(Exception):  # noqa: N818
@@ -98,7 +177,7 @@ class Setup:
         return "virtual" if self.link is None else "udp"
 
     @property
-    def chair_words(self) -> str:
+    def chair_description(self) -> str:
         """The chair's state in words."""
         return f"The virtual chair, moving as a {self._dynamics}." if self.link is None else self.link.description()
 

@@ -30,10 +30,9 @@ from app.scene.head_view import AHEAD, Angles, HeadView
 from app.scene.lighting import Lighting
 from app.scene.meshes.bodies import Part
 from app.scene.meshes.building import FURNITURE, OVERHEAD, WALLS, BuildingParts
-from app.scene.meshes.paint import PaintedPart
+from app.scene.meshes.paint import PaintedPart, unlit_glb
 from app.scene.meshes.wheelchair import chair_parts, person_parts
 from app.scene.scene_state import SceneState
-from app.scene.unlit_glb import unlit_glb
 from app.world.scenery import Lights
 
 MeshNode = viser.MeshHandle | viser.GlbHandle

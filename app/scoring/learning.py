@@ -1,7 +1,9 @@
-"""Learning curves over trials, with the sentences that describe them."""
+"""Learning curves over trials, and what was kept from session to session, with the sentences that describe them."""
 
-from collections.abc import Iterable
-from typing import Any
+import math
+from collections.abc import Iterable, Sequence
+from itertools import groupby, pairwise
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -15,7 +17,6 @@ from app.scoring.learning_fit import (
     fit_learning_curve,
 )
 from app.scoring.measures import TRIAL_MEASURES, VERDICT_WORDS, Measure
-from app.scoring.retention import MeanChange, Retention, retention
 from app.scoring.trend import theil_sen
 from app.scoring.verdict.change_over_sessions import CourseChange, course_change
 from app.scoring.verdict.leading_measures import leading_of_task
@@ -24,9 +25,61 @@ from app.scoring.verdict.measure_verdict import ClinicSpreads
 
 LARGEST = 1e100  # larger values are left out: sums of squares would overflow
 EDGE = 3  # trials at either end whose medians are compared
+SESSION_EDGE = 2  # trials at either end of a session whose mean is its start and its end
+MIN_SESSION_TRIALS = 2 * SESSION_EDGE  # of a session; with fewer, its start and its end would share trials
+CONFIDENCE = 0.99  # six intervals of three measures stand side by side: together 5 % are wrong
+MIN_SESSIONS = 4  # with fewer, the interval of the mean change between sessions is too wide
 
 CurveDocument = dict[str, Any]
 """A learning curve with its sentences, as `learning_curves` describes it, ready for JSON."""
+
+
+class MeanChange(NamedTuple):
+    """A mean change over sessions with its 99 % interval."""
+
+    mean: float
+    low: float
+    high: float
+    sessions: int
+
+    @property
+    def is_noise(self) -> bool:
+        """Return whether the interval contains 0."""
+        return self.low <= 0 <= self.high
+
+
+class Retention(NamedTuple):
+    """How a measure changed within sessions, and from the end of one to the start of the next."""
+
+    within: MeanChange
+    between: MeanChange
+
+
+def retention(sessions: Sequence[int], values: Sequence[float]) -> Retention | None:
+    """Compare the changes within sessions with those between them; None with fewer than 4 sessions of 4 trials.
+
+    `sessions` (n,) are the numbers of the sessions, rising, and `values` (n,) the measure, in the order of the trials.
+    The change between two sessions is from the last two trials of one to the first two of the next in which the path
+    was driven; a session of fewer than 4 trials is left out with the changes before and after it.
+    """
+    ends: list[tuple[float, float] | None] = []  # start and end of each session; None with too few trials
+    for _session, rows in groupby(zip(sessions, values, strict=True), key=lambda row: row[0]):
+        series = [value for _, value in rows]
+        enough = len(series) >= MIN_SESSION_TRIALS
+        ends.append((float(np.mean(series[:SESSION_EDGE])), float(np.mean(series[-SESSION_EDGE:]))) if enough else None)
+    if sum(end is not None for end in ends) < MIN_SESSIONS:
+        return None
+    within = [end[1] - end[0] for end in ends if end]
+    between = [after[0] - before[1] for before, after in pairwise(ends) if before and after]
+    return Retention(_mean_change(within), _mean_change(between)) if len(between) >= MIN_SESSIONS - 1 else None
+
+
+def _mean_change(changes: Sequence[float]) -> MeanChange:
+    from scipy.special import stdtrit
+
+    mean, count = float(np.mean(changes)), len(changes)
+    half = float(stdtrit(count - 1, (1 + CONFIDENCE) / 2) * np.std(changes, ddof=1)) / math.sqrt(count)
+    return MeanChange(mean, mean - half, mean + half, count)
 
 
 def learning_curves(
@@ -133,9 +186,9 @@ def _change_sentences(name: str, learning: LearningCurve, change: CourseChange, 
     return f"{sentence}{caution}"
 
 
-def session_sentences(name: str, kept: Retention) -> str:
+def session_sentences(name: str, retention: Retention) -> str:
     """Say what changed within a session, and how much of it was kept until the next one."""
-    measure, (within, between) = TRIAL_MEASURES[name], kept
+    measure, (within, between) = TRIAL_MEASURES[name], retention
     if within.is_noise and between.is_noise:
         return (
             "Neither the change within a session nor the one over the pause to the next is more than noise "
@@ -179,12 +232,12 @@ def _is_change(change: CourseChange) -> bool:
     return change.word in ("better", "worse")
 
 
-def session_statistics(name: str, kept: Retention) -> str:
+def session_statistics(name: str, retention: Retention) -> str:
     """Return the changes within and between sessions with their intervals."""
     measure = TRIAL_MEASURES[name]
     return (
-        f"In the mean of {kept.within.sessions} sessions it {_interval(measure, kept.within)} within a session, "
-        f"and {_interval(measure, kept.between)} from its last trials to the first of the next."
+        f"In the mean of {retention.within.sessions} sessions it {_interval(measure, retention.within)} within a "
+        f"session, and {_interval(measure, retention.between)} from its last trials to the first of the next."
     )
 
 

@@ -18,9 +18,8 @@ from app.messages import TICK
 from app.scene import drawing
 from app.scene.meshes import palette
 from app.scene.meshes.bodies import Part, merged, rectangle, standing_box
-from app.scene.meshes.building import FURNITURE, WALLS, BuildingParts, building_parts
+from app.scene.meshes.building import FURNITURE, WALLS, BuildingParts, building_parts, ground_bounds
 from app.scene.meshes.furniture import ModelOf, no_model
-from app.scene.meshes.ground import ground_bounds
 from app.scene.meshes.wall_shade import Pieces
 from app.scene.role_servers import RoleServers
 from app.scene.scene_thread import start_scene

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from sqlalchemy import select
 
-from app.cli.demonstration import furnish
+from app.cli.serve import furnish
 from app.clock import utc_now
 from app.features.consents.service import give_consent
 from app.settings import Settings, data_folder

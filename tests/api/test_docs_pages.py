@@ -8,7 +8,7 @@ from urllib.parse import urldefrag, urljoin, urlsplit
 
 import pytest
 
-from app.api.docs_pages import to_html
+from app.api.pages import to_html
 from app.faults import EXPLANATIONS, Fault
 from folders import ROOT
 

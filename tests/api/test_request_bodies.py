@@ -9,9 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from starlette.requests import HTTPConnection
 
-from app.api import request_bodies as module
+from app.api import guard
 from app.api.deps import NOBODY
-from app.api.request_bodies import BODY_LIMIT, FIRST, LIMITS, MOST_AT_ONCE, SLOWEST, SMALL, Bodies
+from app.api.guard import BODY_LIMIT, FIRST, LIMITS, MOST_AT_ONCE, SLOWEST, SMALL, Bodies
 from app.store.database import Database
 
 PIECE = 10_000  # bytes
@@ -63,7 +63,7 @@ def asks(monkeypatch):
     """Return a function that says who is signed in."""
 
     def use(who):
-        monkeypatch.setattr(module, "find_sign_in", lambda _database, _connection: who)
+        monkeypatch.setattr(guard, "find_sign_in", lambda _database, _connection: who)
 
     use(None)
     return use
@@ -88,7 +88,7 @@ def test_nobody_s_bodies_are_small_and_everybody_s_have_an_end(pieces, announced
     sent = Sent(pieces, length=pieces * PIECE if announced else None, path=path)
     limit = LIMITS.get(path, BODY_LIMIT)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(module, "find_sign_in", lambda _database, _connection: None)
+        patch.setattr(guard, "find_sign_in", lambda _database, _connection: None)
         found = status(sent)
     size = pieces * PIECE
     assert found == (200 if size <= SMALL else 413 if announced and size > limit else 401)
@@ -112,7 +112,7 @@ def test_a_few_large_bodies_are_read_at_once(asks):
 
 @pytest.mark.parametrize("length", [10, 60_000])
 def test_a_body_that_does_not_come_is_given_up(monkeypatch, length):
-    monkeypatch.setattr(module, "FIRST", 0.05)
+    monkeypatch.setattr(guard, "FIRST", 0.05)
     assert status(Sent(None, length=length, path="/api/v1/auth/sign-in")) == 408
 
 

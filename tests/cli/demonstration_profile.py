@@ -1,7 +1,7 @@
 """Makes the profile of the demonstration's patient, by the program's calibration: `make shipped FILE=demo-profile`."""
 
 from app.calibration.profile import CalibrationProfile
-from app.cli.demonstration import profile_file
+from app.cli.serve import profile_file
 from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import PRACTISED
 from app.hardware.shirt.standard import standard_layout

@@ -7,7 +7,7 @@ from cli.shipped_prior import released
 from app.calibration.prior.documents import ReleasedPrior
 from app.calibration.prior.shipped import shipped_prior
 from app.calibration.profile import CalibrationProfile
-from app.cli.demonstration import profile_file
+from app.cli.serve import profile_file
 from app.hardware.shirt.standard import standard_layout
 
 # Beyond rounding by another processor or another release of LAPACK; a change of the fit is larger.

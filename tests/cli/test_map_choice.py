@@ -9,7 +9,7 @@ from typer.testing import CliRunner
 
 from app.calibration.linear_map import LinearMap, MapCheck
 from app.calibration.profile import CalibrationProfile
-from app.cli.calibration.map_choice import checks, choose, comparison
+from app.cli.calibration.calibrate import checks, choose, comparison
 from app.cli.decode import read_parameters
 from app.cli.errors import InputError
 from app.cli.main import build

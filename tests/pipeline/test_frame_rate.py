@@ -7,8 +7,7 @@ from app.faults import Fault, State
 from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
 from app.messages import SensorFrame
-from app.pipeline.chain import Chain
-from app.pipeline.frame_rate import FrameRate
+from app.pipeline.chain import Chain, FrameRate
 from app.pipeline.safety_gate import Conditions
 from building import make_parameters, make_signals
 

@@ -6,7 +6,7 @@ from fake_clock import FakeClock
 from app.hardware.base import HardwareError
 from app.hardware.configs import TabletHeadConfig
 from app.messages import Tick
-from app.pipeline.head_tracking import NO_TRACKER, HeadTracking
+from app.pipeline.setup import NO_TRACKER, HeadTracking
 
 
 @pytest.fixture
@@ -73,7 +73,7 @@ class Broken:
 
 def test_a_tracker_that_fails_is_let_go_and_said(head, monkeypatch):
     broken = Broken()
-    monkeypatch.setattr("app.pipeline.head_tracking.make_head", lambda _config, _clock: broken)
+    monkeypatch.setattr("app.pipeline.setup.make_head", lambda _config, _clock: broken)
     use(head)
     assert all(map(math.isnan, noted(head)))
     assert broken.closed
@@ -89,7 +89,7 @@ def test_a_tracker_that_cannot_be_had_leaves_none(head, monkeypatch):
     def refuse(_config, _clock):
         raise HardwareError("it is not there")
 
-    monkeypatch.setattr("app.pipeline.head_tracking.make_head", refuse)
+    monkeypatch.setattr("app.pipeline.setup.make_head", refuse)
     with pytest.raises(HardwareError):
         use(head)
     assert head.description == NO_TRACKER
@@ -100,7 +100,7 @@ def test_a_tracker_that_fails_even_to_close_is_let_go(head, monkeypatch):
         def close(self):
             raise RuntimeError("not even that")
 
-    monkeypatch.setattr("app.pipeline.head_tracking.make_head", lambda _config, _clock: Stuck())
+    monkeypatch.setattr("app.pipeline.setup.make_head", lambda _config, _clock: Stuck())
     use(head)
     assert all(map(math.isnan, noted(head)))
     assert "no more" in head.description

@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 from pipeline.commanded_loop import CommandedLoop
 
 from app.faults import Fault, State
+from app.pipeline.loop import PUNCTUAL, ScreenPause
 from app.pipeline.safety_gate import NEUTRAL_TIME, BadGestures, ChairCondition, Conditions, SafetyGate
-from app.pipeline.screen_pause import PUNCTUAL, ScreenPause
 from app.speeds import Speeds
 
 LATE = [("slow", 0.0, Fault.SCREEN_SLOW), ("hidden", 0.0, Fault.SCREEN_HIDDEN), ("in view", None, Fault.SCREEN_LOST)]

@@ -12,7 +12,7 @@ from processes.served_demo import InView, Served, bodydrive, printed_link, until
 from recorded_trial import record_trial, store_trial
 
 from app.api.sign_in.identity import COOKIE
-from app.cli.demonstration import furnish
+from app.cli.serve import furnish
 from app.clock import monotonic, utc_now
 from app.features.consents.service import give_consent
 from app.settings import Settings, data_folder

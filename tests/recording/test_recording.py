@@ -2,6 +2,8 @@
 
 import errno
 import os
+import subprocess
+import sys
 import threading
 import uuid
 from pathlib import Path
@@ -290,3 +292,22 @@ def test_a_failing_disk_is_reported_once_and_not_tried_again(ring, tmp_path, mon
 def test_no_room_for_the_compact_form_leaves_the_segments(cut_run):
     assert not (cut_run / "run.parquet").exists()
     assert not list(cut_run.glob("*.part"))
+
+
+ENCODE = """
+import sys
+import numpy as np
+from app.messages import TICK
+from app.recording.writer import Encoder
+before = set(sys.modules)
+encoder = Encoder(b"{}", 52, 4)
+encoder.schema()
+encoder.batch(np.zeros(10, dtype=TICK))
+print(*sorted({name.split(".")[0] for name in set(sys.modules) - before}))
+"""
+
+
+def test_the_first_rows_load_no_library():
+    """The encoder runs beside the control loop, and nothing may be loaded while somebody drives."""
+    seen = subprocess.run([sys.executable, "-c", ENCODE], capture_output=True, text=True, check=True)
+    assert seen.stdout.split() == []

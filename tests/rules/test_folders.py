@@ -19,7 +19,6 @@ SAME_SUBJECT = {
     "limits": "of the clinic's owner: stored and loaded, the routes",
     "log": "who did what: kept, the routes, the command",
     "machine_check": "what this machine grants: measured, the command",
-    "map_choice": "which map decodes a joint: in a session, at the command line",
     "control_quality": "how well a trial was controlled: measured, kept, the routes",
     "movers": "what moves by itself in a place: its motion, its meshes",
     "packet": "the datagram of a device: shirt, chair",

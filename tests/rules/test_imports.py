@@ -20,7 +20,7 @@ PURE_CHAIN = tuple(
     for name in (
         *("chain", "channel_health", "channel_substitution", "controls", "decoder", "map_readings"),
         *("person_brakes", "projection", "return_doubt"),
-        *("frame_rate", "movement_check"),
+        "movement_check",
         *("ramp", "safety_gate", "shaping"),
         "replay.batch",
     )

@@ -11,8 +11,8 @@ from app.api.live import screens
 from app.api.sign_in import passwords, set_up, sign_in_limits
 from app.calibration.vocabulary import DriveParameters
 from app.hardware.chair import receiver
-from app.hardware.shirt import lateness
-from app.pipeline import channel_health, frame_rate, movement_check, opening, safety_gate, screen_pause
+from app.hardware.shirt import frame_order
+from app.pipeline import chain, channel_health, loop, movement_check, opening, safety_gate
 from app.recording.format import LOST_AT_MOST
 from app.session import run_watch, screen_codes
 from app.store.access import sign_ins
@@ -38,16 +38,16 @@ NUMBERS = [
     ("S5", "two such gestures stop", safety_gate.BAD_GESTURES, 2),
     ("S7", "300 ms of silence", safety_gate.SCREEN_SILENT, 0.3),
     ("S7", "own thread is silent for 1 s (3 s", (screens.SILENCE_LIMIT, screens.VIRTUAL_SILENCE_LIMIT), (1.0, 3.0)),
-    ("S7", "after 1 s of reports in time", screen_pause.PUNCTUAL, 1.0),
+    ("S7", "after 1 s of reports in time", loop.PUNCTUAL, 1.0),
     ("S10", "speed goes to 0 after 10 s", DriveParameters.model_fields["cruise_time"].default, 10.0),
     ("S10", "turning after 3 s", DriveParameters.model_fields["turn_cruise_time"].default, 3.0),
     ("S17", "below 500 MB", disk_room.ROOM_TO_RECORD, 500_000_000),
     ("S21", "silent for 300 ms", safety_gate.CHAIR_SILENT, 0.3),
-    ("S23", "in time by the shirt's own clock", lateness.LATE, 0.1),
+    ("S23", "in time by the shirt's own clock", frame_order.LATE, 0.1),
     ("S27", "waits 5 min for Continue", run_watch.HALT_LIMIT, 300.0),
     ("S28", "at most 8 s", opening.OPENING_LIMIT, 8.0),
     ("S30", "within 2 s after one", movement_check.DOUBT, 2.0),
-    ("S31", "by a quarter or more", frame_rate.TOLERANCE, 0.25),
+    ("S31", "by a quarter or more", chain.RATE_TOLERANCE, 0.25),
     ("C4", "After 10 min without use", sign_ins.IDLE_FOR, timedelta(minutes=10)),
     ("C4", "after 12 h", sign_ins.SIGNED_IN_FOR, timedelta(hours=12)),
     ("C9", "for 30 min", set_up.VALID_FOR, 1800.0),

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from app.scene.meshes.ground import FAR, ground_parts
+from app.scene.meshes.building import FAR, ground_parts
 from app.world.floorplan import FloorPlan
 from app.world.scenery import Dune, Ground
 

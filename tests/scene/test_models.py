@@ -11,7 +11,7 @@ from PIL import Image
 from trimesh.visual.material import PBRMaterial
 
 from app import isolated_reader
-from app.scene.models import glb_check, glb_document
+from app.scene.models import glb_document, glb_import
 from app.scene.models.glb_import import MOST_COLOURS, read_model
 from app.scene.models.objects import READINGS, stored_model
 
@@ -140,7 +140,7 @@ def test_too_large_a_file_and_none_are_refused(write, tmp_path, monkeypatch):
     with pytest.raises(ValueError, match="cannot be read"):
         read_model(tmp_path / "none.glb")
     monkeypatch.setattr("app.scene.models.glb_import.MOST_BYTES", 100)
-    monkeypatch.setattr(glb_check, "MOST_BYTES", 100)
+    monkeypatch.setattr(glb_import, "MOST_BYTES", 100)
     with pytest.raises(ValueError, match="larger than"):
         read_model(write(chair_like().export(file_type="glb")))
 

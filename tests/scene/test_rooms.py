@@ -6,9 +6,16 @@ from scene.shown_colours import contrast, luminance
 
 from app.scene.meshes import palette
 from app.scene.meshes.bodies import box
-from app.scene.meshes.building import OVERHEAD, building_parts
-from app.scene.meshes.ground import ground_bounds
-from app.scene.meshes.interior import TILE, _lamps, ceiling_part, floor_part, has_ceiling
+from app.scene.meshes.building import (
+    OVERHEAD,
+    TILE,
+    _lamps,
+    building_parts,
+    ceiling_part,
+    floor_part,
+    ground_bounds,
+    has_ceiling,
+)
 from app.scene.meshes.paint import painted
 from app.scene.meshes.wall_shade import Pieces
 from app.scene.meshes.walls import EDGE, walls_part

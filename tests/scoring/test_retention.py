@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 from scipy.stats import binom
 
-from app.scoring.learning import learning_curves, session_sentences, session_statistics
-from app.scoring.retention import retention
+from app.scoring.learning import learning_curves, retention, session_sentences, session_statistics
 from bench.learning.simulated_trials import LEADING, Course, trials
 
 

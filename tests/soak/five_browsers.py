@@ -13,7 +13,7 @@ from soak.cables import Cable
 
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import standard_parameters
-from app.cli.demonstration import profile_file
+from app.cli.serve import profile_file
 from app.settings import Settings
 from app.store.database import Database
 from app.store.parameters import save_parameters, save_profile

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from app.api.live.hub import LiveHub
 from app.api.live.message import (
     DriveMoment,
-    FaultWords,
+    FaultMessage,
     HeadMoment,
     LiveMessage,
     Number,
@@ -82,7 +82,7 @@ class LivePicture:
             tick=int(tick["number"]),
             t=_number(tick["t"], 4),
             state=STATE_NAMES[int(tick["state"])],
-            fault=None if is_pause(tick["state"], tick["fault"]) else fault_words(fault),
+            fault=None if is_pause(tick["state"], tick["fault"]) else fault_message(fault),
             control="alive",
             u1=_number(tick["u1"], 4),
             u2=_number(tick["u2"], 4),
@@ -115,7 +115,7 @@ class LivePicture:
         return LiveMessage(
             t=round(monotonic(), 4),
             state="fault",
-            fault=fault_words(Fault.CONTROL_LOST),
+            fault=fault_message(Fault.CONTROL_LOST),
             control="lost" if self._control.state == "alive" else self._control.state,
             pose=self._pose,
             shirt=self._shirt(None),
@@ -198,7 +198,7 @@ class LivePicture:
         return TrialMoment(
             id=trial.id,
             waits=_waits(trial.watch.halt),
-            paused=fault_words(fault) if trial.watch.paused else None,
+            paused=fault_message(fault) if trial.watch.paused else None,
             pauses=trial.watch.pauses,
             measuring=self._trials.measuring,
             t=_number(place.t, 3),
@@ -261,12 +261,12 @@ def _head(tick: np.void) -> HeadMoment | None:
     )
 
 
-def fault_words(fault: Fault) -> FaultWords | None:
+def fault_message(fault: Fault) -> FaultMessage | None:
     """Return a fault in words, None when there is none."""
     if fault is Fault.NONE:
         return None
     message = EXPLANATIONS[fault]
-    return FaultWords(
+    return FaultMessage(
         name=fault.name.lower(), happened=message.happened, next_step=message.next_step, remedy=message.remedy
     )
 

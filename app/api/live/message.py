@@ -19,7 +19,7 @@ class MessagePart(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", serialize_by_alias=True)
 
 
-class FaultWords(MessagePart):
+class FaultMessage(MessagePart):
     """A fault in words."""
 
     name: str
@@ -60,7 +60,7 @@ class TrialMoment(MessagePart):
 
     id: int
     waits: Number = Field(description="For how much longer a halted or paused trial waits; None: it is neither.")
-    paused: FaultWords | None = Field(description="Why it is paused, and goes on by itself.")
+    paused: FaultMessage | None = Field(description="Why it is paused, and goes on by itself.")
     pauses: int
     measuring: bool = Field(description="Whether it is over and is being measured.")
     t: Number
@@ -119,7 +119,7 @@ class CommonMessage(MessagePart):
 class LiveMessage(CommonMessage):
     """What clinicians get. Without the other fields, no chair moves and nobody is shown."""
 
-    fault: FaultWords | None
+    fault: FaultMessage | None
     u1: Number = 0.0
     u2: Number = 0.0
     omega: Number = Field(0.0, description="rad/s")

@@ -8,7 +8,7 @@ from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
 from app.api.deps import Db, Owner, ReplaysPart, RowId, SettingsPart, SocketsPart
-from app.api.own_address import link_words, own_address
+from app.api.own_address import link_hint, own_address
 from app.api.page_session import OF_CLINIC, any_session
 from app.api.qr import qr_picture
 from app.api.sign_in.auth import PersonName
@@ -97,7 +97,7 @@ async def _link(settings: Settings, request: Request, person: PersonView, invita
         url=url,
         qr=qr_picture(url),
         expires=invitation.expires.isoformat(),
-        message=link_words(settings, address),
+        message=link_hint(settings, address),
     )
 
 

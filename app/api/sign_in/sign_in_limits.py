@@ -64,7 +64,7 @@ class Tries:
                 self._times.pop(key, None)
 
 
-def seconds_in_words(wait: float) -> str:
+def seconds_text(wait: float) -> str:
     """Return a waiting time (s) in words, rounded up to whole seconds."""
     seconds = max(1, math.ceil(wait))
     return "1 second" if seconds == 1 else f"{seconds} seconds"
@@ -115,7 +115,7 @@ class SignInLimits:
     async def require(self, attempt: SignInAttempt) -> None:
         """Refuse an attempt that has to wait."""
         if attempt.wait:
-            await self.refuse(429, attempt.message.format(wait=seconds_in_words(attempt.wait)), attempt.wait)
+            await self.refuse(429, attempt.message.format(wait=seconds_text(attempt.wait)), attempt.wait)
 
     async def refuse(self, status: int, message: str, wait: float) -> NoReturn:
         """Refuse with 429 or 503 and the time to wait (s); at most one refusal per REFUSALS_EVERY."""

@@ -1,6 +1,7 @@
 """Fits the map of each joint from other people, and from the person's own prompted movements where there are any."""
 
-from collections.abc import Collection
+import math
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -10,24 +11,95 @@ from numpy.typing import NDArray
 from app.calibration.clean_recording import CleanRecording
 from app.calibration.features import features
 from app.calibration.fit.joint_fit import LEAST_RANGE
+from app.calibration.gestures.cross_check import hit_level
+from app.calibration.gestures.prediction import hit_probability
 from app.calibration.grades import UNPROMPTED
-from app.calibration.guided.check import check
-from app.calibration.linear_map import KINDS, Arrangement, LinearMap, MapCheck, map_parts
+from app.calibration.guided.check import MARGIN, SHORTEST_REST, at_rest, check
+from app.calibration.linear_map import KINDS, Arrangement, Forecast, LinearMap, MapCheck, map_parts
 from app.calibration.prior.arrangement import find_arrangement, ring_movement, sensors_at
 from app.calibration.prior.documents import FEWEST_PEOPLE
-from app.calibration.prior.forecasts import expected_false, expected_hits, held_out_rate, own_full, own_peaks
 from app.calibration.prior.frames import prompted_frames
+from app.calibration.prior.hit_uncertainty import deviation_of_hits
 from app.calibration.prior.map_prior import JointPrior, MapPrior, check_layout
+from app.calibration.prior.moments import Moments
 from app.calibration.prior.scale import channels_alive, first_movement, log_ranges, scales
 from app.calibration.prior.solving import OwnFrames, solve, thresholds
 from app.calibration.profile import CalibrationProfile, JointMap
+from app.calibration.script import REPETITIONS
 from app.layout import ShirtLayout
 
 DIRECTED = "It was not prompted: which way its movement counts is known from other people."
 LEAST_DEAD_ZONE = 0.05  # of full: with fewer people's strokes than usual the quantile could lie below 0
 LARGEST_WEIGHT = 1e12  # FS per signal unit, as `app.quantities.Finite`
+FREE_PERCENTILE = 97.0  # of the rate of free movement: its quick movements peak there
+LEAST_FULL = 1.2  # of the dead-zone: a movement that hardly leaves it is not full at once
+USUAL_FALSE, USUAL_MINUTES = 1.0, 0.5  # false activations expected before any is counted, and the rest they stand for
 
 Array = NDArray[np.float64]
+
+
+def _held_out_rate(frames: OwnFrames, people: Moments, sample_rate: float) -> Array:
+    """Return the rate (n,) of each repetition by the map that is learnt without that repetition; Hz."""
+    rate = np.empty(len(frames.label))
+    for repetition in range(frames.repetitions):
+        rows = frames.repetition == repetition
+        others = frames.without(repetition)
+        rate[rows] = frames.features[rows] @ solve(people, sample_rate, others if len(others.label) else None)
+    return rate
+
+
+def own_peaks(free: Array, dead_zone: float, held_out: Array | None, frames: OwnFrames | None) -> list[float]:
+    """Return the peak rates of the person's movements, in the unit of the rates; empty when nothing is known of them.
+
+    Those of the own repetitions; as long as these are fewer than a calibration has, the free movement counts as one.
+
+    Parameters
+    ----------
+    free : (n,) array
+        Rate during the free movement.
+    dead_zone : float
+        From where the rate counts: free movement that is slower was not this gesture.
+    held_out : (m,) array or None
+        Rate during the person's own repetitions, by maps that are learnt without them.
+    frames : OwnFrames or None
+        The labels of those repetitions.
+    """
+    peaks = []
+    if held_out is not None and frames is not None:
+        moving = [(frames.repetition == number) & (frames.label > 0) for number in range(frames.repetitions)]
+        peaks = [float(held_out[rows].max()) for rows in moving if rows.any()]
+    in_free = float(np.percentile(free, FREE_PERCENTILE)) if len(free) else 0.0
+    return [*peaks, in_free] if len(peaks) < REPETITIONS and in_free > dead_zone else peaks
+
+
+def own_full(peaks: Sequence[float], dead_zone: float, full: float) -> float:
+    """Return the rate that is full for this person: the median peak, or `full` of other people where none is known."""
+    return max(float(np.median(peaks)) if peaks else full, LEAST_FULL * dead_zone)
+
+
+def expected_hits(peaks: Sequence[float], dead_zone: float, full: float, repetitions: int) -> Forecast | None:
+    """Return the expected hits of 100 movements with so many own repetitions; None without any known peak."""
+    if not peaks:
+        return None
+    share = hit_probability(peaks, hit_level(dead_zone, full))
+    return Forecast(value=round(100 * share, 1), uncertainty=deviation_of_hits(repetitions))
+
+
+def _expected_false(held_out: Array, frames: OwnFrames, dead_zone: float, sample_rate: float) -> Forecast | None:
+    """Return the expected activations a minute at rest, from the pauses between the repetitions.
+
+    None when the pauses are shorter than SHORTEST_REST; parameters as of `own_peaks`, `sample_rate` in Hz.
+    """
+    resting = at_rest(frames.label, round(MARGIN * sample_rate))
+    seconds = float(resting.sum()) / sample_rate
+    if seconds < SHORTEST_REST:
+        return None
+    active = (held_out > dead_zone) & resting
+    count = int(np.count_nonzero(np.diff(active.astype(np.int8), prepend=0) > 0))
+    minutes = seconds / 60.0 + USUAL_MINUTES
+    return Forecast(
+        value=round((count + USUAL_FALSE) / minutes, 2), uncertainty=round(math.sqrt(count + USUAL_FALSE) / minutes, 2)
+    )
 
 
 class PriorMapError(Exception):
@@ -160,7 +232,7 @@ def _joint(
     if not full_of_others > 0.0:
         raise PriorMapError("Other people's movements have nothing in common with each other: add more people.")
     in_free = features(moved[:, list(used.channels)] / used.scale, rate)
-    held_out = None if frames is None else held_out_rate(frames, others, rate)
+    held_out = None if frames is None else _held_out_rate(frames, others, rate)
     peaks = own_peaks(in_free @ weights, dead_zone, held_out, frames)
     full = joint.pca.full
     in_fs = full / own_full(peaks, dead_zone, full_of_others)
@@ -187,7 +259,7 @@ def _joint(
         held_out = held_out * in_fs
         pca = frames.features @ by_pca
         update |= {
-            "false_per_minute": expected_false(held_out, frames, fitted.dead_zone, rate),
+            "false_per_minute": _expected_false(held_out, frames, fitted.dead_zone, rate),
             "check": _check(held_out, frames, fitted.dead_zone, fitted.full, rate),
             "pca_check": _check(pca, frames, joint.pca.dead_zone, full, rate),
         }
@@ -205,12 +277,14 @@ def _used_channels(
     sample_rate: float,
 ) -> _UsedChannels:
     """Return which channels are used, for which of the prior's, and their scale; PriorMapError when none moves."""
-    own = layout.channels_of_joint[joint.name]
-    sensors = np.array(own)
+    joint_channels = layout.channels_of_joint[joint.name]
+    sensors = np.array(joint_channels)
     for ring, arrangement in arrangements.items():
         members = layout.rings[ring]
-        if members[0] in own:
-            sensors[[own.index(i) for i in members]] = np.array(members)[sensors_at(arrangement, len(members))]
+        if members[0] in joint_channels:
+            sensors[[joint_channels.index(i) for i in members]] = np.array(members)[
+                sensors_at(arrangement, len(members))
+            ]
     used_by_others = people.alive > 0.0
     expected = np.where(used_by_others, people.expected, 0.0)
     usable = used_by_others & np.isin(sensors, joint.channels)
@@ -252,11 +326,11 @@ def _per_unit(weights: Array, used: _UsedChannels, joint: JointMap) -> Array:
 
 def _of_joint(arrangements: dict[str, Arrangement], joint: JointMap, layout: ShirtLayout) -> dict[str, Arrangement]:
     """Return the arrangements of a joint's rings that differ from the layout."""
-    own = layout.channels_of_joint[joint.name]
+    joint_channels = layout.channels_of_joint[joint.name]
     return {
         ring: arrangement
         for ring, arrangement in arrangements.items()
-        if layout.rings[ring][0] in own and arrangement != Arrangement()
+        if layout.rings[ring][0] in joint_channels and arrangement != Arrangement()
     }
 
 

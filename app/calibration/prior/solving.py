@@ -93,7 +93,7 @@ def thresholds(weights: Array, people: Moments) -> tuple[float, float]:
     """Return dead-zone and full of a map, in the unit of its rate, from other people's strokes.
 
     One or two repetitions of one's own set the dead-zone worse: that was the main harm of a short calibration. The
-    full of others is beyond the reach of a slow person: `app.calibration.prior.forecasts.own_full`.
+    full of others is beyond the reach of a slow person: `app.calibration.prior.prior_map.own_full`.
     """
     mean = float(weights @ people.stroke_mean)
     deviation = math.sqrt(max(0.0, float(weights @ people.stroke_gram @ weights) - mean * mean))

@@ -3,11 +3,10 @@
 import json
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from app.cli.calibration.map_choice import MapChoice, check_facts, checks, choose, comparison
 from app.cli.common_options import AsJson
 from app.cli.errors import InputError
 from app.cli.output import dialect_summary, print_dialect, warn, write_output
@@ -16,7 +15,7 @@ from app.number_format import percent
 if TYPE_CHECKING:
     from app.calibration.gestures.discovery import Discovery
     from app.calibration.gestures.numbers import FoundGesture
-    from app.calibration.linear_map import Arrangement, Forecast
+    from app.calibration.linear_map import Arrangement, Forecast, MapCheck, MapKind
     from app.calibration.prior.prior_map import PriorFit
     from app.calibration.profile import CalibrationProfile, JointMap
 
@@ -25,6 +24,8 @@ THRESHOLDS = ("dead_zone", "full")
 PRINTED = ("evr", "span", "has_to_be_repeated", "reason", *THRESHOLDS)
 GESTURE_COLUMNS = ("score", "signal", "repeats", "along", "effort", "false/min", "answered")
 CONTROLS = {"u1+": "faster", "u1-": "slower", "u2+": "turn left", "u2-": "turn right", "stop": "stop"}
+MapChoice = Literal["pca", "guided", "prior", "best"]
+FALLBACK = "It keeps the standard calibration."
 
 
 def calibrate(
@@ -231,8 +232,8 @@ def _prior_facts(joint: "JointMap", reasons: dict[str, str]) -> dict[str, object
         "full": prior.full,
         "hits_of_100": _forecast(prior.hits),
         "false_per_minute": _forecast(prior.false_per_minute),
-        "prior_check": check_facts(prior.check),
-        "pca_check": check_facts(prior.pca_check),
+        "prior_check": _check_facts(prior.check),
+        "pca_check": _check_facts(prior.pca_check),
     }
 
 
@@ -263,3 +264,100 @@ def _ring_sentence(ring: str, arrangement: "Arrangement") -> str:
     places = f"turned by {arrangement.shift} {'place' if arrangement.shift == 1 else 'places'}"
     mirrored = "mirrored and " if arrangement.mirrored else ""
     return f"Ring {ring}: it is {mirrored}{places} against other people; the calibration allows for that."
+
+
+def choose(
+    profile: "CalibrationProfile",
+    chosen: MapChoice,
+    reasons: dict[str, str],
+    prior_reasons: dict[str, str] | None = None,
+) -> "tuple[CalibrationProfile, list[str]]":
+    """Return the profile with the chosen map of each joint, and a sentence for each joint without it.
+
+    `reasons` say why a joint has no guided map, `prior_reasons` why none from other people (None without a prior).
+    """
+    if chosen == "guided" and not any(joint.guided for joint in profile.joints):
+        name, reason = next(iter(reasons.items()))
+        raise InputError(f"--map guided, {name}: {reason}")
+    if chosen == "prior" and prior_reasons is None:
+        raise InputError("--map prior: other people's movements are in a prior, give it with --prior")
+    if chosen == "prior" and prior_reasons and not any(joint.prior for joint in profile.joints):
+        name, reason = next(iter(prior_reasons.items()))
+        raise InputError(f"--map prior, {name}: {reason}")
+    sentences = []
+    for joint in profile.joints:
+        if chosen == "guided" and joint.guided is None:
+            sentences.append(f"{joint.name}: {reasons[joint.name]} {FALLBACK}")
+        elif chosen == "guided" and joint.guided is not None and not joint.guided.is_better:
+            sentences.append(
+                f"{joint.name}: what was learnt from the cues is not better on the held-out repetitions. Use --map "
+                f"best to keep the standard calibration there."
+            )
+        elif chosen == "prior" and joint.prior is None and prior_reasons is not None:
+            sentences.append(f"{joint.name}: {prior_reasons[joint.name]} {FALLBACK}")
+        elif chosen == "prior" and joint.prior is not None and not joint.prior.is_better:
+            sentences.append(
+                f"{joint.name}: what was learnt from other people is worse on the held-out repetitions. Use --map "
+                f"best to leave it out there."
+            )
+    joints = tuple(joint.model_copy(update={"map": _map_of(joint, chosen)}) for joint in profile.joints)
+    return profile.model_copy(update={"joints": joints}), sentences
+
+
+def _map_of(joint: "JointMap", chosen: MapChoice) -> "MapKind":
+    """Return the map that decodes a joint: the chosen one where there is one, the best one that is offered, or PCA."""
+    if chosen == "prior":
+        return "pca" if joint.prior is None else "prior"
+    if chosen == "guided":
+        return "pca" if joint.guided is None else "guided"
+    return joint.best_map if chosen == "best" else "pca"
+
+
+def checks(joint: "JointMap", reasons: dict[str, str]) -> dict[str, object]:
+    """Return the map in use and the checks of both maps, or the reason why there is no guided map."""
+    if joint.guided is None:
+        return {"map": joint.map, "offered": False, "reason": reasons[joint.name]}
+    guided = joint.guided
+    return {
+        "map": joint.map,
+        "offered": guided.is_better,
+        "lag": guided.lag,
+        "repetitions": guided.repetitions,
+        "dead_zone": guided.dead_zone,
+        "full": guided.full,
+        "pca_check": _check_facts(guided.pca_check),
+        "guided_check": _check_facts(guided.check),
+    }
+
+
+def _check_facts(check: "MapCheck | None") -> object:
+    """Return a check as `--json` has it."""
+    return None if check is None else check.model_dump(mode="json")
+
+
+def comparison(profile: "CalibrationProfile", reasons: dict[str, str], width: int) -> list[str]:
+    """Return the table of both maps on the held-out repetitions, then the reasons for missing guided maps."""
+    both = [(joint.name, joint.guided) for joint in profile.joints if joint.guided]
+    lines = []
+    if both:
+        lines += [
+            "On prompted repetitions that were kept apart, the standard calibration and the one learnt from the cues:",
+            f"{'':{width}}  {'in phase':>16}  {'time driven':>16}  {'false per min':>16}",
+            f"{'joint':{width}}" + f"  {'standard':>8}  {'cues':>6}" * 3 + "  offered",
+        ]
+        lines += [
+            f"{name:{width}}  "
+            + "  ".join(
+                f"{standard:>8}  {cues:>6}"
+                for standard, cues in zip(_figures(guided.pca_check), _figures(guided.check), strict=True)
+            )
+            + f"  {'yes' if guided.is_better else 'no'}"
+            for name, guided in both
+        ]
+    return lines + [f"{name}: {reason}" for name, reason in reasons.items()]
+
+
+def _figures(check: "MapCheck | None") -> tuple[str, ...]:
+    if check is None:
+        return "-", "-", "-"
+    return percent(check.in_phase, 1), percent(check.hit_rate, 1), f"{check.false_per_minute:.1f}"

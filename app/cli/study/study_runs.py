@@ -4,11 +4,12 @@ import csv
 import dataclasses
 import json
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
+from typing import NamedTuple, TypeVar
 
 import typer
 
@@ -32,6 +33,20 @@ from app.world.floorplan import FloorPlan, PrescribedPath
 SESSION_ROWS, SESSION_TABLE, SESSION_SUMMARY = "sessions.csv", "table.txt", "adaptation.json"
 TEST_ROWS, TEST_TABLE, TEST_SUMMARY = "interface_tests.csv", "interface_table.txt", "interface_tests.json"
 
+Row = TypeVar("Row")
+
+
+class Asked(NamedTuple):
+    """What every kind of study is asked for."""
+
+    out: Path
+    trials: int  # of each person; with sessions, of each session
+    seeds: Sequence[int]
+    floorplan: FloorPlan
+    path: PrescribedPath
+    processes: int
+    as_json: bool
+
 
 @contextmanager
 def _refused(out: Path) -> Iterator[None]:
@@ -44,20 +59,8 @@ def _refused(out: Path) -> Iterator[None]:
         raise InputError(f"--out {out} cannot be written ({error.strerror}): choose another place") from error
 
 
-def study_trials(
-    out: Path,
-    *,
-    learns: bool,
-    trials: int,
-    seeds: Sequence[int],
-    floorplan: FloorPlan,
-    path: PrescribedPath,
-    figures: FigureChoice,
-    overwrite: bool,
-    processes: int,
-    as_json: bool,
-) -> None:
-    """Run every seed; write tables and figures into `out`.
+def study_trials(asked: Asked, *, learns: bool, figures: FigureChoice, overwrite: bool) -> None:
+    """Run every seed; write tables and figures.
 
     Raises
     ------
@@ -71,26 +74,22 @@ def study_trials(
         )
     started = stopwatch()
     driver = dataclasses.replace(NOVICE, learns=learns)
+    out, trials, seeds, plan, path, processes, as_json = asked
     with _refused(out):
         if len(seeds) == 1:
             progress = None if as_json else _Progress(trials)
             with second_process(processes, draws=figures != "none") as second:
-                result = run_study(trials, seeds[0], floorplan, path.name, progress, driver, second)
+                result = run_study(trials, seeds[0], plan, path.name, progress, driver, second)
                 draw = _no_figures if figures == "none" else partial(draw_study, result, figure_format=figures)
                 write_study(result, out, draw, overwrite, second)
             document, lines = summary(result), [result.learning[name]["text"] for name in MEASURES]
         else:
             report = None if as_json else _report_seed
-            results = run_seeds(seeds, trials, floorplan, path.name, driver, report, processes)
+            results = run_seeds(seeds, trials, plan, path.name, driver, report, processes)
             draw = _no_figures if figures == "none" else partial(draw_seeds, results, figure_format=figures)
             write_seeds(results, out, draw, overwrite)
             document, lines = seeds_summary(results), sentences(results)
-    if as_json:
-        typer.echo(json.dumps({"out": str(out), **document}, allow_nan=False))
-        return
-    for sentence in lines:
-        typer.echo(sentence)
-    typer.echo(f"{trials * len(seeds)} trials in {stopwatch() - started:.1f} s, written to {out}")
+    _report_results(asked, document, "\n".join(lines), f"{trials * len(seeds)} trials", started)
 
 
 def _no_figures(_folder: Path) -> None:
@@ -116,21 +115,8 @@ def _report_seed(result: StudyResult) -> None:
     sys.stderr.write(f"seed {result.seed}: {len(result.trials)} trials driven\n")
 
 
-def study_sessions(
-    out: Path,
-    *,
-    adapt: Mode,
-    person: PersonKind,
-    map_kind: StudyMap,
-    sessions: int,
-    trials: int,
-    seeds: Sequence[int],
-    floorplan: FloorPlan,
-    path: PrescribedPath,
-    processes: int,
-    as_json: bool,
-) -> None:
-    """Run every seed with a fixed map and with one in the mode `adapt`; write rows, table and summary into `out`.
+def study_sessions(asked: Asked, *, adapt: Mode, person: PersonKind, map_kind: StudyMap, sessions: int) -> None:
+    """Run every seed with a fixed map and with one in the mode `adapt`; write rows, table and summary.
 
     Raises
     ------
@@ -138,17 +124,12 @@ def study_sessions(
         When the folder cannot be written, or a calibration could not be made.
     """
     started = stopwatch()
-    rows: list[StudySessionTrial] = []
     modes: tuple[Mode, ...] = ("off",) if adapt == "off" else ("off", adapt)
+    out, trials, seeds, plan, path, processes, as_json = asked
     with _refused(out):
-        out.mkdir(parents=True, exist_ok=True)
-        for of_seed in run_participants(
-            person, seeds, modes, sessions, trials, floorplan, path, processes, map_kind=map_kind
-        ):
-            rows += of_seed
-            _write_rows(out / SESSION_ROWS, [dataclasses.asdict(row) for row in rows])
-            if not as_json:
-                _report_session_trials(of_seed)
+        driven = run_participants(person, seeds, modes, sessions, trials, plan, path, processes, map_kind=map_kind)
+        report = None if as_json else _report_session_trials
+        rows = _written_rows(out / SESSION_ROWS, driven, dataclasses.asdict, report)
         conditions = {
             "source": source_description(STUDY_SOURCE),
             "adapt": adapt,
@@ -157,14 +138,13 @@ def study_sessions(
             "sessions": sessions,
             "trials": trials,
             "seeds": list(seeds),
-            "floorplan": floorplan.name,
+            "floorplan": plan.name,
             "path": path.name,
         }
         comparison = compare([row for row in rows if row.mode == "off"], [row for row in rows if row.mode == modes[-1]])
         document, text = {**conditions, **comparison}, table(comparison)
         _write_summary(out / SESSION_SUMMARY, document, out / SESSION_TABLE, text)
-    what = f"{len(rows)} trials in {stopwatch() - started:.1f} s"
-    _report_results(out, document, text, what, as_json=as_json)
+    _report_results(asked, document, text, f"{len(rows)} trials", started)
 
 
 def _report_session_trials(rows: Sequence[StudySessionTrial]) -> None:
@@ -176,19 +156,8 @@ def _report_session_trials(rows: Sequence[StudySessionTrial]) -> None:
         )
 
 
-def study_interface(
-    out: Path,
-    *,
-    person: PersonKind,
-    sessions: int,
-    trials: int,
-    seeds: Sequence[int],
-    floorplan: FloorPlan,
-    path: PrescribedPath,
-    processes: int,
-    as_json: bool,
-) -> None:
-    """Run every seed; write a row for each session, the table and the summary into `out`.
+def study_interface(asked: Asked, *, person: PersonKind, sessions: int) -> None:
+    """Run every seed; write a row for each session, the table and the summary.
 
     Raises
     ------
@@ -196,27 +165,27 @@ def study_interface(
         When the folder cannot be written, or a calibration could not be made.
     """
     started = stopwatch()
-    rows: list[InterfaceSession] = []
+    out, trials, seeds, plan, path, processes, as_json = asked
     with _refused(out):
-        out.mkdir(parents=True, exist_ok=True)
-        for of_seed in run_interface_seeds(person, seeds, sessions, trials, floorplan, path, processes):
-            rows += of_seed
-            _write_rows(out / TEST_ROWS, [row.row() for row in rows])
-            if not as_json:
-                sys.stderr.write(f"seed {of_seed[0].seed}: {len(of_seed)} sessions\n")
+        tested = run_interface_seeds(person, seeds, sessions, trials, plan, path, processes)
+        report = None if as_json else _report_sessions
+        rows = _written_rows(out / TEST_ROWS, tested, InterfaceSession.row, report)
         conditions = {
             "source": source_description(STUDY_SOURCE),
             "person": person,
             "trials": trials,
             "seed_list": list(seeds),
-            "floorplan": floorplan.name,
+            "floorplan": plan.name,
             "path": path.name,
         }
         tests_summary = interface_summary(rows)
         document, text = {**conditions, **tests_summary}, interface_table(tests_summary)
         _write_summary(out / TEST_SUMMARY, document, out / TEST_TABLE, text)
-    what = f"{len(rows)} two-minute tests in {stopwatch() - started:.1f} s"
-    _report_results(out, document, text, what, as_json=as_json)
+    _report_results(asked, document, text, f"{len(rows)} two-minute tests", started)
+
+
+def _report_sessions(sessions: Sequence[InterfaceSession]) -> None:
+    sys.stderr.write(f"seed {sessions[0].seed}: {len(sessions)} sessions\n")
 
 
 def _write_summary(file: Path, document: Mapping[str, object], table_file: Path, text: str) -> None:
@@ -225,18 +194,30 @@ def _write_summary(file: Path, document: Mapping[str, object], table_file: Path,
     file.write_text(json.dumps(document, indent=1, allow_nan=False) + "\n", encoding="utf-8")
 
 
-def _report_results(out: Path, document: Mapping[str, object], text: str, what: str, *, as_json: bool) -> None:
-    """Print a study's summary as JSON, or its table and what was done."""
-    if as_json:
-        typer.echo(json.dumps({"out": str(out), **document}, allow_nan=False))
+def _report_results(asked: Asked, document: Mapping[str, object], text: str, what: str, started: float) -> None:
+    """Print a study's summary as JSON, or its table, what was done, and how long it took since `started` (s)."""
+    if asked.as_json:
+        typer.echo(json.dumps({"out": str(asked.out), **document}, allow_nan=False))
         return
     typer.echo(text)
-    typer.echo(f"{what}, written to {out}")
+    typer.echo(f"{what} in {stopwatch() - started:.1f} s, written to {asked.out}")
 
 
-def _write_rows(file: Path, rows: Sequence[Mapping[str, object]]) -> None:
-    """Write rows with equal names to a CSV file; after each person, so that a failure loses one person's only."""
-    with file.open("w", encoding="utf-8", newline="") as opened:
-        writer = csv.DictWriter(opened, list(rows[0]), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+def _written_rows(
+    file: Path,
+    people: Iterable[Sequence[Row]],
+    fields: Callable[[Row], Mapping[str, object]],
+    report: Callable[[Sequence[Row]], None] | None,
+) -> list[Row]:
+    """Return the rows of all people; write them to a CSV file after each, so that a failure loses one person's only."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    rows: list[Row] = []
+    for of_person in people:
+        rows += of_person
+        with file.open("w", encoding="utf-8", newline="") as opened:
+            writer = csv.DictWriter(opened, list(fields(rows[0])), lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(map(fields, rows))
+        if report is not None:
+            report(of_person)
+    return rows

@@ -4,26 +4,19 @@ import json
 import os
 import shutil
 from contextlib import closing, nullcontext
+from datetime import UTC, datetime
 from pathlib import Path
-from typing import Annotated, Any, NamedTuple
+from typing import Annotated, Any, Final, NamedTuple
 
 from pydantic import ConfigDict, Field, ValidationError
+from sqlalchemy import or_, select
+from sqlalchemy.orm import Session
 
 from app.child_process import limit_memory
 from app.clock import utc_now
 from app.cues import Cue
 from app.disk_room import ROOM_TO_RECORD
 from app.features.archive.archive_file import RUN_ID, OpenArchive, open_archive
-from app.features.archive.imported_patient import (
-    HERE,
-    earlier_import,
-    patient_of_rows,
-    remove_replaced_rows,
-    require_new,
-    require_replaceable,
-    runs_here,
-    store_import,
-)
 from app.features.archive.patient_rows import Rows, WrongRows, add_patient_rows, check_rows, patient_rows
 from app.features.archive.row_forms import first_error
 from app.features.archive.service import archive_steps, clinic_name, require_room_for
@@ -34,15 +27,41 @@ from app.messages import MAX_GESTURES
 from app.quantities import Document, Hertz, Name
 from app.recording.format import PER_CHANNEL
 from app.recording.groups import read_in_groups
-from app.refusals import NO_ROOM, DiskFull, PatientHere
+from app.refusals import NO_ROOM, Conflict, DiskFull, PatientHere
 from app.store.access.visible_patients import of_clinic
 from app.store.database import Database, Transaction
 from app.store.files.disk_watch import disk_room
 from app.store.files.replacements import archive_on_shelf
 from app.store.files.temporary_folders import temporary_folder
+from app.store.keeping.incidents import incident_of
 from app.store.keeping.keeping_tables import PatientFile
+from app.store.keeping.last_ids import store_last_ids
+from app.store.keeping.owned_rows import erase_rows, forget_in_lists, rows_of_patient, sqlite_connection
+from app.store.keeping.record_time import must_be_kept_until
 from app.store.log import write_log
+from app.store.origins import ImportedSession, PatientImport
+from app.store.schema import metadata
+from app.store.tables import Patient, PatientSession, Run
 from app.visible_text import visible_line
+
+WRONG: Final = "{file}: this archive cannot be read, because {why}; nothing was imported."
+CODE_TAKEN: Final = (
+    "The code '{code}' belongs to another patient of this clinic, and nothing was imported: give that patient another "
+    "code, then import again."
+)
+RUNS_HERE: Final = (
+    "Recordings of this archive are in this clinic already, and nothing was imported: their patient is here."
+)
+HERE: Final = "{code} is in this clinic already, and nothing was imported: replace that patient, or leave it as it is."
+GOES_ON: Final = "A session of {code} is open here, and nothing was imported: end it first, then import again."
+INCIDENT: Final = (
+    "{code} is part of the incident of {made:%Y-%m-%d} and must not be replaced: an owner lifts the mark of the "
+    "incident first."
+)
+KEPT: Final = (
+    "Sessions of {code} were held in this clinic, and their records must be kept until {until:%Y-%m-%d}: the patient "
+    "cannot be replaced, and nothing was imported."
+)
 
 
 class RecordingHeader(Document):
@@ -83,9 +102,6 @@ def wrong_recording(folder: Path) -> str:
     except (pa.ArrowException, OSError, ValueError, TypeError, KeyError, AttributeError, NotImplementedError):
         return f"{where} cannot be read"
     return ""
-
-
-WRONG = "{file}: this archive cannot be read, because {why}; nothing was imported."
 
 
 def checked_rows(archive: OpenArchive) -> Rows:
@@ -149,18 +165,18 @@ def import_archive(
     """
     with open_archive(file) as archive:
         with database.reading() as db:
-            known = earlier_import(db, archive.listed.hash)
-            if known is not None:
-                return Imported(known.id, known.code, is_new=False)
+            earlier_import = _earlier_import(db, archive.listed.hash)
+            if earlier_import is not None:
+                return Imported(earlier_import.id, earlier_import.code, is_new=False)
         rows = checked_rows(archive)
         with database.reading() as db:
-            patient = patient_of_rows(db, rows)
+            patient = _patient_of_rows(db, rows)
             if patient is not None and shelf is None:
                 raise PatientHere(HERE.format(code=patient.code))
             here: frozenset[str] = frozenset()
             if patient is not None:
-                require_replaceable(db, patient, rows)
-                here = runs_here(db, patient.id)
+                _require_replaceable(db, patient, rows)
+                here = _runs_here(db, patient.id)
         if disk_room(runs.parent).free < archive.recording_bytes(here) + ROOM_TO_RECORD:
             raise DiskFull(NO_ROOM)
         runs.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
@@ -170,25 +186,25 @@ def import_archive(
             wrong = next(filter(None, map(wrong_recording, sorted(folder.iterdir()))), "")
             if wrong:
                 raise ValueError(WRONG.format(file=archive.file, why=wrong))
-            kept = "" if shelf is None or patient is None else _put_on_shelf(database, rows, runs, shelf)
-            return _add(database, archive, rows, person, folder, runs, kept)
+            shelf_file = "" if shelf is None or patient is None else _put_on_shelf(database, rows, runs, shelf)
+            return _add(database, archive, rows, person, folder, runs, shelf_file)
 
 
 def _put_on_shelf(database: Database, rows: Rows, runs: Path, shelf: Path) -> str:
     """Write an archive of the patient as it is here, and return its place on the shelf."""
     with database.reading() as db:
-        patient = patient_of_rows(db, rows)
+        patient = _patient_of_rows(db, rows)
         if patient is None:
             return ""
         name = archive_on_shelf(utc_now(), patient.created)
-        folders = [runs / run for run in runs_here(db, patient.id)]
-        own, clinic = patient_rows(db, patient.id), clinic_name(db)
+        folders = [runs / run for run in _runs_here(db, patient.id)]
+        own_rows, clinic = patient_rows(db, patient.id), clinic_name(db)
     require_room_for(folders, runs)
     target = shelf / name
     part = target.with_name(f".{target.name}.part")
     target.parent.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
     try:
-        for step in archive_steps(clinic, own, folders, None):
+        for step in archive_steps(clinic, own_rows, folders, None):
             step(part)
         with open_archive(part), part.open("rb") as written:
             os.fsync(written.fileno())
@@ -221,7 +237,7 @@ def _add(
     person: str,
     unpacked: Path,
     runs: Path,
-    kept: str,
+    shelf_file: str,
 ) -> Imported:
     """Add rows and recordings, in place of the patient of whom an archive was kept; all, or nothing is changed."""
     moved: list[Path] = []
@@ -229,7 +245,7 @@ def _add(
     try:
         with database.transaction(closing=True) as db:
             try:
-                imported, gone = _add_rows(db, archive, rows, person, kept)
+                imported, gone = _add_rows(db, archive, rows, person, shelf_file)
             except WrongRows as error:
                 raise ValueError(WRONG.format(file=archive.file, why=error)) from error
             for folder in sorted(unpacked.iterdir()):
@@ -249,28 +265,112 @@ def _add(
 
 
 def _add_rows(
-    db: Transaction, archive: OpenArchive, rows: Rows, person: str, kept: str
+    db: Transaction, archive: OpenArchive, rows: Rows, person: str, shelf_file: str
 ) -> tuple[Imported, frozenset[str]]:
     """Add an archive's rows; return what came in, and the recordings that are no longer needed."""
-    patient, listed = patient_of_rows(db, rows), archive.listed
+    patient, listed = _patient_of_rows(db, rows), archive.listed
     before: frozenset[str] = frozenset()
     uploads: list[PatientFile] = []
     if patient is not None:
-        if not kept:  # somebody else imported the patient meanwhile
+        if not shelf_file:  # somebody else imported the patient meanwhile
             raise PatientHere(HERE.format(code=patient.code))
-        require_replaceable(db, patient, rows)
-        before = runs_here(db, patient.id)
+        _require_replaceable(db, patient, rows)
+        before = _runs_here(db, patient.id)
         rows["patient"][0] |= {"code": patient.code, "pseudonym": patient.pseudonym}  # each clinic gives its own
-        uploads = remove_replaced_rows(db, patient.id)
-    require_new(db, rows)
+        uploads = _remove_replaced_rows(db, patient.id)
+    _require_new(db, rows)
     patient_id = add_patient_rows(db, rows)
     for upload in uploads:
         upload.patient_id = patient_id
         db.add(upload)
-    store_import(db, patient_id, listed.hash, listed.clinic, person)
+    _store_import(db, patient_id, listed.hash, listed.clinic, person)
     trials = sum(row["status"] == "done" and row["kept"] is True for row in rows["trial"])
     code = rows["patient"][0]["code"]
-    details = {"archive": listed.hash, "sessions": len(rows["session"])} | ({"replaced": kept} if kept else {})
+    details = {"archive": listed.hash, "sessions": len(rows["session"])} | (
+        {"replaced": shelf_file} if shelf_file else {}
+    )
     write_log(db, person, "archive imported", patient=patient_id, **details)
-    imported = Imported(patient_id, code, not kept, len(rows["session"]), trials, kept)
+    imported = Imported(patient_id, code, not shelf_file, len(rows["session"]), trials, shelf_file)
     return imported, before - {row["id"] for row in rows["run"]}
+
+
+def _earlier_import(db: Session, archive: str) -> Patient | None:
+    """Return the patient that an archive brought, None when it was not imported here."""
+    query = select(Patient).join(PatientImport, PatientImport.patient_id == Patient.id)
+    return db.scalar(query.where(PatientImport.archive == archive))
+
+
+def _patient_of_rows(db: Session, rows: Rows) -> Patient | None:
+    """Return the patient of an archive's rows who is in the clinic already, None when there is none.
+
+    A patient is known again by the moment at which the first clinic added the patient.
+    """
+    try:
+        created = datetime.fromisoformat(rows["patient"][0]["created"]).astimezone(UTC)
+    except (TypeError, ValueError, OverflowError):
+        return None  # no date: the check of the rows says so when they are added
+    return db.scalar(select(Patient).where(Patient.created == created).limit(1))
+
+
+def _runs_here(db: Session, patient_id: int) -> frozenset[str]:
+    """Return the recordings of a patient."""
+    query = select(Run.id).join(PatientSession, PatientSession.id == Run.session_id)
+    return frozenset(db.scalars(query.where(PatientSession.patient_id == patient_id)))
+
+
+def _require_new(db: Session, rows: Rows) -> None:
+    """Raise Conflict when the clinic has the patient's code or one of the recordings already."""
+    _require_no_runs(db, [row["id"] for row in rows["run"]])
+    code = rows["patient"][0]["code"]
+    if db.scalar(select(Patient.id).where(Patient.code == code)) is not None:
+        raise Conflict(CODE_TAKEN.format(code=code))
+
+
+def _store_import(db: Session, patient_id: int, archive: str, clinic: str, person: str) -> None:
+    """Store that all sessions of a patient came with an archive of `clinic`."""
+    row = PatientImport(patient_id=patient_id, archive=archive, clinic=clinic, person=person, at=utc_now())
+    db.add(row)
+    db.flush()
+    for session in db.scalars(select(PatientSession.id).where(PatientSession.patient_id == patient_id)).all():
+        db.add(ImportedSession(session_id=session, import_id=row.id))
+    db.flush()
+
+
+def _require_no_runs(db: Session, ids: list[str]) -> None:
+    """Raise Conflict when one of these recordings is in the clinic."""
+    here = select(Run.id).where(or_(Run.id.in_(ids), Run.folder.in_(ids))).limit(1)
+    if db.scalar(here) is not None:
+        raise Conflict(RUNS_HERE)
+
+
+def _require_replaceable(db: Session, patient: Patient, rows: Rows) -> None:
+    """Raise Conflict when a patient cannot be replaced by these rows of an archive."""
+    own_runs = _runs_here(db, patient.id)
+    _require_no_runs(db, [row["id"] for row in rows["run"] if row["id"] not in own_runs])
+    of_patient = select(PatientSession.id).where(PatientSession.patient_id == patient.id)
+    if db.scalar(of_patient.where(PatientSession.ended.is_(None)).limit(1)) is not None:
+        raise Conflict(GOES_ON.format(code=patient.code))
+    incident = incident_of(db, patient.id)
+    if incident is not None:
+        raise Conflict(INCIDENT.format(code=patient.code, made=incident.made))
+    until = must_be_kept_until(db, patient)
+    imported = select(ImportedSession.session_id)
+    if until is not None and db.scalar(of_patient.where(PatientSession.id.not_in(imported)).limit(1)) is not None:
+        raise Conflict(KEPT.format(code=patient.code, until=until))
+
+
+def _remove_replaced_rows(db: Session, patient_id: int) -> list[PatientFile]:
+    """Remove all rows of a patient; return what says which uploads are theirs, for the patient who takes the place.
+
+    No tombstone is made: the person is still a patient.
+    """
+    query = select(PatientFile).where(PatientFile.patient_id == patient_id)
+    uploads = [PatientFile(name=row.name, current=row.current) for row in db.scalars(query)]
+    connection = sqlite_connection(db)
+    tables = metadata()
+    rows = rows_of_patient(connection, tables, patient_id)
+    store_last_ids(connection, tables, rows)
+    erase_rows(connection, tables, rows)
+    forget_in_lists(connection, patient_id)
+    db.expunge_all()
+    return uploads

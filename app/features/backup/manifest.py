@@ -94,7 +94,7 @@ def is_safe(path: Any) -> bool:
     return not pure.is_absolute() and ".." not in pure.parts and str(pure) == path
 
 
-def left_out_words(left_out: Sequence[str]) -> str:
+def left_out_text(left_out: Sequence[str]) -> str:
     """Return in one sentence which recordings are not in a backup; empty when all are."""
     if not left_out:
         return ""

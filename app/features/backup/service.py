@@ -13,7 +13,7 @@ from app.features.backup.backup_file import add_sources, read_backup, write_back
 from app.features.backup.backup_folder import BackupFolder
 from app.features.backup.contents import clinic_mark, contents_of
 from app.features.backup.hashed_tar import HashedTar
-from app.features.backup.manifest import Manifest, left_out_words
+from app.features.backup.manifest import Manifest, left_out_text
 from app.file_modes import OWNER_FOLDER
 from app.refusals import Conflict, Refusal
 from app.settings import Settings
@@ -106,7 +106,7 @@ def _one_at_a_time(settings: Settings) -> Iterator[None]:
 def _report(name: str, manifest: Manifest, secret: Secret | None) -> MadeReport:
     return MadeReport(
         name=name,
-        message=left_out_words(manifest.left_out),
+        message=left_out_text(manifest.left_out),
         files=len(manifest.files),
         bytes=manifest.size,
         hash=manifest.hash,

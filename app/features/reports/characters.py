@@ -49,7 +49,7 @@ def printable(text: str, coverage: Coverage) -> str:
     )
 
 
-def missing_words(texts: Iterable[str], coverage: Coverage) -> str:
+def missing_text(texts: Iterable[str], coverage: Coverage) -> str:
     """Return in a sentence which characters of the texts no font has; "" when there are none."""
     missing = dict.fromkeys(
         character for text in texts for character in text if character not in LINE_BREAKS and character not in coverage

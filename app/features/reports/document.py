@@ -49,10 +49,10 @@ class TaskReport:
     before: str  # head of the column of the earlier levels; "" without one
     measures: tuple[MeasureRow, ...]
     trajectories: Drawing | None
-    trajectories_words: str
+    trajectories_description: str
     curve: Drawing | None
     curve_title: str
-    curve_words: str
+    curve_description: str
     sentences: tuple[str, ...]  # on a deterioration, on the curve and on its sessions
     statistics: tuple[str, ...]  # behind these sentences, in small print
 

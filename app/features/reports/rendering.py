@@ -12,7 +12,7 @@ from dataclasses import asdict, replace
 from html import escape
 from typing import Any, Final
 
-from app.features.reports.characters import Coverage, coverage_of_fonts, missing_words, printable
+from app.features.reports.characters import Coverage, coverage_of_fonts, missing_text, printable
 from app.features.reports.document import (
     Drawing,
     Fact,
@@ -36,7 +36,7 @@ def render_pdf(report: Report, paper: Paper) -> bytes:
     import typst
 
     coverage = coverage_of_fonts()
-    complete = replace(report, missing=missing_words(_texts(asdict(report)), coverage))
+    complete = replace(report, missing=missing_text(_texts(asdict(report)), coverage))
     document = json.dumps(_printable(asdict(complete), coverage))
     fonts = typst.Fonts(include_system_fonts=False, include_embedded_fonts=False, font_paths=[data_folder() / "fonts"])
     pdf: bytes = typst.compile(
@@ -135,8 +135,8 @@ def _task(task: TaskReport) -> list[str]:
             f'<div class="scroll"><table class="measures"><thead><tr>{head}</tr></thead>',
             f"<tbody>{rows}</tbody></table></div>",
             '<div class="drawings">',
-            _figure("Trajectories over the path", task.trajectories, task.trajectories_words),
-            _figure(task.curve_title, task.curve, task.curve_words),
+            _figure("Trajectories over the path", task.trajectories, task.trajectories_description),
+            _figure(task.curve_title, task.curve, task.curve_description),
             "</div>",
             *(_paragraph(sentence) for sentence in task.sentences),
             *(f'<p class="quiet">{escape(sentence)}</p>' for sentence in task.statistics),

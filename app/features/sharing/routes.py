@@ -10,7 +10,7 @@ from pydantic import Field
 
 from app.api.answers import Answer, MomentText
 from app.api.deps import Clinician, Db, LivePart, RowId, SettingsPart
-from app.api.own_address import first_words, own_address, reach_words
+from app.api.own_address import own_address, reach_hint, setup_hint
 from app.api.page_session import OWN_NAME, any_session
 from app.api.sign_in.identity import SignedInPerson
 from app.api.sign_in.passwords import Passwords
@@ -108,7 +108,7 @@ class NewLinks:
                     shares=_rows(db, patient),
                     url=f"{address.base}{PAGE}{token}",
                     pin=pin,
-                    message=" ".join(filter(None, (reach_words(self.settings, address), first_words(self.settings)))),
+                    message=" ".join(filter(None, (reach_hint(self.settings, address), setup_hint(self.settings)))),
                 )
 
         await run_in_threadpool(check)  # before the PIN is hashed, which takes long

@@ -1,5 +1,11 @@
-"""Ascension's Flock of Birds on a serial line, the tracker of the paper."""
+"""Ascension's Flock of Birds on a serial line, the tracker of the paper.
 
+Its position and angles record is six words of two bytes, of which only the first byte has bit 7 set. Source: Ascension
+Technology, Flock of Birds installation and operation guide, RS-232 commands and data formats.
+"""
+
+import math
+import struct
 from contextlib import suppress
 
 import serial
@@ -7,7 +13,6 @@ import serial
 from app.clock import Clock
 from app.hardware.base import HardwareError
 from app.hardware.configs import FlockOfBirdsConfig
-from app.hardware.head.flock_record import RECORD, Records, decode
 from app.messages import ALIVE, HeadPose
 
 AUTO_CONFIGURE, GROUP_MODE = b"P\x32", b"P\x23\x01"
@@ -15,6 +20,49 @@ TO_UNIT = 0xF0  # plus an address: the next command goes to that unit
 ANGLES, STREAM, STOP_STREAM = b"Y", b"@", b"?"
 PAUSE = 0.35  # s; the manual asks for 0.3 before and after auto-configuring
 WRITE_LIMIT = 0.5  # s
+
+WORDS = 6  # x, y, z, then azimuth, elevation, roll
+RECORD = 2 * WORDS  # bytes; in a group one more, the unit's address
+PHASE = 0x80  # set in the first byte of a record, and in no other
+INCH = 0.0254  # m
+POSITION = 36.0 * INCH / 32768  # m of one step
+ANGLE = math.pi / 32768  # rad of one step
+
+
+class Records:
+    """Splits a stream of bytes into records, from any byte on: a record begins at a byte with bit 7 set."""
+
+    def __init__(self, size: int) -> None:
+        self._size = size
+        self._record = bytearray()
+
+    def feed(self, content: bytes) -> list[bytes]:
+        """Return the complete records that end in `content`."""
+        whole = []
+        for byte in content:
+            if byte & PHASE:
+                self._record = bytearray([byte])
+            elif self._record:
+                self._record.append(byte)
+            if len(self._record) == self._size:
+                whole.append(bytes(self._record))
+                self._record.clear()
+        return whole
+
+
+def decode(record: bytes, t: float) -> HeadPose:
+    """Return the pose of a record (of 12 bytes or more) that came at `t` (s).
+
+    The unit's axes are ahead, right, down; its angles are azimuth (right positive), elevation (up), roll (right).
+    """
+    x, y, z, azimuth, elevation, roll = (_word(record[2 * i], record[2 * i + 1]) for i in range(WORDS))
+    return HeadPose(t, -azimuth * ANGLE, elevation * ANGLE, roll * ANGLE, x * POSITION, -y * POSITION, -z * POSITION)
+
+
+def _word(low: int, high: int) -> int:
+    """Return a word from its bytes: 7 bits each, the highest ones of 16."""
+    value: int = struct.unpack("<h", struct.pack("<H", (low & 0x7F) << 2 | (high & 0x7F) << 9))[0]
+    return value
 
 
 class FlockOfBirds:

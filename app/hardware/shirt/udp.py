@@ -13,12 +13,11 @@ from app.clock import Clock
 from app.hardware.addresses import Host
 from app.hardware.base import HardwareError
 from app.hardware.chair.key import Key, KeyRefused, lost_key, read_key
+from app.hardware.shirt.frame_order import Lateness, Sequence
 from app.hardware.shirt.kind import LayoutFile, ShirtConfig, ShirtKey, ShirtKind, ShirtRate, Trust, page_texts
-from app.hardware.shirt.lateness import Lateness
 from app.hardware.shirt.newest_frame import NewestFrame, newest_file
 from app.hardware.shirt.packet import LONGEST, Packet, decode, decode_signed, refusal
 from app.hardware.shirt.sender_choice import Address, SenderChoice
-from app.hardware.shirt.sequence import Sequence
 from app.hardware.shirt.standard import standard_layout
 from app.messages import ALIVE, SensorFrame
 from app.quantities import Port
@@ -183,32 +182,32 @@ class UdpShirt:
 
     def description(self) -> str:
         """Return the shirt's state in words."""
-        trouble = (self._newest.trouble if self._newest else "") or self._late_words() or self._refusal
+        trouble = (self._newest.trouble if self._newest else "") or self._late_text() or self._refusal
         why = f" ({trouble})" if trouble else ""
         if self._socket is None:
             return f"Nothing listens for the shirt{why}."
         host, port = self.address
         if self._clock.now() - self._frame_t > ALIVE:
             return f"No frames from {self.sender_choice.name or 'a shirt'} on {host}:{port}{why}{self._others()}."
-        words = f"Shirt on {host}:{port} from {self.sender_choice.name}, {self._channels} sensors"
+        text = f"Shirt on {host}:{port} from {self.sender_choice.name}, {self._channels} sensors"
         if self._sequence.lost:
-            words += f", {self._sequence.lost} frames lost"
+            text += f", {self._sequence.lost} frames lost"
         if self.junk:
-            words += f", {self.junk} datagrams refused{why}"
-        return f"{words}{self._others()}."
+            text += f", {self.junk} datagrams refused{why}"
+        return f"{text}{self._others()}."
 
     def _others(self) -> str:
         """Return the words about ignored frames, empty when there are none."""
-        words, choice = "", self.sender_choice
+        text, choice = "", self.sender_choice
         if choice.other_frames:
-            words += f", {choice.other_frames} frames of another sender ({choice.other}) left out"
+            text += f", {choice.other_frames} frames of another sender ({choice.other}) left out"
         if self.repeated:
-            words += f", {self.repeated} repeated frames left out"
+            text += f", {self.repeated} repeated frames left out"
         if self.late:
-            words += f", {self.late} late frames left out"
-        return words
+            text += f", {self.late} late frames left out"
+        return text
 
-    def _late_words(self) -> str:
+    def _late_text(self) -> str:
         """Return why the newest frame is left out when it came late, empty when it did not."""
         if not self._late_by:
             return ""

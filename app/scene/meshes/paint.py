@@ -3,12 +3,18 @@
 The renderer's tone mapping is undone, so that a vertex is shown in the colour that was chosen for it. viser's page
 draws with three.js and its "ACES filmic" tone mapping, after Stephen Hill's fit:
 https://github.com/TheRealMJP/BakingLab/blob/master/BakingLab/ACES.hlsl
+
+viser draws vertex colours of GLB files only: glTF 2.0, section 4
+(https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html), with the extension KHR_materials_unlit, by which the
+renderer computes no light; that is much faster where software draws.
 """
 
 import math
+import struct
 from collections.abc import Iterable
 from typing import Final, NamedTuple
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -25,6 +31,12 @@ INTO: Final = np.array([[0.59719, 0.35458, 0.04823], [0.07600, 0.90834, 0.01566]
 OUT_OF: Final = np.array([[1.60475, -0.53108, -0.07367], [-0.10208, 1.10813, -0.00605], [-0.00327, -0.07276, 1.07602]])
 # The curve is (v (v + A) - B) / (v (C v + D) + E).
 A, B, C, D, E = 0.0245786, 0.000090537, 0.983729, 0.4329510, 0.238081
+
+MAGIC: Final = b"glTF"
+JSON_CHUNK: Final = b"JSON"
+BINARY_CHUNK: Final = b"BIN\0"
+BYTE, SHORT, INTEGER, FLOAT = 5121, 5123, 5125, 5126  # types of numbers; the first three without a sign
+VERTICES, FACES = 34962, 34963  # what a part of the buffer is for
 
 
 class PaintedPart(NamedTuple):
@@ -105,3 +117,49 @@ def linear_of(colour: Colour) -> Numbers:
     """Return the linear red, green and blue (3,) of an sRGB colour (IEC 61966-2-1)."""
     share = np.array(colour, dtype=np.float64) / 255
     return np.where(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055) ** 2.4)
+
+
+def unlit_glb(part: PaintedPart) -> bytes:
+    """Return a painted mesh as a GLB file; x, y and z are kept as they are."""
+    positions = part.mesh.vertices.astype("<f4")
+    opaque = np.full((len(positions), 1), 255, dtype=np.uint8)
+    colours = np.hstack([np.round(255 * part.light).astype(np.uint8), opaque])
+    is_small = len(positions) <= np.iinfo(np.uint16).max
+    faces = part.mesh.faces.ravel().astype("<u2" if is_small else "<u4")
+    blocks = [positions.tobytes(), colours.tobytes(), faces.tobytes()]
+    starts = np.cumsum([0, *map(len, blocks)]).tolist()
+    document = {
+        "asset": {"version": "2.0"},
+        "extensionsUsed": ["KHR_materials_unlit"],
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 1}, "indices": 2, "material": 0}]}],
+        "materials": [{"extensions": {"KHR_materials_unlit": {}}}],
+        "accessors": [
+            {
+                **_accessor(0, FLOAT, len(positions), "VEC3"),
+                "min": positions.min(axis=0).tolist(),
+                "max": positions.max(axis=0).tolist(),
+            },
+            _accessor(1, BYTE, len(colours), "VEC4") | {"normalized": True},
+            _accessor(2, SHORT if is_small else INTEGER, len(faces), "SCALAR"),
+        ],
+        "bufferViews": [
+            {"buffer": 0, "byteOffset": start, "byteLength": len(block), "target": target}
+            for start, block, target in zip(starts[:-1], blocks, (VERTICES, VERTICES, FACES), strict=True)
+        ],
+        "buffers": [{"byteLength": starts[-1]}],
+    }
+    chunks = _chunk(JSON_CHUNK, msgspec.json.encode(document), b" ") + _chunk(BINARY_CHUNK, b"".join(blocks), b"\0")
+    return MAGIC + struct.pack("<2I", 2, 12 + len(chunks)) + chunks
+
+
+def _accessor(view: int, numbers: int, count: int, kind: str) -> dict[str, object]:
+    return {"bufferView": view, "componentType": numbers, "count": count, "type": kind}
+
+
+def _chunk(kind: bytes, content: bytes, fill: bytes) -> bytes:
+    """Return a chunk: u32 length, kind, content filled up to a multiple of four bytes."""
+    content += fill * (-len(content) % 4)
+    return struct.pack("<I", len(content)) + kind + content

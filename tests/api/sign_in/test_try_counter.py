@@ -6,7 +6,7 @@ from threading import Barrier
 import pytest
 
 from app.api.sign_in import sign_in_limits
-from app.api.sign_in.sign_in_limits import WITHIN, Tries, seconds_in_words
+from app.api.sign_in.sign_in_limits import WITHIN, Tries, seconds_text
 
 
 def test_of_sixty_tries_side_by_side_five_are_let_through():
@@ -58,4 +58,4 @@ def test_what_is_remembered_is_bounded(monkeypatch):
     ("wait", "words"), [(0.2, "1 second"), (1.0, "1 second"), (1.1, "2 seconds"), (60, "60 seconds")]
 )
 def test_a_wait_is_rounded_up(wait, words):
-    assert seconds_in_words(wait) == words
+    assert seconds_text(wait) == words

@@ -11,7 +11,7 @@ from app.calibration.own_movement import agrees, own_movement_refusal
 from app.calibration.prior.map_prior import MapPrior
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters, standard_parameters
-from app.cli.demonstration import profile_file
+from app.cli.serve import profile_file
 from building import taught_by_others
 
 GOOD = MapCheck(in_phase=0.95, hit_rate=0.7, false_per_minute=0.0, false_count=0)

@@ -1,4 +1,7 @@
-"""A map from other people: it drives somebody new, follows turned rings and other gains, and says what it cannot."""
+"""A map from other people: it drives somebody new, follows turned rings and other gains, and says what it cannot.
+
+Its full and expected hits are by the peaks of this person's own movements.
+"""
 
 import numpy as np
 import pytest
@@ -9,7 +12,8 @@ from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import Repetition
 from app.calibration.linear_map import Arrangement
 from app.calibration.prior.map_prior import MapPrior, PriorError
-from app.calibration.prior.prior_map import with_prior_maps
+from app.calibration.prior.prior_map import LEAST_FULL, expected_hits, own_full, own_peaks, with_prior_maps
+from app.calibration.prior.solving import OwnFrames
 from app.calibration.vocabulary import standard_parameters
 from app.layout import ShirtLayout
 from app.pipeline.replay.batch import decode_block
@@ -191,3 +195,50 @@ def test_the_hits_expected_are_movements_that_reach_half_of_full(prior, prompts)
         came.append(100 * np.mean([activation[start : stop + delay].max() >= 0.5 for start, stop in late]))
         expected.append(profile.joints[0].prior.hits.value)
     assert 70.0 < np.mean(expected) < np.mean(came) + 5.0  # people of two garments differ, and it must not flatter
+
+
+WAVE = np.sin(np.linspace(0.0, 40.0, 4_000))  # free movement whose rate peaks at 1
+OF_OTHERS = 3.0
+
+
+def repetitions(*peaks):
+    """Return the held-out rate and the frames of repetitions of 100 rows, each with its peak in the labelled part."""
+    rate = np.concatenate([peak * np.sin(np.linspace(0.0, np.pi, 100)) for peak in peaks])
+    label = np.tile(np.abs(np.arange(100) - 50) < 40, len(peaks)).astype(np.int8)
+    number = np.repeat(np.arange(len(peaks)), 100)
+    return rate, OwnFrames(np.zeros((len(rate), 1)), label, number, np.full(len(peaks), 100))
+
+
+def test_full_is_the_median_peak_of_three_own_repetitions_and_nothing_else():
+    peaks = own_peaks(10.0 * WAVE, 0.2, *repetitions(0.8, 1.4, 1.0))
+    assert own_full(peaks, 0.2, OF_OTHERS) == pytest.approx(1.0, abs=0.01)
+
+
+def test_the_free_movement_counts_as_one_repetition_before_there_are_three():
+    peaks = own_peaks(WAVE, 0.2, *repetitions(0.6))
+    assert own_full(peaks, 0.2, OF_OTHERS) == pytest.approx((0.6 + np.percentile(WAVE, 97)) / 2, abs=0.01)
+    assert own_full(own_peaks(WAVE, 0.2, None, None), 0.2, OF_OTHERS) == pytest.approx(np.percentile(WAVE, 97))
+
+
+def test_a_free_movement_that_never_went_this_way_leaves_other_people_s_full():
+    for free in (np.zeros(1_000), -np.ones(1_000), 0.1 * WAVE):
+        peaks = own_peaks(free, 0.5, None, None)
+        assert own_full(peaks, 0.5, OF_OTHERS) == OF_OTHERS
+        assert expected_hits(peaks, 0.5, OF_OTHERS, 0) is None
+
+
+def test_full_is_clearly_above_the_dead_zone_however_slow_somebody_is():
+    assert own_full([0.4, 0.5, 0.6], 0.6, OF_OTHERS) == pytest.approx(LEAST_FULL * 0.6)
+
+
+def test_a_slow_person_is_expected_to_be_answered_with_the_own_full_and_not_with_that_of_others():
+    peaks = [0.9, 1.0, 1.1]
+    own, others = (expected_hits(peaks, 0.3, full, 3) for full in (own_full(peaks, 0.3, OF_OTHERS), OF_OTHERS))
+    assert own.value > 95.0
+    assert others.value < 5.0
+
+
+def test_more_repetitions_make_the_forecast_surer():
+    uncertainties = [expected_hits([1.0], 0.3, 1.0, count).uncertainty for count in range(4)]
+    assert uncertainties == sorted(uncertainties, reverse=True)
+    assert len(set(uncertainties)) == 4

@@ -7,7 +7,7 @@ from fontTools.ttLib import TTFont
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.features.reports.characters import COVERAGE, coverage_of_fonts, missing_words, printable, without_invisible
+from app.features.reports.characters import COVERAGE, coverage_of_fonts, missing_text, printable, without_invisible
 from app.settings import data_folder
 
 FONTS = data_folder() / "fonts"
@@ -32,5 +32,5 @@ def test_a_printed_text_has_only_characters_of_the_fonts(text):
     shown = printable(visible, coverage)
     assert all(one in coverage or one in "\n\t" for one in shown)
     assert not any(unicodedata.category(one) in {"Cc", "Cf", "Cs", "Co", "Cn"} for one in visible if one not in "\n\t")
-    assert (missing_words([visible], coverage) == "") == (shown == visible)
+    assert (missing_text([visible], coverage) == "") == (shown == visible)
     assert printable(shown, coverage) == shown

@@ -7,7 +7,7 @@ from features.reports.reported_clinic import material_of, store_reported_course
 from stored_interface_test import SIMULATED, store_interface_test
 
 from app.features.reports.composition import compose
-from app.features.reports.interface_test_report import ENDS, MOST_ROWS
+from app.features.reports.measure_reports import ENDS, MOST_ROWS
 from app.features.reports.rendering import render_html, render_pdf
 from app.scoring.measures import TEST_MEASURES, WORKLOAD_NAME
 from app.source import Source

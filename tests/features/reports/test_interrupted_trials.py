@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.features.reports.task_report import _trials_words
+from app.features.reports.measure_reports import _trials_text
 
 ROW = {"session": 1, "familiarisation": False, "reached": True}
 
@@ -20,4 +20,4 @@ def rows(count):
     ],
 )
 def test_interrupted_trials_are_named(found, words):
-    assert _trials_words(found, None).endswith(words)
+    assert _trials_text(found, None).endswith(words)

@@ -1,6 +1,6 @@
 """Levels of measures in the words of a report."""
 
-from app.features.reports.task_report import with_unit
+from app.features.reports.measure_reports import with_unit
 
 
 def test_levels_have_their_unit():

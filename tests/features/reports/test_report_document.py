@@ -79,9 +79,9 @@ def test_the_curve_is_said_in_plain_words_with_the_statistics_behind_them(course
 
 def test_the_trajectories_of_the_recordings_are_drawn(session_report, course_report):
     assert session_report.tasks[0].trajectories.svg.count("<polyline") == 2 * TRIALS + 3  # path twice, and the scale
-    assert f"{TRIALS} trajectories of session {SESSIONS}" in session_report.tasks[0].trajectories_words
+    assert f"{TRIALS} trajectories of session {SESSIONS}" in session_report.tasks[0].trajectories_description
     assert course_report.tasks[0].trajectories.svg.count("<polyline") == TRIALS + 30 + 3
-    assert f"chosen evenly of {SESSIONS * TRIALS} trials" in course_report.tasks[0].trajectories_words
+    assert f"chosen evenly of {SESSIONS * TRIALS} trials" in course_report.tasks[0].trajectories_description
 
 
 def test_a_later_session_is_not_in_the_report_of_an_earlier_one(reported):

@@ -123,7 +123,7 @@ def test_a_course_of_forty_sessions_is_a_page_and_the_list_of_its_sessions(datab
     assert pages[1].strip().startswith("Sessions")
     after = "".join(pages[1:])
     assert all(f"get {number} m further" in after for number in range(2, 40))
-    assert "recordings cannot be read" in report.tasks[0].trajectories_words
+    assert "recordings cannot be read" in report.tasks[0].trajectories_description
     assert [row[0] for row in report.sessions.rows] == [str(number) for number in range(1, 41)]
 
 

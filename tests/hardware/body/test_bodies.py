@@ -5,9 +5,9 @@ from hypothesis import strategies as st
 
 from app.cues import Cue
 from app.hardware.base import BodyView, HardwareError, MovableBody
-from app.hardware.body.cued_body import CuedBody
 from app.hardware.body.joints import ARM_DEGREES_OF_FREEDOM, degrees_of_freedom, second_way
 from app.hardware.body.minimum_jerk import Reach, minimum_jerk
+from app.hardware.body.person import CuedBody
 from app.hardware.body.recorded import RecordedBody, principal_postures
 from app.hardware.body.visitor import Visitor
 from folders import SHARED

@@ -10,8 +10,7 @@ from hardware.body.wishes import wished
 
 from app.geometry import Pose
 from app.hardware.base import LeaderView
-from app.hardware.body.driver import Driver
-from app.hardware.body.manoeuvres import BackAim, TurnAim
+from app.hardware.body.driver import BackAim, Driver, TurnAim
 from app.hardware.body.person_parameters import PRACTISED
 from app.hardware.body.steering import Steering
 from app.world.floorplan import FloorPlan

@@ -11,8 +11,8 @@ from app.geometry import STANDSTILL
 from app.hardware.chair.inputs import Inputs
 from app.hardware.chair.packet import DRIVE, FRAME_BYTES, decode_telemetry
 from app.hardware.chair.reasons import Reason
+from app.hardware.chair.receive import DRAINING, STEP, ReceiverLoop, slowness
 from app.hardware.chair.receiver import ReceiverState
-from app.hardware.chair.receiver_loop import DRAINING, STEP, ReceiverLoop, slowness
 from app.hardware.chair.telemetry_sender import TelemetrySender
 
 EACH = 20e-6  # s that a datagram takes: fifty thousand a second
@@ -119,7 +119,7 @@ def test_silence_that_falls_due_during_a_step_is_acted_on_at_once(turning, monke
         clock.time = min(clock.time + timeout, max(quiet.due, clock.time + 1e-4))
 
     output.drive, quiet.recvfrom = drive, recvfrom
-    monkeypatch.setattr("app.hardware.chair.receiver_loop.select.select", wait)
+    monkeypatch.setattr("app.hardware.chair.receive.select.select", wait)
     ending_after(loop, output, 1.0)
     quiet.due += phase * 1e-3
     loop.run()

@@ -6,7 +6,17 @@ import select
 import threading
 import tty
 
-from app.hardware.head.flock_record import encode
+from app.hardware.head.flock_of_birds import PHASE
+
+
+def encode(words: tuple[int, ...], address: int | None = None) -> bytes:
+    """Return the record of six words (int16, their two lowest bits lost), as a unit sends it."""
+    record = bytearray()
+    for word in words:
+        bits = word & 0xFFFF
+        record += bytes([bits >> 2 & 0x7F, bits >> 9 & 0x7F])
+    record[0] |= PHASE
+    return bytes(record) if address is None else bytes([*record, address])
 
 
 class FlockUnit:

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import pytest
 from fake_clock import FakeClock
-from hardware.head.flock_unit import FlockUnit
+from hardware.head.flock_unit import FlockUnit, encode
 from hardware.head.heads import FreepieCase, OpentrackCase, wait_for
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from app.clock import MonotonicClock
 from app.hardware.base import HardwareError
 from app.hardware.configs import FlockOfBirdsConfig, OpentrackConfig, RecordedHeadConfig, SimulatedHeadConfig
-from app.hardware.head import flock_record, freepie, opentrack
+from app.hardware.head import flock_of_birds, freepie, opentrack
 from app.hardware.head.flock_of_birds import FlockOfBirds
 from app.hardware.head.recorded import RecordedHead
 from app.hardware.head.simulator import SimulatedHead
@@ -52,10 +52,10 @@ def test_freepie_keeps_its_angles_where_its_flags_say():
 @settings(max_examples=60, deadline=None)
 @given(st.tuples(*[WORD] * 6), st.none() | st.integers(1, 14))
 def test_a_flock_record_comes_back(words, address):
-    record = flock_record.encode(words, address)
+    record = encode(words, address)
     assert len(record) == (12 if address is None else 13)
     assert [byte >> 7 for byte in record] == [1] + [0] * (len(record) - 1)
-    pose = flock_record.decode(record, 2.0)
+    pose = flock_of_birds.decode(record, 2.0)
     x, y, z, azimuth, elevation, roll = ((word & ~3) for word in words)
     inch = 36 * 0.0254 / 32768
     assert pose[4:] == pytest.approx((x * inch, -y * inch, -z * inch))
@@ -65,9 +65,9 @@ def test_a_flock_record_comes_back(words, address):
 @settings(max_examples=60, deadline=None)
 @given(st.lists(st.tuples(*[WORD] * 6), min_size=1, max_size=6), st.binary(max_size=20), st.integers(0, 11), st.data())
 def test_records_are_found_again_after_a_cut_and_after_noise(records, noise, cut, data):
-    wanted = [flock_record.encode(words) for words in records]
-    stream = flock_record.encode((1, 2, 3, 4, 5, 6))[cut:] + noise + b"".join(wanted)
-    cutter, found, at = flock_record.Records(12), [], 0
+    wanted = [encode(words) for words in records]
+    stream = encode((1, 2, 3, 4, 5, 6))[cut:] + noise + b"".join(wanted)
+    cutter, found, at = flock_of_birds.Records(12), [], 0
     while at < len(stream):
         step = data.draw(st.integers(1, 40))
         found += cutter.feed(stream[at : at + step])

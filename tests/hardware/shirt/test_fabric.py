@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from app.cues import Cue
-from app.hardware.body.cued_body import CuedBody
+from app.hardware.body.person import CuedBody
 from app.hardware.shirt.fabric import FULL_SCALE, PEAKY, STEPS, Fabric, FabricProperties
 from app.hardware.shirt.standard import standard_layout
 

@@ -1,7 +1,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.hardware.shirt.lateness import FORGIVEN, LATE, WRAP, Lateness
+from app.hardware.shirt.frame_order import FORGIVEN, LATE, WRAP, Lateness
 
 PERIOD = 10_000  # microseconds between two frames
 OFFSETS = st.integers(-(10**9), 10**9)  # s that our clock is ahead of the device's

@@ -1,7 +1,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.hardware.shirt.sequence import RESTART_AFTER, Sequence
+from app.hardware.shirt.frame_order import RESTART_AFTER, Sequence
 
 
 @given(st.integers(0, 2**32 - 1), st.lists(st.integers(1, 1000), max_size=50))

@@ -1,6 +1,6 @@
 /**
  * What the notices of a stop or fault follow: its words, each further stop during it, and how it is read out.
- * @import { FaultWords } from "types/api"
+ * @import { FaultMessage } from "types/api"
  */
 import { t } from "../texts.js";
 import { timeOfDay } from "../widgets/format.js";
@@ -11,7 +11,7 @@ const ONE_PRESS = 400; // ms within which two stops are those of one press
  * @typedef {object} Further
  * @property {string} key changes with each further stop, so that the notice is read out again
  * @property {string} again that somebody stopped again since the first reason, and when; empty when nobody did
- * @typedef {FaultWords & Further} Halt
+ * @typedef {FaultMessage & Further} Halt
  */
 
 /**

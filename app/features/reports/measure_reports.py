@@ -1,18 +1,29 @@
-"""The report of one task: its measures with their verdicts, its trajectories, its learning curve."""
+"""The reports of what was measured: of one task (verdicts, trajectories, learning curve), and of two-minute tests."""
 
 import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Final
 
-from app.features.reports.document import Drawing, MeasureRow, TaskReport, Tone
+from app.features.reports.document import Drawing, InterfaceTestReport, MeasureRow, ReportTable, TaskReport, Tone
 from app.features.reports.drawings import CurvePoint, Trajectory, band_drawing, curve_drawing, trajectory_drawing
-from app.features.reports.material import Rows, TaskMaterial
+from app.features.reports.material import InterfaceTestMaterial, ReportedTest, Rows, TaskMaterial
 from app.number_format import amount
 from app.recording.recorded_trajectory import read_trajectory, thinned
+from app.scoring.interface_test.interface_course import counted_tests
+from app.scoring.interface_test.interface_verdicts import InterfaceVerdicts, interface_verdicts
 from app.scoring.interruptions import interruption_text
 from app.scoring.learning import learning_curves
-from app.scoring.measures import REACHED, REACHED_NAME, TRIAL_MEASURES, VERDICT_WORDS, Word
+from app.scoring.measures import (
+    REACHED,
+    REACHED_NAME,
+    TEST_MEASURES,
+    TRIAL_MEASURES,
+    VERDICT_WORDS,
+    VERDICT_WORDS_OF_TESTS,
+    WORKLOAD_NAME,
+    Word,
+)
 from app.scoring.verdict.leading_measures import leading_of_task
 from app.scoring.verdict.measure_comparison import from_scale, value_of
 from app.scoring.verdict.measure_verdict import Verdict, series_of
@@ -21,8 +32,14 @@ from app.scoring.verdict.verdicts import SessionVerdicts, task_verdicts
 MOST_NAMED = 6  # interrupted trials
 MOST_OWN, MOST_PAST = 10, 30  # trajectories of the newest session and of earlier ones: more could not be told apart
 TONES: dict[Word, Tone] = {"better": "good", "worse": "bad", "within": "", "too few": "", "number": ""}
-
 NOTHING_BEFORE: Final = "nothing to compare with"
+MOST_ROWS: Final = 12  # two-minute tests of a course: the first test and the newest ones
+ENDS: Final = {
+    "by hand": "ended early: does not count",
+    "stopped": "stopped: does not count",
+    "fault": "interrupted: does not count",
+    "complete": "its recording cannot be read",
+}
 
 
 def task_report(task: TaskMaterial, session: int | None, *, name_source: bool) -> TaskReport:
@@ -43,13 +60,13 @@ def task_report(task: TaskMaterial, session: int | None, *, name_source: bool) -
     said = () if curve is None else (curve["text"], curve["sessions"])
     return TaskReport(
         title=task.title,
-        lead=" ".join([f"{task.source}."] * name_source + [_trials_words(rows, session), _compared_words(compared)]),
+        lead=" ".join([f"{task.source}."] * name_source + [_trials_text(rows, session), _compared_text(compared)]),
         before="" if compared is None else f"Session {compared.earlier}",
         measures=tuple(_measure(name, rows, newest, compared) for name in names) + _reaching(rows, newest, compared),
         trajectories=trajectories,
-        trajectories_words=description,
+        trajectories_description=description,
         curve=None if curve is None else _curve(main, rows, newest, curve["fit"]),
-        curve_words=f"{amount(len(rows), 'trial')}; session {newest} is orange. Rings: to get used to the task. "
+        curve_description=f"{amount(len(rows), 'trial')}; session {newest} is orange. Rings: to get used to the task. "
         "S: a session begins.",
         curve_title=f"Learning curve: {TRIAL_MEASURES[main].name.lower()} in every trial",
         sentences=tuple(sentence for sentence in (*verdicts.deterioration.values(), *said) if sentence),
@@ -70,7 +87,7 @@ def _measure(name: str, rows: Rows, newest: int, compared: SessionVerdicts | Non
         level = with_unit(name, _level(name, rows, newest))
         return MeasureRow(measure_name, level, "", "", NOTHING_BEFORE, "", None)
     tone = TONES[verdict.word]
-    noise = noise_words(name, verdict)
+    noise = noise_text(name, verdict)
     now, before = with_unit(name, verdict.later), with_unit(name, verdict.earlier)
     drawing = band_drawing(verdict, tone, f"{measure_name}: {before}, now {now}; within noise from {noise}.")
     return MeasureRow(measure_name, now, before, noise, VERDICT_WORDS[verdict.word], tone, drawing)
@@ -81,8 +98,8 @@ def _reaching(rows: Rows, newest: int, compared: SessionVerdicts | None) -> tupl
     verdict: Verdict | None = None if compared is None else compared.verdicts.get(REACHED)
     if verdict is None:
         reached = [bool(row.get("reached", True)) for row in rows if row["session"] == newest]
-        return (MeasureRow(REACHED_NAME, share_words(sum(reached) / len(reached)), "", "", NOTHING_BEFORE, "", None),)
-    now, before = share_words(verdict.later), share_words(verdict.earlier)
+        return (MeasureRow(REACHED_NAME, share_text(sum(reached) / len(reached)), "", "", NOTHING_BEFORE, "", None),)
+    now, before = share_text(verdict.later), share_text(verdict.earlier)
     return (MeasureRow(REACHED_NAME, now, before, "", VERDICT_WORDS[verdict.word], TONES[verdict.word], None),)
 
 
@@ -96,7 +113,7 @@ def _level(name: str, rows: Rows, session: int) -> float | None:
     return None
 
 
-def _trials_words(rows: Rows, session: int | None) -> str:
+def _trials_text(rows: Rows, session: int | None) -> str:
     session_rows = [row for row in rows if session is None or row["session"] == session]
     reached = sum(bool(row.get("reached", True)) for row in session_rows)
     used = sum(row["familiarisation"] for row in session_rows)
@@ -111,7 +128,7 @@ def _trials_words(rows: Rows, session: int | None) -> str:
     return f"{counted} Interrupted: {', '.join(interrupted[:MOST_NAMED])}{more}."
 
 
-def _compared_words(compared: SessionVerdicts | None) -> str:
+def _compared_text(compared: SessionVerdicts | None) -> str:
     if compared is None:
         return "There is no earlier session with trials of this task to compare with."
     first, second = (amount(count, "trial") for count in compared.trials)
@@ -176,14 +193,68 @@ def with_unit(name: str, value: float | None) -> str:
     return "" if value is None or not math.isfinite(value) else TRIAL_MEASURES[name].level(value)
 
 
-def share_words(share: float | None) -> str:
+def share_text(share: float | None) -> str:
     """Return a share in percent, in words; "" for None."""
     return "" if share is None else f"{100 * share:.0f} %"
 
 
-def noise_words(name: str, verdict: Verdict) -> str:
+def noise_text(name: str, verdict: Verdict) -> str:
     """Return from where to where a level is within noise; "" for too few trials, or no word."""
     if verdict.low is None or verdict.high is None:
         return ""
     measure = TRIAL_MEASURES[name]
     return measure.with_unit(f"{measure.figure(verdict.low)} to {measure.figure(verdict.high)}")
+
+
+def interface_test_report(
+    material: InterfaceTestMaterial, session: int | None, *, name_source: bool
+) -> InterfaceTestReport:
+    """Return the two-minute tests of one kind of source, of one session (its number) or of the course (None).
+
+    Those that the newest test is compared with stand among them, whichever session they are of.
+    `name_source` says whether the report has several sources, so that each table must name its own.
+    """
+    counted = counted_tests([test.test for test in material.tests])
+    numbers = {test.test.number for test in material.tests if session in (None, test.session)}
+    compared = [test for test in interface_verdicts(counted) if test.later in numbers]
+    shown = _shown(material.tests, numbers, compared, course=session is None)
+    source = f"{material.source}. " if name_source else ""
+    left_out = len(material.tests) - len(shown)
+    others = f" {amount(left_out, 'test is', 'tests are')} not shown." if left_out else ""
+    until = "" if session is None else f" up to session {session}"
+    return InterfaceTestReport(
+        lead=f"{source}{amount(len(counted), 'complete test')}{until}.{others}",
+        table=ReportTable(
+            ("Test", *(measure.name for measure in TEST_MEASURES.values()), WORKLOAD_NAME),
+            tuple(_row(test) for test in shown) + tuple(_verdicts(test) for test in compared),
+        ),
+    )
+
+
+def _shown(
+    tests: tuple[ReportedTest, ...], own_numbers: set[int], compared: list[InterfaceVerdicts], *, course: bool
+) -> list[ReportedTest]:
+    newest = {test.test.number for test in tests[-MOST_ROWS + 1 :]} if course else own_numbers
+    numbers = newest | {test.earlier for test in compared}
+    return [test for test in tests if test.test.number in numbers]
+
+
+def _row(reported: ReportedTest) -> tuple[str, ...]:
+    number, end, _, measures = reported.test
+    head = f"{number}, session {reported.session}"
+    if end != "complete" or measures is None:
+        return (head, ENDS[end or "fault"], *[""] * len(TEST_MEASURES))
+    workload = "" if reported.workload is None else f"{reported.workload:.0f}"
+    levels = (
+        "" if (value := measures.get(name)) is None else measure.level(value) for name, measure in TEST_MEASURES.items()
+    )
+    return (head, *levels, workload)
+
+
+def _verdicts(compared: InterfaceVerdicts) -> tuple[str, ...]:
+    verdicts = (compared.verdicts[name].word if name in compared.verdicts else None for name in TEST_MEASURES)
+    return (
+        f"{compared.later} against {compared.earlier}",
+        *("" if word is None else VERDICT_WORDS_OF_TESTS[word] for word in verdicts),
+        "",
+    )
