@@ -63,13 +63,23 @@ export function deletedCard(app, first, onChanged) {
         { class: "spread" },
         h(
           "button",
-          { type: "button", class: "btn small", "aria-label": t("deleted.undo.label", { code }), onclick: () => undo(patient) },
+          {
+            type: "button",
+            class: "btn small",
+            "aria-label": t("deleted.undo.label", { code }),
+            onclick: () => undo(patient),
+          },
           t("deleted.undo"),
         ),
         !patient.why_not &&
           h(
             "button",
-            { type: "button", class: "btn small", "aria-label": t("deleted.erase.label", { code }), onclick: () => ask(patient) },
+            {
+              type: "button",
+              class: "btn small",
+              "aria-label": t("deleted.erase.label", { code }),
+              onclick: () => ask(patient),
+            },
             t("deleted.erase"),
           ),
       ),
@@ -77,7 +87,13 @@ export function deletedCard(app, first, onChanged) {
     );
   };
   draw();
-  const element = h("section", { class: "card" }, h("h2", {}, t("deleted.title")), h("p", { class: "quiet small" }, t("deleted.lead", { days: REFERENCE.numbers.deleted_days })), list);
+  const element = h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t("deleted.title")),
+    h("p", { class: "quiet small" }, t("deleted.lead", { days: REFERENCE.numbers.deleted_days })),
+    list,
+  );
   return { element, draw };
 }
 
