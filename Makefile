@@ -3,6 +3,9 @@ PORT ?= 8080
 VENV := .venv
 BIN := $(VENV)/bin
 TSC := $(BIN)/node node_modules/typescript/bin/tsc
+PRETTIER := $(BIN)/node node_modules/prettier/bin/prettier.cjs --log-level warn
+# What prettier writes; types/api.d.ts is made by a program.
+PRETTY := "web_static/js/**/*.js" "web_static/css/**/*.css" "tests/**/*.mjs" "types/!(api).d.ts"
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 # Packages are those whose digests stand in requirements/; these are complete, so that pip looks for no others. Python
 # compiles a module when it first imports it: the many that nothing imports take neither time nor 90 MB.
@@ -12,7 +15,7 @@ OWN := $(INSTALL) --no-index --no-deps --no-build-isolation
 # A module is compiled once, and not by each of the many processes that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test browser check lint python-types javascript-types api-types
+.PHONY: demo test browser check format lint python-types javascript-types api-types
 .PHONY: safety compiled drills worlds soak long-recording people-soak large-clinic photographs
 .PHONY: bench bench-compare verdicts page shipped pins clean
 
@@ -59,9 +62,14 @@ browser: $(VENV)/.installed-test
 check: $(VENV)/.installed-test node_modules/.installed
 	@$(MAKE) --no-print-directory --jobs 2 --output-sync=target python-types lint javascript-types
 
-lint: $(VENV)/.installed-test
+lint: $(VENV)/.installed-test node_modules/.installed
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	$(PRETTIER) --check $(PRETTY)
+
+format: $(VENV)/.installed-test node_modules/.installed
+	$(BIN)/ruff format .
+	$(PRETTIER) --write $(PRETTY)
 
 python-types: $(VENV)/.installed-test
 	$(BIN)/mypy

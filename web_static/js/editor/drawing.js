@@ -2,7 +2,7 @@
 import { h, put, s, set } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
 import { t } from "../texts.js";
-import { fieldsOf, itemOf, itemsOf, pointsOf } from "./document.js";
+import { fieldsOf, itemOf, pointsOf } from "./document.js";
 import { distance, lengthOf, STEP } from "./geometry.js";
 import { toPixel, toPlace } from "./viewport.js";
 import { points } from "../plan/plan_marks.js";
