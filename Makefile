@@ -19,7 +19,7 @@ unexport PYTHONDONTWRITEBYTECODE
 .PHONY: safety compiled drills worlds soak long-recording people-soak large-clinic photographs
 .PHONY: bench bench-compare verdicts page shipped pins clean
 
-$(VENV)/.installed: pyproject.toml hatch_build.py requirements/run.txt requirements/build.txt
+$(VENV)/.installed: pyproject.toml hatch_build.py front_end_packages.py package-lock.json requirements/run.txt requirements/build.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
 	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
 	@$(BIN)/python -m pip uninstall --quiet --quiet --yes setuptools  # of Python 3.11's venv: old, and of no use here
@@ -152,9 +152,6 @@ SHIPPED_demo-profile = $(WITH_TESTS) $(BIN)/python tests/cli/demonstration_profi
 # The fonts of reports, of the unpacked packages fonts-noto-core and fonts-noto-cjk in the folder FROM.
 SHIPPED_fonts = $(WITH_TESTS) $(BIN)/python tests/features/reports/report_fonts.py $(or $(FROM),$(error name a folder, as in: make shipped FILE=fonts FROM=unpacked))
 SHIPPED_icons = $(WITH_TESTS) $(BIN)/python tests/web_static/home_screen_icons.py
-# The script of the charts, as npm checked it by the digest in package-lock.json.
-PLOTLY := node_modules/plotly.js-basic-dist-min
-SHIPPED_plotly = cp $(PLOTLY)/plotly-basic.min.js web_static/vendor/ && cp $(PLOTLY)/LICENSE web_static/vendor/plotly-LICENSE.txt
 # The prior of simulated people, for the simulated shirt.
 SHIPPED_prior = $(WITH_TESTS) $(BIN)/python tests/cli/shipped_prior.py
 
@@ -166,4 +163,4 @@ shipped: $(VENV)/.installed-test node_modules/.installed
 	$(or $(SHIPPED_$(FILE)),$(error name a file, as in: make shipped FILE=icons; there are: $(call names,SHIPPED)))
 
 clean:
-	rm -rf $(VENV) node_modules dist build
+	rm -rf $(VENV) node_modules web_static/vendor dist build
