@@ -3,6 +3,9 @@ PORT ?= 8080
 VENV := .venv
 BIN := $(VENV)/bin
 TSC := $(BIN)/node node_modules/typescript/bin/tsc
+PRETTIER := $(BIN)/node node_modules/prettier/bin/prettier.cjs --log-level warn
+# What prettier writes; types/api.d.ts is made by a program.
+PRETTY := "web_static/js/**/*.js" "web_static/css/**/*.css" "tests/**/*.mjs" "types/!(api).d.ts"
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 # Packages are those whose digests stand in requirements/; these are complete, so that pip looks for no others. Python
 # compiles a module when it first imports it: the many that nothing imports take neither time nor 90 MB.
@@ -12,11 +15,11 @@ OWN := $(INSTALL) --no-index --no-deps --no-build-isolation
 # A module is compiled once, and not by each of the many processes that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test browser check lint python-types javascript-types api-types
+.PHONY: demo test browser check format lint python-types javascript-types api-types
 .PHONY: safety compiled drills worlds soak long-recording people-soak large-clinic photographs
 .PHONY: bench bench-compare verdicts page shipped pins clean
 
-$(VENV)/.installed: pyproject.toml hatch_build.py requirements/run.txt requirements/build.txt
+$(VENV)/.installed: pyproject.toml hatch_build.py front_end_packages.py package-lock.json requirements/run.txt requirements/build.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
 	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
 	@$(BIN)/python -m pip uninstall --quiet --quiet --yes setuptools  # of Python 3.11's venv: old, and of no use here
@@ -59,9 +62,14 @@ browser: $(VENV)/.installed-test
 check: $(VENV)/.installed-test node_modules/.installed
 	@$(MAKE) --no-print-directory --jobs 2 --output-sync=target python-types lint javascript-types
 
-lint: $(VENV)/.installed-test
+lint: $(VENV)/.installed-test node_modules/.installed
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	$(PRETTIER) --check $(PRETTY)
+
+format: $(VENV)/.installed-test node_modules/.installed
+	$(BIN)/ruff format .
+	$(PRETTIER) --write $(PRETTY)
 
 python-types: $(VENV)/.installed-test
 	$(BIN)/mypy
@@ -144,9 +152,6 @@ SHIPPED_demo-profile = $(WITH_TESTS) $(BIN)/python tests/cli/demonstration_profi
 # The fonts of reports, of the unpacked packages fonts-noto-core and fonts-noto-cjk in the folder FROM.
 SHIPPED_fonts = $(WITH_TESTS) $(BIN)/python tests/features/reports/report_fonts.py $(or $(FROM),$(error name a folder, as in: make shipped FILE=fonts FROM=unpacked))
 SHIPPED_icons = $(WITH_TESTS) $(BIN)/python tests/web_static/home_screen_icons.py
-# The script of the charts, as npm checked it by the digest in package-lock.json.
-PLOTLY := node_modules/plotly.js-basic-dist-min
-SHIPPED_plotly = cp $(PLOTLY)/plotly-basic.min.js web_static/vendor/ && cp $(PLOTLY)/LICENSE web_static/vendor/plotly-LICENSE.txt
 # The prior of simulated people, for the simulated shirt.
 SHIPPED_prior = $(WITH_TESTS) $(BIN)/python tests/cli/shipped_prior.py
 
@@ -158,4 +163,4 @@ shipped: $(VENV)/.installed-test node_modules/.installed
 	$(or $(SHIPPED_$(FILE)),$(error name a file, as in: make shipped FILE=icons; there are: $(call names,SHIPPED)))
 
 clean:
-	rm -rf $(VENV) node_modules dist build
+	rm -rf $(VENV) node_modules web_static/vendor dist build

@@ -1,4 +1,5 @@
-"""Adds to a wheel the notices of others' work in it, and its middle compiled (mypyc) where there is a C compiler.
+"""Adds to a wheel the packages of npm that its pages import (front_end_packages.py), the notices of others' work in it,
+and its middle compiled (mypyc) where there is a C compiler.
 
 Without a compiler the wheel is plain Python, with equal numbers, bit for bit (`make compiled` compares them). An
 editable installation is never compiled: a compiled file that is older than its source would be used without a word.
@@ -15,6 +16,11 @@ from pathlib import Path
 from shutil import which
 from typing import Any, NamedTuple
 
+ROOT = Path(__file__).resolve().parent
+sys.path.append(str(ROOT))  # a build runs this file from elsewhere
+
+from front_end_packages import LICENCE, VENDOR, FetchError, ensure_packages, packages  # noqa: E402
+
 # Each product and sum is rounded by itself, as in plain Python, also where a processor could do both in one step.
 SAME_ROUNDING = "-ffp-contract=off"
 
@@ -25,12 +31,12 @@ SAME_ROUNDING = "-ffp-contract=off"
 MARK = "# Compiled in a wheel (hatch_build.py)."
 NOTICES = "app/THIRD_PARTY_NOTICES.txt"  # in the wheel
 BEFORE_NOTICES = """The work of others that is in this package, with its licence. It holds no other package: those that
-it needs are installed beside it, and `bodydrive about --licences` lists them.
+it needs are installed beside it, and `bodydrive about --licences` lists both.
 """
 
 
 class Foreign(NamedTuple):
-    """The work of others that a wheel holds, as pyproject.toml names it."""
+    """The work of others that a wheel holds, as pyproject.toml or package-lock.json names it."""
 
     name: str
     version: str
@@ -49,19 +55,33 @@ def notices(root: Path, foreign: list[Foreign]) -> str:
     """
     parts = [BEFORE_NOTICES]
     for name, version, licence, pattern, text in foreign:
-        files = sorted(file.relative_to(root).as_posix() for file in root.glob(pattern))
+        files = sorted(file.relative_to(root).as_posix() for file in root.glob(pattern) if file != root / text)
         if not files:
             raise FileNotFoundError(f"pyproject.toml names {pattern} of {name}, and there is no such file")
-        parts.append(f"{name} {version}\nLicence: {licence}\nFiles: {', '.join(files)}\n\n{(root / text).read_text()}")
+        parts.append(f"{notice_head(name, version, licence, ', '.join(files))}\n{(root / text).read_text()}")
     return f"\n{'=' * 80}\n\n".join(parts)
+
+
+def notice_head(name: str, version: str, licence: str, files: str) -> str:
+    """Return the lines with which a notice begins; `bodydrive about` reads them (app/cli/about.py)."""
+    return f"Name: {name}\nVersion: {version}\nLicence: {licence}\nFiles: {files}\n"
+
+
+def front_end_works(root: Path) -> list[Foreign]:
+    """Return the packages in web_static/vendor/."""
+    return [
+        Foreign(one.name, one.version, one.licence, f"{VENDOR}/{one.name}/*", f"{VENDOR}/{one.name}/{LICENCE}")
+        for one in packages(root)
+    ]
 
 
 def notice_of_compiled() -> str:
     """Return the notice of mypyc's run time, which compiled modules hold."""
     mypy = distribution("mypy")
     (licence,) = [file for file in mypy.files or [] if file.match("*.dist-info/licenses/LICENSE")]
-    head = f"The run time of mypyc, of mypy {mypy.version}\nLicence: {mypy.metadata['License-Expression']}"
-    return f"\n{'=' * 80}\n\n{head}\nFiles: the compiled modules (.so)\n\n{licence.read_text()}"
+    stated = mypy.metadata["License-Expression"]
+    head = notice_head("mypyc's run time", f"of mypy {mypy.version}", stated, "the compiled modules (.so)")
+    return f"\n{'=' * 80}\n\n{head}\n{licence.read_text()}"
 
 
 class CompileError(Exception):
@@ -105,15 +125,21 @@ else:
     from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
     class MadeFiles(BuildHookInterface):
-        """Puts the notices and the compiled modules into a wheel."""
+        """Puts the packages of the pages, the notices and the compiled modules into a wheel."""
 
         _folder: tempfile.TemporaryDirectory[str]
 
         def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-            """Write the notices, and compile the modules with the mark."""
+            """Fetch the packages of the pages, write the notices, and compile the modules with the mark."""
+            root = Path(self.root)
+            try:
+                ensure_packages(root)
+            except FetchError as reason:
+                self.app.abort(str(reason))
             self._folder = tempfile.TemporaryDirectory()
             file = Path(self._folder.name) / "notices.txt"
-            file.write_text(notices(Path(self.root), [Foreign(**one) for one in self.config["foreign"]]))
+            others = [Foreign(**one) for one in self.config["foreign"]]
+            file.write_text(notices(root, [*front_end_works(root), *others]))
             if version == "editable":  # pages and data are read where they lie: nothing is copied but the notices
                 build_data["force_include_editable"][str(file)] = NOTICES
                 return

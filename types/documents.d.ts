@@ -31,7 +31,13 @@ export type CalibrationStep = {
 export type Forecast = { value: number; uncertainty: number };
 
 /** How a ring of so many sensors sits otherwise than on other people; at which places it has its front and its outer side, null: not known. */
-export type Arrangement = { shift: number; mirrored: boolean; sensors: number; front: number | null; outside: number | null };
+export type Arrangement = {
+  shift: number;
+  mirrored: boolean;
+  sensors: number;
+  front: number | null;
+  outside: number | null;
+};
 
 /** What a map that is not the standard one is learnt from, its checks, and what is expected of it; null: not known. */
 export type MapResult = {
@@ -78,9 +84,7 @@ export type Calibration = Omit<CalibrationView, "steps" | "result"> & {
 /** Configurations (docs/protocols.md, section 2) as they are answered: with every field. */
 export type ShirtConfig = { kind: string; sample_rate?: number; [field: string]: unknown };
 export type BodyConfig =
-  | Required<Schemas["PersonConfig"]>
-  | Required<Schemas["VisitorConfig"]>
-  | Required<Schemas["RecordedConfig"]>;
+  Required<Schemas["PersonConfig"]> | Required<Schemas["VisitorConfig"]> | Required<Schemas["RecordedConfig"]>;
 export type HeadConfig =
   | Required<Schemas["OpentrackConfig"]>
   | Required<Schemas["FreepieConfig"]>

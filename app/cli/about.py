@@ -1,8 +1,10 @@
-"""`bodydrive about`: the version, how it was built, and the installed packages with their licences."""
+"""`bodydrive about`: the version, how it was built, the installed packages and others' work in it, with licences."""
 
 import json
 import platform
+import re
 from importlib.metadata import Distribution, PackageNotFoundError, distribution
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
@@ -21,12 +23,15 @@ NOT_INSTALLED = "not installed"
 LONGEST_NAME = 200  # characters; a longer License field holds the text of the licence instead of its name
 CLASSIFIER = "License :: "
 NOTHING_STATED = {"", "UNKNOWN"}
+NOTICES = "app/THIRD_PARTY_NOTICES.txt"  # beside the installed modules; hatch_build.py writes it
+NOTICE = re.compile(r"^Name: (.+)\nVersion: (.+)\nLicence: (.+)\n", re.MULTILINE)
+HELD = "Its own files hold the work of others; the texts of the licences are in THIRD_PARTY_NOTICES.txt:"
 
 EQUAL = "the numbers are the same either way, bit for bit"
 
 
 class Package(NamedTuple):
-    """A package that the program needs."""
+    """A package that the program needs, or the work of others that its files hold."""
 
     name: str
     version: str | None  # None: it is required, and not installed
@@ -35,7 +40,7 @@ class Package(NamedTuple):
 
 def about(
     licences: Annotated[
-        bool, typer.Option("--licences", help="List the packages that are installed for it, with their licences.")
+        bool, typer.Option("--licences", help="List its packages, and the work of others in its files, with licences.")
     ] = False,
     as_json: AsJson = False,
 ) -> None:
@@ -44,15 +49,18 @@ def about(
 
     python = f"{platform.python_implementation()} {platform.python_version()}"
     packages = packages_of(NAME) if licences else []
+    held = held_works(NAME) if licences else []
     if as_json:
         facts = {"version": __version__, "compiled": IS_COMPILED, "python": python, "system": platform.platform()}
-        listed = {"packages": [package._asdict() for package in packages]} if licences else {}
-        typer.echo(json.dumps(facts | listed))
+        lists = {"packages": packages, "included": held} if licences else {}
+        typer.echo(json.dumps(facts | {name: [one._asdict() for one in list_] for name, list_ in lists.items()}))
         return
     built = "with its calculations compiled" if IS_COMPILED else "as plain Python"
     typer.echo(f"bodydrive {__version__}, built {built} ({EQUAL})\n{python}, {platform.platform()}")
     if packages:
         typer.echo("\n".join(["", *_table(packages)]))
+    if held:
+        typer.echo("\n".join(["", HELD, *_table(held)]))
 
 
 def packages_of(name: str) -> list[Package]:
@@ -83,6 +91,13 @@ def packages_of(name: str) -> list[Package]:
                 visited.add((key, extra))
                 waiting += [(required, key == name and extra in OPTIONAL) for required in _required(installed, extra)]
     return sorted(packages.values(), key=lambda package: canonicalize_name(package.name))
+
+
+def held_works(name: str) -> list[Package]:
+    """Return the work of others that the files of an installed package hold, as its notices have it."""
+    installed = _installed(name)
+    file = Path(str(installed.locate_file(NOTICES))) if installed else None
+    return [Package(*found) for found in NOTICE.findall(file.read_text("utf-8"))] if file and file.is_file() else []
 
 
 def _required(installed: Distribution, extra: str) -> "list[Requirement]":

@@ -12,6 +12,7 @@ import pytest
 from app import __version__
 from app.cli import about
 from folders import ROOT
+from hatch_build import Foreign, notice_of_compiled, notices
 
 FULL_TEXT = "Permission is hereby granted, free of charge, to any person\n" * 9
 
@@ -30,15 +31,44 @@ def test_it_says_version_build_and_python(bodydrive):
 
 
 def test_the_packages_are_those_it_requires_directly_and_indirectly_and_no_others(bodydrive):
-    packages = {one["name"].lower(): one for one in json.loads(listed(bodydrive, "--licences", "--json"))["packages"]}
+    facts = json.loads(listed(bodydrive, "--licences", "--json"))
+    packages = {one["name"].lower(): one for one in facts["packages"]}
     # starlette comes with fastapi, joblib with scikit-learn
     assert {"bodydrive", "numpy", "starlette", "joblib", "uvicorn"} <= packages.keys()
     assert not {"pytest", "ruff", "mypy", "playwright", "hypothesis"} & packages.keys()
     assert {name: one["version"] for name, one in packages.items() if one["version"] != version(name)} == {}
     assert packages["sqlalchemy"]["licence"] == "MIT"
-    table = listed(bodydrive, "--licences")
+    table, _, held = listed(bodydrive, "--licences").partition(f"\n{about.HELD}\n")
     assert len(table.splitlines()) == len(packages) + 3
+    assert len(held.splitlines()) == len(facts["included"])
     assert "no licence stated" in next(line for line in table.splitlines() if line.startswith("bodydrive  "))
+
+
+def test_the_work_of_others_in_its_files_is_listed_as_the_notices_have_it(bodydrive, monkeypatch, tmp_path):
+    works = [
+        Foreign("preact", "11.2.0", "MIT", "a/*", "a/text"),
+        Foreign("Noto fonts", "of Debian", "OFL-1.1", "b", "c"),
+    ]
+    for name in ("a/preact.js", "a/text", "b", "c", about.NOTICES):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text("Permission is granted. Name: of nobody\n")
+    (tmp_path / about.NOTICES).write_text(notices(tmp_path, works) + notice_of_compiled())
+    installed = package(Name="bodydrive")
+    installed.locate_file = tmp_path.joinpath
+    monkeypatch.setattr(about, "_installed", {"bodydrive": installed}.get)
+    included = json.loads(listed(bodydrive, "--licences", "--json"))["included"]
+    expected = [(one.name, one.version, one.licence) for one in works]
+    expected.append(("mypyc's run time", f"of mypy {version('mypy')}", "MIT"))
+    assert [tuple(one.values()) for one in included] == expected
+    table = listed(bodydrive, "--licences").splitlines()
+    assert table[table.index(about.HELD) + 1].split() == ["preact", "11.2.0", "MIT"]
+
+
+def test_an_installation_without_notices_lists_none(monkeypatch, tmp_path):
+    installed = package(Name="bodydrive")
+    installed.locate_file = tmp_path.joinpath
+    monkeypatch.setattr(about, "_installed", {"bodydrive": installed}.get)
+    assert about.held_works("bodydrive") == []
 
 
 def package(requires=(), **fields):

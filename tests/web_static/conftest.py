@@ -17,9 +17,10 @@ from app.settings import Settings, static_folder
 
 @pytest.fixture(scope="session")
 def modules(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of web_static/js beside a package.json that lets node read its files as modules, as browsers do."""
+    """Copies of web_static/js and of what it imports, beside a package.json, so that node reads them as modules."""
     folder = tmp_path_factory.mktemp("modules")
     (folder / "package.json").write_text('{"type": "module"}')
+    shutil.copytree(static_folder() / "vendor", folder / "vendor")
     return Path(shutil.copytree(static_folder() / "js", folder / "js"))
 
 

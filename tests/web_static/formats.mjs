@@ -2,7 +2,9 @@
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 
-const { day, dayAndTime, exactMoment, moment, size } = await import(pathToFileURL(`${process.argv[2]}/widgets/format.js`));
+const { day, dayAndTime, exactMoment, moment, size } = await import(
+  pathToFileURL(`${process.argv[2]}/widgets/format.js`)
+);
 
 assert.equal(new Date("2026-11-26T00:00:00Z").getDate(), 25, "the script runs west of Greenwich");
 assert.equal(day("2026-11-26"), "Nov 26, 2026"); // a day that somebody entered is this day everywhere

@@ -24,7 +24,10 @@ function wordsOf(...messages) {
 
 const byHand = { id: 7, end: "by hand" };
 const atGoal = { id: 7, end: "goal" };
-const start = [[nothing, 200], [driving(7, "checking"), 1000]];
+const start = [
+  [nothing, 200],
+  [driving(7, "checking"), 1000],
+];
 const drive = [...start, [driving(7, "armed"), 3000]];
 
 assert.deepEqual(
@@ -36,7 +39,14 @@ const ended = [...start, [{ ...driving(7, "checking"), over: byHand }, 500], [{ 
 assert.deepEqual(wordsOf(...ended), ["", "rest", "ended", ""]);
 // Ended while it was stopped: the stop has the screen until it is taken back.
 const stopped = { ...driving(7, "fault"), over: byHand };
-assert.deepEqual(wordsOf(...drive, [stopped, 1000], [{ ...nothing, over: byHand }, 20_000]), ["", "rest", "go", "", "ended", ""]);
+assert.deepEqual(wordsOf(...drive, [stopped, 1000], [{ ...nothing, over: byHand }, 20_000]), [
+  "",
+  "rest",
+  "go",
+  "",
+  "ended",
+  "",
+]);
 // The next trial, or a drive of a real chair, begins soon after: what is done now counts.
 for (const next of [driving(8, "checking"), { ...nothing, state: "checking", drives: true }]) {
   const words = wordsOf(...ended.slice(0, -1), [{ ...nothing, over: byHand }, 500], [{ ...next, over: byHand }, 500]);

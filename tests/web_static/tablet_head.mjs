@@ -18,20 +18,27 @@ let time = 0;
 const timers = new Map();
 const define = (name, value) => Object.defineProperty(globalThis, name, { value, configurable: true, writable: true });
 define("Node", Element);
-define("document", { createElement: () => new Element(), createTextNode: (text) => Object.assign(new Element(), { textContent: text }) });
+define("document", {
+  createElement: () => new Element(),
+  createTextNode: (text) => Object.assign(new Element(), { textContent: text }),
+});
 define("window", Object.assign(new EventTarget(), { isSecureContext: true, DeviceOrientationEvent: {} }));
 define("screen", { orientation: { angle: 0 } });
 define("performance", { now: () => time });
 define("setTimeout", (run) => timers.set(run, run) && run);
 define("clearTimeout", (run) => timers.delete(run));
 
-const { endTabletHead, orientation, tabletHead } = await import(pathToFileURL(`${process.argv[2]}/pages/shirt/tablet_head.js`));
+const { endTabletHead, orientation, tabletHead } = await import(
+  pathToFileURL(`${process.argv[2]}/pages/shirt/tablet_head.js`)
+);
 
 // Upright with its back to the north, 30 degrees each way: left, up and to the right shoulder are positive.
 const RADIANS = Math.PI / 180;
 const looks = (angles, wanted) => {
   const { yaw, pitch, roll } = orientation(...angles);
-  [yaw, pitch, roll].forEach((value, i) => assert.ok(Math.abs(value - wanted[i] * RADIANS) < 1e-9, `${angles}: ${value}`));
+  [yaw, pitch, roll].forEach((value, i) =>
+    assert.ok(Math.abs(value - wanted[i] * RADIANS) < 1e-9, `${angles}: ${value}`),
+  );
 };
 looks([0, 90, 0, 0], [0, 0, 0]);
 looks([30, 90, 0, 0], [30, 0, 0]);

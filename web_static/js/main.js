@@ -75,10 +75,23 @@ export class App extends TypedEvents {
 
   root = h("main", { class: "page", tabindex: "-1" });
   rail = rail(this);
-  frame = h("div", { class: "app alone" }, header(this), this.rail, h("div", { class: "above-page" }, notices(this), firstTimePlace(this)), this.root);
+  frame = h(
+    "div",
+    { class: "app alone" },
+    header(this),
+    this.rail,
+    h("div", { class: "above-page" }, notices(this), firstTimePlace(this)),
+    this.root,
+  );
 
   async start() {
-    document.body.replaceChildren(this.frame, this.question, this.toasts.element, this.toasts.voice, this.toasts.urgent);
+    document.body.replaceChildren(
+      this.frame,
+      this.question,
+      this.toasts.element,
+      this.toasts.voice,
+      this.toasts.urgent,
+    );
     stopOnSpace(this, window);
     this.lock.watch();
     keepFocus();
@@ -113,7 +126,10 @@ export class App extends TypedEvents {
 
   /** Take the answer of a sign-in. @param {Me} me */
   async signedIn(me) {
-    await this.#signedIn(me, me.signed_in ? ((await this.toasts.attempt(() => this.api.get("/session"))) ?? null) : null);
+    await this.#signedIn(
+      me,
+      me.signed_in ? ((await this.toasts.attempt(() => this.api.get("/session"))) ?? null) : null,
+    );
   }
 
   async signOut() {
@@ -249,9 +265,18 @@ export class App extends TypedEvents {
     this.setShowsTrial(false);
     const isForbidden = error instanceof ApiError && error.status === FORBIDDEN;
     const way = isForbidden
-      ? h("a", { class: "btn go", href: `#/${this.#next()}` }, t("error.other-page", { page: t(`rail.${this.#next()}`) }))
+      ? h(
+          "a",
+          { class: "btn go", href: `#/${this.#next()}` },
+          t("error.other-page", { page: t(`rail.${this.#next()}`) }),
+        )
       : h("button", { type: "button", class: "btn go", onclick: () => this.show() }, t("try-again"));
-    put(this.root, h("h1", { tabindex: "-1" }, t("error.page")), h("p", { class: "lead" }, failureWords(error)), h("div", {}, way));
+    put(
+      this.root,
+      h("h1", { tabindex: "-1" }, t("error.page")),
+      h("p", { class: "lead" }, failureWords(error)),
+      h("div", {}, way),
+    );
   }
 
   /** @param {Me | null} me @param {CurrentSession | null} session */

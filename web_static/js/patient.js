@@ -90,12 +90,20 @@ class PatientPage {
     this.#screen.abort();
     this.#live.close();
     this.#say(t(`patient.${state}.title`), words || t(`patient.${state}.lead`), t(`patient.${state}.next`));
-    this.#root.append(codeForm((code) => this.#pair(code), () => this.#ask()));
+    this.#root.append(
+      codeForm(
+        (code) => this.#pair(code),
+        () => this.#ask(),
+      ),
+    );
   }
 
   /** @param {string} title @param {string} lead @param {string} next what to do */
   #say(title, lead, next) {
-    put(this.#root, h("section", { class: "calm", role: "status" }, h("h1", {}, title), h("p", {}, lead), h("p", {}, next)));
+    put(
+      this.#root,
+      h("section", { class: "calm", role: "status" }, h("h1", {}, title), h("p", {}, lead), h("p", {}, next)),
+    );
   }
 }
 
@@ -104,7 +112,14 @@ class PatientPage {
  * @param {(code: string) => Promise<unknown>} pair @param {() => void} onPaired
  */
 function codeForm(pair, onPaired) {
-  const code = h("input", { type: "text", autocomplete: "off", autocapitalize: "characters", spellcheck: "false", required: true, maxlength: 20 });
+  const code = h("input", {
+    type: "text",
+    autocomplete: "off",
+    autocapitalize: "characters",
+    spellcheck: "false",
+    required: true,
+    maxlength: 20,
+  });
   const problem = h("p", { class: "problem", role: "alert" });
   /** @param {SubmitEvent} event */
   const submit = async (event) => {

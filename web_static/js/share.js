@@ -28,8 +28,7 @@ async function show() {
   if (answer?.ok) {
     await readReference();
     showShared(await answer.json());
-  }
-  else askPin(answer ? "" : t("share.failed"));
+  } else askPin(answer ? "" : t("share.failed"));
 }
 
 /** @param {string} words of a refusal, or empty */
@@ -62,11 +61,14 @@ function askPin(words) {
       "section",
       {},
       h("h1", {}, t("share.heading")),
-      h("form", { onsubmit: open },
+      h(
+        "form",
+        { onsubmit: open },
         h("label", {}, t("share.pin"), pin),
         h("p", { class: "quiet" }, t("share.pin.words")),
         h("p", { class: "problem", role: "alert" }, words),
-        h("button", { class: "btn go large" }, t("share.open"))),
+        h("button", { class: "btn go large" }, t("share.open")),
+      ),
     ),
   );
   pin.focus();
@@ -114,15 +116,29 @@ function taskCard(task) {
   return h(
     "section",
     {},
-    h("h2", {}, t("share.task", { plan: task.floorplan_title, path: task.path_title }), task.source === "simulated" ? ` (${t("share.simulated")})` : ""),
+    h(
+      "h2",
+      {},
+      t("share.task", { plan: task.floorplan_title, path: task.path_title }),
+      task.source === "simulated" ? ` (${t("share.simulated")})` : "",
+    ),
     h("p", {}, t("share.trajectories", { count: task.trajectories.length })),
     lines([task.path, ...task.trajectories.map(({ x, y }) => x.map((one, i) => [one, y[i]]))], "path"),
     h("p", {}, t("share.curve")),
     areaCurve(areas) ?? h("p", { class: "quiet" }, t("share.no_area")),
-    areas.length > 0 && h("p", {}, t("share.values", { first: number(areas[0].value, 2), newest: number(areas[areas.length - 1].value, 2) })),
+    areas.length > 0 &&
+      h(
+        "p",
+        {},
+        t("share.values", { first: number(areas[0].value, 2), newest: number(areas[areas.length - 1].value, 2) }),
+      ),
     h("p", {}, t("share.verdicts")),
     words.length
-      ? h("dl", {}, words.map((name) => [h("dt", {}, nameOf(name)), h("dd", {}, REFERENCE.measures.verdicts[task.words[name]])]))
+      ? h(
+          "dl",
+          {},
+          words.map((name) => [h("dt", {}, nameOf(name)), h("dd", {}, REFERENCE.measures.verdicts[task.words[name]])]),
+        )
       : h("p", { class: "quiet" }, t("share.no_verdict")),
   );
 }
@@ -141,7 +157,9 @@ function lines(all, first) {
       viewBox: [left - pad, top - pad, wide + 2 * pad, high + 2 * pad].join(" "),
       "aria-hidden": "true",
     },
-    all.map((line, i) => s("polyline", { class: i === 0 ? first : "driven", points: line.map(([x, y]) => `${x},${-y}`).join(" ") })),
+    all.map((line, i) =>
+      s("polyline", { class: i === 0 ? first : "driven", points: line.map(([x, y]) => `${x},${-y}`).join(" ") }),
+    ),
   );
 }
 

@@ -26,7 +26,11 @@ function showSteps() {
       "div",
       { class: "devices" },
       DEVICES.map((each) =>
-        h("button", { type: "button", "aria-pressed": String(each === device), onclick: () => choose(each) }, text(each)),
+        h(
+          "button",
+          { type: "button", "aria-pressed": String(each === device), onclick: () => choose(each) },
+          text(each),
+        ),
       ),
     ),
     stepList(device),
@@ -44,7 +48,10 @@ function choose(chosen) {
 /** @param {Finding} finding */
 function showResult({ state, facts, apart }) {
   const apartWords =
-    facts && state !== "clock" && Math.abs(apart) > APART && text("clock.apart", { minutes: String(Math.round(Math.abs(apart) / 60_000)) });
+    facts &&
+    state !== "clock" &&
+    Math.abs(apart) > APART &&
+    text("clock.apart", { minutes: String(Math.round(Math.abs(apart) / 60_000)) });
   const key = `${state} ${facts?.link} ${apartWords}`;
   if (key === shown) return; // a screen reader would read it again
   shown = key;

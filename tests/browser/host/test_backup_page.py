@@ -69,7 +69,15 @@ def test_an_owner_backs_up_and_looks_after_deleted_patients(page, served, tmp_pa
     page.get_by_role("button", name="Erase now: B-12").click()
     expect(page.get_by_role("button", name="Cancel")).to_be_focused()
     photograph(page, "made")
+    cancel = page.get_by_role("button", name="Cancel").element_handle()
+    (other,) = [one["id"] for one in served.good("GET", "/patients") if one["code"] == "A-03"]
+    served.good("DELETE", f"/patients/{other}", {"reason": "The patient's own wish"})
+    page.get_by_role("button", name="Save").first.click()  # the answer has both: the card is drawn again
+    expect(page.get_by_text("erased in 30 days")).to_have_count(2)
+    assert cancel.evaluate("(button) => button.isConnected")  # what was open is not drawn anew
+    served.good("POST", f"/patients/{other}/restore")
     page.get_by_role("button", name="Cancel").click()
+    expect(page.get_by_role("group", name="Erase now")).to_have_count(0)
     page.get_by_role("button", name="Undo the deletion of B-12").click()
     expect(page.get_by_text("Nobody was deleted.")).to_be_visible()
     stick.rename(tmp_path / "taken away")

@@ -3,7 +3,9 @@ import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 
 globalThis.matchMedia = () => ({ matches: false, addEventListener() {} });
-const { mapTraces, sessionShapes, sessionWords } = await import(pathToFileURL(`${process.argv[2]}/charts/curve_marks.js`));
+const { mapTraces, sessionShapes, sessionWords } = await import(
+  pathToFileURL(`${process.argv[2]}/charts/curve_marks.js`)
+);
 
 const colours = { text: "rgb(1, 2, 3)", "path-prescribed": "rgb(4, 5, 6)" };
 const row = (number, session, profile_version, origin) => ({ number, session, profile_version, origin });
@@ -35,12 +37,23 @@ assert.deepEqual(
   ],
 );
 // With room for it, the word stands at each.
-assert.deepEqual(sessionWords(rows.slice(0, 5)).map(({ text }) => text), ["session 1", "session 2"]);
+assert.deepEqual(
+  sessionWords(rows.slice(0, 5)).map(({ text }) => text),
+  ["session 1", "session 2"],
+);
 // On a telephone the word has no room at each of four.
 const four = Array.from({ length: 8 }, (_, i) => row(i + 1, 1 + Math.floor(i / 2), 1, "calibration"));
-assert.deepEqual(sessionWords(four).map(({ text }) => text), ["session", "1", "2", "3", "4"]);
+assert.deepEqual(
+  sessionWords(four).map(({ text }) => text),
+  ["session", "1", "2", "3", "4"],
+);
 const many = Array.from({ length: 8 }, (_, i) => row(i + 1, i + 1, 1, "calibration"));
-assert.deepEqual(sessionWords(many).map(({ text }) => text).slice(0, 3), ["session", "1", "2"]);
+assert.deepEqual(
+  sessionWords(many)
+    .map(({ text }) => text)
+    .slice(0, 3),
+  ["session", "1", "2"],
+);
 
 const maps = mapTraces(rows, colours);
 assert.deepEqual(

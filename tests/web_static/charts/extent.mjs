@@ -12,7 +12,13 @@ const filled = (values, isFromZero) => {
   return (Math.max(...values) - least) / (high - low);
 };
 
-for (const values of [[3, 4], [0.81, 0.84, 0.8], [-2.4, -2.42], [1e-6, 3e-6], [-1, 1]]) {
+for (const values of [
+  [3, 4],
+  [0.81, 0.84, 0.8],
+  [-2.4, -2.42],
+  [1e-6, 3e-6],
+  [-1, 1],
+]) {
   assert.ok(filled(values, false) > 0.75, `${values} fill the axis`);
   assert.ok(filled(values.map(Math.abs), true) > 0.75, `${values} fill the axis from 0`);
 }

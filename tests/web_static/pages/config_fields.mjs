@@ -60,17 +60,21 @@ const LIMITS = ["type", "min", "max", "minlength", "maxlength", "required"];
 const shown = Object.entries(labelled).map(([label, { input, hint }]) => ({
   label,
   hint,
-  limits: Object.fromEntries(LIMITS.filter((name) => name in input.attributes).map((name) => [name, input.attributes[name]])),
+  limits: Object.fromEntries(
+    LIMITS.filter((name) => name in input.attributes).map((name) => [name, input.attributes[name]]),
+  ),
   options: [...input.all("option")].map((option) => option.textContent),
   segments: [...input.all("label")].map((segment) => segment.textContent),
 }));
 const before = await config();
 for (const [label, value] of Object.entries(entries)) {
   const { input } = labelled[label];
-  if (input.attributes.class === "stepper") input.children.at(-1).dispatchEvent(Object.assign(new Event("click"), { detail: 0 })); // the button +
+  if (input.attributes.class === "stepper")
+    input.children.at(-1).dispatchEvent(Object.assign(new Event("click"), { detail: 0 })); // the button +
   else {
     if (typeof value === "boolean") input.checked = value;
-    else if (typeof value === "object") input.files = [{ name: "layout.json", text: async () => JSON.stringify(value) }];
+    else if (typeof value === "object")
+      input.files = [{ name: "layout.json", text: async () => JSON.stringify(value) }];
     else input.value = value;
     input.dispatchEvent(new Event("change"));
   }

@@ -17,16 +17,25 @@ assert.equal(
 assert.equal(detailWords({ before: { turn: 1.2 }, now: { turn: 1.0 } }, codes), "Turn speed: 69 → 57 °/s");
 assert.equal(detailWords({ before: { turn: 1.2 }, now: { turn: 1.201 } }, codes), "Turn speed: 68.75 → 68.81 °/s");
 
-assert.equal(detailWords({ name: "Ben", before: { role: "reviewer", patients: [1] }, now: { role: "reviewer", patients: null } }, codes),
-  "name Ben · patients: P-001 → all patients");
+assert.equal(
+  detailWords(
+    { name: "Ben", before: { role: "reviewer", patients: [1] }, now: { role: "reviewer", patients: null } },
+    codes,
+  ),
+  "name Ben · patients: P-001 → all patients",
+);
 assert.equal(detailWords({ has_folder: true, rows: { trial: 2 } }, codes), "folder chosen yes · rows trial 2");
 assert.equal(detailWords({ share: 0.5 }, codes, "dial turned"), "speed dial at 50 %");
 assert.equal(detailWords({ share: 3, patient: 1 }, codes, "share viewed"), "P-001 · share link 3");
 assert.equal(detailWords({ fault: "stop_tablet", trial: 4 }, codes), "reason Stop on the screen · trial 4");
-assert.equal(detailWords({ consent: "clinic_prior", given: "2026-03-01" }, codes),
-  "consent use for other patients of the clinic · given on Mar 1, 2026");
-assert.equal(detailWords({ kind: "recording", size: 48_000_000, same_name: "keep-both" }, codes),
-  "kind recording · size 48.0 MB · name that was taken both kept");
+assert.equal(
+  detailWords({ consent: "clinic_prior", given: "2026-03-01" }, codes),
+  "consent use for other patients of the clinic · given on Mar 1, 2026",
+);
+assert.equal(
+  detailWords({ kind: "recording", size: 48_000_000, same_name: "keep-both" }, codes),
+  "kind recording · size 48.0 MB · name that was taken both kept",
+);
 assert.equal(detailWords({ joint: "right_elbow", right: false }, codes), "joint right elbow · sits right no");
 assert.equal(detailWords({}, codes), "");
 assert.equal(whatWords("dial turned"), "speed dial turned");

@@ -7,7 +7,11 @@ const shirt = { kind: "udp" };
 const message = "The patient was calibrated in another shirt: calibrate in this one first.";
 
 assert.equal(wayBeforeDriving(shirt, null), null); // the button starts the trial
-assert.deepEqual(wayBeforeDriving(shirt, { message, page: "calibrate" }), { href: "#/calibrate", go: "Calibrate", message });
+assert.deepEqual(wayBeforeDriving(shirt, { message, page: "calibrate" }), {
+  href: "#/calibrate",
+  go: "Calibrate",
+  message,
+});
 assert.equal(wayBeforeDriving(shirt, { message, page: "controls" }).href, "#/controls");
 assert.equal(wayBeforeDriving(null, { message, page: "shirt" }).go, "Choose a shirt");
 console.log("the way before driving holds");

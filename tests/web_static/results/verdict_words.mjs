@@ -39,10 +39,54 @@ assert.deepEqual(largeMeasures({ kept: false, measures: followed }), []);
 assert.deepEqual(largeMeasures({ kept: true, measures: null }), []);
 
 // A path that crosses itself: the chair stops at the crossing the first time.
-const path = [[0, 0], [6, 0], [6, 4], [3, 4], [3, -4]];
-const driven = (places) => ({ path, trajectory: { t: places.map((_, i) => i), x: places.map(([x]) => x), y: places.map(([, y]) => y) } });
-assert.deepEqual(wayDone(driven([[0, 0], [1, 0.2], [2, 0], [3, 0.1]])), { done: 3, length: 21 });
-assert.equal(wayDone(driven([[0, 0], [2, 0], [4, 0], [6, 0], [6, 2], [6, 4], [4, 4], [3, 3], [3, 1], [3, 0]])).done, 17);
+const path = [
+  [0, 0],
+  [6, 0],
+  [6, 4],
+  [3, 4],
+  [3, -4],
+];
+const driven = (places) => ({
+  path,
+  trajectory: { t: places.map((_, i) => i), x: places.map(([x]) => x), y: places.map(([, y]) => y) },
+});
+assert.deepEqual(
+  wayDone(
+    driven([
+      [0, 0],
+      [1, 0.2],
+      [2, 0],
+      [3, 0.1],
+    ]),
+  ),
+  { done: 3, length: 21 },
+);
+assert.equal(
+  wayDone(
+    driven([
+      [0, 0],
+      [2, 0],
+      [4, 0],
+      [6, 0],
+      [6, 2],
+      [6, 4],
+      [4, 4],
+      [3, 3],
+      [3, 1],
+      [3, 0],
+    ]),
+  ).done,
+  17,
+);
 assert.equal(wayDone({ path, trajectory: null }), null);
-assert.equal(wayDone({ path: [[1, 1], [1, 1]], trajectory: { t: [0], x: [1], y: [1] } }), null);
+assert.equal(
+  wayDone({
+    path: [
+      [1, 1],
+      [1, 1],
+    ],
+    trajectory: { t: [0], x: [1], y: [1] },
+  }),
+  null,
+);
 console.log("verdict_words.mjs holds");

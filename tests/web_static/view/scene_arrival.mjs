@@ -10,7 +10,12 @@ const document = { documentElement: { toggleAttribute: (name, is) => name === "d
 const requestAnimationFrame = (look) => (next = look);
 class Document {}
 runInNewContext(readFileSync(process.argv[3], "utf-8"), {
-  window, document, requestAnimationFrame, Document, performance, setInterval() {},
+  window,
+  document,
+  requestAnimationFrame,
+  Document,
+  performance,
+  setInterval() {},
 });
 const draw = (pictures) => {
   for (let i = 0; i < pictures; i++) next();

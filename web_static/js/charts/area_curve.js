@@ -14,7 +14,8 @@ export function areaCurve(trials) {
   const [first, last] = [trials[0].number, trials[trials.length - 1].number];
   const top = roundAbove(Math.max(...trials.map(({ value }) => value)));
   /** @param {number} trial */
-  const x = (trial) => (last > first ? INNER + ((trial - first) / (last - first)) * (WIDTH - RIGHT - INNER - 20) : (INNER + WIDTH) / 2);
+  const x = (trial) =>
+    last > first ? INNER + ((trial - first) / (last - first)) * (WIDTH - RIGHT - INNER - 20) : (INNER + WIDTH) / 2;
   /** @param {number} value */
   const y = (value) => HEIGHT - BOTTOM - (value / top) * (HEIGHT - TOP - BOTTOM);
   const digits = top < 1 ? 2 : top < 10 ? 1 : 0;

@@ -105,7 +105,10 @@ function trialTraces(rows, measure, colours) {
         mode: "lines+markers",
         showlegend: false,
         line: { color: faint(colours.text, 0.35), width: 1.5 },
-        marker: { color: colours.text, size: rows.flatMap((row) => (comparable(measure, row) ? [row.familiarisation ? 0 : 9] : [])) },
+        marker: {
+          color: colours.text,
+          size: rows.flatMap((row) => (comparable(measure, row) ? [row.familiarisation ? 0 : 9] : [])),
+        },
       },
     ),
   ];

@@ -59,7 +59,9 @@ export function sessionWords(rows) {
     x: (first + last) / 2,
     ...place,
   }));
-  return hasRoom ? numbers : [{ text: t("review.sessions"), x: 0, xref: "paper", xanchor: "right", xshift: -4, ...place }, ...numbers];
+  return hasRoom
+    ? numbers
+    : [{ text: t("review.sessions"), x: 0, xref: "paper", xanchor: "right", xshift: -4, ...place }, ...numbers];
 }
 
 /** The row in which the maps stand. */

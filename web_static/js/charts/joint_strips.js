@@ -26,7 +26,10 @@ export function jointStrips(live, layout, signal) {
   );
   drawTraces(
     live,
-    strips.map(({ canvas, indices }) => ({ canvas, values: (now) => indices.map((index) => now.values?.[index] ?? null) })),
+    strips.map(({ canvas, indices }) => ({
+      canvas,
+      values: (now) => indices.map((index) => now.values?.[index] ?? null),
+    })),
     signal,
   );
   return h(

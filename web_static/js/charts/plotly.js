@@ -3,7 +3,7 @@ import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { palette } from "../shell/theme.js";
 
-const SCRIPT = new URL("../../vendor/plotly-basic.min.js", import.meta.url).href;
+const SCRIPT = new URL("../../vendor/plotly.js-basic-dist-min/plotly-basic.min.js", import.meta.url).href;
 const CONFIG = { displaylogo: false, displayModeBar: false, responsive: true, scrollZoom: false, doubleClick: false };
 
 /** @type {Promise<Plotly> | null} one script for as long as the page is open */

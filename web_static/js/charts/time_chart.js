@@ -46,13 +46,20 @@ export function timeChart({ title, unit, times, state, lines, digits = 2, range,
   const element = h(
     "figure",
     { class: "time-chart" },
-    h("figcaption", {}, h("b", {}, title), unit && h("span", { class: "quiet" }, ` ${unit}`), h("span", { class: "legends" }, legend)),
+    h(
+      "figcaption",
+      {},
+      h("b", {}, title),
+      unit && h("span", { class: "quiet" }, ` ${unit}`),
+      h("span", { class: "legends" }, legend),
+    ),
     box,
   );
   const { low, high } = spanOf(lines, range);
   let width = 0;
   /** @param {number | null} now s @returns {number} px */
-  const xAt = (now) => LEFT + ((Number(now) - head.start) / (head.end - head.start || 1)) * Math.max(1, width - LEFT - RIGHT);
+  const xAt = (now) =>
+    LEFT + ((Number(now) - head.start) / (head.end - head.start || 1)) * Math.max(1, width - LEFT - RIGHT);
   /** @param {number} value @returns {number} px */
   const yAt = (value) => EDGE + ((high - value) / (high - low)) * (height - 2 * EDGE);
 
@@ -74,9 +81,13 @@ export function timeChart({ title, unit, times, state, lines, digits = 2, range,
   const shadeUnarmed = (pen) => {
     pen.fillStyle = colours.border;
     pen.globalAlpha = 0.45;
-    for (let i = 0; i < times.length; ) {
+    for (let i = 0; i < times.length;) {
       let last = i;
-      while (last + 1 < times.length && (state[last + 1] === REFERENCE.numbers.armed) === (state[i] === REFERENCE.numbers.armed)) last += 1;
+      while (
+        last + 1 < times.length &&
+        (state[last + 1] === REFERENCE.numbers.armed) === (state[i] === REFERENCE.numbers.armed)
+      )
+        last += 1;
       const [from, to] = [xAt(times[i]), xAt(times[Math.min(last + 1, times.length - 1)])];
       if (state[i] !== REFERENCE.numbers.armed) pen.fillRect(from, 0, to - from, height);
       i = last + 1;
@@ -149,7 +160,10 @@ export function timeChart({ title, unit, times, state, lines, digits = 2, range,
 
 /** @param {string} colour @param {number} i */
 function swatch(colour, i) {
-  return h("i", { class: "swatch", style: `border-top: 3px ${i % DASHES.length ? "dashed" : "solid"} var(--${colour})` });
+  return h("i", {
+    class: "swatch",
+    style: `border-top: 3px ${i % DASHES.length ? "dashed" : "solid"} var(--${colour})`,
+  });
 }
 
 /**
@@ -159,8 +173,7 @@ function swatch(colour, i) {
 function spanOf(lines, range = [Infinity, -Infinity]) {
   let [low, high] = range;
   for (const { values } of lines)
-    for (const value of values)
-      if (value !== null) [low, high] = [Math.min(low, value), Math.max(high, value)];
+    for (const value of values) if (value !== null) [low, high] = [Math.min(low, value), Math.max(high, value)];
   if (!Number.isFinite(low)) [low, high] = [0, 1];
   if (high - low < 1e-6) [low, high] = [low - 0.5, high + 0.5];
   return { low, high };

@@ -58,7 +58,16 @@
  */
 import { boundsOf, distance, distanceToLine, lengthOf, tidy } from "./geometry.js";
 
-export const LISTS = /** @type {const} */ (["paths", "cones", "doors", "obstacles", "walls", "movers", "gaps", "rooms"]);
+export const LISTS = /** @type {const} */ ([
+  "paths",
+  "cones",
+  "doors",
+  "obstacles",
+  "walls",
+  "movers",
+  "gaps",
+  "rooms",
+]);
 const PACE = 0.25; // m/s, the mean speed for which the time limit of a new path suffices
 const SHORTEST_TIME = 60; // s
 

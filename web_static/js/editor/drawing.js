@@ -2,7 +2,7 @@
 import { h, put, s, set } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
 import { t } from "../texts.js";
-import { fieldsOf, itemOf, itemsOf, pointsOf } from "./document.js";
+import { fieldsOf, itemOf, pointsOf } from "./document.js";
 import { distance, lengthOf, STEP } from "./geometry.js";
 import { toPixel, toPlace } from "./viewport.js";
 import { points } from "../plan/plan_marks.js";
@@ -217,7 +217,8 @@ function labels({ plan, pending, chosen, ghost }, view, size) {
     sides && at(line[0], `${number(sides[0], 2)} × ${number(sides[1], 2)} m`, "length"),
     radius && at(line[0], t("editor.radius.m", { value: number(radius, 2) }), "length"),
     width && at(line[0], t("editor.m", { value: number(width, 2) }), "length"),
-    drawn.length > 2 && at(drawn[drawn.length - 1], t("editor.whole", { value: number(lengthOf(drawn), 2) }), "length whole"),
+    drawn.length > 2 &&
+      at(drawn[drawn.length - 1], t("editor.whole", { value: number(lengthOf(drawn), 2) }), "length whole"),
   ];
 }
 

@@ -44,7 +44,11 @@ export function form({ plan, chosen, models }, acts) {
  * @param {Plan} plan @param {Ref | null} chosen @param {Acts} acts
  */
 function itemList(plan, chosen, acts) {
-  const refs = LISTS.flatMap((list) => itemsOf(plan, list).slice(0, 300).map((_, index) => ({ list, index })));
+  const refs = LISTS.flatMap((list) =>
+    itemsOf(plan, list)
+      .slice(0, 300)
+      .map((_, index) => ({ list, index })),
+  );
   const options = refs.map((ref) => ({ value: `${ref.list} ${ref.index}`, label: nameOf(plan, ref) }));
   const select = selection(
     [{ value: "", label: t("editor.plan") }, ...options],
@@ -121,7 +125,9 @@ function pathRows(path, acts) {
   const heading = numberRow("start_heading", t("editor.start-heading"), degrees, "°", (value) =>
     acts.change({ start_heading: value === null ? undefined : Number((value / DEGREES).toFixed(4)) }),
   );
-  set(/** @type {HTMLInputElement} */ (heading.querySelector("input")), { placeholder: t("editor.start-heading.along") });
+  set(/** @type {HTMLInputElement} */ (heading.querySelector("input")), {
+    placeholder: t("editor.start-heading.along"),
+  });
   return [
     h("p", { class: "number" }, t("editor.length", { value: number(length, 2) })),
     textRow("title", t("editor.path.title"), path.title, 80, (title) => acts.change({ title })),

@@ -22,7 +22,11 @@ export function addStep(history, next) {
 /** @template T @param {History<T>} history @returns {History<T>} */
 export function stepBack(history) {
   if (!history.past.length) return history;
-  return { past: history.past.slice(0, -1), now: history.past[history.past.length - 1], future: [history.now, ...history.future] };
+  return {
+    past: history.past.slice(0, -1),
+    now: history.past[history.past.length - 1],
+    future: [history.now, ...history.future],
+  };
 }
 
 /** @template T @param {History<T>} history @returns {History<T>} */

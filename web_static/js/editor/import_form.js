@@ -57,7 +57,10 @@ export function importForm(app, onDraft) {
       /** @type {DraftView} */
       const draft = await app.api.call("POST", "/floorplans/import", sent);
       if (IS_DRAWING.test(files[0].name) && !layers && draft.layers.length > 1) offerLayers(draft);
-      put(preview, importPreview(draft, () => onDraft(draft)));
+      put(
+        preview,
+        importPreview(draft, () => onDraft(draft)),
+      );
     } catch (error) {
       problem.textContent = failureWords(error);
     }

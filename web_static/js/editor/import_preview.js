@@ -19,7 +19,11 @@ export function importPreview(draft, onOpen) {
     h("h3", {}, t("import.preview")),
     // The API does not describe the document's fields.
     picture(/** @type {Drawn} */ (/** @type {unknown} */ (draft.document))),
-    h("ul", { class: "small" }, draft.messages.map((message) => h("li", {}, message))),
+    h(
+      "ul",
+      { class: "small" },
+      draft.messages.map((message) => h("li", {}, message)),
+    ),
     h("div", {}, h("button", { type: "button", class: "btn go", onclick: onOpen }, t("import.open"))),
   );
 }
@@ -46,7 +50,11 @@ function picture({ walls, wall_thickness: thickness, paths }) {
     s(
       "g",
       { transform: "scale(1 -1)" }, // the plan's y goes up, the picture's down
-      s("g", { class: "walls", "stroke-width": thickness }, walls.map((wall) => s("polyline", { points: points(wall) }))),
+      s(
+        "g",
+        { class: "walls", "stroke-width": thickness },
+        walls.map((wall) => s("polyline", { points: points(wall) })),
+      ),
       lines.map((line) => s("polyline", { class: "prescribed path", points: points(line) })),
     ),
   );

@@ -38,7 +38,13 @@ export function showPlanList(app, root, { plans, own }) {
   };
   /** @param {Source} source */
   const openFrom = (source) => app.toasts.attempt(async () => open(await source()));
-  const ask = h("div", { class: "card ask", role: "alertdialog", "aria-labelledby": "unsaved-plan", hidden: true, tabindex: "-1" });
+  const ask = h("div", {
+    class: "card ask",
+    role: "alertdialog",
+    "aria-labelledby": "unsaved-plan",
+    hidden: true,
+    tabindex: "-1",
+  });
   /** @param {Draft} unsaved @param {Source} source */
   const askFirst = (unsaved, source) => {
     const before = /** @type {HTMLElement | null} */ (document.activeElement);

@@ -22,7 +22,13 @@ export function showPlan(app, root, { draft: first, plans, models, signal }) {
   let taken = plans.map(({ name }) => name);
   const title = h("h1", { tabindex: "-1" }, draft.document.title);
   const saved = h("span", { class: "tag plain", role: "status" });
-  const ask = h("div", { class: "card ask", role: "alertdialog", "aria-labelledby": "leave-plan", hidden: true, tabindex: "-1" });
+  const ask = h("div", {
+    class: "card ask",
+    role: "alertdialog",
+    "aria-labelledby": "leave-plan",
+    hidden: true,
+    tabindex: "-1",
+  });
   const save = h("button", { type: "button", class: "btn go", onclick: () => saveVersion() }, t("plan.save"));
   const saveNew = h("button", { type: "button", class: "btn", onclick: () => saveAsNew() }, t("plan.save-new"));
   const drive = h("a", { class: "btn", href: "#/drive" }, t("plan.drive"));

@@ -40,7 +40,11 @@ export function listenToPointers(element, on, signal) {
   element.addEventListener("pointercancel", onUp, options);
   element.addEventListener("pointerleave", () => on.hover(null), options);
   element.addEventListener("wheel", onWheel, options);
-  window.addEventListener("keydown", (event) => isSpaceKey(event) && !event.defaultPrevented && (isSpace = true), options);
+  window.addEventListener(
+    "keydown",
+    (event) => isSpaceKey(event) && !event.defaultPrevented && (isSpace = true),
+    options,
+  );
   window.addEventListener("keyup", (event) => isSpaceKey(event) && (isSpace = false), options);
 
   /** @param {PointerEvent} event */

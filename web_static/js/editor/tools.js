@@ -18,7 +18,17 @@ import { changeDoor, doorOf, insertDoor, removeDoor } from "./doors.js";
 import { distance, tidy } from "./geometry.js";
 import { snapPlace } from "./snap.js";
 
-export const TOOLS = /** @type {const} */ (["move", "wall", "door", "box", "round", "cone", "path", "heading", "erase"]);
+export const TOOLS = /** @type {const} */ ([
+  "move",
+  "wall",
+  "door",
+  "box",
+  "round",
+  "cone",
+  "path",
+  "heading",
+  "erase",
+]);
 const SMALLEST = 0.05; // m, a side or a radius
 
 /** Choose a tool; an unfinished line is finished first. @param {State} state @param {Tool} tool @returns {NextState} */
@@ -44,7 +54,9 @@ export function tap(state, place, { step, reach }) {
       return tapLine(state, at, reach);
     case "door": {
       const made = insertDoor(plan, place, state.doorWidth, 2 * reach);
-      return "problem" in made ? { ...state, words: `editor.door.${made.problem}` } : { ...state, ...selectionOf(made) };
+      return "problem" in made
+        ? { ...state, words: `editor.door.${made.problem}` }
+        : { ...state, ...selectionOf(made) };
     }
     case "box":
       if (!pending.length) return { ...state, pending: [at], chosen: null };

@@ -4,7 +4,11 @@ import { loadStyles, words } from "./help_words.js";
 
 // The first sentence is about Stop; the others are named after the step of the rail that they are about.
 const SENTENCES = /** @type {const} */ (["first.stop", "first.calibrate", "first.controls", "first.review"]);
-const FOR_REVIEWERS = /** @type {const} */ (["first.reviewer.stop", "first.reviewer.patients", "first.reviewer.review"]);
+const FOR_REVIEWERS = /** @type {const} */ ([
+  "first.reviewer.stop",
+  "first.reviewer.patients",
+  "first.reviewer.review",
+]);
 
 const WITH_STEPS = "calibrate"; // this page has numbers of its own, so that none stand on the rail
 const BEFORE = ["sign_in", "invitation"]; // the page of a person is not shown yet
@@ -32,7 +36,11 @@ export async function showFirstTime(app, place) {
     await app.toasts.attempt(() => app.api.post("/auth/introduction"));
   };
   const title = words(isReviewer ? "first.reviewer.title" : "first.title");
-  const list = h("ol", { tabindex: "-1", "aria-label": title }, sentences.map((key) => h("li", {}, words(key))));
+  const list = h(
+    "ol",
+    { tabindex: "-1", "aria-label": title },
+    sentences.map((key) => h("li", {}, words(key))),
+  );
   const open = () => {
     fold(false);
     list.focus();
@@ -55,7 +63,8 @@ export async function showFirstTime(app, place) {
   let first = "";
   const follow = () => {
     const { page } = app.route;
-    if (!section.isConnected) done.abort(); // somebody signed out, or the page is locked
+    if (!section.isConnected)
+      done.abort(); // somebody signed out, or the page is locked
     else if (!BEFORE.includes(page)) {
       first ||= page;
       if (page !== first || page === WITH_STEPS) fold(true);

@@ -27,7 +27,12 @@ export async function openPageHelp(app, opener) {
   const panel = h(
     "section",
     { class: "page-help", role: "dialog", "aria-labelledby": "page-help-title" },
-    h("div", { class: "spread" }, title, h("button", { type: "button", class: "btn small", onclick: () => close() }, words("help.close"))),
+    h(
+      "div",
+      { class: "spread" },
+      title,
+      h("button", { type: "button", class: "btn small", onclick: () => close() }, words("help.close")),
+    ),
     drawing(name),
     found.sentences.map((sentence) => h("p", {}, sentence)),
     h("p", {}, h("a", { href: MORE, target: "_blank" }, words("help.more"))),
@@ -49,7 +54,8 @@ export async function openPageHelp(app, opener) {
     if (panel.contains(seen) && !panel.contains(target)) close(false);
   };
   window.addEventListener("focusin", uncover, { capture: true, signal });
-  for (const event of /** @type {const} */ (["route", "me"])) app.addEventListener(event, () => close(false), { signal });
+  for (const event of /** @type {const} */ (["route", "me"]))
+    app.addEventListener(event, () => close(false), { signal });
   app.root.before(panel);
   title.focus();
 }

@@ -48,9 +48,17 @@ export function newestTest({ tests }) {
 export function testFigures(test) {
   const { measures, end, number: which, session, started } = test;
   const large = REFERENCE.measures.leading_of_tests;
-  const title = h("h2", {}, t("test.result", { number: which }), " ", h("span", { class: "quiet" }, `${t("test.session", { number: session })}, ${moment(started)}`));
+  const title = h(
+    "h2",
+    {},
+    t("test.result", { number: which }),
+    " ",
+    h("span", { class: "quiet" }, `${t("test.session", { number: session })}, ${moment(started)}`),
+  );
   if (end !== "complete" || !measures) {
-    const reached = measures ? t("test.so-far", { count: measures.acquired, seconds: number(measures.duration, 0) }) : "";
+    const reached = measures
+      ? t("test.so-far", { count: measures.acquired, seconds: number(measures.duration, 0) })
+      : "";
     return h("section", { class: "card" }, title, h("p", {}, t(`test.end.${end ?? "fault"}`), " ", reached));
   }
   return h(
@@ -60,9 +68,24 @@ export function testFigures(test) {
     h(
       "div",
       { class: "test-large" },
-      large.map((name) => h("div", {}, h("div", { class: "quiet" }, testEntry(name).name), h("div", { class: "big" }, largeFigure(test, name)))),
+      large.map((name) =>
+        h(
+          "div",
+          {},
+          h("div", { class: "quiet" }, testEntry(name).name),
+          h("div", { class: "big" }, largeFigure(test, name)),
+        ),
+      ),
     ),
-    h("p", {}, t("test.reached", { acquired: measures.acquired, missed: measures.missed, seconds: REFERENCE.numbers.target_missed_after })),
+    h(
+      "p",
+      {},
+      t("test.reached", {
+        acquired: measures.acquired,
+        missed: measures.missed,
+        seconds: REFERENCE.numbers.target_missed_after,
+      }),
+    ),
     h(
       "details",
       {},
@@ -70,16 +93,40 @@ export function testFigures(test) {
       scrollTable(
         t("test.ways"),
         "test-ways",
-        h("thead", {}, h("tr", {}, ["way", "acquired", "missed", "time"].map((name) => h("th", { scope: "col" }, t(`test.ways.${name}`))))),
+        h(
+          "thead",
+          {},
+          h(
+            "tr",
+            {},
+            ["way", "acquired", "missed", "time"].map((name) => h("th", { scope: "col" }, t(`test.ways.${name}`))),
+          ),
+        ),
         h(
           "tbody",
           {},
           Object.entries(measures.directions).map(([way, { acquired, missed, movement_time: time }]) =>
-            h("tr", {}, h("th", { scope: "row" }, t(`test.way.${way}`)), h("td", {}, acquired), h("td", {}, missed), h("td", {}, time === null ? "–" : `${number(time, 2)} s`)),
+            h(
+              "tr",
+              {},
+              h("th", { scope: "row" }, t(`test.way.${way}`)),
+              h("td", {}, acquired),
+              h("td", {}, missed),
+              h("td", {}, time === null ? "–" : `${number(time, 2)} s`),
+            ),
           ),
         ),
       ),
-      testNames().filter((name) => !large.includes(name)).map((name) => h("p", {}, `${testEntry(name).name}: ${testFigure(test, name)}. `, h("span", { class: "quiet" }, testEntry(name).meaning))),
+      testNames()
+        .filter((name) => !large.includes(name))
+        .map((name) =>
+          h(
+            "p",
+            {},
+            `${testEntry(name).name}: ${testFigure(test, name)}. `,
+            h("span", { class: "quiet" }, testEntry(name).meaning),
+          ),
+        ),
       large.map((name) => h("p", { class: "quiet small" }, `${testEntry(name).name}: ${testEntry(name).meaning}`)),
       h("p", { class: "quiet small" }, t("test.publications")),
     ),
@@ -121,7 +168,9 @@ export function courseCard(read, signal) {
     h("h2", {}, t("test.curve"), " ", source && groupMark(source)),
     h("div", { class: "columns" }, field(t("review.measure"), choice)),
     place,
-    few ? h("p", { class: "quiet" }, t("test.one")) : [verdictTable(read), h("p", { class: "quiet small" }, t("test.noise"))],
+    few
+      ? h("p", { class: "quiet" }, t("test.one"))
+      : [verdictTable(read), h("p", { class: "quiet small" }, t("test.noise"))],
     workloadLine(read),
   );
 }
@@ -131,7 +180,16 @@ function verdictTable({ course }) {
   return scrollTable(
     t("verdict.title"),
     "test-verdicts",
-    h("thead", {}, h("tr", {}, h("th", { scope: "col" }, t("over.measure")), course.comparisons.map(({ earlier }) => h("th", { scope: "col" }, t("test.against", { number: earlier }))))),
+    h(
+      "thead",
+      {},
+      h(
+        "tr",
+        {},
+        h("th", { scope: "col" }, t("over.measure")),
+        course.comparisons.map(({ earlier }) => h("th", { scope: "col" }, t("test.against", { number: earlier }))),
+      ),
+    ),
     h(
       "tbody",
       {},
@@ -142,7 +200,11 @@ function verdictTable({ course }) {
           h("th", { scope: "row" }, testEntry(name).name),
           course.comparisons.map(({ verdicts }) => {
             const word = verdicts[name]?.word;
-            return h("td", { class: `change ${TONES[word ?? ""] ?? ""}` }, word ? REFERENCE.measures.verdicts_of_tests[word] : "–");
+            return h(
+              "td",
+              { class: `change ${TONES[word ?? ""] ?? ""}` },
+              word ? REFERENCE.measures.verdicts_of_tests[word] : "–",
+            );
           }),
         ),
       ),
@@ -154,6 +216,8 @@ function verdictTable({ course }) {
 function workloadLine({ tests }) {
   const asked = tests.filter(({ raw_tlx: mean }) => mean !== null);
   if (!asked.length) return null;
-  const values = asked.slice(-8).map(({ number: which, raw_tlx: mean }) => t("test.workload.of", { number: which, value: number(mean, 0) }));
+  const values = asked
+    .slice(-8)
+    .map(({ number: which, raw_tlx: mean }) => t("test.workload.of", { number: which, value: number(mean, 0) }));
   return h("p", {}, h("b", {}, REFERENCE.measures.workload), ": ", values.join(", "), ".");
 }

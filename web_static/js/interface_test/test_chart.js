@@ -24,8 +24,21 @@ export function testChart({ tests, course }, measure, signal) {
       ...(fit
         ? [
             { ...band, y: scaled(fit.high), showlegend: false },
-            { ...band, y: scaled(fit.low), fill: "tonexty", fillcolor: faint(colours.action, 0.16), name: t("review.band") },
-            { mode: "lines", x: fit.n, y: scaled(fit.value), line: { color: colours.action, width: 3 }, showlegend: false, hoverinfo: "skip" },
+            {
+              ...band,
+              y: scaled(fit.low),
+              fill: "tonexty",
+              fillcolor: faint(colours.action, 0.16),
+              name: t("review.band"),
+            },
+            {
+              mode: "lines",
+              x: fit.n,
+              y: scaled(fit.value),
+              line: { color: colours.action, width: 3 },
+              showlegend: false,
+              hoverinfo: "skip",
+            },
           ]
         : []),
       {
@@ -40,8 +53,15 @@ export function testChart({ tests, course }, measure, signal) {
       },
     ],
     layout: {
-      xaxis: { title: { text: t("test.number") }, dtick: rows.length > 12 ? undefined : 1, range: rangeOf(rows.map(({ test }) => test.number)) },
-      yaxis: { title: { text: title }, range: extent([...rows.map(({ value }) => value), ...scaled(fit?.value ?? [])], better === "low") },
+      xaxis: {
+        title: { text: t("test.number") },
+        dtick: rows.length > 12 ? undefined : 1,
+        range: rangeOf(rows.map(({ test }) => test.number)),
+      },
+      yaxis: {
+        title: { text: title },
+        range: extent([...rows.map(({ value }) => value), ...scaled(fit?.value ?? [])], better === "low"),
+      },
       hoverdistance: 30,
     },
   }));

@@ -15,7 +15,12 @@ const TONES = { better: "good", worse: "bad" };
 
 /** A row for each test, with its figures, or why it does not count. @param {InterfaceTestView[]} tests */
 export function testTable(tests) {
-  const head = [t("test.number"), ...testNames().map((name) => testEntry(name).name), REFERENCE.measures.workload, t("review.column.source")];
+  const head = [
+    t("test.number"),
+    ...testNames().map((name) => testEntry(name).name),
+    REFERENCE.measures.workload,
+    t("review.column.source"),
+  ];
   /** @param {InterfaceTestView} test */
   const row = (test) => {
     const counts = test.end === "complete" && test.measures;
@@ -25,14 +30,28 @@ export function testTable(tests) {
       "tr",
       { class: counts ? null : "discarded" },
       h("th", { scope: "row" }, String(test.number)),
-      counts ? [figures, workload] : h("td", { colspan: String(testNames().length + 1) }, t(test.status === "done" ? `test.end.${test.end ?? "fault"}` : "test.phase.running")),
+      counts
+        ? [figures, workload]
+        : h(
+            "td",
+            { colspan: String(testNames().length + 1) },
+            t(test.status === "done" ? `test.end.${test.end ?? "fault"}` : "test.phase.running"),
+          ),
       h("td", { title: test.source.description }, groupMark(groupOf(test)) ?? t("source.group.worn")),
     );
   };
   return scrollTable(
     t("record.tests"),
     "measures trials",
-    h("thead", {}, h("tr", {}, head.map((words) => h("th", { scope: "col" }, words)))),
+    h(
+      "thead",
+      {},
+      h(
+        "tr",
+        {},
+        head.map((words) => h("th", { scope: "col" }, words)),
+      ),
+    ),
     h("tbody", {}, tests.map(row)),
   );
 }
@@ -56,7 +75,15 @@ export function comparedTests({ earlier, later, verdicts }, sessions) {
   return scrollTable(
     t("record.tests"),
     "measures",
-    h("thead", {}, h("tr", {}, head.map((words) => h("th", { scope: "col" }, words)))),
+    h(
+      "thead",
+      {},
+      h(
+        "tr",
+        {},
+        head.map((words) => h("th", { scope: "col" }, words)),
+      ),
+    ),
     h("tbody", {}, testNames().map(row)),
   );
 }

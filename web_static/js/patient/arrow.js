@@ -30,7 +30,13 @@ export function arrow() {
   const needle = s("path", { d: "M50 8 82 88 50 70 18 88Z" });
   const distance = h("span", { class: "number" });
   const picture = s("svg", { viewBox: "0 0 100 100", role: "img" }, needle);
-  const element = h("div", { class: "hud arrow", hidden: true }, h("span", { class: "label" }, t("patient.goal.name")), picture, distance);
+  const element = h(
+    "div",
+    { class: "hud arrow", hidden: true },
+    h("span", { class: "label" }, t("patient.goal.name")),
+    picture,
+    distance,
+  );
   /** @param {import("../live/live.js").PatientMessage} now */
   const show = ({ asks, trial, pose }) => {
     const target = asks.arrow && isPose(pose) ? trial?.target : null;

@@ -17,7 +17,9 @@ export function momentCard() {
     const next = wordOf(now, performance.now());
     if (next === word) return;
     word = next;
-    const why = { rest: now.waits.message, goal: t("patient.goal.why"), ended: t("patient.ended.why"), go: "", "": "" }[next];
+    const why = { rest: now.waits.message, goal: t("patient.goal.why"), ended: t("patient.ended.why"), go: "", "": "" }[
+      next
+    ];
     put(
       element,
       next &&

@@ -47,7 +47,13 @@ export function showScreen(root, live, signal) {
   live.addEventListener("connection", showConnection, { signal });
   signal.addEventListener("abort", () => root.classList.remove("is-lost")); // what the page shows next is up to date
   const others = parts.filter((part) => part !== speed);
-  put(root, picture.element, others.map(({ element }) => element), h("div", { class: "corner" }, sound, speed.element), lost);
+  put(
+    root,
+    picture.element,
+    others.map(({ element }) => element),
+    h("div", { class: "corner" }, sound, speed.element),
+    lost,
+  );
   showConnection();
 }
 
@@ -100,7 +106,12 @@ function stopBand() {
     shown = key;
     set(element, { "aria-live": urgency(halt) });
     wait = h("p", { class: "wait" }, waits.message);
-    const words = halt && [h("b", {}, t("patient.stopped")), h("p", {}, halt.message), halt.again && h("p", {}, halt.again), wait];
+    const words = halt && [
+      h("b", {}, t("patient.stopped")),
+      h("p", {}, halt.message),
+      halt.again && h("p", {}, halt.again),
+      wait,
+    ];
     put(element, words && h("div", { class: "band stopped" }, octagon(), h("div", {}, words)));
   };
   return { element, show };

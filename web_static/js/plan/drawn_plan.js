@@ -123,7 +123,10 @@ function storedSettings() {
   const usual = { up: "heading", metres: USUAL };
   try {
     const { up, metres } = JSON.parse(localStorage.getItem(STORAGE_KEY) ?? "{}");
-    return { up: up in MIDDLE ? up : usual.up, metres: metres >= NEAREST && metres <= FARTHEST ? metres : usual.metres };
+    return {
+      up: up in MIDDLE ? up : usual.up,
+      metres: metres >= NEAREST && metres <= FARTHEST ? metres : usual.metres,
+    };
   } catch {
     return usual;
   }

@@ -47,9 +47,20 @@ export function planPicture(plan, path, { label, hasRooms = false, isNear = fals
   const scene = s(
     "g",
     { transform: "scale(1 -1)" },
-    area && s("rect", { class: `ground ${plan.ground.kind}`, x: area[0], y: area[1], width: area[2] - area[0], height: area[3] - area[1] }),
+    area &&
+      s("rect", {
+        class: `ground ${plan.ground.kind}`,
+        x: area[0],
+        y: area[1],
+        width: area[2] - area[0],
+        height: area[3] - area[1],
+      }),
     s("g", { class: "things" }, plan.obstacles.map(obstacle)),
-    s("g", { class: "cones" }, plan.cones.map(({ position: [x, y], radius }) => s("circle", { cx: x, cy: y, r: radius * scale }))),
+    s(
+      "g",
+      { class: "cones" },
+      plan.cones.map(({ position: [x, y], radius }) => s("circle", { cx: x, cy: y, r: radius * scale })),
+    ),
     s("g", { class: "gaps" }, plan.gaps.map(gap)),
     isTrue && s("g", { class: "doors" }, plan.doors.map(door)),
     s(
@@ -57,15 +68,28 @@ export function planPicture(plan, path, { label, hasRooms = false, isNear = fals
       { class: "walls", "stroke-width": plan.wall_thickness },
       plan.walls.map((wall) => s("polyline", { points: points(wall) })),
     ),
-    s("g", { class: "movers" }, movers.map(({ way }) => way)),
+    s(
+      "g",
+      { class: "movers" },
+      movers.map(({ way }) => way),
+    ),
     lines,
-    s("g", { class: "movers" }, movers.map(({ body }) => body)),
+    s(
+      "g",
+      { class: "movers" },
+      movers.map(({ body }) => body),
+    ),
   );
   const rooms = (hasRooms ? plan.rooms : []).map(({ label: words, position: [x, y] }) => ({
     at: [x, -y],
     text: s("text", { class: "room", x, y: -y, "text-anchor": "middle" }, words),
   }));
-  const all = s("g", {}, scene, rooms.map(({ text }) => text));
+  const all = s(
+    "g",
+    {},
+    scene,
+    rooms.map(({ text }) => text),
+  );
   const element = s(
     "svg",
     {
@@ -146,7 +170,12 @@ export function planPicture(plan, path, { label, hasRooms = false, isNear = fals
  */
 function prescribedLine(line, kind, hasRim) {
   const at = points(line);
-  return s("g", {}, hasRim && s("polyline", { class: `rim ${kind}`, points: at }), s("polyline", { class: `prescribed ${kind}`, points: at }));
+  return s(
+    "g",
+    {},
+    hasRim && s("polyline", { class: `rim ${kind}`, points: at }),
+    s("polyline", { class: `prescribed ${kind}`, points: at }),
+  );
 }
 
 /** @param {import("./floor_plan.js").Obstacle} one */

@@ -28,7 +28,9 @@ export function measured(measures, name) {
 
 /** The three measures that say most about a task, by what was measured. @param {Measures} measures @returns {string[]} */
 export function leadingMeasures(measures) {
-  return REFERENCE.measures.leading.find(({ has }) => has.every((name) => measured(measures, name) !== null))?.names ?? [];
+  return (
+    REFERENCE.measures.leading.find(({ has }) => has.every((name) => measured(measures, name) !== null))?.names ?? []
+  );
 }
 
 /** The measures in large figures: none of a trial that does not count. @param {{kept: boolean, measures: Measures | null}} trial */

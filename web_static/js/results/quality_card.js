@@ -20,12 +20,20 @@ export const QUALITIES = {
 };
 
 const OF_TRIAL = /** @type {const} */ (["activations_per_metre", "cross_talk"]);
-export const OF_JOINT = /** @type {const} */ (["map_angle_deg", "evr", "null_space_share", "span_share", "rest_rate", "activations"]);
+export const OF_JOINT = /** @type {const} */ ([
+  "map_angle_deg",
+  "evr",
+  "null_space_share",
+  "span_share",
+  "rest_rate",
+  "activations",
+]);
 
 /** @param {{quality: ControlQuality | null}} trial what GET /trials/ID answered @returns {HTMLElement} */
 export function qualityCard({ quality }) {
   const title = h("h2", {}, t("quality.title"));
-  if (!quality) return h("section", { class: "card quality-card" }, title, h("p", { class: "quiet" }, t("quality.none")));
+  if (!quality)
+    return h("section", { class: "card quality-card" }, title, h("p", { class: "quiet" }, t("quality.none")));
   const guided = quality.joints.filter((joint) => joint.guided).map(({ label }) => label);
   const bad = quality.bad_channels
     .filter(({ share }) => share >= 0.005) // less is shown as 0 %

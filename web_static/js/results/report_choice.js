@@ -34,7 +34,11 @@ export function reportChoice(app, patient, session) {
   let reader = "others";
   /** @type {ConsentsView["consents"] | null} */
   let consents = null;
-  const files = h("span", { class: "spread" }, links.map(({ link }) => link));
+  const files = h(
+    "span",
+    { class: "spread" },
+    links.map(({ link }) => link),
+  );
   const words = h("span", { class: "grow", role: "status" });
   const enter = h("a", { class: "btn", href: `#/session/patient/${patient.id}` }, t("report.consent.go"));
   const draw = () => {
@@ -64,14 +68,22 @@ export function reportChoice(app, patient, session) {
     (value) => ((reader = value), draw()),
   );
   draw();
-  app.toasts.attempt(() => app.api.get(`/patients/${patient.id}/consents`)).then((found) => {
-    consents = found?.consents ?? null;
-    draw();
-  });
+  app.toasts
+    .attempt(() => app.api.get(`/patients/${patient.id}/consents`))
+    .then((found) => {
+      consents = found?.consents ?? null;
+      draw();
+    });
   return h(
     "div",
     { class: "stack report-choice" },
-    h("div", { class: "columns" }, field(t("report.what"), sessions), field(t("report.reader"), readers), field(t("report.paper"), papers)),
+    h(
+      "div",
+      { class: "columns" },
+      field(t("report.what"), sessions),
+      field(t("report.reader"), readers),
+      field(t("report.paper"), papers),
+    ),
     h("p", { class: "spread" }, words, enter),
     h("p", { class: "spread" }, files),
     h("p", { class: "quiet small" }, t("report.log"), " ", t("report.apart")),
@@ -89,7 +101,11 @@ export function reportCard(app, patient, session) {
 
 /** @param {number} patient @param {string} form @param {string} chosen @param {string} paper @param {string} reader */
 function reportAddress(patient, form, chosen, paper, reader) {
-  const query = new URLSearchParams({ form, letter: String(paper === "letter"), for_patient: String(reader === "patient") });
+  const query = new URLSearchParams({
+    form,
+    letter: String(paper === "letter"),
+    for_patient: String(reader === "patient"),
+  });
   if (chosen !== ALL) query.set("session", chosen);
   return `/api/v1/patients/${patient}/report?${query}`;
 }

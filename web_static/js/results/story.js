@@ -20,8 +20,17 @@ export function storyParts({ goal, scales, is_signed: isSigned, origin, events }
     h("p", { class: "quiet" }, t(isSigned ? "share.signed" : "share.unsigned")),
     origin && h("p", { class: "quiet" }, originWords(origin)),
     goal && h("p", { class: "own-words" }, `${t("share.goal")}: ${goal}`),
-    scales.length > 0 && h("p", {}, scales.map(({ name, total }) => `${name}: ${number(total, Number.isInteger(total) ? 0 : 1)}`).join(" · ")),
-    h("ol", { class: "story" }, events.map((event, i) => eventLine(event, replay, day(event.at) !== day(events[i - 1]?.at ?? null)))),
+    scales.length > 0 &&
+      h(
+        "p",
+        {},
+        scales.map(({ name, total }) => `${name}: ${number(total, Number.isInteger(total) ? 0 : 1)}`).join(" · "),
+      ),
+    h(
+      "ol",
+      { class: "story" },
+      events.map((event, i) => eventLine(event, replay, day(event.at) !== day(events[i - 1]?.at ?? null))),
+    ),
   ];
 }
 

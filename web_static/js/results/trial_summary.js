@@ -7,7 +7,18 @@
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
-import { comparable, entryOf, figure, largeMeasures, leadingMeasures, measured, measureNames, nameOf, unitOf, withUnit } from "./measures.js";
+import {
+  comparable,
+  entryOf,
+  figure,
+  largeMeasures,
+  leadingMeasures,
+  measured,
+  measureNames,
+  nameOf,
+  unitOf,
+  withUnit,
+} from "./measures.js";
 import { interruptionWords, isInterrupted } from "./interruptions.js";
 import { originWords } from "./origin_words.js";
 import { planPicture } from "../plan/plan_svg.js";
@@ -21,7 +32,12 @@ function earlierTrials(trial, trials) {
   const pathName = trial.path_name;
   return trials.filter(
     (one) =>
-      one.id < trial.id && groupOf(one) === groupOf(trial) && one.floorplan === trial.floorplan && one.path === pathName && one.kept && one.measures,
+      one.id < trial.id &&
+      groupOf(one) === groupOf(trial) &&
+      one.floorplan === trial.floorplan &&
+      one.path === pathName &&
+      one.kept &&
+      one.measures,
   );
 }
 
@@ -39,9 +55,20 @@ export function trialSummary(trial, trials, plan, found) {
     !measures && h("p", { class: "problem" }, t("over.no-measures")),
     measures && !measures.reached && h("p", { class: "card" }, unfinishedWords(trial, measures)),
     isFamiliarisation(found, trial.id) && h("p", { class: "card quiet" }, t("verdict.familiarisation")),
-    measures && large.length > 0 && h("div", { class: "large-figures" }, large.map((name) => largeFigure(name, measures, found))),
+    measures &&
+      large.length > 0 &&
+      h(
+        "div",
+        { class: "large-figures" },
+        large.map((name) => largeFigure(name, measures, found)),
+      ),
     measures?.parts ? stagesCard(/** @type {StageResult[]} */ (measures.parts)) : null,
-    h("div", { class: "summary-columns" }, drivenCard(trial, plan), measures && tableCard(measures, earlier, trial.kept ? found : null)),
+    h(
+      "div",
+      { class: "summary-columns" },
+      drivenCard(trial, plan),
+      measures && tableCard(measures, earlier, trial.kept ? found : null),
+    ),
   );
 }
 
@@ -50,7 +77,14 @@ function interruptionNote({ kept, measures }) {
   const words = interruptionWords(measures);
   if (!words) return null;
   const ask = !kept && isInterrupted(measures);
-  return h("p", { class: "card interruptions" }, h("b", {}, `${words}.`), " ", t("interruption.left-out"), ask && [" ", t("interruption.ask")]);
+  return h(
+    "p",
+    { class: "card interruptions" },
+    h("b", {}, `${words}.`),
+    " ",
+    t("interruption.left-out"),
+    ask && [" ", t("interruption.ask")],
+  );
 }
 
 /** How far an unfinished trial came, and that it is not compared. @param {TrialDetail} trial @param {Measures} measures */
@@ -125,7 +159,11 @@ function drivenCard(trial, plan) {
       h("h2", {}, t("over.driven")),
       h("p", { class: "quiet" }, t("over.no-trajectory")),
     );
-  const picture = planPicture(plan, trial.path, { label: t("over.driven"), hasRooms: true, request: requestOf(trial, plan) });
+  const picture = planPicture(plan, trial.path, {
+    label: t("over.driven"),
+    hasRooms: true,
+    request: requestOf(trial, plan),
+  });
   picture.setTrajectory(trajectory.x.map((x, i) => [x, trajectory.y[i]]));
   return h("section", { class: "card driven-card" }, h("h2", {}, t("over.driven")), picture.element);
 }
@@ -155,7 +193,9 @@ function tableCard(measures, earlier, found) {
   const head = [
     t("over.measure"),
     t("over.this"),
-    ...(previous ? [t("verdict.column"), t("over.previous", { number: previous.number }), t("verdict.noise"), t("over.best")] : []),
+    ...(previous
+      ? [t("verdict.column"), t("over.previous", { number: previous.number }), t("verdict.noise"), t("over.best")]
+      : []),
   ];
   return h(
     "section",

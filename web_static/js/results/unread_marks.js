@@ -31,7 +31,10 @@ export async function unreadMarks(app, patient, signal) {
   app.live.addEventListener("changed", read, { signal });
   return (what) => {
     const fields = /** @type {[keyof CommentView, unknown][]} */ (Object.entries(what));
-    const mark = { element: h("span", { class: "unread" }), belongs: (/** @type {CommentView} */ one) => fields.every(([name, value]) => one[name] === value) };
+    const mark = {
+      element: h("span", { class: "unread" }),
+      belongs: (/** @type {CommentView} */ one) => fields.every(([name, value]) => one[name] === value),
+    };
     marks.push(mark);
     draw(mark);
     return mark.element;

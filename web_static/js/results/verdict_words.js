@@ -26,7 +26,10 @@ export function verdictWords(name, verdict) {
     words: REFERENCE.measures.verdicts[word],
     arrow: isChange ? (difference < 0 ? "↓" : "↑") : "",
     amount: isChange && name !== REACHED ? signedWithUnit(name, difference) : "",
-    noise: low === null ? "–" : joined(t("verdict.range", { low: figure(name, low), high: figure(name, high) }), entryOf(name).unit),
+    noise:
+      low === null
+        ? "–"
+        : joined(t("verdict.range", { low: figure(name, low), high: figure(name, high) }), entryOf(name).unit),
     tone: TONES[word],
   };
 }

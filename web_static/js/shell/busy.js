@@ -3,7 +3,12 @@ import { t } from "../texts.js";
 import { h, put } from "../widgets/dom.js";
 
 /** The page of each; a trial is recorded too, so it comes before a step of the calibration. */
-const PLACES = /** @type {const} */ ({ trial: "#/drive", drive: "#/drive/chair", test: "#/interface_test", run: "#/calibrate" });
+const PLACES = /** @type {const} */ ({
+  trial: "#/drive",
+  drive: "#/drive/chair",
+  test: "#/interface_test",
+  run: "#/calibrate",
+});
 const KINDS = /** @type {(keyof typeof PLACES)[]} */ (Object.keys(PLACES));
 
 /**
@@ -18,7 +23,13 @@ export function busyLine(app, signal, follow) {
     const now = KINDS.find((kind) => app.live.latest?.[kind]);
     if (now === shown) return;
     shown = now;
-    put(element, now && [h("span", { class: "grow" }, t(`busy.${now}`)), h("a", { class: "btn", href: PLACES[now] }, t(`busy.${now}.go`))]);
+    put(
+      element,
+      now && [
+        h("span", { class: "grow" }, t(`busy.${now}`)),
+        h("a", { class: "btn", href: PLACES[now] }, t(`busy.${now}.go`)),
+      ],
+    );
     follow(now !== undefined);
   };
   app.live.addEventListener("tick", show, { signal });

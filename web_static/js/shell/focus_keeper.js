@@ -64,7 +64,8 @@ export function keepFocus() {
       drawnAgain(lost) ?? openers.filter(Boolean).pop() ?? [...document.querySelectorAll("main h1")].find(canHaveFocus);
     last = null;
     // Without a keyboard, a field would open the one on the screen.
-    if (next && (byKey || !next.matches(TEXT))) /** @type {HTMLElement | SVGElement} */ (next).focus({ preventScroll: true });
+    if (next && (byKey || !next.matches(TEXT)))
+      /** @type {HTMLElement | SVGElement} */ (next).focus({ preventScroll: true });
   };
   new MutationObserver(look).observe(document.body, {
     childList: true,

@@ -89,7 +89,10 @@ export function header(app) {
     element.classList.toggle("has-chair", Boolean(state));
     const isBad = state === "silent" || state === "fault";
     chair.className = `lamp${isBad ? " att" : armed ? "" : " off"}${state ? " long" : " wide"}`;
-    write(chair, state ? t("lamp.real", { state: t(`lamp.real.${state}`) }) : armed ? t("lamp.armed") : t("lamp.chair"));
+    write(
+      chair,
+      state ? t("lamp.real", { state: t(`lamp.real.${state}`) }) : armed ? t("lamp.armed") : t("lamp.chair"),
+    );
   };
   // A demonstration has a mark of its own.
   const showPractice = () => practice.show(app.me?.demo ? null : app.practice);

@@ -116,7 +116,12 @@ export class Lock {
         {},
         h("summary", {}, t("lock.other")),
         h("p", { class: "quiet small" }, t("lock.other.lead", { name: app.me?.name })),
-        form(enter, t("sign-in.go"), field(t("sign-in.name"), name), passwordField(t("sign-in.password"), otherPassword)),
+        form(
+          enter,
+          t("sign-in.go"),
+          field(t("sign-in.name"), name),
+          passwordField(t("sign-in.password"), otherPassword),
+        ),
       ),
     );
   }

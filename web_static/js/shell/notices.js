@@ -30,7 +30,8 @@ export function notices(app) {
   };
   app.live.addEventListener("tick", show);
   app.live.addEventListener("connection", show);
-  for (const event of /** @type {const} */ (["route", "me", "session", "practice", "trial-view", "warning"])) app.addEventListener(event, show);
+  for (const event of /** @type {const} */ (["route", "me", "session", "practice", "trial-view", "warning"]))
+    app.addEventListener(event, show);
   return element;
 }
 
@@ -58,7 +59,8 @@ function noticeKind(app, halt) {
   // While driving, the drive page shows faults over the picture itself.
   if (halt && !app.showsTrial) return `${halt.key} ${placeOfDrive(now)}`;
   if (now.drive && !app.showsTrial) return "driving";
-  if (app.warning && !app.showsTrial && app.warning.href !== `#/${app.route.page}`) return `warning ${app.warning.words}`;
+  if (app.warning && !app.showsTrial && app.warning.href !== `#/${app.route.page}`)
+    return `warning ${app.warning.words}`;
   return needsConsent(app) ? `consent ${app.session?.patient?.id}` : "";
 }
 
@@ -77,7 +79,12 @@ function note(app, kind, halt) {
   }
   if (kind === "control") return strip("bad", h("b", {}, t("note.control")), t("note.control.why"));
   if (kind === "driving")
-    return strip("", h("b", {}, t("note.driving")), "", h("a", { class: "btn go", href: "#/drive/chair" }, t("note.driving.go")));
+    return strip(
+      "",
+      h("b", {}, t("note.driving")),
+      "",
+      h("a", { class: "btn go", href: "#/drive/chair" }, t("note.driving.go")),
+    );
   if (kind.startsWith("warning") && app.warning) {
     const { words, href } = app.warning;
     return strip("", h("b", {}, words), "", href ? h("a", { class: "btn", href }, t("note.warning.go")) : null);
@@ -92,7 +99,13 @@ function note(app, kind, halt) {
   const place = placeOfDrive(app.live.latest);
   if (!mayGoOn(app)) return strip("", happened, t(place ? "note.fault.others" : "note.fault.idle.others"));
   // Nobody lets a chair go on from a page that does not show it.
-  if (place) return strip("", happened, t("note.fault.drive"), h("a", { class: "btn go", href: place }, t("note.fault.drive.go")));
+  if (place)
+    return strip(
+      "",
+      happened,
+      t("note.fault.drive"),
+      h("a", { class: "btn go", href: place }, t("note.fault.drive.go")),
+    );
   const back = continueButton(app, t("note.fault.idle.go"));
   return strip("", happened, `${halt.remedy} ${t("note.fault.idle")}`, back.element);
 }

@@ -36,18 +36,28 @@ export function otherSession(before, now, drafts, { onGo }) {
     { class: "other-session" },
     h(
       "div",
-      { class: "card", role: "alertdialog", "aria-labelledby": "other-session", "aria-describedby": "other-session-why" },
+      {
+        class: "card",
+        role: "alertdialog",
+        "aria-labelledby": "other-session",
+        "aria-describedby": "other-session-why",
+      },
       icon("warning", 32),
       title,
       h("p", { class: "lead", id: "other-session-why" }, `${sentence} ${belongs}`),
       drafts.length > 0 && [
         h("p", {}, t("session.drafts")),
-        h("ul", {}, drafts.map((draft) => h("li", {}, draft))),
+        h(
+          "ul",
+          {},
+          drafts.map((draft) => h("li", {}, draft)),
+        ),
       ],
       h(
         "div",
         { class: "spread" },
-        now.patient && h("button", { type: "button", class: "btn go", onclick: onGo }, t("session.go", { code: now.patient.code })),
+        now.patient &&
+          h("button", { type: "button", class: "btn go", onclick: onGo }, t("session.go", { code: now.patient.code })),
         h("a", { class: now.patient ? "btn" : "btn go", href: "#/patients" }, t("session.patients")),
       ),
     ),
@@ -60,7 +70,9 @@ export function changedFields(root) {
   /** @type {NodeListOf<HTMLInputElement>} */
   const fields = root.querySelectorAll(FIELDS); // or HTMLTextAreaElement, which has the same members but `checked`
   return [...fields]
-    .filter((field) => (field.type === "checkbox" ? field.checked !== field.defaultChecked : field.value !== field.defaultValue))
+    .filter((field) =>
+      field.type === "checkbox" ? field.checked !== field.defaultChecked : field.value !== field.defaultValue,
+    )
     .map((field) => {
       const label = field.labels?.[0]?.textContent ?? field.getAttribute("aria-label") ?? "";
       return field.type === "checkbox" ? label : t("session.draft", { label, value: field.value });

@@ -5,7 +5,13 @@ import { h, write } from "../widgets/dom.js";
 /** The mark; `show` takes the kind of that shirt, null when somebody wears it or when there is none. */
 export function practiceMark() {
   const words = h("b", {});
-  const element = h("span", { class: "practice", role: "status", hidden: true }, words, " ", h("span", {}, t("practice.only")));
+  const element = h(
+    "span",
+    { class: "practice", role: "status", hidden: true },
+    words,
+    " ",
+    h("span", {}, t("practice.only")),
+  );
   /** @param {string | null} kind */
   const show = (kind) => {
     if (kind) write(words, hasText(`practice.${kind}`) ? t(`practice.${kind}`) : t("practice.other"));

@@ -13,7 +13,7 @@ export function screenLamp(app) {
   const refresh = async () => {
     session = app.live.connected ? (app.live.latest?.session ?? null) : null;
     const mayAsk = session !== null && app.me?.signed_in && app.me.role !== "reviewer" && !app.lock.isLocked;
-    const screens = mayAsk ? (await app.api.get("/patient-screen").catch(() => null))?.screens ?? [] : [];
+    const screens = mayAsk ? ((await app.api.get("/patient-screen").catch(() => null))?.screens ?? []) : [];
     const state = screenState(screens);
     lamp.hidden = state === ".none";
     const isBad = state !== "" && !lamp.hidden;

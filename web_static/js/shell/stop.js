@@ -45,8 +45,7 @@ export function stopButton(app) {
  */
 export function stopOnSpace(app, where, signal) {
   /** @param {KeyboardEvent} event */
-  const stops = (event) =>
-    event.code === "Space" && hasStop(app) && mayMove(app) && !isWriting(event.target);
+  const stops = (event) => event.code === "Space" && hasStop(app) && mayMove(app) && !isWriting(event.target);
   /** @param {KeyboardEvent} event */
   const down = (event) => {
     if (!stops(event)) return;

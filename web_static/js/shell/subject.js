@@ -11,7 +11,9 @@ import { SESSION_PAGES } from "./other_session.js";
 /** The subject of the page: its own, or the open session. @param {App} app @returns {Subject | null} */
 function subjectOf({ subject, session }) {
   if (subject) return subject;
-  return session?.patient && session.session ? { code: session.patient.code, sessions: [session.session.number] } : null;
+  return session?.patient && session.session
+    ? { code: session.patient.code, sessions: [session.session.number] }
+    : null;
 }
 
 /** What is shown of the subject, in words. @param {App} app @param {Subject} subject */

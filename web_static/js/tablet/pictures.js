@@ -18,8 +18,21 @@ export function screenPicture(title, rows) {
   return s(
     "svg",
     { viewBox: `0 0 ${WIDTH} ${height}`, role: "img", "aria-label": words },
-    s("rect", { x: 1, y: 1, width: WIDTH - 2, height: height - 2, rx: 12, fill: "var(--surface)", stroke: "var(--control-edge)", "stroke-width": 2 }),
-    s("text", { x: WIDTH / 2, y: 25, "text-anchor": "middle", "font-size": 13, "font-weight": 650, fill: "var(--text)" }, title),
+    s("rect", {
+      x: 1,
+      y: 1,
+      width: WIDTH - 2,
+      height: height - 2,
+      rx: 12,
+      fill: "var(--surface)",
+      stroke: "var(--control-edge)",
+      "stroke-width": 2,
+    }),
+    s(
+      "text",
+      { x: WIDTH / 2, y: 25, "text-anchor": "middle", "font-size": 13, "font-weight": 650, fill: "var(--text)" },
+      title,
+    ),
     ...rows.map((row, index) => drawnRow(row, row.mark ? marked.indexOf(row) + 1 : 0, TOP + index * ROW)),
   );
 }
@@ -57,7 +70,18 @@ function toggle(y) {
 function place(turn, y) {
   return [
     s("circle", { cx: WIDTH - 32, cy: y, r: 11, fill: "var(--action)" }),
-    s("text", { x: WIDTH - 32, y: y + 4, "text-anchor": "middle", "font-size": 12, "font-weight": 650, fill: "var(--action-text)" }, turn),
+    s(
+      "text",
+      {
+        x: WIDTH - 32,
+        y: y + 4,
+        "text-anchor": "middle",
+        "font-size": 12,
+        "font-weight": 650,
+        fill: "var(--action-text)",
+      },
+      turn,
+    ),
   ];
 }
 
@@ -72,7 +96,14 @@ export function signPicture(state) {
   return s(
     "svg",
     { viewBox: "0 0 56 56", "aria-hidden": "true" },
-    s("circle", { cx: 28, cy: 28, r: 24, fill: state === "trusted" ? colour : "none", stroke: colour, "stroke-width": 4 }),
+    s("circle", {
+      cx: 28,
+      cy: 28,
+      r: 24,
+      fill: state === "trusted" ? colour : "none",
+      stroke: colour,
+      "stroke-width": 4,
+    }),
     s("path", {
       d: inside,
       fill: "none",

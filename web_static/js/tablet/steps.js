@@ -79,7 +79,11 @@ export function stepList(device) {
 function picture(title, rows) {
   return screenPicture(
     text(`picture.${title}`),
-    rows.map((row) => ({ text: text(`picture.${row.replace(/^!+/, "")}`), mark: row.startsWith("!"), toggle: row.startsWith("!!") })),
+    rows.map((row) => ({
+      text: text(`picture.${row.replace(/^!+/, "")}`),
+      mark: row.startsWith("!"),
+      toggle: row.startsWith("!!"),
+    })),
   );
 }
 

@@ -36,10 +36,7 @@ export function chooseView(view) {
  */
 export function viewBar(app, surface, onChoose) {
   let view = chosenView();
-  const free = freeCamera(
-    (place) => app.toasts.attempt(() => app.api.post("/view/clinician/free", place)),
-    surface,
-  );
+  const free = freeCamera((place) => app.toasts.attempt(() => app.api.post("/view/clinician/free", place)), surface);
   const settings = viewSettings(() => {
     look();
     sendPatients({ ...settings.eye });

@@ -13,7 +13,12 @@ const STORAGE_KEY = "bodydrive-eye";
  */
 
 /** What a screen shows on which nobody has chosen anything. @returns {Eye} */
-const usualEye = () => ({ fov_deg: REFERENCE.numbers.field_of_view, eye_height: REFERENCE.numbers.eye_height, roll_share: 0, head: true });
+const usualEye = () => ({
+  fov_deg: REFERENCE.numbers.field_of_view,
+  eye_height: REFERENCE.numbers.eye_height,
+  roll_share: 0,
+  head: true,
+});
 const REDUCED = matchMedia("(prefers-reduced-motion: reduce)");
 
 /** The least and the greatest value of a number. @param {NumberName} name @returns {[number, number]} */
@@ -62,7 +67,11 @@ export function viewSettings(onChange) {
       REDUCED.matches ? t("trial.view.reduced") : t("trial.view.roll_share.why"),
       REDUCED.matches ? h("span", {}) : step("roll_share", 25, 0, "%", 100),
     ),
-    setting(t("trial.view.head"), t("trial.view.head.why"), toggle(t("trial.view.head.on"), eye.head, (head) => set({ head }))),
+    setting(
+      t("trial.view.head"),
+      t("trial.view.head.why"),
+      toggle(t("trial.view.head.on"), eye.head, (head) => set({ head })),
+    ),
     setting(
       t("stereo.open"),
       t("stereo.open.why"),

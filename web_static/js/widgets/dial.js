@@ -35,7 +35,7 @@ export function speedDial(app, signal) {
     wanted = value;
     if (isUnderWay) return;
     await app.toasts.attempt(async () => {
-      for (let sent = null; sent !== wanted && wanted !== null; ) {
+      for (let sent = null; sent !== wanted && wanted !== null;) {
         sent = wanted;
         await app.api.post("/control/dial", { share: sent / 100 });
       }

@@ -113,8 +113,21 @@ function table(gestures, controls, words) {
 function numbers(gestures, words) {
   /** @param {FoundGesture} gesture */
   const line = (gesture) =>
-    t("found.details.one", { gesture: words(gesture), signal: number(gesture.signal_to_noise, 0), repeats: percent(gesture.repeatability) });
-  return h("details", {}, h("summary", {}, t("found.details")), h("ul", { class: "small" }, gestures.map((one) => h("li", {}, line(one)))));
+    t("found.details.one", {
+      gesture: words(gesture),
+      signal: number(gesture.signal_to_noise, 0),
+      repeats: percent(gesture.repeatability),
+    });
+  return h(
+    "details",
+    {},
+    h("summary", {}, t("found.details")),
+    h(
+      "ul",
+      { class: "small" },
+      gestures.map((one) => h("li", {}, line(one))),
+    ),
+  );
 }
 
 /** @param {FoundGesture} gesture @param {NumberName} name */
@@ -130,7 +143,10 @@ function numberCell(gesture, name) {
 /** @param {number} score 0..1 */
 function scoreBar(score) {
   const value = Math.round(100 * score);
-  return [h("span", { class: "score-bar", "aria-hidden": "true" }, h("i", { style: `width:${value}%` })), h("b", {}, `${value}`)];
+  return [
+    h("span", { class: "score-bar", "aria-hidden": "true" }, h("i", { style: `width:${value}%` })),
+    h("b", {}, `${value}`),
+  ];
 }
 
 /** @param {{false_per_minute: number | null} | null} prediction */

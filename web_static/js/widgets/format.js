@@ -24,7 +24,9 @@ export function number(value, digits) {
 /** With its sign, also when it is positive. @param {number | null | undefined} value @param {number} digits */
 export function signed(value, digits) {
   const words = number(value, digits);
-  return typeof value === "number" && Number.isFinite(value) && value > 0 && Number(value.toFixed(digits)) !== 0 ? `+${words}` : words;
+  return typeof value === "number" && Number.isFinite(value) && value > 0 && Number(value.toFixed(digits)) !== 0
+    ? `+${words}`
+    : words;
 }
 
 /** @param {number | null | undefined} share 0..1 */
@@ -84,5 +86,7 @@ export function size(bytes) {
 
 /** A share of the full movement, as people read it. @param {number | null | undefined} share 0..1 @param {string} unit "% / s" or "%" */
 export function ofFull(share, unit) {
-  return typeof share === "number" && Number.isFinite(share) ? `${number(100 * share, share !== 0 && Math.abs(share) < 0.1 ? 1 : 0)} ${unit}` : NONE;
+  return typeof share === "number" && Number.isFinite(share)
+    ? `${number(100 * share, share !== 0 && Math.abs(share) < 0.1 ? 1 : 0)} ${unit}`
+    : NONE;
 }

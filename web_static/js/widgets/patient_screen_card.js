@@ -89,7 +89,11 @@ export async function patientScreenCard(app, signal, { isPage = false } = {}) {
       "div",
       { class: "paired-chair row" },
       h("b", {}, t("screens.name", { number: screen.number })),
-      h("span", { class: `tag ${screen.connected ? "" : "att"}` }, t(`screens.${screen.connected ? "connected" : "away"}`)),
+      h(
+        "span",
+        { class: `tag ${screen.connected ? "" : "att"}` },
+        t(`screens.${screen.connected ? "connected" : "away"}`),
+      ),
       screen.picture &&
         h("span", { class: `tag ${screen.picture === "none" ? "att" : ""}` }, t(`screens.picture.${screen.picture}`)),
       h("span", { class: "quiet small grow" }, t("screens.since", { when: moment(screen.paired) })),
@@ -150,7 +154,13 @@ function codeView(app, { code, url, qr, message, expires }, { onAgain, onClose }
     h("p", { class: "typed-code" }, `${code.slice(0, 4)} ${code.slice(4)}`),
     h("p", { class: "small" }, t("screens.link")),
     h("pre", {}, link),
-    h("div", { class: "spread" }, button(t("screens.copy"), copy), button(t("screens.again"), onAgain), button(t("screens.close"), onClose)),
+    h(
+      "div",
+      { class: "spread" },
+      button(t("screens.copy"), copy),
+      button(t("screens.again"), onAgain),
+      button(t("screens.close"), onClose),
+    ),
   );
   const show = () => {
     const left = Date.parse(expires) - Date.now();

@@ -15,7 +15,12 @@ import { day } from "./format.js";
  */
 export function replacedList(app, kinds, onBack) {
   const rows = h("div", { class: "plan-rows" });
-  const element = h("details", { hidden: true }, h("summary", {}, t("replaced.title", { days: REFERENCE.numbers.replaced_days })), rows);
+  const element = h(
+    "details",
+    { hidden: true },
+    h("summary", {}, t("replaced.title", { days: REFERENCE.numbers.replaced_days })),
+    rows,
+  );
   let shown = ""; // a list that is the same stays as it is, for whoever is about to tap in it
   const show = async () => {
     const list = (await app.api.get("/replaced")).filter(({ kind }) => kinds.includes(kind));

@@ -6,5 +6,9 @@ import { h } from "./dom.js";
  * @param {...import("types/dom").Child} parts head and body of the table
  */
 export function scrollTable(label, kind, ...parts) {
-  return h("div", { class: "scroll-x", tabindex: "0", role: "region", "aria-label": label }, h("table", { class: kind }, parts));
+  return h(
+    "div",
+    { class: "scroll-x", tabindex: "0", role: "region", "aria-label": label },
+    h("table", { class: kind }, parts),
+  );
 }

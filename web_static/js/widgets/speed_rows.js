@@ -67,7 +67,9 @@ export function speedRows(speeds, limits, onChange, { hasNumbers }) {
     const change = (value) => onChange(name, Math.min(high, Math.max(low, value / factor)));
     if (soft && !hasNumbers) {
       const options = SOFTNESS.map((value) => ({ value, label: t(`softness.${value}`) }));
-      const words = segments(label, options, softness(soft, speeds[name]), (word) => change(soft[SOFTNESS.indexOf(word)] * factor));
+      const words = segments(label, options, softness(soft, speeds[name]), (word) =>
+        change(soft[SOFTNESS.indexOf(word)] * factor),
+      );
       return setting(label, [hasText(hint) && t(hint), note], words);
     }
     const control = stepper({

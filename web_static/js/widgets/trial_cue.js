@@ -92,7 +92,14 @@ function pauseKey({ state, trial }) {
 
 /** While the trial is paused for a slow screen: nobody has to do anything. @param {string} name of the fault @param {Node} waits */
 function pauseCard(name, waits) {
-  return h("div", { class: "hud fault-card pause-card" }, h("h2", {}, t("trial.pause")), h("p", {}, t(`trial.pause.${name}`)), h("p", {}, t("trial.pause.why")), waits);
+  return h(
+    "div",
+    { class: "hud fault-card pause-card" },
+    h("h2", {}, t("trial.pause")),
+    h("p", {}, t(`trial.pause.${name}`)),
+    h("p", {}, t("trial.pause.why")),
+    waits,
+  );
 }
 
 /** While a trial that is over is being measured: that, and for how long. */

@@ -37,14 +37,21 @@ export async function show(app, root, { signal, rest }) {
   const draw = (view, maps) => {
     const labels = labelsOf(view);
     write(lead, t(`adapt.lead.${view.origin}`, { version: view.version ?? "" }));
-    put(place, view.looking && h("p", { class: "card quiet", role: "status" }, t("adapt.looking")), proposalCards(view, labels));
+    put(
+      place,
+      view.looking && h("p", { class: "card quiet", role: "status" }, t("adapt.looking")),
+      proposalCards(view, labels),
+    );
     put(versions, mapVersions(maps, labels));
     put(foot, mayChange && buttons(view));
     if (view.mode !== shownMode) put(modePlace, modeCard(view.mode, mayChange, choose));
     shownMode = view.mode;
   };
   const read = async () => {
-    const [view, maps] = await Promise.all([app.api.get("/adaptation"), app.api.get(`/patients/${here.patient.id}/maps`)]);
+    const [view, maps] = await Promise.all([
+      app.api.get("/adaptation"),
+      app.api.get(`/patients/${here.patient.id}/maps`),
+    ]);
     if (!signal.aborted) draw(view, /** @type {MapVersion[]} */ (maps));
     return view;
   };
@@ -70,7 +77,8 @@ export async function show(app, root, { signal, rest }) {
   /** @param {string} proposal its id */
   const apply = async (proposal) => {
     const view = await ask(() => app.api.post("/adaptation/apply", { proposal }));
-    if (view) app.toasts.show(t("adapt.applied.toast", { version: view.version ?? "" }), { action: t("undo"), run: back });
+    if (view)
+      app.toasts.show(t("adapt.applied.toast", { version: view.version ?? "" }), { action: t("undo"), run: back });
   };
   const back = async () => {
     const to = (await app.api.get("/adaptation")).back_to;
@@ -103,7 +111,9 @@ export async function show(app, root, { signal, rest }) {
     },
     { signal },
   );
-  app.live.addEventListener("changed", ({ detail }) => CONCERNS.includes(detail) && read().catch(() => null), { signal });
+  app.live.addEventListener("changed", ({ detail }) => CONCERNS.includes(detail) && read().catch(() => null), {
+    signal,
+  });
   const view = await read();
   if (signal.aborted) return;
   if (rest[0] === "look") {
@@ -112,7 +122,14 @@ export async function show(app, root, { signal, rest }) {
   }
   put(
     root,
-    h("div", { class: "body" }, h("h1", { tabindex: "-1" }, t("adapt.title")), lead, problem, h("div", { class: "stack" }, place, modePlace, versions)),
+    h(
+      "div",
+      { class: "body" },
+      h("h1", { tabindex: "-1" }, t("adapt.title")),
+      lead,
+      problem,
+      h("div", { class: "stack" }, place, modePlace, versions),
+    ),
     foot,
   );
 }
@@ -136,7 +153,8 @@ function button(words, run, kind = "btn", disabled = false) {
 /** @param {AdaptationView} view @param {Record<string, string>} labels @returns {Child[]} */
 function proposalCards(view, labels) {
   const { proposal } = view;
-  if (!proposal) return [h("p", { class: "card adapt-why" }, view.why), view.refusal && h("p", { class: "problem" }, view.refusal)];
+  if (!proposal)
+    return [h("p", { class: "card adapt-why" }, view.why), view.refusal && h("p", { class: "problem" }, view.refusal)];
   return [headline(view, proposal, labels), proposal.effect && effectCard(proposal.effect), jointCards(proposal)];
 }
 
@@ -182,7 +200,11 @@ function practisedWords(count) {
 
 /** @param {Mode} mode @param {boolean} mayChange @param {(mode: Mode) => void} choose */
 function modeCard(mode, mayChange, choose) {
-  const options = MODES.map((value) => ({ value, label: t(`adapt.mode.${value}`), hint: t(`adapt.mode.${value}.hint`) }));
+  const options = MODES.map((value) => ({
+    value,
+    label: t(`adapt.mode.${value}`),
+    hint: t(`adapt.mode.${value}.hint`),
+  }));
   const chosen = h("p", {}, h("b", {}, t(`adapt.mode.${mode}`)), ". ", t(`adapt.mode.${mode}.hint`));
   return h(
     "section",

@@ -26,7 +26,12 @@ export function effectCard(effect) {
 
 /** @param {string} name @param {Child} words */
 function figure(name, words) {
-  return h("div", {}, h("dt", { class: "quiet small" }, t(`adapt.effect.${name}`)), h("dd", { class: "number" }, words));
+  return h(
+    "div",
+    {},
+    h("dt", { class: "quiet small" }, t(`adapt.effect.${name}`)),
+    h("dd", { class: "number" }, words),
+  );
 }
 
 /** @param {number} before @param {number} after @returns {Child} */

@@ -23,7 +23,11 @@ export function jointCards({ joints, applied }) {
       others.map((joint) => jointCard(joint, withLabels(joint.reason, labels), applied !== null)),
     ),
     still.length > 0 &&
-      h("p", { class: "quiet" }, t("adapt.others", { joints: still.map(({ label }) => label.toLowerCase()).join(", ") })),
+      h(
+        "p",
+        { class: "quiet" },
+        t("adapt.others", { joints: still.map(({ label }) => label.toLowerCase()).join(", ") }),
+      ),
   );
 }
 
@@ -56,7 +60,12 @@ function figure(name, values, better) {
     "div",
     {},
     h("dt", { class: "quiet small" }, t(`adapt.row.${name}`)),
-    h("dd", { class: "number" }, before !== null && [before, " → "], h("b", { class: better ? "change good" : null }, after)),
+    h(
+      "dd",
+      { class: "number" },
+      before !== null && [before, " → "],
+      h("b", { class: better ? "change good" : null }, after),
+    ),
   );
 }
 

@@ -18,7 +18,15 @@ export function mapVersions(maps, labels) {
     scrollTable(
       t("adapt.versions"),
       "measures in-view map-versions",
-      h("thead", {}, h("tr", {}, head.map((name) => h("th", { scope: "col" }, t(`adapt.${name}`))))),
+      h(
+        "thead",
+        {},
+        h(
+          "tr",
+          {},
+          head.map((name) => h("th", { scope: "col" }, t(`adapt.${name}`))),
+        ),
+      ),
       h(
         "tbody",
         {},
@@ -47,10 +55,14 @@ function origin({ origin: how, parent, difference }) {
 /** @param {MapVersion} version @param {Record<string, string>} labels */
 function changes({ difference }, labels) {
   const joints = Object.entries(difference?.joints ?? {}).map(([name, joint]) =>
-    t("adapt.difference.joint", { joint: labels[name] ?? name.replaceAll("_", " "), changes: ofJoint(joint).join(", ") }),
+    t("adapt.difference.joint", {
+      joint: labels[name] ?? name.replaceAll("_", " "),
+      changes: ofJoint(joint).join(", "),
+    }),
   );
   const felt = difference?.felt_change;
-  if (joints.length && typeof felt === "number" && Number.isFinite(felt)) joints.push(t("adapt.difference.felt", { percent: percent(felt) }));
+  if (joints.length && typeof felt === "number" && Number.isFinite(felt))
+    joints.push(t("adapt.difference.felt", { percent: percent(felt) }));
   return joints.map((words) => h("div", {}, words));
 }
 

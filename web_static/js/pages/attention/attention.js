@@ -22,7 +22,10 @@ export async function show(app, root, { signal }) {
   let timer = 0;
   const draw = () => {
     const [some, none] = [found.filter((one) => one.reasons.length), found.filter((one) => !one.reasons.length)];
-    needed.show(some.map(row), h("p", { class: "card quiet" }, t(found.length ? "attention.none" : "attention.nobody")));
+    needed.show(
+      some.map(row),
+      h("p", { class: "card quiet" }, t(found.length ? "attention.none" : "attention.nobody")),
+    );
     others.show(none.map(row));
     rest.hidden = !none.length;
     const count = found.filter((one) => one.pending).length;
@@ -40,8 +43,21 @@ export async function show(app, root, { signal }) {
   signal.addEventListener("abort", () => clearTimeout(timer));
   put(
     root,
-    h("div", { class: "body stack" }, h("h1", { tabindex: "-1" }, t("rail.attention")), h("p", { class: "lead" }, t("attention.lead")), pending, needed, rest),
-    h("div", { class: "foot" }, h("span", { class: "grow" }), h("a", { class: "btn", href: "#/review" }, t("rail.review"))),
+    h(
+      "div",
+      { class: "body stack" },
+      h("h1", { tabindex: "-1" }, t("rail.attention")),
+      h("p", { class: "lead" }, t("attention.lead")),
+      pending,
+      needed,
+      rest,
+    ),
+    h(
+      "div",
+      { class: "foot" },
+      h("span", { class: "grow" }),
+      h("a", { class: "btn", href: "#/review" }, t("rail.review")),
+    ),
   );
   draw();
 }
@@ -55,18 +71,32 @@ function row({ patient_id: id, code, pseudonym, reasons }) {
       "div",
       { class: "grow stack" },
       h("div", {}, h("a", { class: "row-link", href: `#/review/${id}` }, code), " ", pseudonym),
-      reasons.length > 0 && h("ul", { class: "reasons" }, reasons.map((one) => reasonLine(id, one))),
+      reasons.length > 0 &&
+        h(
+          "ul",
+          { class: "reasons" },
+          reasons.map((one) => reasonLine(id, one)),
+        ),
     ),
   );
 }
 
 /** @param {number} patient id @param {AttentionView} reason */
 function reasonLine(patient, { reason, number, session_id: session, trial_id: trial, sentence }) {
-  const where = trial ? `#/review/${patient}/trial/${trial}` : session && reason !== "deterioration" ? `#/session/${session}` : `#/review/${patient}`;
+  const where = trial
+    ? `#/review/${patient}/trial/${trial}`
+    : session && reason !== "deterioration"
+      ? `#/session/${session}`
+      : `#/review/${patient}`;
   return h(
     "li",
     {},
-    h("a", { class: "btn small", href: where }, URGENT.includes(reason) && icon("warning", 18), t(`attention.${reason}`, { count: number })),
+    h(
+      "a",
+      { class: "btn small", href: where },
+      URGENT.includes(reason) && icon("warning", 18),
+      t(`attention.${reason}`, { count: number }),
+    ),
     sentence && h("p", { class: "small" }, sentence),
   );
 }

@@ -2,23 +2,16 @@
  * Deleted patients: how many days are left, undo, and erase for good now.
  * @import { BackupsView, DeletedPatientView } from "types/api"
  */
+import { Fragment, h, render, signal } from "../../preact.js";
 import { REFERENCE } from "../../reference.js";
 import { t } from "../../texts.js";
-import { h } from "../../widgets/dom.js";
-import { rowList } from "../../widgets/list.js";
 
 const DAY = 86_400_000; // ms
 
 /** @param {import("../../main.js").App} app @param {BackupsView} first @param {(view: BackupsView) => void} onChanged */
 export function deletedCard(app, first, onChanged) {
-  const list = rowList("made-backups");
-  let shown = first;
-  /** @type {number | null} id of the patient whom somebody is about to erase */
-  let erasing = null;
-  const draw = (view = shown) => {
-    shown = view;
-    list.show(view.deleted.map(row), h("p", { class: "quiet" }, t("deleted.none")));
-  };
+  const view = signal(first);
+  const erasing = signal(/** @type {number | null} */ (null)); // id of the patient whom somebody is about to erase
   /** @param {DeletedPatientView} patient */
   const undo = (patient) =>
     app.toasts.attempt(async () => {
@@ -27,63 +20,70 @@ export function deletedCard(app, first, onChanged) {
       app.toasts.show(t("deleted.undone", { code: patient.code }));
     });
   /** @param {DeletedPatientView} patient */
-  const erase = async (patient) => {
-    ask(null);
-    await app.toasts.attempt(async () => {
+  const erase = (patient) => {
+    erasing.value = null;
+    return app.toasts.attempt(async () => {
       onChanged(await app.api.post(`/deleted-patients/${patient.id}/erasure`));
       app.toasts.show(t("deleted.erased", { code: patient.code }));
     });
   };
-  /** @param {DeletedPatientView | null} patient */
-  const ask = (patient) => {
-    erasing = patient?.id ?? null;
-    draw();
-    /** @type {HTMLElement | null} */ (list.querySelector("[data-first]"))?.focus();
-  };
   /** @param {DeletedPatientView} patient */
   const row = (patient) => {
+    const { id, code } = patient;
     const left = Math.ceil((Date.parse(patient.until) - Date.now()) / DAY);
-    const { code } = patient;
     return h(
       "div",
-      { class: "made-backup" },
+      { class: "made-backup", role: "listitem", key: id },
       h("b", {}, code),
-      " ",
-      patient.pseudonym,
+      ` ${patient.pseudonym}`,
       h(
         "div",
         { class: "quiet small" },
         left > 0 ? t("deleted.left", { count: left }) : t("deleted.due"),
-        " · ",
-        t("deleted.what", { count: patient.recordings }),
+        ` · ${t("deleted.what", { count: patient.recordings })}`,
       ),
       patient.why_not && h("p", { class: "small" }, patient.why_not),
       h(
         "div",
         { class: "spread" },
-        h(
-          "button",
-          { type: "button", class: "btn small", "aria-label": t("deleted.undo.label", { code }), onclick: () => undo(patient) },
-          t("deleted.undo"),
-        ),
+        smallButton(t("deleted.undo"), t("deleted.undo.label", { code }), () => undo(patient)),
         !patient.why_not &&
-          h(
-            "button",
-            { type: "button", class: "btn small", "aria-label": t("deleted.erase.label", { code }), onclick: () => ask(patient) },
-            t("deleted.erase"),
-          ),
+          smallButton(t("deleted.erase"), t("deleted.erase.label", { code }), () => (erasing.value = id)),
       ),
-      erasing === patient.id && confirmation(patient, erase, () => ask(null)),
+      erasing.value === id &&
+        confirmation(
+          code,
+          () => erase(patient),
+          () => (erasing.value = null),
+        ),
     );
   };
-  draw();
-  const element = h("section", { class: "card" }, h("h2", {}, t("deleted.title")), h("p", { class: "quiet small" }, t("deleted.lead", { days: REFERENCE.numbers.deleted_days })), list);
-  return { element, draw };
+  const Card = () => {
+    const { deleted } = view.value;
+    return h(
+      Fragment,
+      {},
+      h("h2", {}, t("deleted.title")),
+      h("p", { class: "quiet small" }, t("deleted.lead", { days: REFERENCE.numbers.deleted_days })),
+      h(
+        "div",
+        { class: "made-backups", role: deleted.length ? "list" : undefined },
+        deleted.length ? deleted.map(row) : h("p", { class: "quiet" }, t("deleted.none")),
+      ),
+    );
+  };
+  const element = document.createElement("section");
+  element.className = "card";
+  render(h(Card, {}), element);
+  return { element, draw: (/** @type {BackupsView} */ now) => void (view.value = now) };
 }
 
-/** @param {DeletedPatientView} patient @param {(patient: DeletedPatientView) => void} onErase @param {() => void} onClose */
-function confirmation(patient, onErase, onClose) {
-  const { code } = patient;
+/** @param {string} words @param {string} label @param {() => unknown} onClick */
+const smallButton = (words, label, onClick) =>
+  h("button", { type: "button", class: "btn small", "aria-label": label, onClick }, words);
+
+/** @param {string} code @param {() => unknown} onErase @param {() => unknown} onClose */
+function confirmation(code, onErase, onClose) {
   return h(
     "div",
     { class: "confirm", role: "group", "aria-label": t("deleted.erase.label", { code }) },
@@ -92,8 +92,11 @@ function confirmation(patient, onErase, onClose) {
     h(
       "div",
       { class: "spread" },
-      h("button", { type: "button", class: "btn go", onclick: () => onErase(patient) }, t("deleted.erase.go")),
-      h("button", { type: "button", class: "btn", "data-first": true, onclick: onClose }, t("cancel")),
+      h("button", { type: "button", class: "btn go", onClick: onErase }, t("deleted.erase.go")),
+      h("button", { type: "button", class: "btn", ref: focusFirst, onClick: onClose }, t("cancel")),
     ),
   );
 }
+
+/** Focus a control when it appears, not when it is drawn again. @param {HTMLElement | null} control */
+const focusFirst = (control) => control?.focus();

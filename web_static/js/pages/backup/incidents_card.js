@@ -65,16 +65,32 @@ export function incidentsCard(app, first, onChanged) {
       h("span", { class: "fingerprint" }, t("incidents.of", { when, hash: incident.hash.slice(0, 16) })),
       h("div", { class: "quiet small" }, t("incidents.patients", { count: incident.patients.length })),
       incident.lifted
-        ? h("p", { class: "small" }, t("incidents.lifted", { when: moment(incident.lifted), reason: incident.reason ?? "" }))
+        ? h(
+            "p",
+            { class: "small" },
+            t("incidents.lifted", { when: moment(incident.lifted), reason: incident.reason ?? "" }),
+          )
         : h(
             "button",
-            { type: "button", class: "btn small", "aria-label": t("incidents.lift.label", { when }), onclick: () => ask(incident) },
+            {
+              type: "button",
+              class: "btn small",
+              "aria-label": t("incidents.lift.label", { when }),
+              onclick: () => ask(incident),
+            },
             t("incidents.lift"),
           ),
       lifting === incident.id && form(incident),
     );
   };
   draw();
-  const element = h("section", { class: "card" }, h("h2", {}, t("incidents.title")), h("p", { class: "quiet small" }, t("incidents.lead")), list, key);
+  const element = h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t("incidents.title")),
+    h("p", { class: "quiet small" }, t("incidents.lead")),
+    list,
+    key,
+  );
   return { element, draw };
 }

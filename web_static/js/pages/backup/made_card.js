@@ -20,7 +20,13 @@ export function madeCard(app, first, signal) {
   const go = h("button", { type: "button", class: "btn go" }, t("backup.now"));
   const step = h("p", { class: "number", "aria-hidden": "true" });
   const bar = h("progress", { max: 1, value: 0, "aria-label": t("backup.progress") });
-  const course = h("div", { class: "measuring", hidden: true }, step, bar, h("p", { class: "quiet small" }, t("backup.while")));
+  const course = h(
+    "div",
+    { class: "measuring", hidden: true },
+    step,
+    bar,
+    h("p", { class: "quiet small" }, t("backup.while")),
+  );
   const problem = h("p", { class: "problem", role: "alert" });
   const list = rowList("made-backups");
   let timer = 0;

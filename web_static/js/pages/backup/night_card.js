@@ -10,12 +10,31 @@ import { field, selection, toggle } from "../../widgets/fields.js";
 
 /** @param {import("../../main.js").App} app @param {BackupsView} settings @param {(view: BackupsView) => void} onSaved */
 export function nightCard(app, settings, onSaved) {
-  const folder = h("input", { type: "text", autocomplete: "off", spellcheck: "false", ...textLimits("BackupSettings", "folder"), value: settings.folder ?? "" });
-  const hours = Array.from({ length: 24 }, (_, hour) => ({ value: String(hour), label: `${String(hour).padStart(2, "0")}:00` }));
+  const folder = h("input", {
+    type: "text",
+    autocomplete: "off",
+    spellcheck: "false",
+    ...textLimits("BackupSettings", "folder"),
+    value: settings.folder ?? "",
+  });
+  const hours = Array.from({ length: 24 }, (_, hour) => ({
+    value: String(hour),
+    label: `${String(hour).padStart(2, "0")}:00`,
+  }));
   const hour = selection(hours, String(settings.hour));
   let { encrypted, with_keys: withKeys } = settings;
-  const passphrase = h("input", { type: "password", autocomplete: "new-password", ...textLimits("BackupSettings", "passphrase") });
-  const secret = field(t("backup.passphrase"), passphrase, t(settings.encrypted ? "backup.passphrase.kept" : "backup.passphrase.new", { count: textLimits("BackupSettings", "passphrase").minlength }));
+  const passphrase = h("input", {
+    type: "password",
+    autocomplete: "new-password",
+    ...textLimits("BackupSettings", "passphrase"),
+  });
+  const secret = field(
+    t("backup.passphrase"),
+    passphrase,
+    t(settings.encrypted ? "backup.passphrase.kept" : "backup.passphrase.new", {
+      count: textLimits("BackupSettings", "passphrase").minlength,
+    }),
+  );
   secret.hidden = !encrypted;
   const problem = h("p", { class: "problem", role: "alert" });
   const go = h("button", { class: "btn" }, t("backup.save"));

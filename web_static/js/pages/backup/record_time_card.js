@@ -10,7 +10,12 @@ import { field } from "../../widgets/fields.js";
 
 /** @param {import("../../main.js").App} app @param {BackupsView} kept @param {(view: BackupsView) => void} onSaved */
 export function recordTimeCard(app, kept, onSaved) {
-  const years = h("input", { type: "number", ...numberLimits("RecordTime", "years"), step: 1, value: kept.years ?? "" });
+  const years = h("input", {
+    type: "number",
+    ...numberLimits("RecordTime", "years"),
+    step: 1,
+    value: kept.years ?? "",
+  });
   const problem = h("p", { class: "problem", role: "alert" });
   /** @param {SubmitEvent} event */
   const submit = async (event) => {

@@ -81,7 +81,15 @@ export async function show(app, root, { signal }) {
     const isGood = ended?.status === "done" && !ended.message && runningStep === id;
     runningStep = null;
     const next = calibration.steps.find((step) => step.id === calibration.current);
-    if (!isGood || !actions.isAuto || !next || next.kind === "result" || next.status === "done" || next.status === "skipped") return;
+    if (
+      !isGood ||
+      !actions.isAuto ||
+      !next ||
+      next.kind === "result" ||
+      next.status === "done" ||
+      next.status === "skipped"
+    )
+      return;
     if (id === "free" && (calibration.may_drive_now || calibration.may_fit_earlier)) return; // a person chooses: drive now, or go on
     timer = setTimeout(() => start(next.id), PAUSE);
   };
@@ -114,7 +122,8 @@ export async function show(app, root, { signal }) {
       const { result } = /** @type {Calibration} */ (await api.post("/calibration/drive-now"));
       await app.readSession();
       const sitsOtherwise = result?.joints.some(({ prior }) => prior && Object.keys(prior.arrangement).length > 0);
-      if (sitsOtherwise) await readAgain(); // the result says so before anybody drives
+      if (sitsOtherwise)
+        await readAgain(); // the result says so before anybody drives
       else await beginNextTask(app, here.patient.id);
     });
   const fitEarlier = () =>
@@ -211,7 +220,11 @@ function resultPage(app, calibration, actions, { accept, drive }) {
   const onwards = onwardsOf(result, missing.length, accept, drive);
   return {
     title: t("result.title"),
-    lead: h("p", { class: "lead" }, missing.length ? t("result.others.lead", { count: missing.length }) : t("result.lead")),
+    lead: h(
+      "p",
+      { class: "lead" },
+      missing.length ? t("result.others.lead", { count: missing.length }) : t("result.lead"),
+    ),
     body: resultBody(app, result, actions),
     foot: [
       back,

@@ -28,7 +28,9 @@ export function resultView(result, onRepeat, onMap, onSitting) {
     h(
       "div",
       { class: "joint-cards" },
-      result.joints.map((joint) => jointCard(joint, joint.advice && withLabels(joint.advice, labels), onRepeat, onMap, onSitting)),
+      result.joints.map((joint) =>
+        jointCard(joint, joint.advice && withLabels(joint.advice, labels), onRepeat, onMap, onSitting),
+      ),
     ),
     result.cross_talk && crossTalk(result.joints, result.cross_talk),
   );
@@ -53,7 +55,8 @@ function jointCard(joint, advice, onRepeat, onMap, onSitting) {
         "div",
         { class: "row quiet small figures" },
         h("span", {}, t("result.evr", { percent: evr })),
-        joint.signal_to_noise !== null && h("span", {}, t("result.signal", { word: signalWord(joint.signal_to_noise) })),
+        joint.signal_to_noise !== null &&
+          h("span", {}, t("result.signal", { word: signalWord(joint.signal_to_noise) })),
         joint.repeatability !== null && h("span", {}, t("result.repeats", { word: repeatsWord(joint.repeatability) })),
       ),
     joint.map !== null && whereFrom(joint),
@@ -61,7 +64,12 @@ function jointCard(joint, advice, onRepeat, onMap, onSitting) {
     step &&
       h(
         "button",
-        { type: "button", class: `btn small${advice === null ? " bare" : ""}`, "aria-label": t("result.again.label", { joint: joint.label }), onclick: () => onRepeat(step) },
+        {
+          type: "button",
+          class: `btn small${advice === null ? " bare" : ""}`,
+          "aria-label": t("result.again.label", { joint: joint.label }),
+          onclick: () => onRepeat(step),
+        },
         t("result.again"),
       ),
     sittingCard(joint, onSitting),
@@ -78,9 +86,15 @@ function details({ evr, signal_to_noise: signal, repeatability, guided, prior })
     h("summary", {}, t("result.details")),
     h("p", { class: "small" }, t("result.details.evr", { percent: percent(evr) })),
     signal !== null && h("p", { class: "small" }, t("result.details.signal", { value: number(signal, 0) })),
-    repeatability !== null && h("p", { class: "small" }, t("result.details.repeats", { percent: percent(repeatability) })),
-    guided && !guided.offered && [h("p", { class: "small" }, t("result.maps.kept.guided")), checkTables({ guided, prior: null })],
-    prior && !prior.offered && [h("p", { class: "small" }, t("result.maps.kept.prior")), checkTables({ guided: null, prior })],
+    repeatability !== null &&
+      h("p", { class: "small" }, t("result.details.repeats", { percent: percent(repeatability) })),
+    guided &&
+      !guided.offered && [
+        h("p", { class: "small" }, t("result.maps.kept.guided")),
+        checkTables({ guided, prior: null }),
+      ],
+    prior &&
+      !prior.offered && [h("p", { class: "small" }, t("result.maps.kept.prior")), checkTables({ guided: null, prior })],
     guided && h("p", { class: "small" }, t("result.maps.details")),
   );
 }

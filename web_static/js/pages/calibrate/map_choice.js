@@ -54,12 +54,26 @@ function checkTable(kind, repetitions, pca, other) {
     h(
       "table",
       { class: "small" },
-      h("thead", {}, h("tr", {}, h("td", {}), ["pca", kind].map((one) => h("th", { scope: "col" }, t(`result.maps.${one}`))))),
+      h(
+        "thead",
+        {},
+        h(
+          "tr",
+          {},
+          h("td", {}),
+          ["pca", kind].map((one) => h("th", { scope: "col" }, t(`result.maps.${one}`))),
+        ),
+      ),
       h(
         "tbody",
         {},
         ROWS.map(([key, shown]) =>
-          h("tr", {}, h("th", { scope: "row" }, t(WORDS[key])), [pca, other].map((check) => h("td", {}, shown(check[key])))),
+          h(
+            "tr",
+            {},
+            h("th", { scope: "row" }, t(WORDS[key])),
+            [pca, other].map((check) => h("td", {}, shown(check[key]))),
+          ),
         ),
       ),
     ),

@@ -33,13 +33,22 @@ export function showExpected(page, gestures) {
 
 /** @param {FoundGesture | undefined} gesture */
 function expectedOfOwn(gesture) {
-  const { hit_rate: hits, hit_at_least: least, false_per_minute: falsely, counted_at_most: most } = gesture?.prediction ?? {};
+  const {
+    hit_rate: hits,
+    hit_at_least: least,
+    false_per_minute: falsely,
+    counted_at_most: most,
+  } = gesture?.prediction ?? {};
   const sentences = [
     typeof hits === "number" &&
       h("p", {}, t("result.expected.own.hits", { value: number(100 * hits, 0), bound: number(100 * (least ?? 0), 0) })),
     typeof falsely === "number" &&
       typeof most === "number" &&
-      h("p", {}, t("result.expected.own.false", { value: falseWords({ false_per_minute: falsely }), bound: number(most, 0) })),
+      h(
+        "p",
+        {},
+        t("result.expected.own.false", { value: falseWords({ false_per_minute: falsely }), bound: number(most, 0) }),
+      ),
   ];
   return sentences.some(Boolean) ? sentences : [h("p", {}, t("result.expected.none"))];
 }

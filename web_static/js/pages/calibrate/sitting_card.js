@@ -20,7 +20,11 @@ export function sittingCard({ name, label, prior }, onSitting) {
   const joint = label.toLowerCase();
   const { arrangement = {}, as_worn = {} } = prior ?? {};
   const turned = Object.values(arrangement).map((sits) => turnedCard(joint, sits));
-  if (turned.length) return [turned, choice(t("result.sits.right"), t("result.sits.right.label", { joint }), () => onSitting(name, true))];
+  if (turned.length)
+    return [
+      turned,
+      choice(t("result.sits.right"), t("result.sits.right.label", { joint }), () => onSitting(name, true)),
+    ];
   if (!Object.keys(as_worn).length) return [];
   return [
     h("p", { class: "small" }, t("result.sits.left", { joint })),
@@ -74,11 +78,23 @@ function ring(label, sits, large, first, arrows) {
   };
   return s(
     "svg",
-    { class: "ring", viewBox: `0 ${(SIZE - HEIGHT) / 2} ${SIZE} ${HEIGHT}`, width: SIZE, height: HEIGHT, role: "img", "aria-label": label },
+    {
+      class: "ring",
+      viewBox: `0 ${(SIZE - HEIGHT) / 2} ${SIZE} ${HEIGHT}`,
+      width: SIZE,
+      height: HEIGHT,
+      role: "img",
+      "aria-label": label,
+    },
     s("circle", { cx: SIZE / 2, cy: SIZE / 2, r: ROUND, class: "limb" }),
     Array.from({ length: sensors }, (_, place) => {
       const [cx, cy] = at(place, ROUND);
-      return s("circle", { cx, cy, r: large.includes(place) ? 6 : 4, class: place === first ? "sensor first" : "sensor" });
+      return s("circle", {
+        cx,
+        cy,
+        r: large.includes(place) ? 6 : 4,
+        class: place === first ? "sensor first" : "sensor",
+      });
     }),
     front !== null && [sideWords("front", front), sideWords("back", front + sensors / 2)],
     outside !== null && [sideWords("outside", outside), sideWords("inside", outside + sensors / 2)],
@@ -97,7 +113,10 @@ function shiftedPicture(joint, sits) {
   const [x1, y1] = at(to, TURN);
   const [tipX, tipY] = at(to + (isForwards ? -0.35 : 0.35), TURN - 7);
   const label = t("result.sits.picture", { joint, count, sensors });
-  const arrow = s("path", { d: `M ${x0} ${y0} A ${TURN} ${TURN} 0 0 ${isForwards ? 1 : 0} ${x1} ${y1} L ${tipX} ${tipY}`, class: "turn" });
+  const arrow = s("path", {
+    d: `M ${x0} ${y0} A ${TURN} ${TURN} 0 0 ${isForwards ? 1 : 0} ${x1} ${y1} L ${tipX} ${tipY}`,
+    class: "turn",
+  });
   return ring(label, sits, [0, count], from, [arrow]);
 }
 

@@ -131,12 +131,7 @@ export function showArming(app, root, read, onDrive, signal) {
       h("p", { class: "lead" }, t(nobodySits ? "chair.lead.simulated" : "chair.lead")),
       nobodySits && h("p", { class: "card simulated" }, t("chair.simulated")),
       missing.element,
-      h(
-        "div",
-        { class: "arming" },
-        h("div", { class: "stack" }, chair.element, settings.element),
-        neutral.element,
-      ),
+      h("div", { class: "arming" }, h("div", { class: "stack" }, chair.element, settings.element), neutral.element),
       isVisitor && h("div", { class: "card pad-card" }, pads(app, until.signal).element),
     ),
     h(

@@ -144,10 +144,6 @@ function practice({ practised: { trials, last }, last_practised: before, differe
         {},
         differences.map((difference) => h("li", {}, differenceWords(difference))),
       ),
-    h(
-      "button",
-      { type: "button", class: "btn small", onclick: onPractise },
-      t("apply.practise"),
-    ),
+    h("button", { type: "button", class: "btn small", onclick: onPractise }, t("apply.practise")),
   );
 }

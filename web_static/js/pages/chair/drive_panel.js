@@ -75,7 +75,12 @@ export function showDrivePanel(app, root, read, id, signal) {
         ),
       ),
     ),
-    h("div", { class: "foot" }, h("span", { class: "grow" }, isSimulated(app, read) && `${t("chair.simulated")} `, t("arm.front")), end.element),
+    h(
+      "div",
+      { class: "foot" },
+      h("span", { class: "grow" }, isSimulated(app, read) && `${t("chair.simulated")} `, t("arm.front")),
+      end.element,
+    ),
   );
   app.setShowsTrial(true);
   root.querySelector("h1")?.focus({ preventScroll: true });

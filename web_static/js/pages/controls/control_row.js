@@ -125,7 +125,15 @@ function oneGesture(gesture, words, draft, steppers) {
   /** @param {"from" | "full"} place @param {Threshold["which"]} which @param {(value: number) => void} onChange */
   const threshold = (place, which, onChange) => {
     const label = t(`handle.${place}.label`, { gesture: words });
-    const one = stepper({ label, value: 100 * gesture[which], low: 0, high, ...THRESHOLD, unit, onChange: (share) => onChange(share / 100) });
+    const one = stepper({
+      label,
+      value: 100 * gesture[which],
+      low: 0,
+      high,
+      ...THRESHOLD,
+      unit,
+      onChange: (share) => onChange(share / 100),
+    });
     steppers.push({ name: gesture.name, which, stepper: one });
     return setting(t(`tune.${place}`), words, one);
   };

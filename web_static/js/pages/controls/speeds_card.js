@@ -41,7 +41,9 @@ export function modesCard(draft) {
  * @param {ControlsDraft} draft
  */
 export function speedsCard(draft) {
-  const rows = speedRows(draft.settings.speeds, draft.limits, (name, value) => draft.setSpeed(name, value), { hasNumbers: false });
+  const rows = speedRows(draft.settings.speeds, draft.limits, (name, value) => draft.setSpeed(name, value), {
+    hasNumbers: false,
+  });
   const showLowered = () => {
     for (const speed of SPEEDS) {
       const [own, limit] = [draft.settings.speeds[speed.name], draft.view.held?.[speed.name]];

@@ -47,7 +47,10 @@ export async function show(app, root, { signal, rest }) {
  * @param {AbortSignal} signal
  */
 async function drive(app, root, running, where, signal) {
-  const [plan, equipment] = await Promise.all([app.api.get(`/floorplans/${where.floorplan}`), app.api.get("/equipment")]);
+  const [plan, equipment] = await Promise.all([
+    app.api.get(`/floorplans/${where.floorplan}`),
+    app.api.get("/equipment"),
+  ]);
   if (signal.aborted) return;
   let trial = running;
   const path = plan.paths.find((one) => one.name === where.path);
@@ -60,7 +63,9 @@ async function drive(app, root, running, where, signal) {
     const now = trials.find((one) => one.id === id);
     if (!signal.aborted && now && now.status !== "running") app.go(`#/drive/over/${id}`);
   };
-  app.live.addEventListener("changed", ({ detail }) => ["trial", "everything"].includes(detail) && lookWhetherOver(), { signal });
+  app.live.addEventListener("changed", ({ detail }) => ["trial", "everything"].includes(detail) && lookWhetherOver(), {
+    signal,
+  });
   const view = showTrial(app, root, { plan, path, isVisitor }, signal);
   if (running) return view.begin(running);
   view.picture.ready.then(async () => {

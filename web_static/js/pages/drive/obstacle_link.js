@@ -10,5 +10,7 @@ import { t } from "../../texts.js";
  */
 export function wayBeforeDriving(shirt, obstacle) {
   if (!shirt) return { href: "#/shirt", go: t("drive.no-shirt.go"), message: t("drive.no-shirt") };
-  return obstacle && { href: `#/${obstacle.page}`, go: t(`drive.obstacle.${obstacle.page}`), message: obstacle.message };
+  return (
+    obstacle && { href: `#/${obstacle.page}`, go: t(`drive.obstacle.${obstacle.page}`), message: obstacle.message }
+  );
 }

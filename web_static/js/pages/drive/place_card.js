@@ -62,7 +62,12 @@ function asideWords({ kind, cross_track: aside }) {
 /** The distance to a leader in words, and a mark on a bar whose middle is what is asked. @param {number} asked m */
 function leaderBar(asked) {
   const words = h("span", {});
-  const element = h("div", { class: "leader" }, words, h("div", { class: "leader-bar", "aria-hidden": "true" }, h("i", {})));
+  const element = h(
+    "div",
+    { class: "leader" },
+    words,
+    h("div", { class: "leader-bar", "aria-hidden": "true" }, h("i", {})),
+  );
   element.style.setProperty("--near", `${(50 * (asked - REFERENCE.numbers.leader_near)) / asked}%`);
   element.style.setProperty("--far", `${(50 * (asked + REFERENCE.numbers.leader_near)) / asked}%`);
   /** @param {number | null} distance m */

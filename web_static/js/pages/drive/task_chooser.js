@@ -23,7 +23,9 @@ export async function showChooser(app, root, [floorplan, path], signal) {
   const title = h("h2", { class: "unseen" });
   const about = h("p", { class: "quiet small" });
   const cards = h("div", { class: "plan-cards" });
-  const buttons = GROUPS.map((group) => h("button", { type: "button", class: "btn", onclick: () => choose(group) }, t(`drive.group.${group}`)));
+  const buttons = GROUPS.map((group) =>
+    h("button", { type: "button", class: "btn", onclick: () => choose(group) }, t(`drive.group.${group}`)),
+  );
   /** @param {typeof GROUPS[number]} group */
   const choose = (group) => {
     buttons.forEach((button, i) => set(button, { "aria-pressed": String(GROUPS[i] === group) }));
@@ -32,9 +34,14 @@ export async function showChooser(app, root, [floorplan, path], signal) {
     put(
       about,
       group === "own" && !found.length && [t("drive.own.none"), " "],
-      group === "own" && app.me?.role !== "reviewer" && h("a", { class: "btn small", href: "#/plans" }, t("drive.own.go")),
+      group === "own" &&
+        app.me?.role !== "reviewer" &&
+        h("a", { class: "btn small", href: "#/plans" }, t("drive.own.go")),
     );
-    put(cards, found.map((levels) => placeCard(app, levels, current, signal)));
+    put(
+      cards,
+      found.map((levels) => placeCard(app, levels, current, signal)),
+    );
   };
   choose(current?.plan.group ?? "first");
   put(
@@ -49,7 +56,12 @@ export async function showChooser(app, root, [floorplan, path], signal) {
       about,
       cards,
     ),
-    h("div", { class: "foot" }, h("span", { class: "grow" }), h("a", { class: "btn", href: current ? taskLink("task", current) : "#/drive" }, t("back"))),
+    h(
+      "div",
+      { class: "foot" },
+      h("span", { class: "grow" }),
+      h("a", { class: "btn", href: current ? taskLink("task", current) : "#/drive" }, t("back")),
+    ),
   );
 }
 
@@ -89,9 +101,17 @@ function placeCard(app, levels, current, signal) {
   };
   /** @param {FloorPlanView} plan */
   const setLevel = async (plan) => {
-    put(tasks, plan.paths.map((path) => taskItem(plan, path)));
+    put(
+      tasks,
+      plan.paths.map((path) => taskItem(plan, path)),
+    );
     const document = await app.api.get(`/floorplans/${plan.name}`).catch(() => null);
-    if (signal.aborted || !document || !tasks.querySelector(`[href^="${taskLink("task", { plan, path: plan.paths[0] })}"]`)) return;
+    if (
+      signal.aborted ||
+      !document ||
+      !tasks.querySelector(`[href^="${taskLink("task", { plan, path: plan.paths[0] })}"]`)
+    )
+      return;
     const [request] = document.paths;
     const label = t("drive.plan.label", { plan: plan.title, path: request.title });
     put(picture, planPicture(document, request.points, { label, request }).element);
@@ -105,7 +125,8 @@ function placeCard(app, levels, current, signal) {
       "h3",
       {},
       title,
-      !scene && h("span", { class: "quiet small" }, t("drive.size", { width: number(width, 0), height: number(height, 0) })),
+      !scene &&
+        h("span", { class: "quiet small" }, t("drive.size", { width: number(width, 0), height: number(height, 0) })),
     ),
     scene && h("p", { class: "quiet small about" }, scene.about),
     picture,

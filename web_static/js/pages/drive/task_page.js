@@ -56,7 +56,9 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
         { class: "grow" },
         bodyWords(now, obstacle),
         " ",
-        mayDrive && !obstacle && now.shirt?.kind === "simulator" &&
+        mayDrive &&
+          !obstacle &&
+          now.shirt?.kind === "simulator" &&
           h("a", { class: "btn bare small", href: "#/shirt" }, t("drive.body.change")),
       ),
       h("a", { class: "btn", href: taskLink("tasks", task) }, t("drive.choose")),
@@ -120,7 +122,11 @@ const isOther = (now, shown) => JSON.stringify(now) !== JSON.stringify(shown);
 function mainButton({ shirt }, obstacle, start, has3d) {
   const way = wayBeforeDriving(shirt, obstacle);
   if (way) return h("a", { class: "btn go large", href: way.href }, way.go);
-  return h("button", { type: "button", class: "btn go large", onclick: start }, t(has3d ? "drive.start" : "drive.start.plan"));
+  return h(
+    "button",
+    { type: "button", class: "btn go large", onclick: start },
+    t(has3d ? "drive.start" : "drive.start.plan"),
+  );
 }
 
 /** The task: its name, where it is, and its way over the plan. @param {App} app @param {Task} task @param {AbortSignal} signal */
@@ -159,7 +165,9 @@ function screenState(app, read, signal) {
   };
   show(read);
   const again = () => app.api.get("/patient-screen").then(show, () => {});
-  app.live.addEventListener("changed", ({ detail }) => ["screens", "everything"].includes(detail) && again(), { signal });
+  app.live.addEventListener("changed", ({ detail }) => ["screens", "everything"].includes(detail) && again(), {
+    signal,
+  });
   return state;
 }
 

@@ -39,7 +39,11 @@ export async function show(app, root, { signal }) {
     put(
       results,
       test && testFigures(test),
-      test && mayTest && test.end === "complete" && test.session_id === app.session?.session?.id && workloadCard(app, test),
+      test &&
+        mayTest &&
+        test.end === "complete" &&
+        test.session_id === app.session?.session?.id &&
+        workloadCard(app, test),
       test && courseCard(now, drawn.signal),
     );
   };
@@ -58,7 +62,13 @@ export async function show(app, root, { signal }) {
       { class: "body" },
       h("h1", { tabindex: "-1" }, t("rail.interface_test")),
       h("p", { class: "lead" }, t("test.lead")),
-      h("div", { class: "stack" }, stage.element, isVisitor && h("div", { class: "card pad-card" }, pads(app, signal).element), results),
+      h(
+        "div",
+        { class: "stack" },
+        stage.element,
+        isVisitor && h("div", { class: "card pad-card" }, pads(app, signal).element),
+        results,
+      ),
     ),
     h("div", { class: "foot" }, h("span", { class: "grow" }), stage.buttons),
   );
@@ -80,7 +90,12 @@ function stageOf(app, mayTest, onRunning, signal) {
   const words = h("p", { class: "test-words", role: "status" });
   const time = h("div", { class: "big", "aria-hidden": "true" });
   const count = h("p", { class: "quiet" });
-  const element = h("section", { class: "card test-stage" }, h("div", { class: "test-side" }, words, time, count), cross.element);
+  const element = h(
+    "section",
+    { class: "card test-stage" },
+    h("div", { class: "test-side" }, words, time, count),
+    cross.element,
+  );
   const start = h("button", { type: "button", class: "btn go large" }, t("test.start"));
   const end = h("button", { type: "button", class: "btn large" }, t("test.end-it"));
   const drive = h("a", { class: "btn", href: "#/drive" }, t("test.drive"));

@@ -17,7 +17,15 @@ const MIDDLE = 50; // where a slider stands that nobody has moved
 /** @param {import("../../main.js").App} app @param {InterfaceTestView} test */
 export function workloadCard(app, test) {
   /** @type {Answers} */
-  const answers = { mental: null, physical: null, temporal: null, performance: null, effort: null, frustration: null, ...test.workload };
+  const answers = {
+    mental: null,
+    physical: null,
+    temporal: null,
+    performance: null,
+    effort: null,
+    frustration: null,
+    ...test.workload,
+  };
   const problem = h("p", { class: "problem", role: "alert" });
   const status = h("p", { class: "quiet", role: "status" }, sum(test));
   const save = async () => {
@@ -34,9 +42,18 @@ export function workloadCard(app, test) {
     { class: "card workload" },
     h("h2", {}, t("test.workload")),
     h("p", { class: "quiet" }, t("test.workload.lead")),
-    h("div", { class: "workload-questions" }, QUESTIONS.map((name) => question(name, answers))),
+    h(
+      "div",
+      { class: "workload-questions" },
+      QUESTIONS.map((name) => question(name, answers)),
+    ),
     problem,
-    h("div", { class: "spread" }, h("button", { type: "button", class: "btn", onclick: save }, t("test.workload.save")), status),
+    h(
+      "div",
+      { class: "spread" },
+      h("button", { type: "button", class: "btn", onclick: save }, t("test.workload.save")),
+      status,
+    ),
   );
 }
 
@@ -44,8 +61,22 @@ export function workloadCard(app, test) {
 function question(name, answers) {
   const id = `workload-${name}`;
   const value = h("output", { for: id, class: "number" });
-  const input = h("input", { type: "range", id, ...numberLimits("Workload", name), step: STEP, "aria-describedby": `${id}-ends` });
-  const clear = h("button", { type: "button", class: "btn small bare", "aria-label": t("test.workload.clear", { question: t(`test.workload.${name}`) }) }, t("test.workload.leave-out"));
+  const input = h("input", {
+    type: "range",
+    id,
+    ...numberLimits("Workload", name),
+    step: STEP,
+    "aria-describedby": `${id}-ends`,
+  });
+  const clear = h(
+    "button",
+    {
+      type: "button",
+      class: "btn small bare",
+      "aria-label": t("test.workload.clear", { question: t(`test.workload.${name}`) }),
+    },
+    t("test.workload.leave-out"),
+  );
   const show = () => {
     const answer = answers[name];
     const words = answer === null ? t("test.workload.none") : String(answer);

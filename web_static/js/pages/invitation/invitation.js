@@ -66,7 +66,11 @@ function door(app, code, { name, role, is_new: isNew }) {
       "form",
       { class: "stack", onsubmit: submit },
       field(t("sign-in.name"), account),
-      passwordField(t("invitation.password"), password, t("setup.password.hint", { count: REFERENCE.numbers.password_length })),
+      passwordField(
+        t("invitation.password"),
+        password,
+        t("setup.password.hint", { count: REFERENCE.numbers.password_length }),
+      ),
       problem,
       go,
     ),

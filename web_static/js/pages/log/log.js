@@ -44,7 +44,10 @@ export async function show(app, root, { signal }) {
       append(view);
     });
   more.addEventListener("click", () => read(oldest));
-  const everybody = [{ value: ALL, label: t("log.everybody") }, ...first.people.map((name) => ({ value: name, label: name }))];
+  const everybody = [
+    { value: ALL, label: t("log.everybody") },
+    ...first.people.map((name) => ({ value: name, label: name })),
+  ];
   const everyPatient = [
     { value: ALL, label: t("log.every-patient") },
     ...patients.map(({ id, code }) => ({ value: String(id), label: code })),
@@ -72,17 +75,36 @@ export async function show(app, root, { signal }) {
       h(
         "section",
         { class: "card log-rows" },
-        h("div", { class: "spread log-filters" }, field(t("log.person"), choosePerson), field(t("log.patient"), choosePatient)),
+        h(
+          "div",
+          { class: "spread log-filters" },
+          field(t("log.person"), choosePerson),
+          field(t("log.patient"), choosePatient),
+        ),
         scrollTable(
           t("rail.log"),
           "log-table",
-          h("thead", {}, h("tr", {}, ["when", "who", "what", "details"].map((column) => h("th", { scope: "col" }, t(`log.${column}`))))),
+          h(
+            "thead",
+            {},
+            h(
+              "tr",
+              {},
+              ["when", "who", "what", "details"].map((column) => h("th", { scope: "col" }, t(`log.${column}`))),
+            ),
+          ),
           rows,
         ),
         none,
         more,
       ),
-      h("p", { class: "spread after-list" }, exportLink("csv"), exportLink("jsonl"), h("a", { class: "btn small", href: "#/settings" }, t("people.back"))),
+      h(
+        "p",
+        { class: "spread after-list" },
+        exportLink("csv"),
+        exportLink("jsonl"),
+        h("a", { class: "btn small", href: "#/settings" }, t("people.back")),
+      ),
     ),
   );
 }
@@ -90,5 +112,12 @@ export async function show(app, root, { signal }) {
 /** @param {LogView["entries"][number]} entry @param {Map<number, string>} codes */
 function row({ at, person, what, details }, codes) {
   const moment = h("time", { datetime: at }, exactMoment(at));
-  return h("tr", {}, h("td", {}, moment), h("td", {}, person ?? t("log.program")), h("td", {}, whatWords(what)), h("td", { class: "quiet" }, detailWords(details, codes, what)));
+  return h(
+    "tr",
+    {},
+    h("td", {}, moment),
+    h("td", {}, person ?? t("log.program")),
+    h("td", {}, whatWords(what)),
+    h("td", { class: "quiet" }, detailWords(details, codes, what)),
+  );
 }

@@ -64,8 +64,15 @@ function valueWords(name, value, codes) {
   if (name === PATIENTS && value === null) return t("log.every-patient").toLowerCase();
   if (value === null || value === undefined) return "none";
   if (typeof value === "boolean") return value ? "yes" : "no";
-  if (Array.isArray(value)) return value.map((one) => (name === PATIENTS && codes.get(Number(one))) || valueWords(name, one, codes)).join(", ") || "none";
-  if (isObject(value)) return Object.entries(value).map(([inner, one]) => `${nameWords(inner)} ${valueWords(inner, one, codes)}`).join(", ");
+  if (Array.isArray(value))
+    return (
+      value.map((one) => (name === PATIENTS && codes.get(Number(one))) || valueWords(name, one, codes)).join(", ") ||
+      "none"
+    );
+  if (isObject(value))
+    return Object.entries(value)
+      .map(([inner, one]) => `${nameWords(inner)} ${valueWords(inner, one, codes)}`)
+      .join(", ");
   const key = `log.value.${name}.${value}`;
   if (hasText(key)) return t(key);
   if (name in WRITTEN) return WRITTEN[name](/** @type {string & number} */ (value));

@@ -26,7 +26,12 @@ export function archiveImport(app, onImported, signal) {
         { value: /** @type {const} */ ("replace"), label: t("import.replace") },
         { value: null, label: t("cancel"), kind: "btn go" },
       ];
-      const chosen = await ask(app.question, error.message, answers, h("p", { class: "quiet small" }, t("import.kept")));
+      const chosen = await ask(
+        app.question,
+        error.message,
+        answers,
+        h("p", { class: "quiet small" }, t("import.kept")),
+      );
       return chosen && app.api.send(`/archives?${chosen}=true`, file);
     }
   };
@@ -54,7 +59,10 @@ export function archiveImport(app, onImported, signal) {
 /** @param {ImportedView} imported */
 function whatCameIn({ code, is_new: isNew, sessions, trials, kept }) {
   if (!isNew && !kept) return t("import.known", { code });
-  const counts = { sessions: t("patients.sessions", { count: sessions }), trials: t("patients.trials", { count: trials }) };
+  const counts = {
+    sessions: t("patients.sessions", { count: sessions }),
+    trials: t("patients.trials", { count: trials }),
+  };
   return kept ? t("import.replaced", { code, ...counts, kept }) : t("import.done", { code, ...counts });
 }
 

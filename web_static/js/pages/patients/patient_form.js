@@ -17,7 +17,12 @@ export function newPatientForm(app, { onAdded, onClose }) {
     pattern: "[A-Za-z0-9][A-Za-z0-9_.\\-]*",
     autocomplete: "off",
   });
-  const pseudonym = h("input", { type: "text", required: true, ...textLimits("NewPatient", "pseudonym"), autocomplete: "off" });
+  const pseudonym = h("input", {
+    type: "text",
+    required: true,
+    ...textLimits("NewPatient", "pseudonym"),
+    autocomplete: "off",
+  });
   const note = h("input", { type: "text", ...textLimits("NewPatient", "note"), autocomplete: "off" });
   const problem = h("p", { class: "problem", role: "alert" });
   /** @param {SubmitEvent} event */

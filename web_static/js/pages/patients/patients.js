@@ -22,7 +22,10 @@ const NEWS = new Set(["session", "trial", "everything"]); // after which a row m
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
   const isOwner = app.me?.role === "owner";
-  const [first, people] = await Promise.all([app.api.get("/patients"), isOwner && !app.me?.demo ? app.api.get("/people") : null]);
+  const [first, people] = await Promise.all([
+    app.api.get("/patients"),
+    isOwner && !app.me?.demo ? app.api.get("/people") : null,
+  ]);
   let patients = first;
   if (signal.aborted) return;
   const list = rowList("people");
@@ -133,7 +136,8 @@ export async function show(app, root, { signal }) {
         "div",
         { class: "spread above-list" },
         h("div", { class: "grow" }, search),
-        mayChange(app) && h("button", { type: "button", class: "btn", onclick: showForm }, icon("plus", 20), t("patients.new")),
+        mayChange(app) &&
+          h("button", { type: "button", class: "btn", onclick: showForm }, icon("plus", 20), t("patients.new")),
         archive?.button,
       ),
       archive?.course,
@@ -204,11 +208,7 @@ function row(app, patient, { open, remove, end, goOn }) {
     isHere
       ? [
           h("button", { type: "button", class: "btn", onclick: end }, t("patients.end")),
-          h(
-            "button",
-            { type: "button", class: "btn go", onclick: goOn },
-            t("patients.go-on"),
-          ),
+          h("button", { type: "button", class: "btn go", onclick: goOn }, t("patients.go-on")),
         ]
       : [
           h(
@@ -246,7 +246,11 @@ function row(app, patient, { open, remove, end, goOn }) {
       h("div", { class: "quiet small" }, figures, patient.note && ` · ${patient.note}`),
       h(
         "a",
-        { class: "row-link", href: `#/session/patient/${patient.id}`, "aria-label": t("record.link.label", { code: patient.code }) },
+        {
+          class: "row-link",
+          href: `#/session/patient/${patient.id}`,
+          "aria-label": t("record.link.label", { code: patient.code }),
+        },
         t("record.link"),
       ),
       report(app, patient),

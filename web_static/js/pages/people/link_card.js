@@ -18,7 +18,13 @@ export function linkCard(app, { person, url, qr, expires, message }, onDone) {
     h("h2", { tabindex: "-1" }, t(key, { name: person.name })),
     h("p", {}, t("people.link.lead", { name: person.name, until: moment(expires) })),
     message && h("p", { class: "att" }, message),
-    h("img", { class: "qr", src: pictureOf(qr), alt: t("people.link.qr", { name: person.name }), width: 240, height: 240 }),
+    h("img", {
+      class: "qr",
+      src: pictureOf(qr),
+      alt: t("people.link.qr", { name: person.name }),
+      width: 240,
+      height: 240,
+    }),
     h("pre", {}, h("code", {}, url)),
     h(
       "div",

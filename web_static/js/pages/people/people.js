@@ -27,7 +27,11 @@ export async function show(app, root, { signal, rest }) {
     [people, patients] = found;
     draw();
   };
-  const close = () => put(above, h("button", { type: "button", class: "btn go", onclick: openForm }, icon("plus", 20), t("people.invite")));
+  const close = () =>
+    put(
+      above,
+      h("button", { type: "button", class: "btn go", onclick: openForm }, icon("plus", 20), t("people.invite")),
+    );
   /** @param {LinkView} link */
   const showLink = async (link) => {
     put(above, linkCard(app, link, close));
@@ -36,7 +40,13 @@ export async function show(app, root, { signal, rest }) {
     await read();
   };
   const openForm = () => {
-    put(above, rightsForm(patients, null, { send: async (rights) => showLink(await app.api.post("/people", rights)), onClose: close }));
+    put(
+      above,
+      rightsForm(patients, null, {
+        send: async (rights) => showLink(await app.api.post("/people", rights)),
+        onClose: close,
+      }),
+    );
     above.querySelector("input")?.focus();
   };
   /** @param {PersonView} person */
@@ -62,8 +72,7 @@ export async function show(app, root, { signal, rest }) {
     /** @param {PersonView} person */
     enable: (person) => attempt(() => app.api.post(`/people/${person.id}/enable`)),
   };
-  const draw = () =>
-    list.show(people.map((person) => row(person, patients, actions)));
+  const draw = () => list.show(people.map((person) => row(person, patients, actions)));
   draw();
   close();
   const timer = setInterval(() => read().catch(() => null), LOOK_EVERY); // others accept invitations meanwhile
@@ -92,7 +101,11 @@ function row(person, patients, actions) {
   const button = (what) => {
     const key = what === "link" && person.state === "invited" ? "people.link.again" : `people.${what}`;
     const label = t(`${key}.label`, { name: person.name });
-    return h("button", { type: "button", class: "btn small", "aria-label": label, onclick: () => actions[what](person) }, t(key));
+    return h(
+      "button",
+      { type: "button", class: "btn small", "aria-label": label, onclick: () => actions[what](person) },
+      t(key),
+    );
   };
   const isDisabled = person.state === "disabled";
   return h(

@@ -56,21 +56,44 @@ export function commentsCard(app, trial, comments, head, signal) {
         "div",
         { class: "spread" },
         head
-          ? h("button", { type: "button", class: "btn bare small moment", "aria-label": t("comments.go", values), onclick: go }, t("comments.at", values))
+          ? h(
+              "button",
+              { type: "button", class: "btn bare small moment", "aria-label": t("comments.go", values), onclick: go },
+              t("comments.at", values),
+            )
           : h("b", {}, t("comments.at", values)),
-        h("span", { class: "quiet small grow" }, t(earlier.length ? "comments.by-revised" : "comments.by", { person, moment: moment(newest.written) })),
+        h(
+          "span",
+          { class: "quiet small grow" },
+          t(earlier.length ? "comments.by-revised" : "comments.by", { person, moment: moment(newest.written) }),
+        ),
         fresh.has(id) && h("span", { class: "tag att" }, t("comments.new")),
       ),
       h("p", { class: "own-words" }, newest.text),
       isOwn &&
-        h("button", { type: "button", class: "btn bare small", "data-comment": id, "aria-label": t("comments.change.label", values), onclick: revise }, t("comments.change")),
+        h(
+          "button",
+          {
+            type: "button",
+            class: "btn bare small",
+            "data-comment": id,
+            "aria-label": t("comments.change.label", values),
+            onclick: revise,
+          },
+          t("comments.change"),
+        ),
       earlier.length > 0 &&
         h(
           "details",
           {},
           h("summary", {}, t("comments.history", { count: earlier.length })),
           earlier.map(({ text, written }) =>
-            h("div", { class: "earlier-text" }, h("p", { class: "own-words" }, text), h("p", { class: "quiet small" }, moment(written))),
+            h(
+              "div",
+              { class: "earlier-text" },
+              h("p", { class: "own-words" }, text),
+              h("p", { class: "quiet small" }, moment(written)),
+            ),
           ),
         ),
     );
@@ -86,7 +109,8 @@ export function commentsCard(app, trial, comments, head, signal) {
       text: revisions[0].text,
       action: t("comments.save"),
       longest: limitsOf("NewComment", "text").longest ?? Infinity,
-      send: async (text) => (await change(() => app.api.put(`/comments/${id}`, { text }), t("comments.revised"))) && again(),
+      send: async (text) =>
+        (await change(() => app.api.put(`/comments/${id}`, { text }), t("comments.revised"))) && again(),
       onClose: () => {
         draw();
         again();
@@ -112,7 +136,8 @@ export function commentsCard(app, trial, comments, head, signal) {
           action: t("comments.add"),
           longest: limitsOf("NewComment", "text").longest ?? Infinity,
           send: async (text) =>
-            (await change(() => app.api.post(`/trials/${trial}/comments`, { t: at, text }), t("comments.added"))) && close(),
+            (await change(() => app.api.post(`/trials/${trial}/comments`, { t: at, text }), t("comments.added"))) &&
+            close(),
           onClose: close,
         }),
       );
@@ -134,7 +159,11 @@ export function commentsCard(app, trial, comments, head, signal) {
     put(list, comments.map(row));
     list.hidden = !comments.length;
     none.hidden = comments.length > 0;
-    if (head) put(marks, comments.map(({ t: at }) => h("i", { style: `left: ${head.share(at)}%` })));
+    if (head)
+      put(
+        marks,
+        comments.map(({ t: at }) => h("i", { style: `left: ${head.share(at)}%` })),
+      );
     showHere();
     if (comments.some(({ unread }) => unread)) app.api.post(`/trials/${trial}/comments/read`).catch(() => {});
   };
@@ -162,5 +191,6 @@ const shownOf = (comments) => JSON.stringify(comments, (name, value) => (name ==
 function showPicture() {
   const picture = document.querySelector(".replay-picture");
   const page = picture?.closest("main");
-  if (picture && page && picture.getBoundingClientRect().top < page.getBoundingClientRect().top - 1) picture.scrollIntoView();
+  if (picture && page && picture.getBoundingClientRect().top < page.getBoundingClientRect().top - 1)
+    picture.scrollIntoView();
 }

@@ -23,7 +23,12 @@ export async function show(app, root, { signal, rest: [patient, , ...ids] }) {
   if (signal.aborted) return;
   /** @param {TrialDetail} trial */
   const link = (trial) =>
-    h("a", { href: `#/review/${patient}/trial/${trial.id}` }, t("compare.trial", { number: trial.number }), ` (${moment(trial.started)})`);
+    h(
+      "a",
+      { href: `#/review/${patient}/trial/${trial.id}` },
+      t("compare.trial", { number: trial.number }),
+      ` (${moment(trial.started)})`,
+    );
   /** @param {TrialDetail} trial */
   const named = (trial) => h("span", { class: "trial-name" }, link(trial), " ", groupMark(groupOf(trial)));
   put(
@@ -32,7 +37,15 @@ export async function show(app, root, { signal, rest: [patient, , ...ids] }) {
       "div",
       { class: "body" },
       h("h1", { tabindex: "-1" }, t("compare.title")),
-      h("p", { class: "lead compare-lead" }, trials[0].floorplan_title, ": ", named(trials[0]), " · ", named(trials[1])),
+      h(
+        "p",
+        { class: "lead compare-lead" },
+        trials[0].floorplan_title,
+        ": ",
+        named(trials[0]),
+        " · ",
+        named(trials[1]),
+      ),
       above,
       compareTable(trials, found),
     ),
@@ -56,7 +69,11 @@ async function verdicts(app, [first, second]) {
 
 /** @param {TrialDetail} first @param {TrialDetail} second */
 function isSameTask(first, second) {
-  return first.patient_id === second.patient_id && first.floorplan === second.floorplan && first.path_name === second.path_name;
+  return (
+    first.patient_id === second.patient_id &&
+    first.floorplan === second.floorplan &&
+    first.path_name === second.path_name
+  );
 }
 
 /**
@@ -65,8 +82,7 @@ function isSameTask(first, second) {
  */
 async function pictures(app, root, trials, signal) {
   const [first, second] = trials;
-  if (!isSameTask(first, second))
-    return h("p", { class: "card quiet" }, t("compare.other-path"));
+  if (!isSameTask(first, second)) return h("p", { class: "card quiet" }, t("compare.other-path"));
   try {
     const lines = await Promise.all(trials.map(({ id }) => app.api.get(`/trials/${id}/timeline`)));
     const plan = lines[1].floorplan ?? (await app.api.get(`/floorplans/${first.floorplan}`).catch(() => null));

@@ -23,7 +23,9 @@ export function compareChoice(patient) {
     });
     write(
       words,
-      ready ? t("compare.chosen", { first: first.number, second: second.number }) : t("compare.choose", { count: 2 - chosen.length }),
+      ready
+        ? t("compare.chosen", { first: first.number, second: second.number })
+        : t("compare.choose", { count: 2 - chosen.length }),
     );
   };
   /** @param {TrialView} trial @param {HTMLInputElement} input */

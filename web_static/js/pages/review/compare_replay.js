@@ -53,13 +53,19 @@ export async function compareReplay(root, trials, lines, plan, signal) {
       h(
         "ul",
         { class: "compare-now" },
-        trials.map((trial, i) => h("li", {}, swatch(i), h("b", {}, t("compare.trial", { number: trial.number })), " ", now[i])),
+        trials.map((trial, i) =>
+          h("li", {}, swatch(i), h("b", {}, t("compare.trial", { number: trial.number })), " ", now[i]),
+        ),
       ),
       h("p", { class: "quiet small" }, t("compare.start")),
     ),
     playBar(head, [], signal),
     h("p", { class: "quiet small" }, t("replay.keys")),
-    h("div", { class: "charts" }, charts.map((one, i) => h("section", { class: "card" }, h("h2", {}, titles[i]), one))),
+    h(
+      "div",
+      { class: "charts" },
+      charts.map((one, i) => h("section", { class: "card" }, h("h2", {}, titles[i]), one)),
+    ),
   );
   playKeys(root, head, signal);
   return element;

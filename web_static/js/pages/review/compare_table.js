@@ -28,7 +28,11 @@ export function compareTable(trials, found) {
       h("th", { scope: "row" }, nameOf(name)),
       [first, second].map((measures) => h("td", { class: "own" }, withUnit(name, measured(measures, name)))),
       found && h("td", { class: `change ${verdict?.tone ?? ""}` }, verdict ? `${verdict.arrow} ${verdict.words}` : "–"),
-      h("td", {}, isMixed || ![first, second].every((one) => comparable(name, one)) ? "–" : difference(name, first, second)),
+      h(
+        "td",
+        {},
+        isMixed || ![first, second].every((one) => comparable(name, one)) ? "–" : difference(name, first, second),
+      ),
       found && h("td", {}, verdict?.noise ?? "–"),
     );
   };
@@ -60,7 +64,15 @@ export function compareTable(trials, found) {
       scrollTable(
         t("compare.measures"),
         "measures",
-        h("thead", {}, h("tr", {}, head.map((words) => h("th", { scope: "col" }, words)))),
+        h(
+          "thead",
+          {},
+          h(
+            "tr",
+            {},
+            head.map((words) => h("th", { scope: "col" }, words)),
+          ),
+        ),
         h("tbody", {}, [names.map(row), interrupted.some(Boolean) && interruptions]),
       ),
     found && noiseNote(),

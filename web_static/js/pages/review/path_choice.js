@@ -7,7 +7,6 @@
 import { REFERENCE } from "../../reference.js";
 import { GROUPS, groupOf } from "../../results/source_group.js";
 
-
 /** Which path a trial was driven on. @param {{floorplan: string, path: string}} trial */
 export function keyOf({ floorplan, path }) {
   return `${floorplan}/${path}`;

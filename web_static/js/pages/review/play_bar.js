@@ -44,9 +44,7 @@ export function playBar(head, events, signal, more) {
   const marks = h(
     "div",
     { class: "event-marks", "aria-hidden": "true" },
-    events.map((event) =>
-      h("i", { class: `is-${event.kind}`, style: `left: ${head.share(event.t)}%` }),
-    ),
+    events.map((event) => h("i", { class: `is-${event.kind}`, style: `left: ${head.share(event.t)}%` })),
   );
   const showState = () => {
     put(button, icon(head.playing ? "pause" : "play", 20), t(head.playing ? "replay.pause" : "replay.play"));

@@ -45,10 +45,14 @@ export async function qualitySection(app, patient, where, signal) {
       fields,
       field(
         t("quality.choose"),
-        selection(names.map((value) => ({ value, label: t(`quality.${value}`) })), name, (value) => {
-          name = value;
-          redraw();
-        }),
+        selection(
+          names.map((value) => ({ value, label: t(`quality.${value}`) })),
+          name,
+          (value) => {
+            name = value;
+            redraw();
+          },
+        ),
       ),
       field(
         t("quality.choose.joint"),

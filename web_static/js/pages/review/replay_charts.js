@@ -25,23 +25,33 @@ export function replayCharts(line, head, signal) {
    */
   const make = (title, unit, lines, more = {}) =>
     timeChart(
-      { ...common, title, unit, lines: lines.map((one, i) => ({ colour: COLOURS[i % COLOURS.length], ...one })), ...more },
+      {
+        ...common,
+        title,
+        unit,
+        lines: lines.map((one, i) => ({ colour: COLOURS[i % COLOURS.length], ...one })),
+        ...more,
+      },
       head,
       colours,
     );
   const labels = Object.fromEntries(line.joints.map(({ name, label }) => [name, label]));
   /** @param {"activation" | "rate" | "score"} column */
-  const gestures = (column) =>
-    line.gestures.map((one) => ({ name: gestureWords(one, labels), values: one[column] }));
+  const gestures = (column) => line.gestures.map((one) => ({ name: gestureWords(one, labels), values: one[column] }));
   const fixed = [
     make(t("replay.chair"), "m/s · °/s", [
       { name: t("replay.v"), values: line.v },
       { name: t("replay.omega"), values: line.omega.map((omega) => (omega === null ? null : omega * DEGREES)) },
     ]),
-    make(t("replay.commands"), t("replay.unit.full"), [
-      { name: t("replay.command.speed"), values: line.u1 },
-      { name: t("replay.command.turning"), values: line.u2 },
-    ], { range: [-1, 1] }),
+    make(
+      t("replay.commands"),
+      t("replay.unit.full"),
+      [
+        { name: t("replay.command.speed"), values: line.u1 },
+        { name: t("replay.command.turning"), values: line.u2 },
+      ],
+      { range: [-1, 1] },
+    ),
   ];
   if (line.gestures.length)
     fixed.push(
@@ -72,7 +82,11 @@ export function replayCharts(line, head, signal) {
     joints.length > 0 &&
       field(
         t("replay.joint"),
-        selection(joints.map(({ name, label }) => ({ value: name, label })), joints[0].name, chooseJoint),
+        selection(
+          joints.map(({ name, label }) => ({ value: name, label })),
+          joints[0].name,
+          chooseJoint,
+        ),
       ),
     place,
   );
@@ -91,5 +105,7 @@ export function replayCharts(line, head, signal) {
 
 /** @param {GestureLine[]} gestures */
 function rateUnit(gestures) {
-  return gestures.every(({ feature }) => feature === "rate") ? t("replay.unit.rate") : `${t("replay.unit.rate")} · ${t("replay.unit.share")}`;
+  return gestures.every(({ feature }) => feature === "rate")
+    ? t("replay.unit.rate")
+    : `${t("replay.unit.rate")} · ${t("replay.unit.share")}`;
 }

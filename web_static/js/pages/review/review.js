@@ -54,7 +54,8 @@ export async function show(app, root, { signal, rest }) {
   const [plans, unread] = await Promise.all([app.api.get("/floorplans"), unreadMarks(app, patient.id, signal)]);
   if (signal.aborted) return;
   const paths = pathsOf(trials);
-  let path = paths.find(({ key }) => key === decodeURIComponent(rest.slice(1, 3).join("/"))) ?? firstPath(paths, trials);
+  let path =
+    paths.find(({ key }) => key === decodeURIComponent(rest.slice(1, 3).join("/"))) ?? firstPath(paths, trials);
   /** @param {number} trial id */
   const opens = (trial) => app.go(`#/review/${patient.id}/trial/${trial}`);
   let measure = sessionStorage.getItem(MEASURE_PLACE) ?? "e_diff";
@@ -104,9 +105,19 @@ export async function show(app, root, { signal, rest }) {
           "div",
           { class: learning.trials.length > WIDE ? "charts wide" : "charts" },
           curve,
-          h("section", { class: "card" }, h("h2", {}, t("review.trajectories"), " ", groupMark(learning.source)), trajectories),
+          h(
+            "section",
+            { class: "card" },
+            h("h2", {}, t("review.trajectories"), " ", groupMark(learning.source)),
+            trajectories,
+          ),
         ),
-      !counts && h("p", { class: "card quiet" }, t(Object.keys(learning.others).length ? "review.other-source" : "review.no-kept")),
+      !counts &&
+        h(
+          "p",
+          { class: "card quiet" },
+          t(Object.keys(learning.others).length ? "review.other-source" : "review.no-kept"),
+        ),
       quality,
       trialList(
         patient,
@@ -142,10 +153,14 @@ export async function show(app, root, { signal, rest }) {
     put(pathPlace, field(t("review.path"), choice));
   };
   const chooseGroup = () => {
-    const choice = groupChoice(trials.filter((trial) => keyOf(trial) === path.key), group, (chosen) => {
-      group = chosen;
-      app.toasts.attempt(drawChoice);
-    });
+    const choice = groupChoice(
+      trials.filter((trial) => keyOf(trial) === path.key),
+      group,
+      (chosen) => {
+        group = chosen;
+        app.toasts.attempt(drawChoice);
+      },
+    );
     put(groupPlace, choice);
   };
   /** Offer the measures that the task has: a turn on the spot has no distance driven. */
@@ -153,7 +168,8 @@ export async function show(app, root, { signal, rest }) {
     const all = trials.flatMap(({ measures, ...trial }) => (measures && keyOf(trial) === path.key ? [measures] : []));
     const names = measureNames().filter((name) => all.some((measures) => measured(measures, name) !== null));
     if (!names.length) names.push(measure);
-    if (!names.includes(measure)) measure = leadingMeasures(all[all.length - 1]).find((name) => names.includes(name)) ?? names[0];
+    if (!names.includes(measure))
+      measure = leadingMeasures(all[all.length - 1]).find((name) => names.includes(name)) ?? names[0];
     const choice = selection(
       names.map((name) => ({ value: name, label: nameOf(name) })),
       measure,

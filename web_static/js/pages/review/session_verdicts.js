@@ -25,7 +25,8 @@ export function sessionVerdicts({ trials, verdicts: { sessions, deterioration, n
     sessions.length === 0 && h("p", {}, countWords(trials), " ", t("verdict.needed", { count: needed })),
     sessions.map((one) => comparison(one, measure, needed, days)),
     sessions.length > 0 && noiseNote(),
-    patient.sessions > 1 && h("p", {}, h("a", { class: "btn", href: `#/session/patient/${patient.id}/compare` }, t("verdict.compare"))),
+    patient.sessions > 1 &&
+      h("p", {}, h("a", { class: "btn", href: `#/session/patient/${patient.id}/compare` }, t("verdict.compare"))),
   );
 }
 
@@ -45,7 +46,9 @@ function lackWords({ word, trials }, needed) {
 function comparison(compared, measure, needed, days) {
   const { earlier, later, trials, verdicts } = compared;
   const verdict = verdictWords(measure, verdicts[measure]);
-  const [first, second] = [earlier, later].map((one, place) => `${days.get(one)}, ${t("verdict.trials", { count: trials[place] })}`);
+  const [first, second] = [earlier, later].map(
+    (one, place) => `${days.get(one)}, ${t("verdict.trials", { count: trials[place] })}`,
+  );
   const title = t("verdict.sessions", { earlier, later, first, second });
   return h(
     "div",
@@ -100,7 +103,21 @@ function table({ earlier, later, verdicts }, title) {
   return scrollTable(
     title,
     "measures",
-    h("thead", {}, h("tr", {}, head.map((words) => h("th", { scope: "col" }, words)))),
-    h("tbody", {}, measureNames().filter((name) => verdicts[name]).map(row)),
+    h(
+      "thead",
+      {},
+      h(
+        "tr",
+        {},
+        head.map((words) => h("th", { scope: "col" }, words)),
+      ),
+    ),
+    h(
+      "tbody",
+      {},
+      measureNames()
+        .filter((name) => verdicts[name])
+        .map(row),
+    ),
   );
 }

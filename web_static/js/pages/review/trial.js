@@ -23,7 +23,9 @@ export async function show(app, root, { signal, rest: [patient, , id] }) {
   if (signal.aborted) return;
   app.setSubject({ code: read.trial.patient_code, sessions: [read.trial.session_number] });
   if (read.trial.status === "running") {
-    app.live.addEventListener("changed", ({ detail }) => ["trial", "everything"].includes(detail) && app.show(), { signal });
+    app.live.addEventListener("changed", ({ detail }) => ["trial", "everything"].includes(detail) && app.show(), {
+      signal,
+    });
     const title = t("review.running.title", { number: read.trial.number });
     return emptyPage(root, title, t("review.running.lead"), `#/review/${patient}`, t("review.back"));
   }
@@ -35,7 +37,10 @@ export async function show(app, root, { signal, rest: [patient, , id] }) {
   if (signal.aborted) return;
   const head = line ? new PlayHead(Number(line.t[0]), Number(line.t.at(-1)), signal) : null;
   const card = commentsCard(app, read.trial.id, comments, head, signal);
-  const above = line && head ? replay(app, root, read, line, head, card, signal) : withoutReplay(why, comments.length > 0 && card.element);
+  const above =
+    line && head
+      ? replay(app, root, read, line, head, card, signal)
+      : withoutReplay(why, comments.length > 0 && card.element);
   const back = () => [h("a", { class: "btn", href: `#/review/${patient}` }, t("review.back"))];
   showTrialOver(app, root, read, back, above);
 }
@@ -70,7 +75,13 @@ function replay(app, root, { trial, plan }, line, head, comments, signal) {
         replayView(app, trial.id, where && replayDrawn(where, trial, line), head, signal),
         fromAbove && h("section", { class: "card replay-plan" }, h("h2", {}, t("replay.plan")), fromAbove.element),
       ),
-      h("div", { class: "replay-lines" }, comments.element, replayCharts(line, head, signal), eventList(line.events, head)),
+      h(
+        "div",
+        { class: "replay-lines" },
+        comments.element,
+        replayCharts(line, head, signal),
+        eventList(line.events, head),
+      ),
     ),
     playBar(head, line.events, signal, comments.marks),
     h("p", { class: "quiet small" }, t("replay.keys")),

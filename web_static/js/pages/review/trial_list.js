@@ -40,14 +40,22 @@ export function trialList(patient, trials, used, compare, unread) {
       ),
       h("td", {}, moment(trial.started)),
       h("td", {}, t(`review.end.${trial.end}`), interruptionMark(trial.measures)),
-      listed.map((name) => h("td", {}, comparable(name, trial.measures) ? withUnit(name, measured(trial.measures, name)) : "–")),
+      listed.map((name) =>
+        h("td", {}, comparable(name, trial.measures) ? withUnit(name, measured(trial.measures, name)) : "–"),
+      ),
       h(
         "td",
         { title: trial.source.description },
         groupMark(groupOf(trial)) ?? t("source.group.worn"),
         trial.origin && h("div", { class: "quiet small" }, originWords(trial.origin)),
       ),
-      h("td", {}, trial.kept ? t(used.has(trial.id) ? "review.used" : "review.kept") : h("div", { class: "sentence" }, trial.discard_reason)),
+      h(
+        "td",
+        {},
+        trial.kept
+          ? t(used.has(trial.id) ? "review.used" : "review.kept")
+          : h("div", { class: "sentence" }, trial.discard_reason),
+      ),
       h("td", {}, compare.box(trial)),
     );
   const head = [

@@ -20,18 +20,29 @@ export async function show(app, root, { signal, rest: [, first, second] }) {
   app.setSubject({ code: earlier.code, sessions: [earlier.number, later.number] });
   /** @param {SessionComparison["earlier"]} session */
   const link = ({ id, number: place, started, goal }) =>
-    h("li", {}, h("a", { href: `#/session/${id}` }, t("verdict.session", { number: place })), ` (${moment(started)})`, goal && `: ${goal}`);
+    h(
+      "li",
+      {},
+      h("a", { href: `#/session/${id}` }, t("verdict.session", { number: place })),
+      ` (${moment(started)})`,
+      goal && `: ${goal}`,
+    );
   put(
     root,
     h(
       "div",
       { class: "body session-record" },
       h("h1", { tabindex: "-1" }, t("record.compare.title")),
-      h("p", { class: "lead" }, t("record.compare.lead", { code: earlier.code, earlier: earlier.number, later: later.number })),
+      h(
+        "p",
+        { class: "lead" },
+        t("record.compare.lead", { code: earlier.code, earlier: earlier.number, later: later.number }),
+      ),
       h("ul", { class: "card two-sessions" }, link(earlier), link(later)),
       tasks.length === 0 && tests.length === 0 && h("p", { class: "card quiet" }, t("record.compare.nothing")),
       tasks.map((task) => taskCard(found, task)),
-      tasks.length > 0 && h("div", { class: "card" }, h("p", { class: "quiet small" }, t("record.compare.spread")), noiseNote()),
+      tasks.length > 0 &&
+        h("div", { class: "card" }, h("p", { class: "quiet small" }, t("record.compare.spread")), noiseNote()),
       tests.map((compared) => testsCard(found, compared)),
       changesCard(found),
     ),
@@ -48,7 +59,9 @@ export async function show(app, root, { signal, rest: [, first, second] }) {
 function taskCard({ earlier, later }, { floorplan_title: plan, path_title: path, source, trials, counted, measures }) {
   const title = t("record.compare.task", { plan, path });
   const names = [REACHED, ...measureNames()].filter((name) => measures[name]);
-  const compared = /** @type {const} */ (["earlier", "later"]).map((when) => Math.max(0, ...names.map((name) => measures[name][when]?.trials ?? 0)));
+  const compared = /** @type {const} */ (["earlier", "later"]).map((when) =>
+    Math.max(0, ...names.map((name) => measures[name][when]?.trials ?? 0)),
+  );
   /** @param {string} name */
   const row = (name) => {
     const { earlier: before, later: now, verdict } = measures[name];
@@ -71,14 +84,25 @@ function taskCard({ earlier, later }, { floorplan_title: plan, path_title: path,
     h(
       "p",
       { class: "small" },
-      [earlier, later].map((one, i) => `${t("record.compare.trials", { number: one.number, driven: trials[i], counted: counted[i], compared: compared[i] })} `),
+      [earlier, later].map(
+        (one, i) =>
+          `${t("record.compare.trials", { number: one.number, driven: trials[i], counted: counted[i], compared: compared[i] })} `,
+      ),
     ),
     names.length === 0
       ? h("p", { class: "quiet" }, t("record.compare.none"))
       : scrollTable(
           title,
           "measures in-view",
-          h("thead", {}, h("tr", {}, head.map((words) => h("th", { scope: "col" }, words)))),
+          h(
+            "thead",
+            {},
+            h(
+              "tr",
+              {},
+              head.map((words) => h("th", { scope: "col" }, words)),
+            ),
+          ),
           h("tbody", {}, names.map(row)),
         ),
   );
@@ -97,7 +121,10 @@ function testsCard({ earlier, later }, compared) {
       sessions.map((one, i) => `${t("record.compare.tests", { number: one.number, complete: compared.complete[i] })} `),
       t("record.compare.tests.newest"),
     ),
-    comparedTests(compared, sessions.map((one) => t("verdict.session", { number: one.number }))),
+    comparedTests(
+      compared,
+      sessions.map((one) => t("verdict.session", { number: one.number })),
+    ),
     h("p", { class: "quiet small" }, t("test.noise")),
   );
 }
@@ -116,7 +143,14 @@ function summaryWords(name, summary) {
 /** @param {SessionComparison} found */
 function changesCard({ earlier, later, sets: [before, now], changes }) {
   const maps =
-    before && now && t("record.compare.maps", { earlier: before.version, first: earlier.number, later: now.version, second: later.number });
+    before &&
+    now &&
+    t("record.compare.maps", {
+      earlier: before.version,
+      first: earlier.number,
+      later: now.version,
+      second: later.number,
+    });
   return h(
     "section",
     { class: "card stack" },
@@ -124,6 +158,12 @@ function changesCard({ earlier, later, sets: [before, now], changes }) {
     maps && h("p", {}, maps),
     changes === null && h("p", { class: "quiet" }, t("record.compare.unknown")),
     changes?.length === 0 && h("p", {}, t("record.compare.same")),
-    changes !== null && changes.length > 0 && h("ul", {}, changes.map((change) => h("li", {}, differenceWords(change)))),
+    changes !== null &&
+      changes.length > 0 &&
+      h(
+        "ul",
+        {},
+        changes.map((change) => h("li", {}, differenceWords(change))),
+      ),
   );
 }

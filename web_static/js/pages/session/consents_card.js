@@ -41,7 +41,13 @@ export function consentsCard(app, found, onChange) {
     return h(
       "section",
       { class: "consent", "data-consent": consent },
-      h("div", { class: "grow" }, h("h3", {}, name), h("p", { class: "quiet small" }, t(`consent.${consent}.hint`)), h("p", {}, standWords(one))),
+      h(
+        "div",
+        { class: "grow" },
+        h("h3", {}, name),
+        h("p", { class: "quiet small" }, t(`consent.${consent}.hint`)),
+        h("p", {}, standWords(one)),
+      ),
       mayChange &&
         !given &&
         h(
@@ -75,7 +81,13 @@ export function consentsCard(app, found, onChange) {
   };
   const draw = () => put(list, found.consents.map(row));
   draw();
-  return h("section", { class: "card stack" }, h("h2", {}, t("consent.title")), h("p", { class: "quiet" }, t("consent.lead")), list);
+  return h(
+    "section",
+    { class: "card stack" },
+    h("h2", {}, t("consent.title")),
+    h("p", { class: "quiet" }, t("consent.lead")),
+    list,
+  );
 }
 
 /** @param {ConsentView} one */

@@ -35,7 +35,11 @@ function trialTable(patient, trials, unread) {
       h(
         "th",
         { scope: "row" },
-        h("a", { class: "row-link", href: `#/review/${patient}/trial/${trial.id}` }, t("record.driven.trial", { plan: trial.floorplan_title, number: trial.number })),
+        h(
+          "a",
+          { class: "row-link", href: `#/review/${patient}/trial/${trial.id}` },
+          t("record.driven.trial", { plan: trial.floorplan_title, number: trial.number }),
+        ),
         unread({ trial_id: trial.id }),
       ),
       h("td", {}, t(`review.end.${trial.end}`), interruptionMark(trial.measures)),
@@ -43,14 +47,26 @@ function trialTable(patient, trials, unread) {
       h(
         "td",
         {},
-        h("div", { class: "sentence" }, trial.kept ? t("record.driven.counts") : t("record.driven.discarded", { reason: trial.discard_reason })),
+        h(
+          "div",
+          { class: "sentence" },
+          trial.kept ? t("record.driven.counts") : t("record.driven.discarded", { reason: trial.discard_reason }),
+        ),
       ),
     );
   const head = [t("record.driven.task"), t("review.column.end"), t("review.column.source"), t("record.driven.kept")];
   return scrollTable(
     t("record.driven"),
     "measures trials",
-    h("thead", {}, h("tr", {}, head.map((words) => h("th", { scope: "col" }, words)))),
+    h(
+      "thead",
+      {},
+      h(
+        "tr",
+        {},
+        head.map((words) => h("th", { scope: "col" }, words)),
+      ),
+    ),
     h("tbody", {}, trials.map(row)),
   );
 }
@@ -61,6 +77,11 @@ function setLine({ version, title, hash }) {
     "li",
     {},
     t("record.set", { version, title }),
-    h("details", {}, h("summary", {}, t("record.details")), h("p", { class: "small hash" }, t("record.set.hash", { hash }))),
+    h(
+      "details",
+      {},
+      h("summary", {}, t("record.details")),
+      h("p", { class: "small hash" }, t("record.set.hash", { hash })),
+    ),
   );
 }

@@ -41,7 +41,11 @@ function choice(app, patient, code, sessions) {
     address.searchParams.set("course", progress.begin());
     link.href = address.href; // the click follows this address
   };
-  const link = h("a", { class: "btn", download: "", onclick: go, "aria-label": t("export.go.label", { code }) }, t("export.go"));
+  const link = h(
+    "a",
+    { class: "btn", download: "", onclick: go, "aria-label": t("export.go.label", { code }) },
+    t("export.go"),
+  );
   const offer = h("p", {}, link);
   const isOpen = sessions.some(({ ended }) => ended === null);
   const words = h("p", { role: "status" });
@@ -66,7 +70,11 @@ function choice(app, patient, code, sessions) {
     (value) => ((form = value), draw()),
   );
   const numbers = sessions.map(({ number }) => ({ value: String(number), label: t("export.session", { number }) }));
-  const which = selection([{ value: ALL, label: t("export.all") }, ...numbers], session, (value) => ((session = value), draw()));
+  const which = selection(
+    [{ value: ALL, label: t("export.all") }, ...numbers],
+    session,
+    (value) => ((session = value), draw()),
+  );
   const what = field(t("export.what"), which);
   draw();
   return h(

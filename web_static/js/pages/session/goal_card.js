@@ -11,14 +11,21 @@ import { field } from "../../widgets/fields.js";
 export function goalCard(app, now, { mayChange, change }) {
   const { id, goal } = now();
   const title = h("h2", {}, t("record.goal"));
-  if (!mayChange) return h("section", { class: "card" }, title, h("p", { class: goal ? "own-words" : "quiet" }, goal || t("record.goal.none")));
+  if (!mayChange)
+    return h(
+      "section",
+      { class: "card" },
+      title,
+      h("p", { class: goal ? "own-words" : "quiet" }, goal || t("record.goal.none")),
+    );
   const text = h("textarea", { rows: 2, ...textLimits("Goal", "goal") });
   text.defaultValue = text.value = goal;
   /** @param {SubmitEvent} event */
   const submit = async (event) => {
     event.preventDefault();
     const written = text.value.trim();
-    if (await change(() => app.api.put(`/sessions/${id}/goal`, { goal: written }), t("record.goal.saved"))) text.defaultValue = text.value = written;
+    if (await change(() => app.api.put(`/sessions/${id}/goal`, { goal: written }), t("record.goal.saved")))
+      text.defaultValue = text.value = written;
   };
   return h(
     "form",

@@ -8,7 +8,6 @@ import { h, put } from "../../widgets/dom.js";
 import { moment } from "../../widgets/format.js";
 import { textForm } from "../../widgets/fields.js";
 
-
 /** @param {import("../../main.js").App} app @param {() => SessionRecordView} now @param {import("./session.js").Writing} writing */
 export function notesCard(app, now, { mayChange, change }) {
   const list = h("div", { class: "stack notes-of-session" });
@@ -20,17 +19,32 @@ export function notesCard(app, now, { mayChange, change }) {
   /** @param {NoteView} note */
   const row = (note) => {
     const [newest, ...earlier] = note.revisions;
-    const by = t(earlier.length ? "record.note.revised" : "record.note.by", { person: newest.person, moment: moment(newest.written) });
+    const by = t(earlier.length ? "record.note.revised" : "record.note.by", {
+      person: newest.person,
+      moment: moment(newest.written),
+    });
     const element = h("article", { class: "note-of-session" });
     const label = t("record.note.revise.label", { person: newest.person, moment: moment(newest.written) });
     const revise = () => {
       const send = async (/** @type {string} */ text) => {
         if (!(await change(() => app.api.put(`/sessions/${id}/notes/${note.id}`, { text })))) return;
         draw();
-        /** @type {HTMLElement} */ (list.children[now().notes.findIndex((one) => one.id === note.id)]).querySelector("button")?.focus();
+        /** @type {HTMLElement} */ (list.children[now().notes.findIndex((one) => one.id === note.id)])
+          .querySelector("button")
+          ?.focus();
       };
       const action = t("record.note.save");
-      put(element, textForm({ label: t("record.note.text"), text: newest.text, action, longest: limitsOf("NoteText", "text").longest ?? Infinity, send, onClose: draw }));
+      put(
+        element,
+        textForm({
+          label: t("record.note.text"),
+          text: newest.text,
+          action,
+          longest: limitsOf("NoteText", "text").longest ?? Infinity,
+          send,
+          onClose: draw,
+        }),
+      );
       element.querySelector("textarea")?.focus();
     };
     return put(
@@ -40,7 +54,12 @@ export function notesCard(app, now, { mayChange, change }) {
         "div",
         { class: "spread" },
         h("span", { class: "quiet small grow" }, by),
-        mayChange && h("button", { type: "button", class: "btn small", "aria-label": label, onclick: revise }, t("record.note.revise")),
+        mayChange &&
+          h(
+            "button",
+            { type: "button", class: "btn small", "aria-label": label, onclick: revise },
+            t("record.note.revise"),
+          ),
       ),
       earlier.length > 0 &&
         h(
@@ -48,7 +67,12 @@ export function notesCard(app, now, { mayChange, change }) {
           {},
           h("summary", {}, t("record.note.history", { count: earlier.length })),
           earlier.map(({ text, person, written }) =>
-            h("div", { class: "earlier-text" }, h("p", { class: "own-words" }, text), h("p", { class: "quiet small" }, t("record.note.by", { person, moment: moment(written) }))),
+            h(
+              "div",
+              { class: "earlier-text" },
+              h("p", { class: "own-words" }, text),
+              h("p", { class: "quiet small" }, t("record.note.by", { person, moment: moment(written) })),
+            ),
           ),
         ),
     );
@@ -61,7 +85,15 @@ export function notesCard(app, now, { mayChange, change }) {
       newForm();
       place.querySelector("textarea")?.focus();
     };
-    put(place, textForm({ label: t("record.note.new"), action: t("record.note.add"), longest: limitsOf("NoteText", "text").longest ?? Infinity, send }));
+    put(
+      place,
+      textForm({
+        label: t("record.note.new"),
+        action: t("record.note.add"),
+        longest: limitsOf("NoteText", "text").longest ?? Infinity,
+        send,
+      }),
+    );
   };
   draw();
   if (mayChange) newForm();

@@ -34,7 +34,10 @@ export async function show(app, root, { signal, rest: [, patient, part] }) {
   };
   offer(consents);
   const list = rowList("people");
-  list.show(sessions.map((session) => row(session, choice.box(session), unread({ session_id: session.id }))), h("p", { class: "card quiet" }, t("record.sessions.none")));
+  list.show(
+    sessions.map((session) => row(session, choice.box(session), unread({ session_id: session.id }))),
+    h("p", { class: "card quiet" }, t("record.sessions.none")),
+  );
   put(
     root,
     h(
@@ -48,7 +51,12 @@ export async function show(app, root, { signal, rest: [, patient, part] }) {
       sharing?.element,
       leaves,
     ),
-    h("div", { class: "foot" }, h("span", { class: "grow" }), h("a", { class: "btn", href: `#/review/${id}` }, t("rail.review"))),
+    h(
+      "div",
+      { class: "foot" },
+      h("span", { class: "grow" }),
+      h("a", { class: "btn", href: `#/review/${id}` }, t("rail.review")),
+    ),
   );
   if (part === "compare") list.scrollIntoView(); // the consents stand above
 }
@@ -70,9 +78,14 @@ function row(session, box, unread) {
       unread,
       h("div", { class: "quiet small" }, `${moment(started)} · ${t("patients.trials", { count: trials })}`),
       origin && h("div", { class: "quiet small" }, originWords(origin)),
-      signed && h("div", { class: "quiet small" }, t("record.signed", { person: signed.person, moment: moment(signed.at) })),
+      signed &&
+        h("div", { class: "quiet small" }, t("record.signed", { person: signed.person, moment: moment(signed.at) })),
     ),
-    h("a", { class: "btn", href: `#/session/story/${id}`, "aria-label": t("record.story.label", { number }) }, t("record.story")),
+    h(
+      "a",
+      { class: "btn", href: `#/session/story/${id}`, "aria-label": t("record.story.label", { number }) },
+      t("record.story"),
+    ),
   );
 }
 
@@ -85,7 +98,12 @@ function sessionChoice() {
   const draw = () => {
     const isReady = chosen.length === 2;
     set(link, {
-      href: isReady ? `#/session/compare/${chosen.map((one) => one.id).sort((a, b) => a - b).join("/")}` : null,
+      href: isReady
+        ? `#/session/compare/${chosen
+            .map((one) => one.id)
+            .sort((a, b) => a - b)
+            .join("/")}`
+        : null,
       "aria-disabled": isReady ? null : "true",
     });
     write(words, isReady ? "" : t("record.compare.choose", { count: 2 - chosen.length }));

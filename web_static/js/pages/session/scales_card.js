@@ -29,7 +29,11 @@ export function scalesCard(app, now, { mayChange, change }) {
     const remove = async () => {
       if (await change(() => app.api.remove(`/sessions/${id}/scales/${scale.id}`))) draw();
     };
-    return h("button", { type: "button", class: "btn small", "aria-label": label, onclick: remove }, t("record.scale.remove"));
+    return h(
+      "button",
+      { type: "button", class: "btn small", "aria-label": label, onclick: remove },
+      t("record.scale.remove"),
+    );
   };
   const draw = () => {
     const { scales } = now();
@@ -41,13 +45,28 @@ export function scalesCard(app, now, { mayChange, change }) {
         : scrollTable(
             t("record.scales"),
             "measures",
-            h("thead", {}, h("tr", {}, head.map((words) => h("th", { scope: "col" }, words)), mayChange && h("td", {}))),
+            h(
+              "thead",
+              {},
+              h(
+                "tr",
+                {},
+                head.map((words) => h("th", { scope: "col" }, words)),
+                mayChange && h("td", {}),
+              ),
+            ),
             h("tbody", {}, scales.map(row)),
           ),
     );
   };
   draw();
-  return h("section", { class: "card stack" }, h("h2", {}, t("record.scales")), list, mayChange && newScale(app, id, change, draw));
+  return h(
+    "section",
+    { class: "card stack" },
+    h("h2", {}, t("record.scales")),
+    list,
+    mayChange && newScale(app, id, change, draw),
+  );
 }
 
 /** @param {import("../../main.js").App} app @param {number} id of the session @param {import("./session.js").Writing["change"]} change @param {() => void} onAdded */

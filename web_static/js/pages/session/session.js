@@ -38,7 +38,8 @@ export async function show(app, root, { signal, rest }) {
   if (signal.aborted) return;
   app.setSubject({ code: record.code, sessions: [record.number] });
   const place = h("div", { class: "body session-record" });
-  const isDrafted = () => [...place.querySelectorAll("textarea, input")].some((one) => isChanged(/** @type {HTMLInputElement} */ (one)));
+  const isDrafted = () =>
+    [...place.querySelectorAll("textarea, input")].some((one) => isChanged(/** @type {HTMLInputElement} */ (one)));
   /** @type {Writing["change"]} */
   const change = async (act, words) => {
     try {
@@ -85,7 +86,12 @@ export async function show(app, root, { signal, rest }) {
   };
   /** @param {CustomEvent<string>} event */
   const read = async ({ detail }) => {
-    if (!["record", "trial", "session", "everything"].includes(detail) || isDrafted() || place.contains(document.activeElement)) return;
+    if (
+      !["record", "trial", "session", "everything"].includes(detail) ||
+      isDrafted() ||
+      place.contains(document.activeElement)
+    )
+      return;
     const found = await app.api.get(`/sessions/${id}`).catch(() => record);
     if (signal.aborted || isDrafted() || JSON.stringify(found) === JSON.stringify(record)) return;
     record = found;
@@ -111,6 +117,8 @@ export function stateTag({ ended, sign_off: signed }) {
 
 /** @param {SessionRecordView} record */
 function leadWords({ started, opened_by: person, version }) {
-  const began = [t("record.began", { moment: moment(started) }), person && t("record.by", { person })].filter(Boolean).join(" ");
+  const began = [t("record.began", { moment: moment(started) }), person && t("record.by", { person })]
+    .filter(Boolean)
+    .join(" ");
   return `${began} · ${version ? t("record.version", { version }) : t("record.version.none")}`;
 }

@@ -13,12 +13,17 @@ export async function show(app, root, { signal, rest: [, session] }) {
   const { number, code, patient_id: patient } = story;
   app.setSubject({ code, sessions: [number] });
   const card = h("section", { class: "card stack" });
-  const draw = () => put(card, storyParts(story, (trial) => `#/review/${patient}/trial/${trial}`));
+  const draw = () =>
+    put(
+      card,
+      storyParts(story, (trial) => `#/review/${patient}/trial/${trial}`),
+    );
   /** @param {CustomEvent<string>} event */
   const read = async ({ detail }) => {
     if (!CHANGES.includes(detail)) return;
     const now = await app.api.get(`/sessions/${id}/story`).catch(() => story);
-    if (signal.aborted || card.contains(document.activeElement) || JSON.stringify(now) === JSON.stringify(story)) return;
+    if (signal.aborted || card.contains(document.activeElement) || JSON.stringify(now) === JSON.stringify(story))
+      return;
     story = now;
     draw();
   };
@@ -26,7 +31,12 @@ export async function show(app, root, { signal, rest: [, session] }) {
   draw();
   put(
     root,
-    h("div", { class: "body session-record" }, h("h1", { tabindex: "-1" }, t("record.story.title", { number, code })), card),
+    h(
+      "div",
+      { class: "body session-record" },
+      h("h1", { tabindex: "-1" }, t("record.story.title", { number, code })),
+      card,
+    ),
     h(
       "div",
       { class: "foot" },

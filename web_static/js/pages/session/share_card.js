@@ -27,7 +27,9 @@ export function shareCard(app, { patient_id: patient, code, consents }, sessions
   const place = h("div", {});
   /** @param {number | null} session id */
   const whatWords = (session) =>
-    session === null ? t("shares.all") : t("shares.session", { number: sessions.find(({ id }) => id === session)?.number });
+    session === null
+      ? t("shares.all")
+      : t("shares.session", { number: sessions.find(({ id }) => id === session)?.number });
   /** @param {ShareRow} link */
   const revoke = (link) =>
     app.toasts.attempt(async () => {
@@ -38,7 +40,16 @@ export function shareCard(app, { patient_id: patient, code, consents }, sessions
     });
   /** @param {ShareRow} link */
   const row = (link) => {
-    const { session_id: session, person, created, expires, state, openings, last_opened: last, wrong_pins: wrong } = link;
+    const {
+      session_id: session,
+      person,
+      created,
+      expires,
+      state,
+      openings,
+      last_opened: last,
+      wrong_pins: wrong,
+    } = link;
     const what = whatWords(session);
     const isOpen = state === "open";
     const facts = [
@@ -50,7 +61,12 @@ export function shareCard(app, { patient_id: patient, code, consents }, sessions
     return h(
       "article",
       { class: "share-link" },
-      h("div", { class: "grow" }, h("h3", {}, what, " ", tag(isOpen && !isConsented ? "closed" : state)), h("p", { class: "quiet small" }, facts.filter(Boolean).join(" · "))),
+      h(
+        "div",
+        { class: "grow" },
+        h("h3", {}, what, " ", tag(isOpen && !isConsented ? "closed" : state)),
+        h("p", { class: "quiet small" }, facts.filter(Boolean).join(" · ")),
+      ),
       isOpen &&
         h(
           "button",
@@ -71,7 +87,13 @@ export function shareCard(app, { patient_id: patient, code, consents }, sessions
     put(
       list,
       open.length ? open.map(row) : h("p", { class: "quiet" }, t("shares.none")),
-      ended.length > 0 && h("details", { open: isUnfolded }, h("summary", {}, t("shares.ended", { count: ended.length })), ended.map(row)),
+      ended.length > 0 &&
+        h(
+          "details",
+          { open: isUnfolded },
+          h("summary", {}, t("shares.ended", { count: ended.length })),
+          ended.map(row),
+        ),
     );
   };
   const offer = () => put(place, isConsented ? form() : h("p", {}, t("shares.consent")));
@@ -79,7 +101,10 @@ export function shareCard(app, { patient_id: patient, code, consents }, sessions
     const options = sessions.map(({ id }) => ({ value: String(id), label: whatWords(id) }));
     const what = selection([{ value: ALL, label: t("shares.all") }, ...options], ALL);
     const longest = limitsOf("NewShare", "days").maximum ?? Infinity;
-    const days = selection([...DAYS, longest].map((count) => ({ value: String(count), label: t("shares.days", { count }) })), FIRST_DAYS);
+    const days = selection(
+      [...DAYS, longest].map((count) => ({ value: String(count), label: t("shares.days", { count }) })),
+      FIRST_DAYS,
+    );
     let isBusy = false;
     /** @param {SubmitEvent} event */
     const make = async (event) => {
@@ -89,13 +114,18 @@ export function shareCard(app, { patient_id: patient, code, consents }, sessions
       const wish = { days: Number(days.value) };
       const session = what.value === ALL ? null : Number(what.value);
       const made = await app.toasts.attempt(() =>
-        session === null ? app.api.post(`/patients/${patient}/shares`, wish) : app.api.post(`/sessions/${session}/shares`, wish),
+        session === null
+          ? app.api.post(`/patients/${patient}/shares`, wish)
+          : app.api.post(`/sessions/${session}/shares`, wish),
       );
       isBusy = false;
       if (!made) return;
       ({ shares } = made);
       draw();
-      put(place, newLink(app, made, whatWords(session), code, () => (offer(), place.querySelector("button")?.focus())));
+      put(
+        place,
+        newLink(app, made, whatWords(session), code, () => (offer(), place.querySelector("button")?.focus())),
+      );
       place.querySelector("h3")?.focus();
     };
     return h(
@@ -124,7 +154,14 @@ export function shareCard(app, { patient_id: patient, code, consents }, sessions
   app.live.addEventListener("changed", read, { signal });
   draw();
   offer();
-  const element = h("section", { class: "card stack" }, heading, h("p", { class: "quiet small" }, t("shares.lead")), list, place);
+  const element = h(
+    "section",
+    { class: "card stack" },
+    heading,
+    h("p", { class: "quiet small" }, t("shares.lead")),
+    list,
+    place,
+  );
   return { element, setConsents };
 }
 

@@ -15,7 +15,8 @@ export function signOffCard(app, record, { mayChange, isOwner, person, change })
   const past = all.filter(({ unlocked }) => unlocked);
   const ask = () => {
     const yes = async () => {
-      if (await change(() => app.api.post(`/sessions/${id}/sign-off`), t("record.signed.done"))) await app.toasts.attempt(() => app.readSession({ isOwn: true }));
+      if (await change(() => app.api.post(`/sessions/${id}/sign-off`), t("record.signed.done")))
+        await app.toasts.attempt(() => app.readSession({ isOwn: true }));
     };
     put(
       place,
@@ -30,13 +31,26 @@ export function signOffCard(app, record, { mayChange, isOwner, person, change })
     place.querySelector("button")?.focus();
   };
   const offer = () =>
-    put(place, h("div", { class: "spread" }, h("button", { type: "button", class: "btn go", onclick: ask }, t("record.sign.go"))));
+    put(
+      place,
+      h(
+        "div",
+        { class: "spread" },
+        h("button", { type: "button", class: "btn go", onclick: ask }, t("record.sign.go")),
+      ),
+    );
   const askWhy = () => {
-    put(place, unlockForm((reason) => change(() => app.api.post(`/sessions/${id}/unlock`, { reason })), offerUnlock));
+    put(
+      place,
+      unlockForm((reason) => change(() => app.api.post(`/sessions/${id}/unlock`, { reason })), offerUnlock),
+    );
     place.querySelector("input")?.focus();
   };
   const offerUnlock = () =>
-    put(place, h("div", { class: "spread" }, h("button", { type: "button", class: "btn", onclick: askWhy }, t("record.unlock"))));
+    put(
+      place,
+      h("div", { class: "spread" }, h("button", { type: "button", class: "btn", onclick: askWhy }, t("record.unlock"))),
+    );
   if (signed && isOwner) offerUnlock();
   else if (!signed && mayChange) offer();
   return h(
@@ -47,7 +61,11 @@ export function signOffCard(app, record, { mayChange, isOwner, person, change })
     !signed && h("p", { class: "quiet" }, t("record.sign.lead"), !ended && ` ${t("record.sign.ends")}`),
     place,
     past.map(({ person: by, at, unlocked, unlocked_by: owner, reason }) =>
-      h("p", { class: "quiet small" }, t("record.signed.past", { person: by, moment: moment(at), owner, unlocked: moment(unlocked), reason })),
+      h(
+        "p",
+        { class: "quiet small" },
+        t("record.signed.past", { person: by, moment: moment(at), owner, unlocked: moment(unlocked), reason }),
+      ),
     ),
   );
 }

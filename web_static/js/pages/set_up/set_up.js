@@ -16,7 +16,12 @@ export async function show(app, root) {
     value: link ? decodeURIComponent(link[1]) : null,
   });
   if (link) history.replaceState(null, "", location.pathname);
-  const name = h("input", { type: "text", autocomplete: "username", required: true, ...textLimits("FirstOwner", "name") });
+  const name = h("input", {
+    type: "text",
+    autocomplete: "username",
+    required: true,
+    ...textLimits("FirstOwner", "name"),
+  });
   const password = h("input", { type: "password", autocomplete: "new-password", required: true });
   const problem = h("p", { class: "problem", role: "alert" });
   /** @param {SubmitEvent} event */
@@ -42,7 +47,11 @@ export async function show(app, root) {
         { class: "stack", onsubmit: submit },
         field(t("setup.code"), code, t("setup.code.hint")),
         field(t("sign-in.name"), name),
-        passwordField(t("sign-in.password"), password, t("setup.password.hint", { count: REFERENCE.numbers.password_length })),
+        passwordField(
+          t("sign-in.password"),
+          password,
+          t("setup.password.hint", { count: REFERENCE.numbers.password_length }),
+        ),
         problem,
         h("button", { class: "btn go large" }, t("setup.go")),
       ),

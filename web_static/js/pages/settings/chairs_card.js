@@ -75,7 +75,10 @@ export function chairsCard(app, chairs, isOwner, signal) {
       unpairing === chair.id && confirmation(chair, unpair, () => ask(null)),
     );
   const offer = () =>
-    put(below, isOwner && h("button", { type: "button", class: "btn", onclick: openForm }, icon("plus", 20), t("chairs.pair")));
+    put(
+      below,
+      isOwner && h("button", { type: "button", class: "btn", onclick: openForm }, icon("plus", 20), t("chairs.pair")),
+    );
   const openForm = () => {
     put(below, pairForm(app, { onPaired: showKey, onClose: offer }));
     below.querySelector("input")?.focus();

@@ -18,7 +18,8 @@ export function limitsCard(app, clinic, isOwner, signal) {
   let limits = clinic;
   let wishes = { ...clinic };
   let timer = 0;
-  const draw = () => put(place, isOwner ? speedRows(wishes, {}, change, { hasNumbers: true }).elements : inWords(limits));
+  const draw = () =>
+    put(place, isOwner ? speedRows(wishes, {}, change, { hasNumbers: true }).elements : inWords(limits));
   /** @param {keyof Speeds} name @param {number} value */
   const change = (name, value) => {
     wishes[name] = value;

@@ -19,7 +19,12 @@ export function pairForm(app, { onPaired, onClose }) {
   const text = (more) => h("input", { type: "text", required: true, autocomplete: "off", ...more });
   const name = text(textLimits("NewChair", "name"));
   const host = text({ ...textLimits("NewChair", "host"), inputmode: "url", spellcheck: "false" });
-  const port = h("input", { type: "number", required: true, ...numberLimits("NewChair", "port"), value: limitsOf("NewChair", "port").usual });
+  const port = h("input", {
+    type: "number",
+    required: true,
+    ...numberLimits("NewChair", "port"),
+    value: limitsOf("NewChair", "port").usual,
+  });
   /** @type {Speeds} */
   const speeds = { ...REFERENCE.numbers.first_speeds };
   const problem = h("p", { class: "problem", role: "alert" });

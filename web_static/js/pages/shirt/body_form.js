@@ -55,7 +55,11 @@ export function bodyForm(app, equipment, onUse, { kind: first, onKind }) {
       fileField(bodies, recorded),
       addFile(app),
       bodies.length > 0 &&
-        h("button", { type: "button", class: "btn go", onclick: () => use(/** @type {BodyRequest} */ (recorded)) }, t("source.use")),
+        h(
+          "button",
+          { type: "button", class: "btn go", onclick: () => use(/** @type {BodyRequest} */ (recorded)) },
+          t("source.use"),
+        ),
     );
   };
   const current = /** @type {BodyChoice | ""} */ (first) || (body?.kind === "person" ? body.skill : body?.kind);

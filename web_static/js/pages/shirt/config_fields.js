@@ -97,15 +97,26 @@ function figure(schema, value) {
   const limits = { min: minimum, max: maximum, step: type === "integer" ? 1 : "any" };
   const input = h("input", { type: "number", value, ...limits, required: !isOptional(schema) });
   const read = () => (input.value === "" && isOptional(schema) ? null : Number(input.value));
-  return { element: field(unit ? t("source.unit", { value: title, unit: `(${unit})` }) : title, input, description), isNarrow: true, read };
+  return {
+    element: field(unit ? t("source.unit", { value: title, unit: `(${unit})` }) : title, input, description),
+    isNarrow: true,
+    read,
+  };
 }
 
 /** A selection among the values that the schema offers, and the one in use. @type {Maker} */
 function offered({ title = "", description, unit = "", examples, enum: values }, value) {
   const all = values ?? [...new Set([...(examples ?? []), value])].sort((a, b) => Number(a) - Number(b));
   let chosen = value ?? all[0];
-  const options = all.map((one) => ({ value: String(one), label: t("source.unit", { value: String(one), unit }).trim() }));
-  const select = selection(options, String(chosen), (name) => (chosen = all.find((one) => String(one) === name) ?? chosen));
+  const options = all.map((one) => ({
+    value: String(one),
+    label: t("source.unit", { value: String(one), unit }).trim(),
+  }));
+  const select = selection(
+    options,
+    String(chosen),
+    (name) => (chosen = all.find((one) => String(one) === name) ?? chosen),
+  );
   return { element: field(title, select, description), read: () => chosen };
 }
 

@@ -99,7 +99,10 @@ function fieldsOf(app, kind, now, files) {
   };
   if (kind in OVER_NETWORK) {
     const host = input("source.host", now?.host ?? "127.0.0.1");
-    const port = input("source.port", now?.port ?? Number(limitsOf(OVER_NETWORK[kind], "port").usual), { type: "number", ...numberLimits(OVER_NETWORK[kind], "port") });
+    const port = input("source.port", now?.port ?? Number(limitsOf(OVER_NETWORK[kind], "port").usual), {
+      type: "number",
+      ...numberLimits(OVER_NETWORK[kind], "port"),
+    });
     const config = () => ({ kind, host: host.read(), port: Number(port.read()) });
     return {
       fields: [h("div", { class: "columns" }, host.element, port.element)],
@@ -108,8 +111,15 @@ function fieldsOf(app, kind, now, files) {
   }
   if (kind === "flock_of_birds") {
     const device = input("head.device", now?.device ?? "/dev/ttyUSB0");
-    const baud = input("head.baud", now?.baud ?? Number(limitsOf("FlockOfBirdsConfig", "baud").usual), { type: "number", ...numberLimits("FlockOfBirdsConfig", "baud") });
-    const address = input("head.address", now?.address ?? "", { type: "number", ...numberLimits("FlockOfBirdsConfig", "address"), required: false });
+    const baud = input("head.baud", now?.baud ?? Number(limitsOf("FlockOfBirdsConfig", "baud").usual), {
+      type: "number",
+      ...numberLimits("FlockOfBirdsConfig", "baud"),
+    });
+    const address = input("head.address", now?.address ?? "", {
+      type: "number",
+      ...numberLimits("FlockOfBirdsConfig", "address"),
+      required: false,
+    });
     /** @returns {HeadRequest} */
     const config = () => ({
       kind,

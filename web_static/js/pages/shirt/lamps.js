@@ -57,7 +57,12 @@ export function lampSign(quality) {
 export function bodyLamps(layout, onPick) {
   const labels = Object.fromEntries(layout.joints.map(({ name, label }) => [name, label]));
   const places = lampPlaces(layout.channels).map((place) => ({ ...place, at: inDrawing(place.position) }));
-  for (const side of SIDES) spread(places.filter((place) => place.side === side).map(({ at }) => at), APART, [WIDTH, HEIGHT]);
+  for (const side of SIDES)
+    spread(
+      places.filter((place) => place.side === side).map(({ at }) => at),
+      APART,
+      [WIDTH, HEIGHT],
+    );
   const lamps = places.map(makeLamp);
   let picked = "";
   /** @param {Lamp} lamp @param {boolean} focus */

@@ -88,7 +88,12 @@ export async function show(app, root, { signal }) {
     return h(
       "section",
       { class: "card" },
-      h("h2", {}, t("shirt.sensors"), layout.channels.length > 0 && h("span", { class: "quiet small" }, t("shirt.sensors.hint"))),
+      h(
+        "h2",
+        {},
+        t("shirt.sensors"),
+        layout.channels.length > 0 && h("span", { class: "quiet small" }, t("shirt.sensors.hint")),
+      ),
       lamps.element,
       legend(),
     );
@@ -106,7 +111,14 @@ export async function show(app, root, { signal }) {
     sensorShown.abort();
     sensorShown = new AbortController();
     drawn.signal.addEventListener("abort", () => sensorShown.abort(), { signal: sensorShown.signal });
-    put(right, pickedSensor(sensorShown.signal), sourceCard(), equipment.shirt?.kind === "simulator" && bodyCard(), headCard(), replaced.element);
+    put(
+      right,
+      pickedSensor(sensorShown.signal),
+      sourceCard(),
+      equipment.shirt?.kind === "simulator" && bodyCard(),
+      headCard(),
+      replaced.element,
+    );
   };
   /** @param {AbortSignal} until */
   const pickedSensor = (until) => {
@@ -157,7 +169,8 @@ export async function show(app, root, { signal }) {
     const element = card("source", sourceWords(equipment.shirt, shirts), equipment.shirt?.kind ?? "", (shown) =>
       sourceForm(app, equipment, shirts, (config) => use(app.api.put("/equipment/shirt", config), "source"), shown),
     );
-    if (shirts.some(({ kind, network }) => network && kind === equipment.shirt?.kind)) element.append(shirtSender(app, sensorShown.signal));
+    if (shirts.some(({ kind, network }) => network && kind === equipment.shirt?.kind))
+      element.append(shirtSender(app, sensorShown.signal));
     return element;
   };
   const bodyCard = () =>
@@ -165,7 +178,9 @@ export async function show(app, root, { signal }) {
       bodyForm(app, equipment, (config) => use(app.api.put("/equipment/body", config), "body"), shown),
     );
   const headCard = () => {
-    const words = [headWords(equipment.head.config), equipment.head.config && equipment.head.message].filter(Boolean).join(" ");
+    const words = [headWords(equipment.head.config), equipment.head.config && equipment.head.message]
+      .filter(Boolean)
+      .join(" ");
     const element = card("head", words, equipment.head.config?.kind ?? "none", (shown) =>
       headForm(app, equipment, (config) => use(app.api.put("/equipment/head", { config }), "head"), shown),
     );
@@ -187,7 +202,8 @@ export async function show(app, root, { signal }) {
   };
   /** @param {CustomEvent<string>} event */
   const readAgain = async ({ detail }) => {
-    if (detail === "equipment" || detail === "everything") take(await app.api.get("/equipment").catch(() => /** @type {EquipmentView} */ (equipment)));
+    if (detail === "equipment" || detail === "everything")
+      take(await app.api.get("/equipment").catch(() => /** @type {EquipmentView} */ (equipment)));
   };
   const follow = () => {
     showWords(app.live.shirtWords);
@@ -200,20 +216,8 @@ export async function show(app, root, { signal }) {
 
   put(
     root,
-    h(
-      "div",
-      { class: "body" },
-      h("h1", { tabindex: "-1" }, t("shirt.title")),
-      lead,
-      columns,
-      below,
-    ),
-    h(
-      "div",
-      { class: "foot" },
-      h("span", { class: "grow" }),
-      onward,
-    ),
+    h("div", { class: "body" }, h("h1", { tabindex: "-1" }, t("shirt.title")), lead, columns, below),
+    h("div", { class: "foot" }, h("span", { class: "grow" }), onward),
   );
   draw();
 }
@@ -244,7 +248,13 @@ function summary(name, words, isOpen, onToggle, makeForm) {
     fillIn();
   });
   fillIn();
-  return h("section", { class: "card", "data-card": name }, h("h2", {}, t(`${name}.title`)), h("p", {}, words), details);
+  return h(
+    "section",
+    { class: "card", "data-card": name },
+    h("h2", {}, t(`${name}.title`)),
+    h("p", {}, words),
+    details,
+  );
 }
 
 function legend() {

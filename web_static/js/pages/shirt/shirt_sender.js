@@ -19,7 +19,12 @@ export function shirtSender(app, signal) {
     put(
       element,
       senders.shirt && h("p", { class: "quiet small" }, t("sender.now", { shirt: senders.shirt })),
-      senders.other && h("p", { class: "problem", id: "other-sender" }, t("sender.other", { shirt: senders.shirt, other: senders.other, others: senders.others })),
+      senders.other &&
+        h(
+          "p",
+          { class: "problem", id: "other-sender" },
+          t("sender.other", { shirt: senders.shirt, other: senders.other, others: senders.others }),
+        ),
       senders.other &&
         h(
           "button",

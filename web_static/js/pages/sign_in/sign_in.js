@@ -8,7 +8,12 @@ import { t } from "../../texts.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root */
 export async function show(app, root) {
-  const name = h("input", { type: "text", autocomplete: "username", required: true, ...textLimits("Credentials", "name") });
+  const name = h("input", {
+    type: "text",
+    autocomplete: "username",
+    required: true,
+    ...textLimits("Credentials", "name"),
+  });
   const password = h("input", { type: "password", autocomplete: "current-password", required: true });
   const problem = h("p", { class: "problem", role: "alert" });
   const go = h("button", { class: "btn go large" }, t("sign-in.go"));

@@ -24,7 +24,8 @@ export default {
   "adapt.felt.warns": "The patient will notice: tell them before the next trial. From 10 % on it is refused.",
   "adapt.in-use": "Version {version} of the calibration is in use.",
   "adapt.practise.none": "A real chair does not arm this set yet: drive a trial with it on the virtual chair first.",
-  "adapt.practise.next": "Once applied, drive a trial with it on the virtual chair before a real one: a real chair arms only what was practised.",
+  "adapt.practise.next":
+    "Once applied, drive a trial with it on the virtual chair before a real one: a real chair arms only what was practised.",
   "adapt.practise.some": {
     one: "Driven in {count} trial on the virtual chair: a real chair may arm exactly this set.",
     other: "Driven in {count} trials on the virtual chair: a real chair may arm exactly this set.",
@@ -45,12 +46,14 @@ export default {
   "adapt.effect.alike": "The same command",
   "adapt.effect.activations": "Movements that count",
   "adapt.effect.false": "Too brief to be meant",
-  "adapt.effect.note": "Replayed from the recording. With the new calibration the person would have seen the chair move differently, and moved differently too.",
+  "adapt.effect.note":
+    "Replayed from the recording. With the new calibration the person would have seen the chair move differently, and moved differently too.",
   "adapt.mode": "How this patient's calibration adapts",
   "adapt.mode.off": "Off",
   "adapt.mode.off.hint": "The calibration stays as it was recorded. You may look at any time what would change.",
   "adapt.mode.suggest": "Suggest",
-  "adapt.mode.suggest.hint": "When trials on the virtual chair show that the calibration fits less well, this page shows what would change. You decide.",
+  "adapt.mode.suggest.hint":
+    "When trials on the virtual chair show that the calibration fits less well, this page shows what would change. You decide.",
   "adapt.mode.auto": "By itself",
   "adapt.mode.auto.hint":
     "Small changes, under 5 % felt, apply by themselves between trials on the virtual chair. Larger ones wait for you.",

@@ -67,10 +67,13 @@ export default {
   "result.expected.false": "At rest it acts about {value} times a minute (± {uncertainty}).",
   "result.expected.prompted":
     "After three repetitions of this movement the first figure is surer (± {uncertainty}), and it is known how often it acts at rest.",
-  "result.expected.hits.none": "How many of 100 movements are answered is not known yet: nothing in the free movement went this way.",
+  "result.expected.hits.none":
+    "How many of 100 movements are answered is not known yet: nothing in the free movement went this way.",
   "result.expected.false.none": "How often it acts at rest is known once this movement has been repeated.",
-  "result.expected.own.hits": "Of 100 movements about {value} are answered; so few repetitions show only that it is at least {bound}.",
-  "result.expected.own.false": "At rest it acts {value} times a minute; so short a rest shows only that it is fewer than {bound}.",
+  "result.expected.own.hits":
+    "Of 100 movements about {value} are answered; so few repetitions show only that it is at least {bound}.",
+  "result.expected.own.false":
+    "At rest it acts {value} times a minute; so short a rest shows only that it is fewer than {bound}.",
   "result.expected.none": "How well it works is known once this movement has been repeated.",
   "result.sits.shifted": "The shirt is turned on the {joint}: by {count} of {sensors} sensors.",
   "result.sits.mirrored": "The shirt is inside out or on the other side at the {joint}.",
@@ -81,7 +84,8 @@ export default {
   "result.sits.left": "The shirt looks turned at the {joint}, and is taken as it is worn: you said that it sits right.",
   "result.sits.follow": "Take it as turned",
   "result.sits.follow.label": "Take it as turned at the {joint}, and allow for that",
-  "result.sits.picture.mirrored": "The sensors of one side of the {joint} lie on the other side: turn the shirt the right side out, or put it on the other arm",
+  "result.sits.picture.mirrored":
+    "The sensors of one side of the {joint} lie on the other side: turn the shirt the right side out, or put it on the other arm",
   "result.sits.side.front": "front",
   "result.sits.side.back": "back",
   "result.sits.side.outside": "outer side",
@@ -102,7 +106,8 @@ export default {
   "result.maps.prior": "Learnt from other people",
   "result.maps.lead.prior": {
     one: "Each figure is of the {count} repetition of this person. What other people taught was completed without it.",
-    other: "Each figure is of {count} repetitions of this person. What other people taught was completed without the one it was tried on.",
+    other:
+      "Each figure is of {count} repetitions of this person. What other people taught was completed without the one it was tried on.",
   },
   "result.maps.lead.guided": {
     one: "Both were learnt from this calibration. Each figure is of the {count} repetition that was kept apart.",
@@ -111,9 +116,12 @@ export default {
   "result.maps.in-phase": "Share of the drive that comes with the asked movement",
   "result.maps.hit": "Share of the time of the asked movement in which it drives",
   "result.maps.false": "Drives at rest, times a minute",
-  "result.maps.kept.guided": "The calibration learnt from the cues is not offered: it would not be better for this joint.",
-  "result.maps.kept.prior": "The calibration learnt from other people is not offered: it would not be better for this joint.",
-  "result.maps.details": "The standard calibration is the main direction of the movement (PCA), the other a linear map guided by the cues.",
+  "result.maps.kept.guided":
+    "The calibration learnt from the cues is not offered: it would not be better for this joint.",
+  "result.maps.kept.prior":
+    "The calibration learnt from other people is not offered: it would not be better for this joint.",
+  "result.maps.details":
+    "The standard calibration is the main direction of the movement (PCA), the other a linear map guided by the cues.",
   "result.bar": "{joint}: clear main movement {percent}; the study had 80 to 90 %",
   "result.cross": "When one movement is made, what else counts",
   "result.cross.lead": "1.00 is how strongly the asked movement counts. Small numbers beside it are good.",
@@ -125,7 +133,8 @@ export default {
   "result.go-on": "Go on to the controls",
   "result.others.lead": {
     one: "{count} movement was not prompted: there, other people's calibrations stand in. Drive now, or repeat that joint.",
-    other: "{count} movements were not prompted: there, other people's calibrations stand in. Drive now, or repeat a joint.",
+    other:
+      "{count} movements were not prompted: there, other people's calibrations stand in. Drive now, or repeat a joint.",
   },
   "result.missing": "The result comes when every step is done.",
   "result.missing.lead": { one: "One step is missing.", other: "{count} steps are missing." },

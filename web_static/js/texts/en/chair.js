@@ -12,7 +12,8 @@ export default {
   "which.none.go": "Pair one",
   "which.none.ask": "None is paired here yet; an owner pairs one in Settings.",
   "chair.title": "Drive “{name}”",
-  "chair.lead": "Go through the three cards, then arm. The patient sits in the chair, and somebody stands at its stop switch.",
+  "chair.lead":
+    "Go through the three cards, then arm. The patient sits in the chair, and somebody stands at its stop switch.",
   "chair.lead.simulated": "Go through the three cards, then arm. Somebody stands at the chair's stop switch.",
   "chair.virtual": "Use the virtual chair",
   "chair.card": "The chair",
@@ -73,7 +74,8 @@ export default {
   "neutral.moves": "Moving: {gestures}.",
   "neutral.no-shirt": "The shirt is silent, so nothing is known of the body: look at it on the Shirt page.",
   "neutral.stop": "Stop gesture: {gestures}, together.",
-  "neutral.no-stop": "No stop gesture is bound: the patient cannot stop the chair with the body. Bind one on the Controls page.",
+  "neutral.no-stop":
+    "No stop gesture is bound: the patient cannot stop the chair with the body. Bind one on the Controls page.",
   "arm.go": "Arm",
   "arm.busy": "Arming…",
   "arm.ready": "Nothing is missing. After Arm the patient drives.",

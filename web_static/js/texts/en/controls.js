@@ -97,7 +97,8 @@ export default {
   "sets.saved": "Saved as “{title}”.",
   "sets.loaded": "“{title}” is in use.",
   "controls.suggest": "Suggest for me",
-  "controls.suggest.ask": "The suggestion replaces the movements and the values that are set here. Undo brings them back.",
+  "controls.suggest.ask":
+    "The suggestion replaces the movements and the values that are set here. Undo brings them back.",
   "controls.suggest.go": "Replace them",
   "controls.drive": "Drive with these",
 };

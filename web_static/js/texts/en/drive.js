@@ -7,7 +7,8 @@ export default {
   "drive.title": "Where to?",
   "drive.why.first": "A first task: the corridors of the published study. The chair is put on the start.",
   "drive.why.again": "The task that was driven last. The chair is put on the start.",
-  "drive.why.next level": "The last three trials reached the goal without contact, and none was worse than noise: this is one level harder.",
+  "drive.why.next level":
+    "The last three trials reached the goal without contact, and none was worse than noise: this is one level harder.",
   "drive.why.chosen": "The task that you chose. The chair is put on the start.",
   "drive.choose": "Choose another",
   "drive.choose.title": "Choose a task",
@@ -28,7 +29,8 @@ export default {
   "drive.place.chair.wheelchair": "Virtual, like a real chair",
   "drive.place.chair.lead": "Practise with the virtual chair, or drive a real one.",
   "drive.place.screen": "The patient's screen",
-  "drive.place.screen.lead": "A second screen for the patient: the view, large cues and the speed. Nothing on it can be changed.",
+  "drive.place.screen.lead":
+    "A second screen for the patient: the view, large cues and the speed. Nothing on it can be changed.",
   "drive.place.plans": "Floor plans",
   "drive.place.plans.state": "Draw or import one",
   "drive.screens": { one: "{count} paired", other: "{count} paired" },
@@ -109,7 +111,8 @@ export default {
   "trial.go": "Go",
   "trial.frame": "3D view of the chair in the building",
   "trial.pause": "Paused",
-  "trial.pause.why": "The chair and the clock stand. Both go on by themselves once the screen has kept up for a second.",
+  "trial.pause.why":
+    "The chair and the clock stand. Both go on by themselves once the screen has kept up for a second.",
   "trial.pause.screen_lost": "The screen that started the trial is out of reach, or too slow.",
   "trial.pause.screen_hidden": "The page that started the trial is hidden, or was left.",
   "trial.pause.screen_slow": "The screen that started the trial draws too slowly.",

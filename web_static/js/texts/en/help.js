@@ -2,13 +2,15 @@
 export default {
   "first.title": "Four things, the first time",
   "first.stop": "STOP, on every page, stops the chair at once; so does the space bar while somebody drives.",
-  "first.calibrate": "Calibrate: to repeat one joint in the same session, tap its step, or Repeat on its card of the result.",
+  "first.calibrate":
+    "Calibrate: to repeat one joint in the same session, tap its step, or Repeat on its card of the result.",
   "first.controls": "Controls: a lower Turn speed, further down, makes turning slower; Undo takes it back.",
   "first.review": "Review: whether last week was better, or the change is within noise.",
   "first.reviewer.title": "Three things, the first time",
   "first.reviewer.stop": "STOP, on every page, stops the chair at once: also for you, from elsewhere.",
   "first.reviewer.patients": "Patients: the sessions of each patient, with the story of what was done and said.",
-  "first.reviewer.review": "Review: who to look at, whether last week was better or the change is within noise, and your comments on a replay.",
+  "first.reviewer.review":
+    "Review: who to look at, whether last week was better or the change is within noise, and your comments on a replay.",
   "first.done": "Got it",
   "help.close": "Close",
   "help.more": "More in the pages for clinicians",
@@ -21,13 +23,16 @@ export default {
   "shirt.2": "Tap a lamp that is not good to see its signal and what to do about it.",
   "shirt.3": "Under Source you choose the shirt that is worn, or a simulated one to practise with.",
   "calibrate.title": "The calibration",
-  "calibrate.1": "The calibration learns which movements this body can make: rest, free movement, then one movement after the other.",
-  "calibrate.2": "The circle says what to do and when; each step of this session can be repeated from the row at the top.",
+  "calibrate.1":
+    "The calibration learns which movements this body can make: rest, free movement, then one movement after the other.",
+  "calibrate.2":
+    "The circle says what to do and when; each step of this session can be repeated from the row at the top.",
   "calibrate.3": "At the end, look at each joint, repeat what was poor, and tap Use this calibration.",
   "controls.title": "The controls",
   "controls.1": "Choose here which movement makes the chair faster, slower, or turn, and from where it counts.",
   "controls.2": "Speeds, softness and tremor damping are further down; lower speeds make driving calmer.",
-  "controls.3": "Try it shows what a movement would do while the chair stays where it is, and Undo takes any change back.",
+  "controls.3":
+    "Try it shows what a movement would do while the chair stays where it is, and Undo takes any change back.",
   "drive.title": "Driving",
   "drive.1": "One task is proposed: start it, or choose another.",
   "drive.2": "The chair begins to move only when the body is at rest and the picture is there.",
@@ -38,19 +43,27 @@ export default {
   "drive.tasks.3": "Nothing moves on this page: the task that you tap is proposed on the Drive page.",
   "drive.chairs.title": "Which chair",
   "drive.chairs.1": "Choose whether the patient practises with the virtual chair or drives a real one.",
-  "drive.chairs.2": "The virtual chair answers at once, or like a real one: late, and its wheels slip. A real chair is paired by an owner.",
+  "drive.chairs.2":
+    "The virtual chair answers at once, or like a real one: late, and its wheels slip. A real chair is paired by an owner.",
   "drive.chairs.3": "Nothing moves on this page; STOP stops any chair that somebody drives from another screen.",
   "drive.chair.title": "A real chair",
-  "drive.chair.1": "Three cards say how the chair is, what would apply, and whether the body is at rest; a list says what is missing.",
-  "drive.chair.2": "When nothing is missing and somebody stands at the chair's stop switch, tap Arm; keep this page in front while the chair drives.",
-  "drive.chair.3": "STOP, the space bar, the stop gesture and the switch of the chair stop it; it drives again only after Continue and a new moment of rest.",
+  "drive.chair.1":
+    "Three cards say how the chair is, what would apply, and whether the body is at rest; a list says what is missing.",
+  "drive.chair.2":
+    "When nothing is missing and somebody stands at the chair's stop switch, tap Arm; keep this page in front while the chair drives.",
+  "drive.chair.3":
+    "STOP, the space bar, the stop gesture and the switch of the chair stop it; it drives again only after Continue and a new moment of rest.",
   "drive.screen.title": "The patient's screen",
-  "drive.screen.1": "A second screen shows the patient the view, large cues and the speed; nothing on it can be changed.",
+  "drive.screen.1":
+    "A second screen shows the patient the view, large cues and the speed; nothing on it can be changed.",
   "drive.screen.2": "Tap Pair a screen, then scan the code with that screen's camera, or type it there.",
-  "drive.screen.3": "STOP shows on the patient's screen, too; without a picture there the chair stops, and drives again only with a picture, or when the screen is unpaired.",
+  "drive.screen.3":
+    "STOP shows on the patient's screen, too; without a picture there the chair stops, and drives again only with a picture, or when the screen is unpaired.",
   "drive.over.title": "After a trial",
-  "drive.over.1": "See how this trial went: the trajectory over the path, the measures, and whether they are better than noise.",
-  "drive.over.2": "Discard a trial that was disturbed, with a reason; then go on with the next trial, or choose another task.",
+  "drive.over.1":
+    "See how this trial went: the trajectory over the path, the measures, and whether they are better than noise.",
+  "drive.over.2":
+    "Discard a trial that was disturbed, with a reason; then go on with the next trial, or choose another task.",
   "drive.over.3": "The chair stands. STOP keeps it so: after it, no trial starts before the stop is taken back.",
   "review.title": "The review",
   "review.1": "Choose a patient and a task to see what was learnt over all trials.",
@@ -66,11 +79,14 @@ export default {
   "plans.3": "Once saved it stands on the Drive page, under Own plans.",
   "adapt.title": "What would change",
   "adapt.1": "A body changes, and the calibration can follow it in small steps.",
-  "adapt.2": "A change is proposed only when trials show that the calibration fits the movements less well. It says where, what would change, and how much of it the patient would feel.",
+  "adapt.2":
+    "A change is proposed only when trials show that the calibration fits the movements less well. It says where, what would change, and how much of it the patient would feel.",
   "adapt.3": "You apply it or leave it; every earlier version can be taken back into use.",
   "interface_test.title": "The two-minute test",
-  "interface_test.1": "The patient brings a dot into targets on a cross, with the movements that will drive the chair; the chair stays where it is.",
-  "interface_test.2": "Do it at the beginning of a session: from five complete tests on, the page says whether a change is more than noise.",
+  "interface_test.1":
+    "The patient brings a dot into targets on a cross, with the movements that will drive the chair; the chair stays where it is.",
+  "interface_test.2":
+    "Do it at the beginning of a session: from five complete tests on, the page says whether a change is more than noise.",
   "interface_test.3": "Afterwards six sliders ask how demanding it was; each may be left out.",
   "people.title": "People",
   "people.1": "An owner invites everybody who works here, each with a sign-in of their own.",
@@ -91,11 +107,14 @@ export default {
   "session.title": "Sessions and their records",
   "session.1": "Write here the goal in the patient's words, notes, and the totals of outcome scales.",
   "session.2": "A sign-off locks the session; only an owner can unlock it, with a reason.",
-  "session.3": "A patient's sessions stand in one list with the consents, share links, exports and the archive for another clinic; tick two to see them side by side.",
+  "session.3":
+    "A patient's sessions stand in one list with the consents, share links, exports and the archive for another clinic; tick two to see them side by side.",
   "share.title": "Shared records",
   "share.1": "A clinic shows you the records of one patient: you read them, and change nothing.",
-  "share.2": "The PIN, which the clinic told you separately, opens them in this browser for an hour; five wrong ones close the link.",
-  "share.3": "A measure is called better or worse only where its change is larger than the noise of this person's own trials.",
+  "share.2":
+    "The PIN, which the clinic told you separately, opens them in this browser for an hour; five wrong ones close the link.",
+  "share.3":
+    "A measure is called better or worse only where its change is larger than the noise of this person's own trials.",
   "computer.title": "This computer",
   "computer.1": "See here whether this computer, and the screens that are open, are good enough for driving.",
   "computer.2": "It measures for ten seconds; nobody may drive meanwhile.",

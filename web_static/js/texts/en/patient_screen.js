@@ -32,10 +32,12 @@ export default {
   "patient.cue.next": "Then: {next}",
   "patient.over.title": "Thank you",
   "patient.over.lead": "The session is over, and this screen shows nothing of it any more.",
-  "patient.over.next": "You can close this page. For the next session, your clinician shows a new code: scan it, or type it here.",
+  "patient.over.next":
+    "You can close this page. For the next session, your clinician shows a new code: scan it, or type it here.",
   "patient.unpaired.title": "This screen is not in use",
   "patient.unpaired.lead": "It was unpaired on the clinician's page.",
-  "patient.unpaired.next": "To use it again, ask your clinician for a new code. Scan it with the camera of this screen, or type it here.",
+  "patient.unpaired.next":
+    "To use it again, ask your clinician for a new code. Scan it with the camera of this screen, or type it here.",
   "patient.none.title": "Pair this screen",
   "patient.none.lead": "This screen does not know yet which session it belongs to.",
   "patient.none.next":
@@ -43,11 +45,11 @@ export default {
   "patient.code": "Code from the clinician's page",
   "patient.code.go": "Pair",
   "screens.title": "Patient's screen",
-  "screens.lead":
-    "A second screen for the patient: the view, large cues and the speed. Nothing on it can be changed.",
+  "screens.lead": "A second screen for the patient: the view, large cues and the speed. Nothing on it can be changed.",
   "screens.nobody": "A screen is paired with a session: choose a patient first.",
   "screens.pair": "Pair a screen",
-  "screens.scan": "Scan this with the camera of the patient's screen, or open the link there. It works once, for {minutes}.",
+  "screens.scan":
+    "Scan this with the camera of the patient's screen, or open the link there. It works once, for {minutes}.",
   "screens.type": "Or open {address} on the patient's screen and type this code:",
   "screens.minutes": { one: "{count} more minute", other: "{count} more minutes" },
   "screens.expired": "This code is too old now: make a new one.",

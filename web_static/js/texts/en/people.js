@@ -16,9 +16,11 @@ export default {
   "people.role.owner": "Owner",
   "people.role.clinician": "Clinician",
   "people.role.reviewer": "Reviewer",
-  "people.role.owner.about": "An owner does what a clinician does, and also manages people, limits, chairs and the log.",
+  "people.role.owner.about":
+    "An owner does what a clinician does, and also manages people, limits, chairs and the log.",
   "people.role.clinician.about": "A clinician works with all patients: calibrates, drives and reviews.",
-  "people.role.reviewer.about": "A reviewer reads the records of the patients that an owner chose, may comment on their trials, and changes nothing else.",
+  "people.role.reviewer.about":
+    "A reviewer reads the records of the patients that an owner chose, may comment on their trials, and changes nothing else.",
   "people.patients": "Patients",
   "people.patients.all": "All patients",
   "people.patients.chosen": "Chosen patients",
@@ -41,7 +43,8 @@ export default {
   "people.state.expired": "Invited, but the link has ended: make a new one.",
   "people.link.new": "The invitation of {name}, shown this once",
   "people.link.password": "A new password for {name}: the link, shown this once",
-  "people.link.lead": "Give this link to {name} and to nobody else. It works once, until {until}; then {name} chooses a password and is signed in.",
+  "people.link.lead":
+    "Give this link to {name} and to nobody else. It works once, until {until}; then {name} chooses a password and is signed in.",
   "people.link.qr": "QR code of the link for {name}",
   "people.link.done": "Done",
   "invitation.title": "Welcome, {name}",

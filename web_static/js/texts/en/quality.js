@@ -21,7 +21,8 @@ export default {
   "quality.means.span_share": "of the range that was calibrated",
   "quality.means.rest_rate": "share of the full movement per second, where the joint was stillest",
   "quality.worst": "Of several joints, the one that fits worst.",
-  "quality.guided": "{joints}: another calibration than the standard one drives it. These figures are those of the standard calibration: they say how it moves, not how it drives.",
+  "quality.guided":
+    "{joints}: another calibration than the standard one drives it. These figures are those of the standard calibration: they say how it moves, not how it drives.",
   "quality.bad": "Sensors that could not be believed all the time: {sensors}.",
   "quality.bad.one": "{name} ({share} of the time)",
   "quality.still": "A joint without figures moved for less than 2 s.",

@@ -18,7 +18,8 @@ export default {
   "compare.across": "Distance from the path, along it",
   "compare.across.axis": "distance from the path (m), left positive",
   "compare.start": "Both begin when motion was permitted.",
-  "compare.other-path": "These two were not driven on the same path, so only their measures stand side by side, and differences say little.",
+  "compare.other-path":
+    "These two were not driven on the same path, so only their measures stand side by side, and differences say little.",
   "compare.no-recording": "There is no replay: {why}",
   "compare.pairs": "Choose two trials in Review.",
   "compare.verdict": "Trial {number} is",
@@ -30,7 +31,8 @@ export default {
   "replay.speed": "Speed of the replay",
   "replay.slider": "Moment of the trial",
   "replay.at": "{t} of {end} seconds",
-  "replay.keys": "Arrow keys go by a second, with Shift by ten; P plays and pauses. The space bar is Stop, as everywhere.",
+  "replay.keys":
+    "Arrow keys go by a second, with Shift by ten; P plays and pauses. The space bar is Stop, as everywhere.",
   "replay.plan": "From above",
   "replay.events": "What happened",
   "replay.charts": "Signals, movements and commands",
@@ -55,7 +57,8 @@ export default {
   "replay.picture": "Picture of the replay",
   "replay.picture.off": "The replay in 3D is off: {why}",
   "replay.picture.loading": "The picture is coming…",
-  "replay.picture.webgl": "This screen cannot draw the 3D view (its browser offers no WebGL 2), so the replay is shown in the drawn plan.",
+  "replay.picture.webgl":
+    "This screen cannot draw the 3D view (its browser offers no WebGL 2), so the replay is shown in the drawn plan.",
   "replay.picture.context": "the browser took its graphics away. Choose Plan, or wait until it is back.",
   "replay.picture.again": "Show it in 3D",
 };

@@ -30,10 +30,8 @@ export default {
   "review.form.power": "Power law",
   "review.form.level": "Level line",
   "review.model": "Which curve is drawn",
-  "review.model.worse":
-    "{model}: describes these trials less well than the best, {best}.",
-  "review.model.as-well":
-    "{model}: describes these trials about as well as the best, {best}.",
+  "review.model.worse": "{model}: describes these trials less well than the best, {best}.",
+  "review.model.as-well": "{model}: describes these trials about as well as the best, {best}.",
   "review.tap": "Tap a trial to open it.",
   "review.session": "session {number}",
   "review.sessions": "session",
@@ -74,12 +72,14 @@ export default {
   "report.reader": "Made for",
   "report.reader.others": "Doctor, family, insurer",
   "report.reader.patient": "The patient, to take home",
-  "report.consent": "{code} has not consented to sharing outside: ask, and enter the consent. A copy for the patient needs none.",
+  "report.consent":
+    "{code} has not consented to sharing outside: ask, and enter the consent. A copy for the patient needs none.",
   "report.consent.go": "Enter the consent",
   "report.pdf": "Make the PDF",
   "report.html": "Make the web page",
   "report.pdf.label": "Make the PDF: {what} of {code}",
   "report.html.label": "Make the web page: {what} of {code}",
-  "report.apart": "A report is a file that whoever gets it keeps. A share link, made under Sessions and consents, shows the records in a browser until its day is over.",
+  "report.apart":
+    "A report is a file that whoever gets it keeps. A share link, made under Sessions and consents, shows the records in a browser until its day is over.",
   "report.log": "The report names the patient by the code. The log keeps who made it.",
 };

@@ -14,8 +14,7 @@ export default {
   "settings.lead": "What holds for everybody here.",
   "settings.read-only": "Only an owner changes these.",
   "limits.title": "The clinic's limits",
-  "limits.lead":
-    "Nobody drives faster than these. A set with higher numbers keeps them, but drives within these.",
+  "limits.lead": "Nobody drives faster than these. A set with higher numbers keeps them, but drives within these.",
   "limits.saving": "saving…",
   "limits.saved": "saved",
   "log.lead": "Who signed in, looked, changed something, drove and stopped, and when. Rows are only ever added.",
@@ -35,7 +34,8 @@ export default {
   "chairs.unpair": "Unpair",
   "chairs.unpair.label": "Unpair {name}",
   "chairs.unpair.title": "Unpair “{name}”?",
-  "chairs.unpair.lead": "Its key is deleted here, so this program can no longer drive it. To drive it again, pair it anew.",
+  "chairs.unpair.lead":
+    "Its key is deleted here, so this program can no longer drive it. To drive it again, pair it anew.",
   "chairs.unpaired": "“{name}” is not paired any more.",
   "pair.title": "Pair a chair",
   "pair.lead": "The chair's own computer runs the receiver. It needs a key, which is made now.",
@@ -52,7 +52,8 @@ export default {
   "paired.lead":
     "It is not shown again, here or anywhere, because who has it can drive this chair. If it gets lost, unpair the chair and pair it anew.",
   "paired.qr": "QR code of the key of {name}",
-  "paired.step.scan": "On the chair's computer, make a file that only you can read. Put the line of this code into it, then press Enter and Ctrl-D:",
+  "paired.step.scan":
+    "On the chair's computer, make a file that only you can read. Put the line of this code into it, then press Enter and Ctrl-D:",
   "paired.step.start": "Start the receiver with it:",
   "paired.step.look": "Look at the Drive page: the chair answers there within a second.",
   "paired.line": "Key line, to type or copy",

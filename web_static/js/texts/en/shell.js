@@ -83,7 +83,8 @@ export default {
   "note.fault.others": "The clinician beside the chair looks around, then taps Continue.",
   "note.fault.drive": "The chair stands. “Continue” is on the page that shows it.",
   "note.fault.drive.go": "Go to the drive",
-  "note.fault.idle": "No trial and no drive runs: taking the stop back moves nothing, and a new trial can be started then.",
+  "note.fault.idle":
+    "No trial and no drive runs: taking the stop back moves nothing, and a new trial can be started then.",
   "note.fault.idle.go": "Take the stop back",
   "note.fault.idle.others": "The chair stands. The clinician beside the chair looks around, then takes the stop back.",
   "note.driving": "A real chair is being driven.",
@@ -106,7 +107,8 @@ export default {
   "sign-in.name": "Name",
   "sign-in.password": "Password",
   "sign-in.go": "Sign in",
-  "sign-in.invited": "Invited, but without a password yet? Open the link of your invitation, or scan its code, on this device.",
+  "sign-in.invited":
+    "Invited, but without a password yet? Open the link of your invitation, or scan its code, on this device.",
   "typed.show": "Show",
   "typed.show.label": "Show what is typed",
   "typed.hide": "Hide",

@@ -64,7 +64,8 @@ export default {
   "head.tablet.tells": "This tablet tells where it looks.",
   "head.tablet.none": "This machine has no such sensor: open this page on a tablet or phone.",
   "head.tablet.denied": "The browser does not permit the sensor: permit motion for this page in its settings.",
-  "head.tablet.insecure": "Browsers give the sensor only to pages over https: open this page that way, or on this machine itself.",
+  "head.tablet.insecure":
+    "Browsers give the sensor only to pages over https: open this page that way, or on this machine itself.",
   "head.recorded": "A recorded head",
   "head.recorded.hint": "A file with t, yaw_deg, pitch_deg and roll_deg.",
   "head.recorded.now": "Recorded head {file}.",

@@ -1,7 +1,8 @@
 /** Texts of the stereo page. */
 export default {
   "stereo.open": "Two eyes",
-  "stereo.open.why": "The patient’s view in depth. On a paired screen, write stereo.html in place of patient.html in the address.",
+  "stereo.open.why":
+    "The patient’s view in depth. On a paired screen, write stereo.html in place of patient.html in the address.",
   "stereo.open.link": "Open",
   "stereo.title": "bodydrive · stereo view",
   "stereo.settings": "How the two eyes see",
@@ -17,8 +18,10 @@ export default {
   "stereo.mode.squeezed": "Half width",
   "stereo.mode.red-cyan": "Red-cyan",
   "stereo.mode.side.why": "Each eye has half of the screen: for a phone in a holder, or two projectors.",
-  "stereo.mode.squeezed.why": "Both pictures at half their width: for a projector or TV whose 3D setting is “side by side”.",
-  "stereo.mode.red-cyan.why": "Both pictures in one, for glasses with red before the left eye and cyan before the right.",
+  "stereo.mode.squeezed.why":
+    "Both pictures at half their width: for a projector or TV whose 3D setting is “side by side”.",
+  "stereo.mode.red-cyan.why":
+    "Both pictures in one, for glasses with red before the left eye and cyan before the right.",
   "stereo.apart": "Eye distance",
   "stereo.apart.why": "How far apart the eyes are. 63 mm is usual; less is calmer, 0 shows no depth.",
   "stereo.convergence": "Screen distance",

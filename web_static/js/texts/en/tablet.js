@@ -4,7 +4,8 @@ export default {
   lead: "Your clinic's machine encrypts all it sends. This device first has to learn that it may trust this machine: once, in a few minutes.",
   checking: "Checking this device…",
   trusted: "This device trusts the clinic's machine.",
-  "trusted.lead": "Nothing more is needed here. In the menu of the browser, on the next page, you can add bodydrive to the home screen.",
+  "trusted.lead":
+    "Nothing more is needed here. In the menu of the browser, on the next page, you can add bodydrive to the home screen.",
   go: "Go on to bodydrive",
   "not-yet": "This device does not trust the clinic's machine yet.",
   "not-yet.lead": "Follow the steps below. This page checks by itself and shows a green tick when they are done.",
@@ -19,7 +20,8 @@ export default {
   "clock.apart":
     "This device and the clinic's machine disagree about the time by {minutes} min. Let both set date and time by themselves.",
   lost: "The clinic's machine does not answer.",
-  "lost.lead": "Is this device in the clinic's network, and does the program still run? This page tries again by itself.",
+  "lost.lead":
+    "Is this device in the clinic's network, and does the program still run? This page tries again by itself.",
   device: "Which device is this?",
   apple: "iPad or iPhone",
   android: "Android",
@@ -38,7 +40,8 @@ export default {
   "android.1": "Load the certificate file.",
   "android.1.file": "Load the certificate",
   "android.2": "Open Settings and search for “certificate”. Choose Install a certificate, then CA certificate.",
-  "android.3": "Android warns because such certificates can be misused. Choose Install anyway, and the file bodydrive-authority.crt.",
+  "android.3":
+    "Android warns because such certificates can be misused. Choose Install anyway, and the file bodydrive-authority.crt.",
   "android.4": "Come back to this page in Chrome. Firefox for Android does not use this certificate.",
   "windows.1": "Load the certificate file, open it, and choose Install Certificate.",
   "windows.1.file": "Load the certificate",
@@ -50,12 +53,17 @@ export default {
   "mac.3": "Under Trust, set “When using this certificate” to Always Trust. Close the window and confirm.",
   "linux.1": "Load the certificate file.",
   "linux.1.file": "Load the certificate",
-  "linux.2": "In Chrome, open Settings, Privacy and security, Security, Manage certificates, and import the file under your own certificates as trusted. In Firefox: Settings, Certificates, Authorities, Import.",
+  "linux.2":
+    "In Chrome, open Settings, Privacy and security, Security, Manage certificates, and import the file under your own certificates as trusted. In Firefox: Settings, Certificates, Authorities, Import.",
   "linux.3": "Or in a terminal, for Chrome and Chromium:",
-  "own.1": "A clinic with certificates of its own starts the program with them. Then nothing is installed on any device:",
-  "own.2": "The certificate must name this machine as your devices open it. The program reads new files by itself when the old certificate is replaced.",
-  "nothing.1": "Then use the screen of the clinic's machine itself. It needs no certificate, because nothing leaves the machine.",
-  "nothing.2": "Over the network, bodydrive shows nothing without encryption: what you and your patients do would be readable on the way.",
+  "own.1":
+    "A clinic with certificates of its own starts the program with them. Then nothing is installed on any device:",
+  "own.2":
+    "The certificate must name this machine as your devices open it. The program reads new files by itself when the old certificate is replaced.",
+  "nothing.1":
+    "Then use the screen of the clinic's machine itself. It needs no certificate, because nothing leaves the machine.",
+  "nothing.2":
+    "Over the network, bodydrive shows nothing without encryption: what you and your patients do would be readable on the way.",
 
   "picture.allow": "Load a profile?",
   "picture.Allow": "Allow",

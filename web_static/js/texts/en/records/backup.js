@@ -35,7 +35,8 @@ export default {
   "backup.save": "Save",
   "backup.saved": "Saved.",
   "deleted.title": "Deleted patients",
-  "deleted.lead": "Everything of a deleted patient is hidden at once, and erased after {days} days. Older backups still hold it: in the folder they are replaced within 6 months, single files are yours to delete.",
+  "deleted.lead":
+    "Everything of a deleted patient is hidden at once, and erased after {days} days. Older backups still hold it: in the folder they are replaced within 6 months, single files are yours to delete.",
   "deleted.none": "Nobody was deleted.",
   "deleted.left": { one: "erased in {count} day", other: "erased in {count} days" },
   "deleted.due": "erased within the hour",
@@ -54,9 +55,11 @@ export default {
   "deleted.reason.go": "Delete for this reason",
   "records.title": "How long records are kept",
   "records.years": "Years after the last session",
-  "records.years.hint": "Ask what the law says where you are. Deleting earlier asks for a reason. Empty: nothing is set.",
+  "records.years.hint":
+    "Ask what the law says where you are. Deleting earlier asks for a reason. Empty: nothing is set.",
   "incidents.title": "Incidents",
-  "incidents.lead": "The command “bodydrive incident” archives the last 24 hours, signed. Its patients are not erased until you lift the mark.",
+  "incidents.lead":
+    "The command “bodydrive incident” archives the last 24 hours, signed. Its patients are not erased until you lift the mark.",
   "incidents.none": "No incident was archived.",
   "incidents.of": "{when}, fingerprint {hash}",
   "incidents.patients": { one: "{count} patient", other: "{count} patients" },

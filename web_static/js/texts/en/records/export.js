@@ -1,7 +1,8 @@
 /** Texts of the export of a patient's recordings and measures, and of the import of an archive. */
 export default {
   "export.title": "Export for other programs",
-  "export.lead": "Recordings and measures as one zip file. It names the patient by the code, and says what was simulated.",
+  "export.lead":
+    "Recordings and measures as one zip file. It names the patient by the code, and says what was simulated.",
   "export.form": "Form",
   "export.form.csv": "CSV: opens in a spreadsheet",
   "export.form.parquet": "Parquet: for Python and R",
@@ -22,7 +23,8 @@ export default {
   "export.state.broken off": "The export was broken off, and the file is not complete: export again.",
   "export.csv.how":
     "Columns are separated by commas, and numbers have a decimal point. A spreadsheet that writes a decimal comma asks how to open the file: choose UTF-8 and English there.",
-  "export.archive.how": "The recordings take {size}. An owner of the other clinic imports the file on its Patients page.",
+  "export.archive.how":
+    "The recordings take {size}. An owner of the other clinic imports the file on its Patients page.",
   "export.archive.open": "A session of this patient is open: end it first, then make the archive.",
   "export.consent": "An export needs the patient's consent to sharing outside: ask, and enter it above.",
   "import.go": "Import an archive",
@@ -32,7 +34,9 @@ export default {
   "import.unpack": "Checking and unpacking: {done} of {total}",
   "import.done": "The patient {code} is imported: {sessions}, {trials}.",
   "import.replace": "Replace the patient",
-  "import.kept": "Everything of this patient that is here is replaced by what the archive has. An archive of the patient as it is now is made first, and kept for 30 days.",
-  "import.replaced": "{code} is replaced: {sessions}, {trials}. The patient as it was is kept for 30 days in the clinic's folder: replaced/{kept}.",
+  "import.kept":
+    "Everything of this patient that is here is replaced by what the archive has. An archive of the patient as it is now is made first, and kept for 30 days.",
+  "import.replaced":
+    "{code} is replaced: {sessions}, {trials}. The patient as it was is kept for 30 days in the clinic's folder: replaced/{kept}.",
   "import.known": "{code} was imported from this archive before: nothing was changed.",
 };

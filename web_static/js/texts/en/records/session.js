@@ -4,7 +4,8 @@ export default {
   "record.title": "Session {number} of {code}",
   "record.sessions": "Sessions of {code}",
   "record.sessions.lead": "Open a session for its record, or tick two to see them side by side.",
-  "record.sessions.none": "There is no session yet. The first one begins when you start a session on the Patients page.",
+  "record.sessions.none":
+    "There is no session yet. The first one begins when you start a session on the Patients page.",
   "record.link": "Sessions and consents",
   "record.link.label": "Sessions and consents of {code}",
   "record.back": "All sessions",
@@ -83,7 +84,8 @@ export default {
   "record.compare.trials": "Trials of session {number}: driven {driven}, counting {counted}, compared {compared}.",
   "record.compare.tests": "Session {number}: complete tests: {complete}.",
   "record.compare.tests.newest": "The newest complete one of each stands here.",
-  "record.compare.none": "No trial of this task can be compared: the first three are for getting used to it. Drive it again in another session.",
+  "record.compare.none":
+    "No trial of this task can be compared: the first three are for getting used to it. Drive it again in another session.",
   "record.compare.range": "({low} to {high})",
   "record.compare.spread": "Each figure is the median; half of the trials lie within the range in brackets.",
   "record.compare.task": "{plan}: {path}",
@@ -95,9 +97,11 @@ export default {
   "consent.title": "Consents",
   "consent.lead": "Each is off until the patient gives it, and can be withdrawn at any time.",
   "consent.recording": "Recording",
-  "consent.recording.hint": "Signals and trials are recorded with a worn shirt. Practice with the simulated shirt needs no consent.",
+  "consent.recording.hint":
+    "Signals and trials are recorded with a worn shirt. Practice with the simulated shirt needs no consent.",
   "consent.clinic_prior": "Use for other patients of the clinic",
-  "consent.clinic_prior.hint": "Trials help to tell change from noise, and movements help new patients to drive sooner. Nobody can be recognised in it. When the consent is withdrawn, they are taken out again.",
+  "consent.clinic_prior.hint":
+    "Trials help to tell change from noise, and movements help new patients to drive sooner. Nobody can be recognised in it. When the consent is withdrawn, they are taken out again.",
   "consent.sharing": "Sharing outside",
   "consent.sharing.hint": "Records may leave the clinic as a report, a share link or an export.",
   "consent.given": "Given {day}",

@@ -12,8 +12,7 @@ export default {
     "Only the three measures that lead in a task and how often the goal was reached have a verdict: where nothing changed, about one page in twenty says better or worse by chance.",
   "verdict.missed":
     "Between sessions, a trial that missed the goal counts as no better than the worst tenth of those before it that reached it.",
-  "verdict.unpublished":
-    "No minimal detectable change has been published for these measures of wheelchair driving.",
+  "verdict.unpublished": "No minimal detectable change has been published for these measures of wheelchair driving.",
   "verdict.sessions": "Session {later} ({second}) against session {earlier} ({first})",
   "verdict.trials": { one: "{count} trial", other: "{count} trials" },
   "verdict.session": "Session {number}",
@@ -25,7 +24,10 @@ export default {
   "verdict.counts.none":
     "No trial of this task can be compared yet ({all} driven): the first three are for getting used to it.",
   "verdict.needed": "A verdict needs {count} that can be compared, from two sessions together: drive this task again.",
-  "verdict.few": { one: "{count} trial can be compared so far, {needed} are needed.", other: "{count} trials can be compared so far, {needed} are needed." },
+  "verdict.few": {
+    one: "{count} trial can be compared so far, {needed} are needed.",
+    other: "{count} trials can be compared so far, {needed} are needed.",
+  },
   "verdict.few.sessions":
     "{count} trials can be compared, which is enough; to compare sessions, one more session is needed, or three other people of the clinic who did this task.",
   "verdict.compare": "Compare sessions",

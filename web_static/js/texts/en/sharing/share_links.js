@@ -1,7 +1,8 @@
 /** Texts of the share links of a patient, which clinicians make, list and revoke. */
 export default {
   "shares.title": "Share links",
-  "shares.lead": "For somebody outside the clinic: read only, named by the code, for at most 14 days, with a PIN. The log has each opening. A report, made on Review, is a file that stays with whoever gets it.",
+  "shares.lead":
+    "For somebody outside the clinic: read only, named by the code, for at most 14 days, with a PIN. The log has each opening. A report, made on Review, is a file that stays with whoever gets it.",
   "shares.none": "There is no link that can be opened.",
   "shares.all": "All sessions",
   "shares.session": "Session {number}",
@@ -25,7 +26,8 @@ export default {
   "shares.make": "Make the link",
   "shares.consent": "A share link needs the patient's consent to sharing outside: ask, and enter it above.",
   "shares.new": "The link and its PIN, shown this once: {what}",
-  "shares.new.lead": "Send the link. Tell the PIN in another way, such as by telephone: whoever has both reads the records of {code}.",
+  "shares.new.lead":
+    "Send the link. Tell the PIN in another way, such as by telephone: whoever has both reads the records of {code}.",
   "shares.pin": "PIN",
   "shares.done": "Done",
 };
