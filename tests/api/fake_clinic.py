@@ -8,12 +8,12 @@ from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
+from clinic_rows import ClinicRows
 from numpy.typing import NDArray
 
 from app.api.live.screens import Screen, Screens
 from app.api.parts import Parts, parts_of
-from app.calibration.linear_map import LinearMap
-from app.calibration.profile import CalibrationProfile, JointMap
+from app.calibration.profile import CalibrationProfile
 from app.clock import monotonic
 from app.faults import Fault, State
 from app.hardware.configs import SHIRTS
@@ -23,9 +23,10 @@ from app.pipeline.commands import STOPPED_BY
 from app.process.command_channel import LinkLost, LinkRefused
 from app.session.open_session import SessionFlow
 from app.settings import Settings
+from app.speeds import Speeds
 from app.store.database import Database
-from app.store.tables import LogEntry
-from building import covariance_of_independent
+from app.store.tables import LogEntry, Patient
+from building import joint_map, profile_of
 
 with warnings.catch_warnings():
     # Starlette announces the successor of httpx, which is not needed here.
@@ -35,6 +36,8 @@ with warnings.catch_warnings():
 WORD = "the-screen-of-the-tests"
 JOINTS = ("right_elbow", "left_elbow", "right_shoulder", "left_shoulder")
 BASE = "http://127.0.0.1:8080"
+SOCKETS = f"{BASE.replace('http', 'ws')}/api/v1"
+WHERE = {"floorplan": "apartment", "path": "main", "screen": WORD}  # what starts a trial
 LAYOUT = ShirtLayout(
     name="Test shirt",
     channels=tuple(Channel(name=f"{joint}_{i}", joint=joint) for joint in JOINTS for i in (1, 2)),
@@ -43,36 +46,12 @@ LAYOUT = ShirtLayout(
 
 
 def profile_for(layout: ShirtLayout) -> CalibrationProfile:
-    maps = tuple(
-        JointMap(
-            name=joint,
-            channels=tuple(indices),
-            mean=(0.0,) * len(indices),
-            evr=0.85,
-            prompted=True,
-            signal_to_noise=20.0,
-            rest_rate=0.04,
-            pca=LinearMap(rates=((1.0,) + (0.0,) * (len(indices) - 1),), dead_zone=0.2, full=1.0),
-            step=0.035,
-            filtered_step=0.06,
-            covariance=covariance_of_independent([1.0] * len(indices)),
-            grade="good",
-            reason="Clear.",
-        )
-        for joint, indices in layout.channels_of_joint.items()
-    )
-    count = len(layout.channels)
-    return CalibrationProfile(
-        created="2025-01-01T00:00:00+00:00",
-        software="0",
-        layout=layout,
-        sample_rate=100.0,
-        left_out={},
-        low=(0.0,) * count,
-        high=(1.0,) * count,
-        noise=(0.0,) * count,
-        joints=maps,
-    )
+    maps = [
+        joint_map(joint, channels, (1.0,) + (0.0,) * (len(channels) - 1), evr=0.85, signal_to_noise=20.0)
+        for joint, channels in layout.channels_of_joint.items()
+    ]
+    profile: CalibrationProfile = profile_of(layout, maps)
+    return profile
 
 
 class FakeProcess:
@@ -205,6 +184,15 @@ class FakeProcess:
         self.dead.set()
 
 
+def until(true: Callable[[], Any], patience: float = 60.0) -> Any:
+    """Wait until something is true, and return it; `patience` in s."""
+    end = time.monotonic() + patience
+    while not (found := true()):
+        assert time.monotonic() < end
+        time.sleep(0.05)
+    return found
+
+
 class Clinic:
     """One running web application, its control processes, and a browser that knows its own origin."""
 
@@ -235,11 +223,23 @@ class Clinic:
                 return answer
             time.sleep(0.02)
 
+    def refused(self, status: int, method: str, path: str, **more: Any) -> str:
+        """Send a request that must be refused with this status, and return the sentence of the answer."""
+        answer = self(method, path, **more)
+        assert answer.status_code == status, f"{method} {path}: {answer.text}"
+        detail = answer.json()["detail"]
+        assert isinstance(detail, str), detail
+        return detail
+
+    def socket(self, path: str, origin: str | None = BASE) -> Any:
+        """Open a websocket of the API, as a page of `origin` does."""
+        headers = {} if origin is None else {"Origin": origin}
+        return self.client.websocket_connect(f"{SOCKETS}{path}", headers=headers)
+
     @contextmanager
     def screen(self, word: str = WORD) -> Iterator[Any]:
         """Open the socket of a screen that is in view, of the first person who signed in."""
-        url = f"{BASE.replace('http', 'ws')}/api/v1/screen"
-        with self.client.websocket_connect(url, headers={"Origin": BASE}) as socket:
+        with self.socket("/screen") as socket:
             socket.send_json({"screen": word, "visible": True, "silence": 0.0})
             while self.parts[Screens].age(Screen(1, word), monotonic()) is None:
                 time.sleep(0.002)
@@ -268,20 +268,85 @@ class Clinic:
         with self.database.transaction() as db:
             return list(db.query(LogEntry).order_by(LogEntry.id))
 
-    def begin_session(self) -> Any:
-        patient = self.good("POST", "/patients", json={"code": "P-1", "pseudonym": "Heron"})
-        return self.open_session(patient["id"])["patient"]
+    @contextmanager
+    def rows(self) -> Iterator[ClinicRows]:
+        """Build rows in the application's own database."""
+        with self.database.transaction() as db:
+            yield ClinicRows(db)
+
+    def cookies_of(self, name: str, role: str = "clinician", patients: list[int] | None = None) -> dict[str, str]:
+        """Sign a person in, who is added unless the name is known; return the cookies of a browser of their own."""
+        with self.rows() as rows:
+            return {"bodydrive_sign_in": rows.sign_in(name, role, patients)}
+
+    @contextmanager
+    def as_person(self, cookies: dict[str, str]) -> Iterator[None]:
+        """Use the browser of another person, and put back the cookies of before."""
+        before = dict(self.client.cookies)
+        self.client.cookies.clear()
+        self.client.cookies.update(cookies)
+        yield
+        self.client.cookies.clear()
+        self.client.cookies.update(before)
+
+    def add_patient(self, code: str = "P-1", pseudonym: str = "Heron") -> int:
+        """Add a patient, and return the id."""
+        return int(self.good("POST", "/patients", json={"code": code, "pseudonym": pseudonym})["id"])
+
+    def rename_patient(self, code: str, pseudonym: str) -> None:
+        """Give the patient who is here from the start another code and pseudonym."""
+        with self.rows() as rows:
+            patient = rows.db.get_one(Patient, self.patient["id"])
+            patient.code, patient.pseudonym = code, pseudonym
+
+    def begin_session(self, code: str = "P-1") -> Any:
+        """Add a patient and open a session; return the patient."""
+        return self.open_session(self.add_patient(code))["patient"]
 
     def open_session(self, patient_id: int) -> Any:
         """Open a patient's session, and end the one that is open."""
-        return self.good(
-            "POST", "/session", json={"patient_id": patient_id, "ends": self.parts[SessionFlow].session_id}
-        )
+        ends = self.parts[SessionFlow].session_id
+        return self.good("POST", "/session", json={"patient_id": patient_id, "ends": ends})
+
+    def record(self, *steps: str) -> Any:
+        """Record steps of the calibration to their ends, one after the other; return the calibration."""
+        for step in steps:
+            self.good("POST", f"/calibration/steps/{step}/start")
+            self.end_step()
+        return self.good("GET", "/calibration")
+
+    def end_step(self) -> Any:
+        """Let the step of the calibration that is being recorded come to its end; return the calibration."""
+        self.process.run_t = 1000.0
+        return self.until("/calibration", lambda calibration: calibration["running"] is None)
 
     def calibrate(self) -> Any:
-        for step in self.good("GET", "/calibration")["steps"][:-1]:
-            self.good("POST", f"/calibration/steps/{step['id']}/start")
-            self.process.run_t = 1000.0
-            self.until("/calibration", lambda c: c["running"] is None)
+        """Record every step, and accept the result."""
+        self.record(*(step["id"] for step in self.good("GET", "/calibration")["steps"][:-1]))
         self.until("/calibration", lambda c: c["result"] is not None and c["running"] is None)
         return self.good("POST", "/calibration/accept")
+
+    def set_controls(self, **changed: Any) -> Any:
+        """Set the controls as they are, but for what is changed."""
+        now = self.good("GET", "/controls")["parameters"]
+        del now["profile"]
+        return self.good("PUT", "/controls", json={**now, **changed})
+
+    def choose_chair(self, **speeds: float) -> Any:
+        """Pair a real chair, and choose it."""
+        chair = {"name": "Blue", "host": "10.0.0.7", "port": 5354, "speeds": {**Speeds().model_dump(), **speeds}}
+        chairs = self.good("POST", "/chairs", json=chair)["chairs"]
+        return self.good("PUT", "/chairs/chosen", json={"id": chairs[-1]["id"], "dynamics": "unicycle"})
+
+    def start_trial(self, **where: Any) -> Any:
+        """Start a trial in the apartment, unless `where` names another place, screen or picture."""
+        return self.good("POST", "/trials", json={**WHERE, **where})
+
+    def end_trial(self) -> Any:
+        """End the trial by hand."""
+        return self.good("POST", "/trials/current/end", json={"reason": "by hand"})
+
+    def drive_trial(self) -> Any:
+        """Start a trial and end it at once; return the finished trial."""
+        self.start_trial()
+        return self.end_trial()

@@ -6,15 +6,13 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
-from api.fake_clinic import BASE, LAYOUT, WORD
+from api.fake_clinic import LAYOUT
 from starlette.websockets import WebSocketDisconnect
 
 from app.session.calibration.calibration_flow import CalibrationFlow
 from app.session.trial import TrialFlow
 
 LONG = "k" * 100_000
-ORIGIN = {"Origin": BASE}
-LIVE = f"{BASE.replace('http', 'ws')}/api/v1/live"
 
 
 def everything(socket: Any) -> None:
@@ -113,14 +111,14 @@ def test_a_refused_file_is_named_without_its_place(signed_in: Any, settings: Any
 
 @pytest.mark.parametrize("message", ["[" * 4000, '{"a":' * 800, "junk", "null", '{"move":{"x":NaN}}'])
 def test_junk_leaves_the_live_socket_open(signed_in: Any, message: str) -> None:
-    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with signed_in.socket("/live") as socket:
         socket.send_text(message)
         for _ in range(3):
             assert socket.receive_json()["state"] == "disarmed"
 
 
 def test_what_is_no_text_closes_the_live_socket(signed_in: Any) -> None:
-    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with signed_in.socket("/live") as socket:
         socket.send_bytes(b"\xff\x00")
         with pytest.raises(WebSocketDisconnect) as closed:
             everything(socket)
@@ -130,26 +128,22 @@ def test_what_is_no_text_closes_the_live_socket(signed_in: Any) -> None:
 def test_a_session_does_not_change_under_a_trial_that_is_being_started(
     calibrated: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    patient = calibrated.patient
-    other = calibrated.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Otter"})
-    plan = calibrated.good("GET", "/floorplans/apartment")
+    other = calibrated.add_patient("P-2")
     asked: list[Any] = []
     start = TrialFlow.start
 
     with ThreadPoolExecutor(1) as screen:
 
         async def slowly(self: TrialFlow, *given: Any) -> int:
-            asked.append(screen.submit(calibrated, "POST", "/session", json={"patient_id": other["id"]}))
+            asked.append(screen.submit(calibrated, "POST", "/session", json={"patient_id": other}))
             await asyncio.sleep(0.3)
             return await start(self, *given)
 
         monkeypatch.setattr(TrialFlow, "start", slowly)
-        calibrated.good(
-            "POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
-        )
+        calibrated.start_trial()
         assert "A trial is running" in sentence(asked[0].result(), 409)
-    assert calibrated.good("GET", "/session")["patient"]["id"] == patient["id"]
-    calibrated.good("POST", "/trials/current/end", json={})
+    assert calibrated.good("GET", "/session")["patient"]["id"] == calibrated.patient["id"]
+    calibrated.end_trial()
 
 
 def test_a_step_whose_end_cannot_be_written_is_over(signed_in: Any, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -161,7 +155,6 @@ def test_a_step_whose_end_cannot_be_written_is_over(signed_in: Any, monkeypatch:
 
     with monkeypatch.context() as broken:
         broken.setattr(CalibrationFlow, "_set", full)
-        signed_in.process.run_t = 1000.0
-        signed_in.until("/calibration", lambda c: c["running"] is None)
+        signed_in.end_step()
     assert signed_in.good("POST", "/calibration/steps/rest/start")["running"]["step"] == "rest"
     signed_in.good("POST", "/calibration/steps/rest/cancel")

@@ -110,9 +110,8 @@ def test_what_is_too_large_is_refused_before_it_is_read(signed_in: Any) -> None:
 def test_the_shirt_is_chosen_by_what_is_here(signed_in: Any) -> None:
     equipment = signed_in.good("GET", "/equipment")
     assert (equipment["shirt"]["kind"], equipment["status"]["control"]) == ("simulator", "alive")
-    missing = signed_in("PUT", "/equipment/shirt", json={"kind": "replay", "file": "nowhere.csv", "loop": True})
-    assert missing.status_code == 404
-    assert "Add a file" in missing.json()["detail"]
+    missing = {"kind": "replay", "file": "nowhere.csv", "loop": True}
+    assert "Add a file" in signed_in.refused(404, "PUT", "/equipment/shirt", json=missing)
     assert upload(signed_in, "walk.csv", b"t,a\n0,1\n").status_code == 201
     chosen = signed_in.good("PUT", "/equipment/shirt", json={"kind": "replay", "file": "walk.csv", "loop": True})
     assert (chosen["shirt"]["file"], chosen["body"]) == ("walk.csv", None)

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple, get_args
 
 import numpy as np
 from large_clinic.written import written_rows
-from recorded_trial import plan_of, record_trial
+from recorded_trial import record_trial
 from sqlalchemy import insert
 from sqlalchemy.orm import Session
 
@@ -31,7 +31,7 @@ from app.store.log_chain import FIRST, entry_hash
 from app.store.people import add_clinic, add_person
 from app.store.tables import LogEntry, ParameterSet, Patient, PatientSession, Profile, Run, Trial
 from app.world.floorplan import FloorPlan, load_floorplan
-from building import make_parameters
+from building import make_parameters, plan_of
 
 PLANS = ("apartment", "clinic")
 RECORDINGS = 12  # driven ones, at most

@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from api.drives.chair_drives import arm, choose_chair, practise, velocity
+from api.drives.chair_drives import arm
 from api.fake_clinic import profile_for
 
 from building import AGREES, taught_by_others
@@ -17,9 +17,9 @@ def practised(clinic: Any, **taught: Any) -> Any:
     clinic.readings["profile"] = lambda layout: taught_by_others(profile_for(layout), **taught)
     clinic.good("POST", "/calibration/restart")
     clinic.calibrate()
-    velocity(clinic)
-    practise(clinic)  # the virtual chair drives by other people alone
-    choose_chair(clinic)
+    clinic.set_controls(mode_u1="velocity")
+    clinic.drive_trial()  # the virtual chair drives by other people alone
+    clinic.choose_chair(forward=0.5)
     return clinic
 
 

@@ -3,11 +3,7 @@
 from typing import Any
 
 import pytest
-from api.fake_clinic import BASE, WORD
 from starlette.websockets import WebSocketDisconnect
-
-ORIGIN = {"Origin": BASE}
-LIVE = f"{BASE.replace('http', 'ws')}/api/v1/live"
 
 
 def next_with(socket: Any, key: str) -> Any:
@@ -18,7 +14,7 @@ def next_with(socket: Any, key: str) -> Any:
 
 
 def test_the_newest_tick_twenty_times_a_second(signed_in: Any) -> None:
-    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with signed_in.socket("/live") as socket:
         first, second = socket.receive_json(), socket.receive_json()
         assert second["tick"] > first["tick"]
         assert (first["state"], first["fault"], first["control"]) == ("disarmed", None, "alive")
@@ -31,25 +27,25 @@ def test_the_newest_tick_twenty_times_a_second(signed_in: Any) -> None:
 
 
 def test_an_event_names_what_changed(signed_in: Any) -> None:
-    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with signed_in.socket("/live") as socket:
         socket.receive_json()
         signed_in.begin_session()
         assert next_with(socket, "event")["event"] == "session"
 
 
-@pytest.mark.parametrize("headers", [{}, {"Origin": "http://evil.example"}])
-def test_another_origin_opens_no_socket(signed_in: Any, headers: dict[str, str]) -> None:
-    with pytest.raises(WebSocketDisconnect), signed_in.client.websocket_connect(LIVE, headers=headers):
+@pytest.mark.parametrize("origin", [None, "http://evil.example"])
+def test_another_origin_opens_no_socket(signed_in: Any, origin: str | None) -> None:
+    with pytest.raises(WebSocketDisconnect), signed_in.socket("/live", origin):
         pass
 
 
 def test_nobody_signed_in_opens_no_socket(clinic: Any) -> None:
-    with pytest.raises(WebSocketDisconnect), clinic.client.websocket_connect(LIVE, headers=ORIGIN):
+    with pytest.raises(WebSocketDisconnect), clinic.socket("/live"):
         pass
 
 
 def test_sign_out_closes_the_socket(signed_in: Any) -> None:
-    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with signed_in.socket("/live") as socket:
         socket.receive_json()
         signed_in.good("POST", "/auth/sign-out")
         with pytest.raises(WebSocketDisconnect) as closed:
@@ -58,7 +54,7 @@ def test_sign_out_closes_the_socket(signed_in: Any) -> None:
 
 
 def test_stop_and_the_visitors_movement_go_down_and_nonsense_does_not(signed_in: Any) -> None:
-    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with signed_in.socket("/live") as socket:
         for text in ("{", "[]", '{"move": {"right_elbow": NaN}}', '{"move": {"right_elbow": 2}}', '{"unknown": 1}'):
             socket.send_text(text)
         socket.send_json({"move": {"right_elbow": 0.7}})
@@ -74,7 +70,7 @@ def test_stop_and_the_visitors_movement_go_down_and_nonsense_does_not(signed_in:
 
 
 def test_a_stop_counts_whatever_else_the_message_says(signed_in: Any) -> None:
-    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with signed_in.socket("/live") as socket:
         socket.send_json({"move": {"right_elbow": 2}, "unknown": 1, "stop": True})
         for _ in range(40):
             if socket.receive_json()["state"] == "fault":
@@ -84,11 +80,8 @@ def test_a_stop_counts_whatever_else_the_message_says(signed_in: Any) -> None:
 
 
 def test_a_trial_shows_where_it_stands(calibrated: Any) -> None:
-    plan = calibrated.good("GET", "/floorplans/apartment")
-    with calibrated.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
-        calibrated.good(
-            "POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
-        )
+    with calibrated.socket("/live") as socket:
+        calibrated.start_trial()
         message = next_with(socket, "trial")
         while message["trial"] is None:
             message = socket.receive_json()
@@ -98,7 +91,7 @@ def test_a_trial_shows_where_it_stands(calibrated: Any) -> None:
 
 
 def test_without_a_control_process_the_chair_is_shown_standing(signed_in: Any) -> None:
-    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with signed_in.socket("/live") as socket:
         socket.receive_json()
         signed_in.process.silent = True
         while (message := socket.receive_json())["control"] == "alive":

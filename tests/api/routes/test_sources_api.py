@@ -2,10 +2,9 @@
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
-from api.fake_clinic import WORD, Clinic
+from api.fake_clinic import WHERE, Clinic
 from api.running_app import running
 
 from app.api.live.live_picture import ClinicLive
@@ -36,13 +35,6 @@ def clinic_for_real(real_settings: Settings) -> Iterator[Clinic]:
         yield clinic
 
 
-def drive(clinic: Any) -> Any:
-    plan = clinic.good("GET", "/floorplans/apartment")
-    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"]}
-    clinic.good("POST", "/trials", json={**where, "screen": WORD})
-    return where, clinic.good("POST", "/trials/current/end", json={"reason": "by hand"})
-
-
 def test_a_real_clinic_begins_without_a_shirt_and_keeps_the_one_that_was_chosen(
     clinic_for_real: Clinic, real_settings: Settings
 ) -> None:
@@ -66,11 +58,8 @@ def test_a_real_clinic_begins_without_a_shirt_and_keeps_the_one_that_was_chosen(
 
 def test_a_demonstration_begins_with_the_simulated_shirt(signed_in: Clinic) -> None:
     equipment = signed_in.good("GET", "/equipment")
-    assert (equipment["shirt"]["kind"], equipment["body"]["kind"], equipment["simulated"]) == (
-        "simulator",
-        "person",
-        True,
-    )
+    kinds = (equipment["shirt"]["kind"], equipment["body"]["kind"], equipment["simulated"])
+    assert kinds == ("simulator", "person", True)
 
 
 def test_anybody_may_ask_whether_a_page_is_to_be_marked(clinic_for_real: Clinic) -> None:
@@ -84,21 +73,18 @@ def test_anybody_may_ask_whether_a_page_is_to_be_marked(clinic_for_real: Clinic)
     assert clinic.good("GET", "/equipment/practice") == {"kind": None}
 
 
-def consent(clinic: Clinic, patient: int) -> None:
-    clinic.good("PUT", f"/patients/{patient}/consents/recording", json={"given": "2026-03-01"})
-
-
 def test_trials_say_their_source_and_worn_and_simulated_ones_are_never_mixed(clinic_for_real: Clinic) -> None:
     clinic = clinic_for_real
     patient = clinic.begin_session()["id"]
-    consent(clinic, patient)
+    with clinic.rows() as rows:
+        rows.consent(patient, "recording")
     made: dict[str, list[int]] = {}
     for config in (WORN, SIMULATED, WORN):
         kind = str(config["kind"])
         clinic.good("PUT", "/equipment/shirt", json=config)
         if config is WORN and not made:
             clinic.calibrate()
-        where, trial = drive(clinic)
+        trial = clinic.drive_trial()
         made.setdefault(kind, []).append(trial["id"])
         assert trial["source"]["description"] == WORDS[kind]
         assert trial["source"]["simulated"] is (config is SIMULATED)
@@ -106,7 +92,7 @@ def test_trials_say_their_source_and_worn_and_simulated_ones_are_never_mixed(cli
         assert detail["source"] == trial["source"]
     listed = clinic.good("GET", f"/trials?patient={patient}")
     assert [one["source"]["simulated"] for one in listed] == [False, True, False]
-    query = f"floorplan={where['floorplan']}&path={where['path']}"
+    query = "floorplan=apartment&path=main"
     for page in ("learning", "quality"):
         for asked, source in (("", "worn"), ("&source=worn", "worn"), ("&source=simulated", "simulated")):
             found = clinic.good("GET", f"/patients/{patient}/{page}?{query}{asked}")
@@ -128,17 +114,16 @@ def test_trials_say_their_source_and_worn_and_simulated_ones_are_never_mixed(cli
 
 def test_a_simulated_calibration_drives_no_worn_shirt_and_no_calibration_mixes_both(clinic_for_real: Clinic) -> None:
     clinic = clinic_for_real
-    consent(clinic, clinic.begin_session()["id"])
+    patient = clinic.begin_session()["id"]
+    with clinic.rows() as rows:
+        rows.consent(patient, "recording")
     clinic.good("PUT", "/equipment/shirt", json=SIMULATED)
     clinic.calibrate()
     assert clinic.process.parameters is not None
     clinic.good("PUT", "/equipment/shirt", json=WORN)
     assert "calibration is one of a shirt that nobody wore" in clinic.good("GET", "/controls")["obstacle"]["message"]
     assert clinic.process.parameters is None
-    plan = clinic.good("GET", "/floorplans/apartment")
-    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
-    assert "nobody wore" in clinic("POST", "/trials", json=where).json()["detail"]
+    assert "nobody wore" in clinic.refused(409, "POST", "/trials", json=WHERE)
     clinic.good("POST", "/calibration/steps/rest/start")  # again, in the worn shirt, the others being simulated
-    clinic.process.run_t = 1000.0
-    wizard = clinic.until("/calibration", lambda c: c["running"] is None)
+    wizard = clinic.end_step()
     assert (wizard["steps"][-1]["status"], wizard["steps"][-1]["message"]) == ("failed", MIXED)

@@ -6,8 +6,9 @@ from typing import Any
 
 import pytest
 from api.fake_clinic import BASE, Clinic
-from api.people_of_clinic import OWNER, accepted, as_person, invited
-from api.test_roles import FOR_EVERYONE, requested, table
+from api.people_of_clinic import OWNER, accepted, invited
+from api.served_routes import requested, table
+from api.test_roles import FOR_EVERYONE
 from api.view.served_view import VIEW, serve_view
 from starlette.websockets import WebSocketDisconnect
 
@@ -17,7 +18,6 @@ from app.session.open_session import SessionFlow
 from app.store.access import sign_ins
 
 ORIGIN = {"Origin": BASE}
-LIVE = f"{BASE.replace('http', 'ws')}/api/v1/live"
 PASSWORD = {"password": OWNER["password"]}
 
 Later = Callable[[float], None]
@@ -107,7 +107,7 @@ def test_another_person_signs_in_on_a_locked_page(owned: Clinic, later: Later) -
 
 def test_the_live_socket_shows_nothing_of_a_patient_while_locked_and_stops(owned: Clinic, later: Later) -> None:
     session = owned.begin_session() and owned.good("GET", "/session")["session"]["id"]
-    with owned.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with owned.socket("/live") as socket:
         assert next_that(socket, lambda m: not m["hidden"])["session"] == session
         later(11)
         bare = next_that(socket, lambda m: m["hidden"])
@@ -120,8 +120,8 @@ def test_the_live_socket_shows_nothing_of_a_patient_while_locked_and_stops(owned
         owned.good("POST", "/auth/unlock", json=PASSWORD)
         assert next_that(socket, lambda m: not m["hidden"])["session"] == session
     with (
-        as_person(owned, dict(owned.client.cookies)),
-        owned.client.websocket_connect(LIVE, headers=ORIGIN) as socket,
+        owned.as_person(dict(owned.client.cookies)),
+        owned.socket("/live") as socket,
     ):
         later(11)
         next_that(socket, lambda m: m["hidden"])
@@ -154,7 +154,7 @@ def beyond(number: int) -> Callable[[Any], bool]:
 
 
 def test_a_touch_of_the_page_counts_as_an_action(owned: Clinic, later: Later) -> None:
-    with owned.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with owned.socket("/live") as socket:
         for _ in range(3):
             later(6)
             socket.send_json({"acted": True})
@@ -165,7 +165,7 @@ def test_a_touch_of_the_page_counts_as_an_action(owned: Clinic, later: Later) ->
 
 def test_armed_or_recording_is_not_idle(owned: Clinic, later: Later, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(type(owned.parts[SessionFlow]), "recording", property(lambda _self: True))
-    with owned.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with owned.socket("/live") as socket:
         for _ in range(3):
             later(6)
             number = socket.receive_json()["tick"]

@@ -1,12 +1,10 @@
 """What the running program does by itself: it makes the backup of the night."""
 
-import time
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
-from api.fake_clinic import Clinic
+from api.fake_clinic import until
 from api.running_app import running
 
 from app.clock import utc_now
@@ -15,22 +13,6 @@ from app.features.backup.made_backups import last_in_folder
 from app.settings import Settings
 from app.store.database import Database
 from app.store.keeping.record_time import record_keeping
-from app.store.people import add_clinic, the_clinic
-
-PATIENCE = 60.0  # s: another process makes the backup
-
-
-def until(true: Callable[[], Any]) -> Any:
-    """Wait until something is true, and return it."""
-    end = time.monotonic() + PATIENCE
-    while not (found := true()):
-        assert time.monotonic() < end
-        time.sleep(0.05)
-    return found
-
-
-def database_of(clinic: Clinic) -> Database:
-    return clinic.database
 
 
 @pytest.fixture
@@ -39,18 +21,16 @@ def night(settings: Settings, tmp_path: Path) -> Path:
     stick = tmp_path / "stick"
     stick.mkdir()
     for clinic in running(settings):
-        with database_of(clinic).transaction() as db:
-            if the_clinic(db) is None:
-                add_clinic(db, "Clinic")
-            kept = record_keeping(db)
+        with clinic.rows() as rows:
+            kept = record_keeping(rows.db)
             kept.folder, kept.hour = str(stick), utc_now().astimezone().hour
-            db.add(kept)
+            rows.db.add(kept)
     return stick
 
 
 def test_a_program_that_runs_makes_the_backup_of_the_night(settings: Settings, night: Path) -> None:
     for clinic in running(settings):
-        database = database_of(clinic)
+        database = clinic.database
 
         def made(database: Database = database) -> Any:
             with database.transaction() as db:

@@ -27,9 +27,7 @@ def begin(clinic: Clinic, code: str) -> int:
 
 def record(clinic: Clinic, *steps: str) -> Any:
     for step in steps:
-        clinic.good("POST", f"/calibration/steps/{step}/start")
-        clinic.process.run_t = 1000.0
-        clinic.until("/calibration", lambda wizard: wizard["running"] is None)
+        clinic.record(step)
     return clinic.good("GET", "/calibration")
 
 

@@ -46,6 +46,5 @@ def test_a_fit_that_fails_says_why_and_nothing_is_accepted(with_others: Any) -> 
     begin(with_others, "P-9")
     record(with_others, "rest", "free")
     with_others.readings["fit"] = "No joint has a channel that can be used: check the shirt."
-    refused = with_others("POST", "/calibration/drive-now")
-    assert (refused.status_code, refused.json()["detail"]) == (409, with_others.readings["fit"])
+    assert with_others.refused(409, "POST", "/calibration/drive-now") == with_others.readings["fit"]
     assert with_others.good("GET", "/session")["has_profile"] is False

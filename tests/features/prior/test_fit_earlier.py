@@ -67,8 +67,7 @@ def test_controls_that_a_clinician_set_are_kept(again: Any) -> None:
 def test_a_shirt_that_sits_otherwise_is_one_sentence_and_nothing_changes(again: Any) -> None:
     record(again, "rest", "free")
     again.readings["fit"] = "At the right elbow the shirt is turned: turn it back."
-    refused = again("POST", "/calibration/fit-earlier")
-    assert (refused.status_code, refused.json()["detail"]) == (409, again.readings["fit"])
+    assert again.refused(409, "POST", "/calibration/fit-earlier") == again.readings["fit"]
     assert len(again.good("GET", f"/patients/{again.patient['id']}/maps")) == 1
 
 

@@ -66,5 +66,5 @@ def test_where_nothing_looks_turned_there_is_nothing_to_say(turned: Any, joint: 
 
 def test_before_there_is_a_result_it_is_refused(in_session: Any) -> None:
     in_session.good("GET", "/calibration")
-    asked = in_session("POST", "/calibration/sitting", json={"joint": "right_elbow", "is_right": True})
-    assert (asked.status_code, asked.json()["detail"]) == (409, "There is no result yet: do every step first.")
+    refused = in_session.refused(409, "POST", "/calibration/sitting", json={"joint": "right_elbow", "is_right": True})
+    assert refused == "There is no result yet: do every step first."

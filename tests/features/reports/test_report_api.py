@@ -6,7 +6,6 @@ from typing import Any
 
 import pytest
 from api.fake_clinic import Clinic
-from api.people_of_clinic import as_person
 from features.reports.reported_clinic import CODE, store_reported_course
 from features.reports.words_of import html_page, pdf_pages
 from store.known_people import known_clinic
@@ -74,7 +73,7 @@ def test_a_reviewer_reads_and_takes_nothing_out(reported: Any) -> None:
     with clinic.database.transaction() as db:
         person = add_person(db, known_clinic(db), "Rita", "reviewer", None)
         cookies = {"bodydrive_sign_in": sign_in(db, person, "test")}
-    with as_person(clinic, cookies):
+    with clinic.as_person(cookies):
         answer = clinic("GET", f"/patients/{patient}/report")
     assert (answer.status_code, answer.json()["detail"][:31]) == (403, "A reviewer takes no records out")
 
