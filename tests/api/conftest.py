@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from api.fake_clinic import Clinic
 from api.pairing import code_of, only, pair
+from api.people_of_clinic import OWNER
 from api.running_app import running
 from clinic_rows import rows_in
 from session.same_process import SameProcess
@@ -98,6 +99,24 @@ def clinic(settings: Settings, new_state: Path) -> Iterator[Clinic]:
     """A demonstration, nobody signed in."""
     shutil.copytree(new_state, settings.state)
     yield from running(settings)
+
+
+@pytest.fixture
+def real_settings(tmp_path: Path) -> Settings:
+    return Settings(state=tmp_path / "real", setup_code=OWNER["code"])
+
+
+@pytest.fixture
+def real(real_settings: Settings) -> Iterator[Clinic]:
+    """A real clinic, as `serve` opens it, without an owner yet."""
+    yield from running(real_settings)
+
+
+@pytest.fixture
+def owned(real: Clinic) -> Clinic:
+    """A real clinic with its first owner, whose browser is used."""
+    real.good("POST", "/auth/setup", json=OWNER)
+    return real
 
 
 @pytest.fixture

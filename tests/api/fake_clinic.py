@@ -193,6 +193,27 @@ def until(true: Callable[[], Any], patience: float = 60.0) -> Any:
     return found
 
 
+def next_message(socket: Any, is_it: Callable[[Any], bool], most: int = 5000) -> Any:
+    """Return the next message of a socket that is the one, and fail after so many others."""
+    for _ in range(most):
+        message = socket.receive_json()
+        if is_it(message):
+            return message
+    raise AssertionError("no such message came")
+
+
+def sentence_of(answer: Any, status: int, asked: str = "") -> str:
+    """Return the sentence of a refusal that must have this status; `asked` names the request in a failure."""
+    assert answer.status_code == status, f"{asked}{answer.text}"
+    detail = answer.json()["detail"]
+    assert isinstance(detail, str), f"{asked}{detail}"
+    assert detail.endswith("."), f"{asked}{detail}"
+    assert not detail.endswith(".."), f"{asked}{detail}"
+    assert "/tmp/" not in detail, f"{asked}{detail}"
+    assert len(detail) < 300, f"{asked}{detail}"
+    return detail
+
+
 class Clinic:
     """One running web application, its control processes, and a browser that knows its own origin."""
 
@@ -225,11 +246,7 @@ class Clinic:
 
     def refused(self, status: int, method: str, path: str, **more: Any) -> str:
         """Send a request that must be refused with this status, and return the sentence of the answer."""
-        answer = self(method, path, **more)
-        assert answer.status_code == status, f"{method} {path}: {answer.text}"
-        detail = answer.json()["detail"]
-        assert isinstance(detail, str), detail
-        return detail
+        return sentence_of(self(method, path, **more), status, f"{method} {path}: ")
 
     def socket(self, path: str, origin: str | None = BASE) -> Any:
         """Open a websocket of the API, as a page of `origin` does."""

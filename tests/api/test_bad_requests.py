@@ -6,7 +6,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
-from api.fake_clinic import LAYOUT
+from api.fake_clinic import LAYOUT, sentence_of
 from starlette.websockets import WebSocketDisconnect
 
 from app.session.calibration.calibration_flow import CalibrationFlow
@@ -20,19 +20,10 @@ def everything(socket: Any) -> None:
         socket.receive_json()
 
 
-def sentence(answer: Any, status: int) -> str:
-    assert answer.status_code == status, answer.text
-    detail: str = answer.json()["detail"]
-    assert isinstance(detail, str)
-    assert detail.endswith(".")
-    assert len(detail) < 300
-    return detail
-
-
 @pytest.mark.parametrize("number", ["9223372036854775808", "99999999999999999999999", "-1", "NaN"])
 def test_an_id_that_no_database_holds_is_refused(signed_in: Any, number: str) -> None:
     for method, path in (("DELETE", f"/patients/{number}"), ("POST", f"/patients/{number}/restore")):
-        sentence(signed_in(method, path), 422)
+        signed_in.refused(422, method, path)
 
 
 @pytest.mark.parametrize(
@@ -45,16 +36,16 @@ def test_an_id_that_no_database_holds_is_refused(signed_in: Any, number: str) ->
     ],
 )
 def test_a_body_that_cannot_be_taken_apart(signed_in: Any, content: bytes, kind: str, status: int) -> None:
-    sentence(signed_in("POST", "/patients", content=content, headers={"Content-Type": kind}), status)
+    signed_in.refused(status, "POST", "/patients", content=content, headers={"Content-Type": kind})
     assert signed_in.good("GET", "/patients") == []
 
 
 def test_names_without_end_are_not_said_back(signed_in: Any) -> None:
-    assert "must be one of 'simulator'" in sentence(signed_in("PUT", "/equipment/shirt", json={"kind": LONG}), 422)
-    assert "'kind' is missing" in sentence(signed_in("PUT", "/equipment/shirt", json={}), 422)
-    sentence(signed_in("GET", "/floorplans/" + LONG[:5000]), 422)
+    assert "must be one of 'simulator'" in signed_in.refused(422, "PUT", "/equipment/shirt", json={"kind": LONG})
+    assert "'kind' is missing" in signed_in.refused(422, "PUT", "/equipment/shirt", json={})
+    signed_in.refused(422, "GET", "/floorplans/" + LONG[:5000])
     for name in (LONG[:4000], "..", "../clinic.db", "/etc/passwd"):
-        sentence(signed_in("PUT", "/equipment/shirt", json={"kind": "replay", "file": name}), 404)
+        signed_in.refused(404, "PUT", "/equipment/shirt", json={"kind": "replay", "file": name})
 
 
 def test_an_error_of_ours_is_a_sentence_without_a_word_of_the_inside(
@@ -65,17 +56,17 @@ def test_an_error_of_ours_is_a_sentence_without_a_word_of_the_inside(
 
     monkeypatch.setattr("app.features.log.routes.verify_log", fails)
     answer = signed_in("GET", "/log/check")
-    assert "report it" in sentence(answer, 500)
+    assert "report it" in sentence_of(answer, 500)
     assert [word for word in ("of the inside", "Traceback", "RuntimeError", ".py") if word in answer.text] == []
     assert "of the inside" in caplog.text  # for whoever mends it
 
 
 def test_a_form_that_is_none(signed_in: Any) -> None:
-    sentence(signed_in("POST", "/equipment/files", data={"file": "text"}), 422)
+    signed_in.refused(422, "POST", "/equipment/files", data={"file": "text"})
     form = {"Content-Type": "multipart/form-data; boundary=x"}
-    sentence(signed_in("POST", "/equipment/files", content=b"junk", headers=form), 422)
+    signed_in.refused(422, "POST", "/equipment/files", content=b"junk", headers=form)
     parts = b"".join(b'--x\r\nContent-Disposition: form-data; name="f%d"\r\n\r\n1\r\n' % i for i in range(1100))
-    sentence(signed_in("POST", "/equipment/files", content=parts + b"--x--", headers=form), 422)
+    signed_in.refused(422, "POST", "/equipment/files", content=parts + b"--x--", headers=form)
 
 
 def test_a_bad_file_does_not_take_the_place_of_a_good_one(signed_in: Any, settings: Any) -> None:
@@ -92,8 +83,8 @@ def test_a_bad_file_does_not_take_the_place_of_a_good_one(signed_in: Any, settin
 def test_a_body_that_does_not_fit_leaves_the_shirt_before(signed_in: Any) -> None:
     before = signed_in.good("GET", "/equipment")
     signed_in.process.refuse["body"] = "This body has no joint of that shirt: choose another body."
-    answer = signed_in("PUT", "/equipment/shirt", json={"kind": "simulator", "seed": 7})
-    assert "choose another body" in sentence(answer, 409)
+    chosen = {"kind": "simulator", "seed": 7}
+    assert "choose another body" in signed_in.refused(409, "PUT", "/equipment/shirt", json=chosen)
     del signed_in.process.refuse["body"]
     after = signed_in.good("GET", "/equipment")
     assert (after["shirt"], after["body"]) == (before["shirt"], before["body"])
@@ -105,7 +96,7 @@ def test_a_refused_file_is_named_without_its_place(signed_in: Any, settings: Any
     file.parent.mkdir(parents=True)
     file.write_bytes(b"t,a\n0,x\n")
     signed_in.process.refuse["shirt"] = f"{file}, line 2, column 'a': 'x' is not a number, write one."
-    said = sentence(signed_in("PUT", "/equipment/shirt", json={"kind": "replay", "file": "walk.csv"}), 409)
+    said = signed_in.refused(409, "PUT", "/equipment/shirt", json={"kind": "replay", "file": "walk.csv"})
     assert said.lower().startswith("walk.csv, line 2")
 
 
@@ -141,7 +132,7 @@ def test_a_session_does_not_change_under_a_trial_that_is_being_started(
 
         monkeypatch.setattr(TrialFlow, "start", slowly)
         calibrated.start_trial()
-        assert "A trial is running" in sentence(asked[0].result(), 409)
+        assert "A trial is running" in sentence_of(asked[0].result(), 409)
     assert calibrated.good("GET", "/session")["patient"]["id"] == calibrated.patient["id"]
     calibrated.end_trial()
 

@@ -71,9 +71,9 @@ def test_every_changing_route_refuses_another_session_and_none_or_is_marked_with
 def test_the_refusal_says_who_is_open_who_opened_it_when_and_whose_page_this_is(in_session: Any) -> None:
     before = second_patient(in_session)
     session = in_session.good("GET", "/session")["session"]
-    answer = in_session("PUT", "/adaptation", json={"mode": "suggest"}, headers={"Patient-Session": before})
-    assert answer.status_code == 409
-    sentence = answer.json()["detail"]
+    sentence = in_session.refused(
+        409, "PUT", "/adaptation", json={"mode": "suggest"}, headers={"Patient-Session": before}
+    )
     assert sentence.startswith(f"B-12 was opened on another screen by {session['opened_by']} at ")
     assert "What this page shows belongs to P-1 and can no longer be sent" in sentence
     assert in_session.good("GET", "/adaptation")["mode"] == "off"

@@ -41,6 +41,8 @@ FOR_EVERYONE = {
     "POST /shared/open",
     "GET /shared",
 }
+# Method and path of those that need no cookie at all; what is shared has a cookie of its own.
+OPEN = {(route.split()[0], f"/api/v1{route.split()[1]}") for route in FOR_EVERYONE - {"GET /shared"}}
 FOR_PATIENTS_SCREENS = {"GET /view/{role}/", "GET /view/{role}/plan"}  # the patient's only
 FOR_OWNERS = {
     "POST /chairs",

@@ -7,7 +7,7 @@ from datetime import timedelta
 from typing import Any
 
 import pytest
-from api.fake_clinic import Clinic
+from api.fake_clinic import Clinic, next_message
 from api.served_routes import filled, requested, routes_of
 
 from app.store import log
@@ -113,8 +113,7 @@ def test_who_watches_a_session_live_stands_in_the_log_from_the_first_picture_of_
         calibrated.open_session(second)
         session = int(calibrated.session)
         for socket in (ritas, ottos):
-            while socket.receive_json()["session"] != session:
-                pass
+            next_message(socket, lambda m: m["session"] == session)
         while not (len(viewings(calibrated, "Rita")) > 1 and viewings(calibrated, "Otto")):
             ritas.receive_json()  # rows are written beside the pictures
     assert viewings(calibrated, "Rita") == [first, second]

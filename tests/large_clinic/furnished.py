@@ -174,7 +174,6 @@ class _Rows:
                 "created": begin,
                 "pseudonym": f"Patient {patient:04d}",
                 "adaptation": "off",
-                "deleted": None,
             }
         )
         self.log.append((begin, "patient added", {"patient": patient}))
@@ -192,10 +191,6 @@ class _Rows:
                 "opened_by": "Ada",
                 "ended": started + timedelta(hours=1),
                 "accepted": True,
-                "current_step": None,
-                "script": None,
-                "result": None,
-                "screen": None,
             }
         )
         self.log.append((started, "session opened", {"patient": patient, "session": session}))
@@ -213,9 +208,7 @@ class _Rows:
                 "patient_id": patient,
                 "session_id": session,
                 "version": version,
-                "parent": None,
                 "origin": "calibration",
-                "difference": None,
                 "document": self._profile,
                 "created": moment,
                 "simulated": False,
@@ -274,7 +267,6 @@ class _Rows:
                 "status": "done",
                 "end": "goal",
                 "kept": True,
-                "discard_reason": None,
                 "measures": measures,
                 "quality": recorded.quality,
             }

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from typing import Any
 
 import pytest
-from api.fake_clinic import Clinic
+from api.fake_clinic import Clinic, next_message
 
 from app.api.computer import graphics
 from app.api.computer.measurement import BUSY, FAILED, INTERRUPTED, UNDER_WAY
@@ -60,11 +60,6 @@ def open_socket(clinic: Clinic, path: str) -> Iterator[Any]:
         yield socket
 
 
-def until_asked(socket: Any) -> None:
-    while socket.receive_json().get("event") != "graphics":
-        pass
-
-
 def test_it_says_what_the_command_says_and_what_each_screen_draws(
     paired: Clinic, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -75,8 +70,8 @@ def test_it_says_what_the_command_says_and_what_each_screen_draws(
         open_socket(paired, "/patient/live") as screen,
     ):
         asked = Asked(paired, 1)
-        until_asked(page)
-        until_asked(screen)
+        for socket in (page, screen):
+            next_message(socket, lambda m: m.get("event") == "graphics")
         page.send_json({"pictures": -1.0})  # nonsense changes nothing
         page.send_json({"pictures": 58.4})
         screen.send_json({"pictures": 12})

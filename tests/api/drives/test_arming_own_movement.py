@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 from api.drives.chair_drives import arm
-from api.fake_clinic import profile_for
+from api.fake_clinic import profile_for, sentence_of
 
 from building import AGREES, taught_by_others
 
@@ -40,8 +40,7 @@ def test_a_map_that_no_own_movement_confirms_is_practised_and_not_armed(
     assert sentence.startswith("Other people taught the movement of ")
     assert sentence.endswith("repeat it once on the Calibrate page, and practise again.")
     with clinic.screen():
-        answer = arm(clinic)
-    assert (answer.status_code, answer.json()["detail"]) == (409, sentence)
+        assert sentence_of(arm(clinic), 409) == sentence
     assert [do for do, _ in clinic.process.calls].count("arm") == 1  # that of the virtual chair
     assert clinic.good("GET", f"/drives?patient={clinic.patient['id']}") == []
 

@@ -41,11 +41,6 @@ def test_another_origin_opens_no_socket(signed_in: Any, origin: str | None) -> N
         pass
 
 
-def test_nobody_signed_in_opens_no_socket(clinic: Any) -> None:
-    with pytest.raises(WebSocketDisconnect), clinic.socket("/screen"):
-        pass
-
-
 def test_the_age_goes_down_with_each_word_and_is_null_without_a_trial(calibrated: Any) -> None:
     with calibrated.screen() as socket:
         assert next_beats(calibrated)[-1] == (None, "in view")

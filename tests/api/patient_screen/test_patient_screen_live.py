@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from api.fake_clinic import WORD, Clinic
+from api.fake_clinic import WORD, Clinic, next_message
 from api.pairing import closing
 
 from app.api.live.screens import Screens
@@ -25,21 +25,18 @@ def test_a_trial_is_shown_with_what_to_do_and_how_it_ended(paired: Clinic) -> No
     with paired.socket("/patient/live") as socket:
         assert socket.receive_json()["trial"] is None
         paired.start_trial()
-        while (message := socket.receive_json())["trial"] is None:
-            pass
+        message = next_message(socket, lambda m: m["trial"] is not None)
         trial = message["trial"]
         assert set(trial) == {"id", "t", "done", "length", "stage", "stages", "instruction", "target", "movers"}
         assert trial["instruction"] == path["instruction"]
         assert len(trial["target"]) == 2
         assert message["drives"] is True
         paired.good("POST", "/control/stop")
-        while (message := socket.receive_json())["fault"] is None:
-            pass
+        message = next_message(socket, lambda m: m["fault"] is not None)
         assert message["fault"] == {"name": "stop_tablet", "message": "Stop was pressed on a clinician's page."}
         assert message["waits"] == {"for": "clinician", "message": "We wait for your clinician to look and to go on."}
         paired.good("POST", "/trials/current/end", json={})
-        while (message := socket.receive_json())["trial"] is not None:
-            pass
+        message = next_message(socket, lambda m: m["trial"] is None)
         assert message["over"] == {"id": trial["id"], "end": "by hand"}
 
 
@@ -58,8 +55,7 @@ def test_a_prompt_of_the_calibration_is_a_cue(paired: Clinic) -> None:
         assert socket.receive_json()["cue"] is None
         paired.good("POST", f"/calibration/steps/{step['id']}/start")
         process.run_t = step["cues"][1]["start"] + 0.25
-        while (cue := socket.receive_json()["cue"]) is None or cue["t"] < 0:
-            pass
+        cue = next_message(socket, lambda m: m["cue"] is not None and m["cue"]["t"] >= 0)["cue"]
         assert cue == {
             "index": 1,
             "kind": "move",
@@ -76,8 +72,7 @@ def test_what_the_clinician_asks_for_is_shown_and_kept_for_the_session(paired: C
     with paired.socket("/patient/live") as socket:
         assert socket.receive_json()["asks"] == {"arrow": False, "sounds": False, "large": False, "plan": False}
         assert paired.good("POST", "/patient-screen/settings", json=wishes)["settings"] == wishes
-        while socket.receive_json()["asks"] != wishes:
-            pass
+        next_message(socket, lambda m: m["asks"] == wishes)
     paired.parts[PatientPicture].settings = ScreenSettings()  # as after a restart
     with paired.socket("/patient/live") as socket:
         assert socket.receive_json()["asks"] == wishes

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from api.conftest import sign_in
 from api.fake_clinic import Clinic
 from api.running_app import running
 
@@ -80,7 +81,7 @@ def test_the_choice_outlives_the_application(settings: Settings, signed_in: Clin
     signed_in.good("PUT", "/chairs/chosen", json={"id": chair["id"], "dynamics": "wheelchair"})
     signed_in.good("PUT", "/limits", json=SLOW)
     for again in running(settings):
-        again.good("POST", "/auth/demo", json={"code": "the-code-of-the-link"})
+        sign_in(again)
         assert again.good("GET", "/chairs")["chosen"] == chair["id"]
         assert again.good("GET", "/limits") == SLOW
         assert ("limits", {"clinic": SLOW}) in again.process.calls

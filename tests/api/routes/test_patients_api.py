@@ -61,9 +61,7 @@ def test_an_open_session_of_another_patient_ends_only_when_the_person_agrees(sig
     opened = signed_in.good("POST", "/session", json={"patient_id": first})["session"]
     assert opened["trials"] == 0
     for ends in ({}, {"ends": opened["id"] + 1}):
-        refused = signed_in("POST", "/session", json={"patient_id": second, **ends})
-        assert refused.status_code == 409
-        words = refused.json()["detail"]
+        words = signed_in.refused(409, "POST", "/session", json={"patient_id": second, **ends})
         assert f"P-1 is open: begun by {opened['opened_by']} at " in words
         assert ", 0 trials. End it first, or confirm" in words
         assert signed_in.good("GET", "/session")["patient"]["id"] == first

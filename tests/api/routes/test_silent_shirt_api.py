@@ -1,9 +1,7 @@
 """A shirt that falls silent: the pages are told, nothing is started, and all is well once it sends again."""
 
-from typing import Any
-
 import pytest
-from api.fake_clinic import WHERE, WORD, Clinic
+from api.fake_clinic import WHERE, WORD, Clinic, next_message
 
 from app.session.equipment import shirt_watch
 from app.session.equipment.shirt import Equipment
@@ -16,18 +14,12 @@ def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shirt_watch, "WATCH_EVERY", 0.01)
 
 
-def until_told(socket: Any) -> None:
-    """Return when the pages are told that the equipment has changed."""
-    while socket.receive_json().get("event") != "equipment":
-        pass
-
-
 def test_nothing_is_started_while_the_shirt_is_silent_and_the_pages_know_why(calibrated: Clinic) -> None:
     process = calibrated.process
     assert calibrated.good("GET", "/session")["obstacle"] is None
     with calibrated.socket("/live") as socket:
         process.sends, process.shirt_words = False, NO_FRAMES
-        until_told(socket)
+        next_message(socket, lambda m: m.get("event") == "equipment")  # the pages are told
         obstacle = calibrated.good("GET", "/session")["obstacle"]
         assert obstacle["page"] == "shirt"
         assert calibrated.good("GET", "/controls/obstacle") == obstacle
@@ -35,11 +27,10 @@ def test_nothing_is_started_while_the_shirt_is_silent_and_the_pages_know_why(cal
         for path, body in (("/trials", WHERE), ("/interface-tests", {"screen": WORD})):
             assert calibrated.refused(409, "POST", path, json=body) == obstacle["message"]
         assert process.runs == calibrated.good("GET", "/session")["session"]["trials"] == 0
-        while socket.receive_json().get("shirt_words") != NO_FRAMES:
-            pass
+        next_message(socket, lambda m: m.get("shirt_words") == NO_FRAMES)
 
         process.sends, process.shirt_words = True, "Sends."
-        until_told(socket)
+        next_message(socket, lambda m: m.get("event") == "equipment")  # the pages are told
         assert calibrated.good("GET", "/session")["obstacle"] is None
         calibrated.start_trial()
 

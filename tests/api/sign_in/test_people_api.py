@@ -71,9 +71,7 @@ def test_the_last_owner_who_can_sign_in_stays_one(owned: Clinic) -> None:
         ("POST", f"/people/{ada}/disable", None),
         ("PUT", f"/people/{ada}", {"role": "clinician"}),
     ):
-        answer = owned(method, path, json=body)
-        assert answer.status_code == 409
-        assert "last owner who can sign in" in answer.json()["detail"]
+        assert "last owner who can sign in" in owned.refused(409, method, path, json=body)
     accepted(owned, owned.good("POST", f"/people/{id_of(owned, 'Eve')}/link"))
     assert owned.good("PUT", f"/people/{ada}", json={"role": "clinician"})["role"] == "clinician"
 
@@ -87,11 +85,8 @@ def test_changed_rights_end_the_sign_ins(owned: Clinic, ben: dict[str, str]) -> 
     with owned.as_person(ben):
         assert owned("GET", "/patients").status_code == 401
     row = owned.log()[-1]
-    assert (row.person, row.what, row.details["now"]) == (
-        "Ada",
-        "rights changed",
-        {"role": "reviewer", "patients": []},
-    )
+    assert (row.person, row.what) == ("Ada", "rights changed")
+    assert row.details["now"] == {"role": "reviewer", "patients": []}
 
 
 def test_the_own_password_needs_the_old_one_and_ends_the_other_sign_ins(owned: Clinic) -> None:

@@ -1,17 +1,14 @@
 """Who can sign in, and who cannot."""
 
-from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import pytest
-from api.fake_clinic import BASE, Clinic
-from api.running_app import running
+from api.fake_clinic import BASE
+from api.people_of_clinic import OWNER
 
 from app.api.sign_in import set_up
 from app.api.sign_in.hashing import Hashing
 from app.clock import monotonic
-from app.settings import Settings
 
 
 def test_the_code_of_the_link_signs_in_as_often_as_it_is_opened(clinic: Any) -> None:
@@ -46,14 +43,6 @@ def test_after_sign_out_the_old_cookie_is_worthless(signed_in: Any) -> None:
     assert signed_in.good("POST", "/auth/sign-out")["signed_in"] is False
     signed_in.client.cookies.clear()
     assert "sign in" in signed_in.refused(401, "GET", "/patients", headers={"Cookie": f"bodydrive_sign_in={token}"})
-
-
-@pytest.fixture
-def real(tmp_path: Path) -> Iterator[Clinic]:
-    yield from running(Settings(state=tmp_path, setup_code="set-up-code"))
-
-
-OWNER = {"code": "set-up-code", "name": "Ada", "password": "correct horse battery"}
 
 
 def test_the_set_up_code_makes_one_owner(real: Any) -> None:

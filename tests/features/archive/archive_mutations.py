@@ -12,6 +12,7 @@ from clinic_rows import SIMULATED, rows_in
 from exported_clinic import MEASURES, make_clinic
 from features.archive.archive_clinics import archive_of
 from recorded_trial import record_trial
+from stored_interface_test import MEASURES as TEST_MEASURES
 
 from app.calibration.script import calibration_script
 from app.clock import utc_now
@@ -34,20 +35,6 @@ from building import make_parameters
 
 PART = {"title": "Turn", "kind": "turn", "reached": True, "time": 3.5, "heading_error_deg": 4.0, "turn_drift": 0.1}
 ALL_MEASURES = {**MEASURES, "path_length": 6.0, "mean_speed": 0.5, "collisions": 0, "stages": 1, "parts": [PART]}
-TEST_MEASURES = {
-    "duration": 120.0,
-    "complete": True,
-    "acquired": 20,
-    "missed": 1,
-    "acquisitions_per_minute": 10.0,
-    "first_entry": 1.0,
-    "dial_in": 0.5,
-    "entries": 1.5,
-    "path_efficiency": 0.8,
-    "effective_width": 0.2,
-    "throughput": 1.25,
-    "directions": {"ahead": {"acquired": 5, "missed": 0, "movement_time": 1.5}},
-}
 QUALITY = ControlQuality(
     map_angle_deg=4.0,
     evr=0.9,

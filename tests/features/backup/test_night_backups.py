@@ -16,10 +16,8 @@ from app.store.keeping.record_time import record_keeping
 
 
 @pytest.fixture
-def night(settings: Settings, tmp_path: Path) -> Path:
+def night(settings: Settings, stick: Path) -> Path:
     """A clinic that has ended: a folder is chosen, and the hour is now."""
-    stick = tmp_path / "stick"
-    stick.mkdir()
     for clinic in running(settings):
         with clinic.rows() as rows:
             kept = record_keeping(rows.db)

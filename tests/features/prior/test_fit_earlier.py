@@ -5,7 +5,6 @@ from typing import Any
 
 import pytest
 from api import fake_clinic
-from features.prior.calibrated_others import record
 
 
 @pytest.fixture
@@ -21,7 +20,7 @@ def test_the_earlier_calibration_is_fitted_after_rest_and_free_movement(again: A
     wizard = again.good("GET", "/calibration")
     assert (wizard["earlier"]["version"], wizard["may_fit_earlier"]) == (1, False)
     assert again("POST", "/calibration/fit-earlier").status_code == 409
-    assert record(again, "rest", "free")["may_fit_earlier"] is True
+    assert again.record("rest", "free")["may_fit_earlier"] is True
     again.good("POST", "/calibration/fit-earlier")
     assert again.readings["fitted"] == ["rest", "free"]
     assert set(again.process.parameters["profile"]["high"]) == {1.5}  # it drives at once
@@ -50,22 +49,20 @@ def rings_since(calibrated_state: Path, monkeypatch: pytest.MonkeyPatch) -> None
 def test_a_calibration_from_before_the_layout_had_rings_still_fits(again: Any) -> None:
     assert again.process.parameters["profile"]["layout"] != fake_clinic.LAYOUT.model_dump(mode="json")
     assert again.good("GET", "/calibration")["earlier"]["version"] == 1
-    record(again, "rest", "free")
+    again.record("rest", "free")
     again.good("POST", "/calibration/fit-earlier")
     assert again.good("GET", "/adaptation")["back_to"] == 1
 
 
 def test_controls_that_a_clinician_set_are_kept(again: Any) -> None:
-    parameters = again.good("GET", "/controls")["parameters"]
-    del parameters["profile"]
-    again.good("PUT", "/controls", json={**parameters, "cutoff": 2.0})
-    record(again, "rest", "free")
+    again.set_controls(cutoff=2.0)
+    again.record("rest", "free")
     again.good("POST", "/calibration/fit-earlier")
     assert again.good("GET", "/controls")["parameters"]["cutoff"] == 2.0
 
 
 def test_a_shirt_that_sits_otherwise_is_one_sentence_and_nothing_changes(again: Any) -> None:
-    record(again, "rest", "free")
+    again.record("rest", "free")
     again.readings["fit"] = "At the right elbow the shirt is turned: turn it back."
     assert again.refused(409, "POST", "/calibration/fit-earlier") == again.readings["fit"]
     assert len(again.good("GET", f"/patients/{again.patient['id']}/maps")) == 1
@@ -79,5 +76,5 @@ def test_a_new_calibration_takes_its_place(again: Any) -> None:
 
 
 def test_somebody_new_has_no_earlier_calibration(in_session: Any) -> None:
-    assert record(in_session, "rest", "free")["earlier"] is None
+    assert in_session.record("rest", "free")["earlier"] is None
     assert in_session("POST", "/calibration/fit-earlier").status_code == 409
