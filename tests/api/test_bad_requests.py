@@ -6,7 +6,8 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
-from api.fake_clinic import LAYOUT, sentence_of
+from api.fake_clinic import sentence_of
+from api.fake_process import LAYOUT
 from starlette.websockets import WebSocketDisconnect
 
 from app.session.calibration.calibration_flow import CalibrationFlow

@@ -4,7 +4,8 @@ from typing import Any
 
 import pytest
 from api.drives.chair_drives import arm
-from api.fake_clinic import profile_for, sentence_of
+from api.fake_clinic import sentence_of
+from api.fake_process import profile_for
 
 from building import AGREES, taught_by_others
 

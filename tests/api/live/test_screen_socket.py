@@ -88,7 +88,7 @@ def test_a_page_that_stands_still_counts_less_long_on_a_real_chair(calibrated: A
         trials.current, drives.current = drives.current, None
 
 
-def test_a_second_socket_with_the_same_word_does_not_keep_the_chair_calibrated(calibrated: Any) -> None:
+def test_a_second_socket_with_the_same_word_does_not_keep_the_chair_driving(calibrated: Any) -> None:
     with calibrated.screen():
         calibrated.start_trial()
         since = len(calibrated.process.told)

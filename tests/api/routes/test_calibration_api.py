@@ -6,7 +6,8 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
-from api.fake_clinic import JOINTS, WHERE, Clinic, profile_for
+from api.fake_clinic import WHERE, Clinic
+from api.fake_process import JOINTS, profile_for
 from api.running_app import running
 
 from app.calibration.script import calibration_script

@@ -4,7 +4,8 @@ from typing import Any
 
 import pytest
 from api import running_app
-from api.fake_clinic import profile_for, sentence_of
+from api.fake_clinic import sentence_of
+from api.fake_process import profile_for
 
 from app.calibration.linear_map import LinearMap, MapCheck
 

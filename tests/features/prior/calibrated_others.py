@@ -2,7 +2,8 @@
 
 from typing import Any
 
-from api.fake_clinic import Clinic, profile_for
+from api.fake_clinic import Clinic
+from api.fake_process import profile_for
 
 from app.calibration.linear_map import KINDS
 from app.layout import Channel, ShirtLayout

@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from api import fake_clinic
+from api import fake_process
 
 
 @pytest.fixture
@@ -40,14 +40,14 @@ def rings_since(calibrated_state: Path, monkeypatch: pytest.MonkeyPatch) -> None
     """The layout of the shirt names a ring, which it did not when the patient was calibrated."""
     channels = tuple(
         one.model_copy(update={"ring": "cuff"}) if one.joint == "right_elbow" else one
-        for one in fake_clinic.LAYOUT.channels
+        for one in fake_process.LAYOUT.channels
     )
-    monkeypatch.setattr(fake_clinic, "LAYOUT", fake_clinic.LAYOUT.model_copy(update={"channels": channels}))
+    monkeypatch.setattr(fake_process, "LAYOUT", fake_process.LAYOUT.model_copy(update={"channels": channels}))
 
 
 @pytest.mark.usefixtures("rings_since")
 def test_a_calibration_from_before_the_layout_had_rings_still_fits(again: Any) -> None:
-    assert again.process.parameters["profile"]["layout"] != fake_clinic.LAYOUT.model_dump(mode="json")
+    assert again.process.parameters["profile"]["layout"] != fake_process.LAYOUT.model_dump(mode="json")
     assert again.good("GET", "/calibration")["earlier"]["version"] == 1
     again.record("rest", "free")
     again.good("POST", "/calibration/fit-earlier")
