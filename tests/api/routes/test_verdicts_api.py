@@ -56,8 +56,9 @@ def test_the_curve_of_one_measure_is_that_of_all_of_them(course: Any) -> None:
     assert len(every["curves"]) > 1
     assert {**one, "curves": None} == {**every, "curves": None}
     query = {"floorplan": PLAN.name, "path": "x", "measure": "E_diff"}
-    refused = course.refused(422, "GET", f"/patients/{course.heron}/learning", params=query)
-    assert "is no measure: choose one of stages_done, " in refused
+    refused = course("GET", f"/patients/{course.heron}/learning", params=query)
+    assert refused.status_code == 422
+    assert "is no measure: choose one of stages_done, " in refused.json()["detail"]
 
 
 def test_a_trial_has_its_verdict_against_the_one_before_and_against_a_chosen_one(course: Any) -> None:
