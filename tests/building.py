@@ -6,6 +6,7 @@ from app.calibration.linear_map import RATE_LAGS, LinearMap, MapCheck
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.layout import Channel, Joint, ShirtLayout
+from app.world.floorplan import FloorPlan
 
 PAPER_JOINTS = ("right_elbow", "left_elbow", "right_shoulder", "left_shoulder")
 
@@ -28,6 +29,39 @@ def covariance_of_independent(weights):
     return tuple(map(tuple, np.diag(variances).tolist()))
 
 
+def joint_map(name, channels, rates, weights=None, dead_zone=0.2, full=1.0, **changes):
+    """Return a map that reads its channels with `rates`; `weights` are those of `covariance_of_independent`."""
+    usual = {
+        "mean": (0.0,) * len(channels),
+        "evr": 0.9,
+        "prompted": True,
+        "rest_rate": 0.04,
+        "step": 0.035,
+        "filtered_step": 0.06,
+        "covariance": covariance_of_independent([1.0] * len(channels) if weights is None else weights),
+        "grade": "good",
+        "reason": "Clear.",
+    }
+    pca = LinearMap(rates=(tuple(rates),), dead_zone=dead_zone, full=full)
+    return JointMap(name=name, channels=tuple(channels), pca=pca, **{**usual, **changes})
+
+
+def profile_of(layout, joints, low=0.0, high=1.0, sample_rate=100.0):
+    """Return a profile of these maps, whose channels are within `low` and `high`."""
+    count = len(layout.channels)
+    return CalibrationProfile(
+        created="2025-01-01T00:00:00+00:00",
+        software="0",
+        layout=layout,
+        sample_rate=sample_rate,
+        left_out={},
+        low=(low,) * count,
+        high=(high,) * count,
+        noise=(0.0,) * count,
+        joints=tuple(joints),
+    )
+
+
 def make_profile(n_channels=52, sample_rate=100.0, seed=1, joints=PAPER_JOINTS, dead_zone=0.2, full=1.0):
     """Return a profile with random unit weights and a range that no test signal leaves."""
     rng = np.random.default_rng(seed)
@@ -36,33 +70,9 @@ def make_profile(n_channels=52, sample_rate=100.0, seed=1, joints=PAPER_JOINTS, 
     for name, channels in layout.channels_of_joint.items():
         weights = rng.normal(size=len(channels))
         rates = tuple((weights / np.linalg.norm(weights) / 3.0).tolist())  # a span of 3
-        maps.append(
-            JointMap(
-                name=name,
-                channels=tuple(channels),
-                mean=tuple(rng.normal(size=len(channels)).tolist()),
-                evr=0.9,
-                prompted=True,
-                rest_rate=0.02,
-                pca=LinearMap(rates=(rates,), dead_zone=dead_zone, full=full),
-                step=0.035,
-                filtered_step=0.06,
-                covariance=covariance_of_independent(weights),
-                grade="good",
-                reason="made for a test",
-            )
-        )
-    return CalibrationProfile(
-        created="2026-01-01T00:00:00+00:00",
-        software="test",
-        layout=layout,
-        sample_rate=sample_rate,
-        left_out={},
-        low=(-100.0,) * n_channels,
-        high=(100.0,) * n_channels,
-        noise=(0.0,) * n_channels,
-        joints=tuple(maps),
-    )
+        mean = tuple(rng.normal(size=len(channels)).tolist())
+        maps.append(joint_map(name, channels, rates, weights, dead_zone, full, mean=mean, rest_rate=0.02))
+    return profile_of(layout, maps, -100.0, 100.0, sample_rate)
 
 
 def taught_by_others(profile, repetitions=0, joints=None, **of_prior):
@@ -103,3 +113,17 @@ def make_signals(parameters, n=2000, seed=0, strokes=True):
         channels = list(joint.channels)
         values[:, channels] += np.array(joint.mean) + np.outer(posture * joint.span, joint.direction)
     return values.astype(np.float32)
+
+
+def plan_of(walls=(), **more):
+    """Return a floor plan with one straight path, 6 m along x."""
+    room = ((-2.0, -3.0), (9.0, -3.0), (9.0, 3.0), (-2.0, 3.0), (-2.0, -3.0))
+    return FloorPlan.model_validate(
+        {
+            "name": "room",
+            "title": "Room",
+            "walls": [room, *walls],
+            "paths": [{"name": "ahead", "title": "Ahead", "points": [(0.0, 0.0), (6.0, 0.0)], "instruction": "Go."}],
+            **more,
+        }
+    )

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from clinic_rows import ClinicRows
 from hypothesis import settings
 from sqlalchemy.orm import Session
 from store.shared_statements import share_statements
@@ -64,6 +65,12 @@ def database(new_database: Path, tmp_path: Path) -> Iterator[Database]:
 def db(database: Database) -> Iterator[Session]:
     with database.transaction() as session:
         yield session
+
+
+@pytest.fixture
+def rows(db: Session) -> ClinicRows:
+    """Return the builder of a clinic's rows."""
+    return ClinicRows(db)
 
 
 @pytest.fixture

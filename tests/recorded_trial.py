@@ -3,6 +3,8 @@
 import math
 import uuid
 
+from clinic_rows import ClinicRows
+
 from app.calibration.vocabulary import DriveParameters
 from app.faults import Fault
 from app.hardware.chair.simulator import VirtualChair
@@ -11,25 +13,9 @@ from app.pipeline.chain import Chain
 from app.pipeline.safety_gate import Conditions
 from app.process.ring import RING_SLOTS, TickRing
 from app.recording.writer import RunWriter
-from app.store.runs import add_run, add_trial, finish_trial
-from app.world.floorplan import FloorPlan
-from building import make_signals
+from building import make_signals, plan_of
 
 STARTED = 5000.0  # s on the monotonic clock
-
-
-def plan_of(walls=(), **more):
-    """Return a floor plan with one straight path, 6 m along x."""
-    room = ((-2.0, -3.0), (9.0, -3.0), (9.0, 3.0), (-2.0, 3.0), (-2.0, -3.0))
-    return FloorPlan.model_validate(
-        {
-            "name": "room",
-            "title": "Room",
-            "walls": [room, *walls],
-            "paths": [{"name": "ahead", "title": "Ahead", "points": [(0.0, 0.0), (6.0, 0.0)], "instruction": "Go."}],
-            **more,
-        }
-    )
 
 
 def record_trial(
@@ -105,16 +91,4 @@ def record_trial(
 
 def store_trial(db, run, owners, plan, source, measures):
     """Store a finished trial on the first path of `plan`; `owners`: the rows of its session and its parameters."""
-    session, parameters = owners
-    path = plan.paths[0]
-    trial = add_trial(
-        db,
-        run=add_run(db, run, session.id, "drive", run, source),
-        patient_id=session.patient_id,
-        parameters_id=parameters.id,
-        floorplan=plan.name,
-        floorplan_title=plan.title,
-        path=path.name,
-        path_points=[[x, y] for x, y in path.points],
-    )
-    return finish_trial(db, trial.id, "by hand", measures)
+    return ClinicRows(db).trial(owners[0], measures, plan=plan, source=source, run=run, end="by hand")

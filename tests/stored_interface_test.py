@@ -2,14 +2,14 @@
 
 import uuid
 
+from clinic_rows import SIMULATED
+
 from app.features.interface_tests.service import add_interface_test, finish_interface_test
-from app.source import Source
 from app.store.parameters import current_parameters
 from app.store.runs import add_run
 from app.store.tables import PatientSession
 from app.world.cursor_task import CursorPlan
 
-SIMULATED = Source(shirt="simulator", body="person", chair="virtual", simulated=True)
 WAYS = {way: {"acquired": 5, "missed": 0, "movement_time": 2.5} for way in ("ahead", "back", "left", "right")}
 MEASURES = {
     "duration": 120.0,

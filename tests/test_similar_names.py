@@ -1,15 +1,13 @@
 """Names that look alike are refused in a sentence; those of one script that differ are not."""
 
 import pytest
+from clinic_rows import ClinicRows
 from hypothesis import given
 from hypothesis import strategies as st
-from sqlalchemy.orm import Session
 
 from app.refusals import Conflict
 from app.similar_names import mixed_word, require_distinct, similar_name, skeleton
 from app.store.files.name_conflicts import name_for
-from app.store.patients import add_patient
-from app.store.people import add_clinic, add_person
 
 
 @pytest.mark.parametrize(
@@ -55,16 +53,15 @@ def test_a_name_looks_like_itself_and_nothing_is_raised(name: str) -> None:
     mixed_word(name)
 
 
-def test_people_patients_and_files_are_told_apart(db: Session) -> None:
-    clinic = add_clinic(db, "Clinic")
-    add_person(db, clinic, "Cop", "owner", None)
-    add_patient(db, "P-1", "Heron", "")
+def test_people_patients_and_files_are_told_apart(rows: ClinicRows) -> None:
+    rows.person("Cop")
+    rows.patient("P-1")
     with pytest.raises(Conflict, match=r"There is somebody called 'Cop' already, and '.*' looks the same"):
-        add_person(db, clinic, "\u0421\u043e\u0440", "reviewer", None)
+        rows.person("\u0421\u043e\u0440", "reviewer")
     with pytest.raises(Conflict, match="a patient of the code 'P-1' already"):
-        add_patient(db, "P-l", "Wren", "")
+        rows.patient("P-l", "Wren")
     with pytest.raises(Conflict, match="of two scripts"):
-        add_patient(db, "P-2", "W\u0433en", "")
+        rows.patient("P-2", "W\u0433en")
     with pytest.raises(Conflict, match="looks the same"):
         name_for("walk-l.csv", ["walk-1.csv"], "ask")
     assert name_for("walk-l.csv", ["walk-1.csv"], "keep-both") == "walk-l.csv"

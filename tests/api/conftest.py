@@ -4,32 +4,35 @@ import shutil
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from typing import Any
 
 import pytest
 from api.fake_clinic import Clinic
 from api.pairing import code_of, only, pair
+from api.people_of_clinic import OWNER
 from api.running_app import running
+from clinic_rows import rows_in
 from session.same_process import SameProcess
 from session.same_reader import read_in_this_process
-from store.known_people import known_clinic, known_person
 
 from app.api import package_download
 from app.api.sign_in import hashing
-from app.clock import utc_now
 from app.session import run_watch
 from app.session.calibration import calibration_flow
 from app.settings import Settings
-from app.store.access.sign_ins import sign_in as sign_in_person
-from app.store.database import Database
 from app.store.files import ballast
-from app.store.people import add_clinic, add_person, find_person
 
 CODE = "the-code-of-the-link"
 
 
 def demonstration(state: Path) -> Settings:
     return Settings(state=state, demo_code=CODE)
+
+
+def new_demonstration(state: Path) -> Settings:
+    """Make a demonstration that nobody used yet."""
+    settings = demonstration(state)
+    with rows_in(settings, "Demonstration"):
+        return settings
 
 
 def sign_in(clinic: Clinic) -> None:
@@ -59,12 +62,7 @@ def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture(scope="session")
 def new_state(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder of a demonstration that nobody used yet."""
-    settings = demonstration(tmp_path_factory.mktemp("new") / "state")
-    database = Database(settings.database)
-    with database.transaction() as db:
-        add_clinic(db, "Demonstration")
-    database.close()
-    return settings.state
+    return new_demonstration(tmp_path_factory.mktemp("new") / "state").state
 
 
 @pytest.fixture(scope="session")
@@ -101,6 +99,24 @@ def clinic(settings: Settings, new_state: Path) -> Iterator[Clinic]:
     """A demonstration, nobody signed in."""
     shutil.copytree(new_state, settings.state)
     yield from running(settings)
+
+
+@pytest.fixture
+def real_settings(tmp_path: Path) -> Settings:
+    return Settings(state=tmp_path / "real", setup_code=OWNER["code"])
+
+
+@pytest.fixture
+def real(real_settings: Settings) -> Iterator[Clinic]:
+    """A real clinic, as `serve` opens it, without an owner yet."""
+    yield from running(real_settings)
+
+
+@pytest.fixture
+def owned(real: Clinic) -> Clinic:
+    """A real clinic with its first owner, whose browser is used."""
+    real.good("POST", "/auth/setup", json=OWNER)
+    return real
 
 
 @pytest.fixture
@@ -156,30 +172,12 @@ def screen(paired: Clinic) -> Clinic:
 @pytest.fixture
 def trial(calibrated: Clinic) -> int:
     """Drive one trial, and return its id."""
-    plan = calibrated.good("GET", "/floorplans")[0]
-    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": "screen-of-the-test"}
-    with calibrated.screen("screen-of-the-test"):
-        calibrated.good("POST", "/trials", json=where)
-        return int(calibrated.good("POST", "/trials/current/end", json={})["id"])
-
-
-@pytest.fixture
-def cookies_of(calibrated: Clinic) -> Any:
-    """Return a function that signs somebody in, and returns the cookies."""
-    database = calibrated.database
-
-    def cookies(name: str, role: str, patients: list[int] | None = None) -> dict[str, str]:
-        with database.transaction() as db:
-            if find_person(db, name) is None:
-                add_person(db, known_clinic(db), name, role, None, patients=patients)
-            return {"bodydrive_sign_in": sign_in_person(db, known_person(db, name), "test")}
-
-    return cookies
+    return int(calibrated.drive_trial()["id"])
 
 
 @pytest.fixture
 def consented(calibrated: Clinic) -> Clinic:
     """A clinic whose patient has consented to sharing today."""
-    path = f"/patients/{calibrated.patient['id']}/consents/sharing"
-    calibrated.good("PUT", path, json={"given": utc_now().astimezone().date().isoformat()})
+    with calibrated.rows() as rows:
+        rows.consent(calibrated.patient["id"], "sharing")
     return calibrated

@@ -1,31 +1,22 @@
 """A running web application with a stand-in for the control process."""
 
-import asyncio
 import time
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
+from api.fake_process import FakeProcess
+from clinic_rows import ClinicRows
 
 from app.api.live.screens import Screen, Screens
 from app.api.parts import Parts, parts_of
-from app.calibration.linear_map import LinearMap
-from app.calibration.profile import CalibrationProfile, JointMap
 from app.clock import monotonic
-from app.faults import Fault, State
-from app.hardware.configs import SHIRTS
-from app.layout import Channel, Joint, ShirtLayout
-from app.messages import NO_CUE, TICK
-from app.pipeline.commands import STOPPED_BY
-from app.process.command_channel import LinkLost, LinkRefused
 from app.session.open_session import SessionFlow
 from app.settings import Settings
+from app.speeds import Speeds
 from app.store.database import Database
-from app.store.tables import LogEntry
-from building import covariance_of_independent
+from app.store.tables import LogEntry, Patient
 
 with warnings.catch_warnings():
     # Starlette announces the successor of httpx, which is not needed here.
@@ -33,176 +24,39 @@ with warnings.catch_warnings():
     from starlette.testclient import TestClient
 
 WORD = "the-screen-of-the-tests"
-JOINTS = ("right_elbow", "left_elbow", "right_shoulder", "left_shoulder")
 BASE = "http://127.0.0.1:8080"
-LAYOUT = ShirtLayout(
-    name="Test shirt",
-    channels=tuple(Channel(name=f"{joint}_{i}", joint=joint) for joint in JOINTS for i in (1, 2)),
-    joints=tuple(Joint(name=joint, label=joint.replace("_", " ").capitalize()) for joint in JOINTS),
-)
+SOCKETS = f"{BASE.replace('http', 'ws')}/api/v1"
+WHERE = {"floorplan": "apartment", "path": "main", "screen": WORD}  # what starts a trial
 
 
-def profile_for(layout: ShirtLayout) -> CalibrationProfile:
-    maps = tuple(
-        JointMap(
-            name=joint,
-            channels=tuple(indices),
-            mean=(0.0,) * len(indices),
-            evr=0.85,
-            prompted=True,
-            signal_to_noise=20.0,
-            rest_rate=0.04,
-            pca=LinearMap(rates=((1.0,) + (0.0,) * (len(indices) - 1),), dead_zone=0.2, full=1.0),
-            step=0.035,
-            filtered_step=0.06,
-            covariance=covariance_of_independent([1.0] * len(indices)),
-            grade="good",
-            reason="Clear.",
-        )
-        for joint, indices in layout.channels_of_joint.items()
-    )
-    count = len(layout.channels)
-    return CalibrationProfile(
-        created="2025-01-01T00:00:00+00:00",
-        software="0",
-        layout=layout,
-        sample_rate=100.0,
-        left_out={},
-        low=(0.0,) * count,
-        high=(1.0,) * count,
-        noise=(0.0,) * count,
-        joints=maps,
-    )
+def until(true: Callable[[], Any], patience: float = 60.0) -> Any:
+    """Wait until something is true, and return it; `patience` in s."""
+    end = time.monotonic() + patience
+    while not (found := true()):
+        assert time.monotonic() < end
+        time.sleep(0.05)
+    return found
 
 
-class FakeProcess:
-    """Answers as the control process would, and keeps its commands; `run_t` is its clock for runs."""
+def next_message(socket: Any, is_it: Callable[[Any], bool], most: int = 5000) -> Any:
+    """Return the next message of a socket that is the one, and fail after so many others."""
+    for _ in range(most):
+        message = socket.receive_json()
+        if is_it(message):
+            return message
+    raise AssertionError("no such message came")
 
-    def __init__(self) -> None:
-        self.calls: list[tuple[str, dict[str, Any]]] = []
-        self.told: list[tuple[str, dict[str, Any]]] = []
-        self.refuse: dict[str, str] = {}
-        self.dead = asyncio.Event()
-        self.loop = asyncio.get_running_loop()
-        self.state, self.fault = State.DISARMED, Fault.NONE
-        self.run, self.runs, self.run_t = 0, 0, 0.0
-        self.pose = (0.0, 0.0, 0.0)
-        self.number = 0
-        self.parameters: dict[str, Any] | None = None
-        self.silent = False
-        self.shirt_words, self.sends = "Sends.", True  # whether frames come from the shirt
-        self.stops, self.dial, self.chair = 0, 1.0, "virtual"
-        self.says: dict[str, Any] = {"battery": 0.5}  # what the real chair says, by the names of the tick
-        self.switch_seen = False
-        self.mistrust = ""  # why the shirt arms no real chair
-        self.senders: dict[str, Any] | None = None  # of a shirt over the network
-        self.shirt, self.body = "", None
-        self.layout = LAYOUT  # of the next shirt that is opened
 
-    async def call(self, do: str, **fields: Any) -> dict[str, Any]:
-        if self.dead.is_set():
-            raise LinkLost
-        if do != "status":  # which is asked all the time
-            self.calls.append((do, fields))
-        if do in self.refuse:
-            raise LinkRefused(self.refuse[do])
-        if do == "body":
-            self.body = fields["config"]["kind"]
-        if do == "shirt":
-            self.shirt, self.body = fields["config"]["kind"], None
-            return {"layout": self.layout.model_dump(mode="json"), "sample_rate": 100.0, "mistrust": self.mistrust}
-        if do == "parameters":
-            self.parameters = fields["parameters"]
-        if do == "run":
-            self.runs += 1
-            self.run, self.run_t = self.runs, 0.0
-            self._disarm()
-            simulated = SHIRTS[self.shirt].simulated
-            source = {"shirt": self.shirt, "body": self.body, "chair": self.chair, "simulated": simulated}
-            return {"run": self.run, "source": source}
-        if do == "end_run":
-            self.run = 0
-            self._disarm()
-            return {"rows": 500, "dropped": 0}
-        if do == "arm":
-            if self.parameters is None:
-                raise LinkRefused("Nothing is loaded.")
-            if self.state is State.FAULT:
-                raise LinkRefused("There was a stop. Take the stop back, then start again.")
-            self.state = State.ARMED
-        if do == "chair":
-            self.chair = fields["config"]["kind"]
-            return {"kind": self.chair}
-        if do == "dial":
-            self.dial = fields["share"]
-            return {"share": self.dial}
-        if do == "stop":
-            self.stops += 1
-            self.state, self.fault = State.FAULT, STOPPED_BY[fields["by"]]
-        if do == "clear" and self.state is State.FAULT:
-            if fields["stops"] != self.stops:
-                raise LinkRefused("There was another stop meanwhile.")
-            self.state, self.fault = (State.ARMED if self.run else State.DISARMED), Fault.NONE
-        if do == "status":
-            return {
-                "shirt": {
-                    "kind": "simulator",
-                    "words": self.shirt_words,
-                    "alive": self.sends,
-                    "silent": not self.sends,
-                    "sample_rate": 100.0,
-                    "lost": 0,
-                    "senders": self.senders,
-                },
-                "realtime": ["No real-time scheduling."],
-                "late": 0,
-                "recording": None,
-                "hash": None,
-                "chair": {"kind": self.chair, "words": f"A {self.chair} chair.", "switch_seen": self.switch_seen},
-                "dial": self.dial,
-            }
-        return {}
-
-    def _disarm(self) -> None:
-        if self.state is not State.FAULT:  # a latched stop outlives the run
-            self.state = State.DISARMED
-
-    def send(self, do: str, **fields: Any) -> None:
-        if self.dead.is_set():
-            raise LinkLost
-        self.told.append((do, fields))
-
-    def newest(self) -> np.void | None:
-        ticks = self.since(0)
-        return ticks[-1]
-
-    def since(self, _number: int) -> NDArray[np.void]:
-        self.number += 1
-        tick = np.zeros(1, TICK)
-        tick["number"], tick["t"] = self.number, 0.0 if self.silent else monotonic()
-        tick["run"], tick["run_t"] = self.run, self.run_t if self.run else np.nan
-        tick["x"], tick["y"], tick["theta"] = self.pose
-        tick["state"], tick["fault"], tick["cue"] = self.state, self.fault, NO_CUE
-        tick["has_frame"], tick["n_channels"], tick["n_gestures"] = self.sends, 8, 4
-        tick["stops"], tick["dial"], tick["chair_kind"] = self.stops, self.dial, self.chair == "udp"
-        for name, value in self.says.items():
-            tick[name] = value
-        tick["values"][0, :8] = np.nan
-        tick["values"][0, 1] = 0.5
-        return tick
-
-    def kill(self) -> None:
-        self.die()
-
-    def die(self) -> None:
-        """Die as a process does: at any moment, outside of every thread."""
-        self.loop.call_soon_threadsafe(self.dead.set)
-
-    async def died(self) -> None:
-        await self.dead.wait()
-
-    async def close(self) -> None:
-        self.dead.set()
+def sentence_of(answer: Any, status: int, asked: str = "") -> str:
+    """Return the sentence of a refusal that must have this status; `asked` names the request in a failure."""
+    assert answer.status_code == status, f"{asked}{answer.text}"
+    detail = answer.json()["detail"]
+    assert isinstance(detail, str), f"{asked}{detail}"
+    assert detail.endswith("."), f"{asked}{detail}"
+    assert not detail.endswith(".."), f"{asked}{detail}"
+    assert "/tmp/" not in detail, f"{asked}{detail}"
+    assert len(detail) < 300, f"{asked}{detail}"
+    return detail
 
 
 class Clinic:
@@ -235,11 +89,19 @@ class Clinic:
                 return answer
             time.sleep(0.02)
 
+    def refused(self, status: int, method: str, path: str, **more: Any) -> str:
+        """Send a request that must be refused with this status, and return the sentence of the answer."""
+        return sentence_of(self(method, path, **more), status, f"{method} {path}: ")
+
+    def socket(self, path: str, origin: str | None = BASE) -> Any:
+        """Open a websocket of the API, as a page of `origin` does."""
+        headers = {} if origin is None else {"Origin": origin}
+        return self.client.websocket_connect(f"{SOCKETS}{path}", headers=headers)
+
     @contextmanager
     def screen(self, word: str = WORD) -> Iterator[Any]:
         """Open the socket of a screen that is in view, of the first person who signed in."""
-        url = f"{BASE.replace('http', 'ws')}/api/v1/screen"
-        with self.client.websocket_connect(url, headers={"Origin": BASE}) as socket:
+        with self.socket("/screen") as socket:
             socket.send_json({"screen": word, "visible": True, "silence": 0.0})
             while self.parts[Screens].age(Screen(1, word), monotonic()) is None:
                 time.sleep(0.002)
@@ -268,20 +130,85 @@ class Clinic:
         with self.database.transaction() as db:
             return list(db.query(LogEntry).order_by(LogEntry.id))
 
-    def begin_session(self) -> Any:
-        patient = self.good("POST", "/patients", json={"code": "P-1", "pseudonym": "Heron"})
-        return self.open_session(patient["id"])["patient"]
+    @contextmanager
+    def rows(self) -> Iterator[ClinicRows]:
+        """Build rows in the application's own database."""
+        with self.database.transaction() as db:
+            yield ClinicRows(db)
+
+    def cookies_of(self, name: str, role: str = "clinician", patients: list[int] | None = None) -> dict[str, str]:
+        """Sign a person in, who is added unless the name is known; return the cookies of a browser of their own."""
+        with self.rows() as rows:
+            return {"bodydrive_sign_in": rows.sign_in(name, role, patients)}
+
+    @contextmanager
+    def as_person(self, cookies: dict[str, str]) -> Iterator[None]:
+        """Use the browser of another person, and put back the cookies of before."""
+        before = dict(self.client.cookies)
+        self.client.cookies.clear()
+        self.client.cookies.update(cookies)
+        yield
+        self.client.cookies.clear()
+        self.client.cookies.update(before)
+
+    def add_patient(self, code: str = "P-1", pseudonym: str = "Heron") -> int:
+        """Add a patient, and return the id."""
+        return int(self.good("POST", "/patients", json={"code": code, "pseudonym": pseudonym})["id"])
+
+    def rename_patient(self, code: str, pseudonym: str) -> None:
+        """Give the patient who is here from the start another code and pseudonym."""
+        with self.rows() as rows:
+            patient = rows.db.get_one(Patient, self.patient["id"])
+            patient.code, patient.pseudonym = code, pseudonym
+
+    def begin_session(self, code: str = "P-1") -> Any:
+        """Add a patient and open a session; return the patient."""
+        return self.open_session(self.add_patient(code))["patient"]
 
     def open_session(self, patient_id: int) -> Any:
         """Open a patient's session, and end the one that is open."""
-        return self.good(
-            "POST", "/session", json={"patient_id": patient_id, "ends": self.parts[SessionFlow].session_id}
-        )
+        ends = self.parts[SessionFlow].session_id
+        return self.good("POST", "/session", json={"patient_id": patient_id, "ends": ends})
+
+    def record(self, *steps: str) -> Any:
+        """Record steps of the calibration to their ends, one after the other; return the calibration."""
+        for step in steps:
+            self.good("POST", f"/calibration/steps/{step}/start")
+            self.end_step()
+        return self.good("GET", "/calibration")
+
+    def end_step(self) -> Any:
+        """Let the step of the calibration that is being recorded come to its end; return the calibration."""
+        self.process.run_t = 1000.0
+        return self.until("/calibration", lambda calibration: calibration["running"] is None)
 
     def calibrate(self) -> Any:
-        for step in self.good("GET", "/calibration")["steps"][:-1]:
-            self.good("POST", f"/calibration/steps/{step['id']}/start")
-            self.process.run_t = 1000.0
-            self.until("/calibration", lambda c: c["running"] is None)
+        """Record every step, and accept the result."""
+        self.record(*(step["id"] for step in self.good("GET", "/calibration")["steps"][:-1]))
         self.until("/calibration", lambda c: c["result"] is not None and c["running"] is None)
         return self.good("POST", "/calibration/accept")
+
+    def set_controls(self, **changed: Any) -> Any:
+        """Set the controls as they are, but for what is changed."""
+        now = self.good("GET", "/controls")["parameters"]
+        del now["profile"]
+        return self.good("PUT", "/controls", json={**now, **changed})
+
+    def choose_chair(self, **speeds: float) -> Any:
+        """Pair a real chair, and choose it."""
+        chair = {"name": "Blue", "host": "10.0.0.7", "port": 5354, "speeds": {**Speeds().model_dump(), **speeds}}
+        chairs = self.good("POST", "/chairs", json=chair)["chairs"]
+        return self.good("PUT", "/chairs/chosen", json={"id": chairs[-1]["id"], "dynamics": "unicycle"})
+
+    def start_trial(self, **where: Any) -> Any:
+        """Start a trial in the apartment, unless `where` names another place, screen or picture."""
+        return self.good("POST", "/trials", json={**WHERE, **where})
+
+    def end_trial(self) -> Any:
+        """End the trial by hand."""
+        return self.good("POST", "/trials/current/end", json={"reason": "by hand"})
+
+    def drive_trial(self) -> Any:
+        """Start a trial and end it at once; return the finished trial."""
+        self.start_trial()
+        return self.end_trial()

@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from api.fake_clinic import BASE, Clinic, FakeProcess, profile_for
+from api.fake_clinic import BASE, Clinic
+from api.fake_process import FakeProcess, profile_for
 from api.one_hop import OneHop
 from session.same_process import SameProcess
 from starlette.testclient import TestClient

@@ -6,15 +6,14 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
-from api.fake_clinic import BASE, LAYOUT, WORD
+from api.fake_clinic import sentence_of
+from api.fake_process import LAYOUT
 from starlette.websockets import WebSocketDisconnect
 
 from app.session.calibration.calibration_flow import CalibrationFlow
 from app.session.trial import TrialFlow
 
 LONG = "k" * 100_000
-ORIGIN = {"Origin": BASE}
-LIVE = f"{BASE.replace('http', 'ws')}/api/v1/live"
 
 
 def everything(socket: Any) -> None:
@@ -22,19 +21,10 @@ def everything(socket: Any) -> None:
         socket.receive_json()
 
 
-def sentence(answer: Any, status: int) -> str:
-    assert answer.status_code == status, answer.text
-    detail: str = answer.json()["detail"]
-    assert isinstance(detail, str)
-    assert detail.endswith(".")
-    assert len(detail) < 300
-    return detail
-
-
 @pytest.mark.parametrize("number", ["9223372036854775808", "99999999999999999999999", "-1", "NaN"])
 def test_an_id_that_no_database_holds_is_refused(signed_in: Any, number: str) -> None:
     for method, path in (("DELETE", f"/patients/{number}"), ("POST", f"/patients/{number}/restore")):
-        sentence(signed_in(method, path), 422)
+        signed_in.refused(422, method, path)
 
 
 @pytest.mark.parametrize(
@@ -47,16 +37,16 @@ def test_an_id_that_no_database_holds_is_refused(signed_in: Any, number: str) ->
     ],
 )
 def test_a_body_that_cannot_be_taken_apart(signed_in: Any, content: bytes, kind: str, status: int) -> None:
-    sentence(signed_in("POST", "/patients", content=content, headers={"Content-Type": kind}), status)
+    signed_in.refused(status, "POST", "/patients", content=content, headers={"Content-Type": kind})
     assert signed_in.good("GET", "/patients") == []
 
 
 def test_names_without_end_are_not_said_back(signed_in: Any) -> None:
-    assert "must be one of 'simulator'" in sentence(signed_in("PUT", "/equipment/shirt", json={"kind": LONG}), 422)
-    assert "'kind' is missing" in sentence(signed_in("PUT", "/equipment/shirt", json={}), 422)
-    sentence(signed_in("GET", "/floorplans/" + LONG[:5000]), 422)
+    assert "must be one of 'simulator'" in signed_in.refused(422, "PUT", "/equipment/shirt", json={"kind": LONG})
+    assert "'kind' is missing" in signed_in.refused(422, "PUT", "/equipment/shirt", json={})
+    signed_in.refused(422, "GET", "/floorplans/" + LONG[:5000])
     for name in (LONG[:4000], "..", "../clinic.db", "/etc/passwd"):
-        sentence(signed_in("PUT", "/equipment/shirt", json={"kind": "replay", "file": name}), 404)
+        signed_in.refused(404, "PUT", "/equipment/shirt", json={"kind": "replay", "file": name})
 
 
 def test_an_error_of_ours_is_a_sentence_without_a_word_of_the_inside(
@@ -67,17 +57,17 @@ def test_an_error_of_ours_is_a_sentence_without_a_word_of_the_inside(
 
     monkeypatch.setattr("app.features.log.routes.verify_log", fails)
     answer = signed_in("GET", "/log/check")
-    assert "report it" in sentence(answer, 500)
+    assert "report it" in sentence_of(answer, 500)
     assert [word for word in ("of the inside", "Traceback", "RuntimeError", ".py") if word in answer.text] == []
     assert "of the inside" in caplog.text  # for whoever mends it
 
 
 def test_a_form_that_is_none(signed_in: Any) -> None:
-    sentence(signed_in("POST", "/equipment/files", data={"file": "text"}), 422)
+    signed_in.refused(422, "POST", "/equipment/files", data={"file": "text"})
     form = {"Content-Type": "multipart/form-data; boundary=x"}
-    sentence(signed_in("POST", "/equipment/files", content=b"junk", headers=form), 422)
+    signed_in.refused(422, "POST", "/equipment/files", content=b"junk", headers=form)
     parts = b"".join(b'--x\r\nContent-Disposition: form-data; name="f%d"\r\n\r\n1\r\n' % i for i in range(1100))
-    sentence(signed_in("POST", "/equipment/files", content=parts + b"--x--", headers=form), 422)
+    signed_in.refused(422, "POST", "/equipment/files", content=parts + b"--x--", headers=form)
 
 
 def test_a_bad_file_does_not_take_the_place_of_a_good_one(signed_in: Any, settings: Any) -> None:
@@ -94,8 +84,8 @@ def test_a_bad_file_does_not_take_the_place_of_a_good_one(signed_in: Any, settin
 def test_a_body_that_does_not_fit_leaves_the_shirt_before(signed_in: Any) -> None:
     before = signed_in.good("GET", "/equipment")
     signed_in.process.refuse["body"] = "This body has no joint of that shirt: choose another body."
-    answer = signed_in("PUT", "/equipment/shirt", json={"kind": "simulator", "seed": 7})
-    assert "choose another body" in sentence(answer, 409)
+    chosen = {"kind": "simulator", "seed": 7}
+    assert "choose another body" in signed_in.refused(409, "PUT", "/equipment/shirt", json=chosen)
     del signed_in.process.refuse["body"]
     after = signed_in.good("GET", "/equipment")
     assert (after["shirt"], after["body"]) == (before["shirt"], before["body"])
@@ -107,20 +97,20 @@ def test_a_refused_file_is_named_without_its_place(signed_in: Any, settings: Any
     file.parent.mkdir(parents=True)
     file.write_bytes(b"t,a\n0,x\n")
     signed_in.process.refuse["shirt"] = f"{file}, line 2, column 'a': 'x' is not a number, write one."
-    said = sentence(signed_in("PUT", "/equipment/shirt", json={"kind": "replay", "file": "walk.csv"}), 409)
+    said = signed_in.refused(409, "PUT", "/equipment/shirt", json={"kind": "replay", "file": "walk.csv"})
     assert said.lower().startswith("walk.csv, line 2")
 
 
 @pytest.mark.parametrize("message", ["[" * 4000, '{"a":' * 800, "junk", "null", '{"move":{"x":NaN}}'])
 def test_junk_leaves_the_live_socket_open(signed_in: Any, message: str) -> None:
-    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with signed_in.socket("/live") as socket:
         socket.send_text(message)
         for _ in range(3):
             assert socket.receive_json()["state"] == "disarmed"
 
 
 def test_what_is_no_text_closes_the_live_socket(signed_in: Any) -> None:
-    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with signed_in.socket("/live") as socket:
         socket.send_bytes(b"\xff\x00")
         with pytest.raises(WebSocketDisconnect) as closed:
             everything(socket)
@@ -130,26 +120,22 @@ def test_what_is_no_text_closes_the_live_socket(signed_in: Any) -> None:
 def test_a_session_does_not_change_under_a_trial_that_is_being_started(
     calibrated: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    patient = calibrated.patient
-    other = calibrated.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Otter"})
-    plan = calibrated.good("GET", "/floorplans/apartment")
+    other = calibrated.add_patient("P-2")
     asked: list[Any] = []
     start = TrialFlow.start
 
     with ThreadPoolExecutor(1) as screen:
 
         async def slowly(self: TrialFlow, *given: Any) -> int:
-            asked.append(screen.submit(calibrated, "POST", "/session", json={"patient_id": other["id"]}))
+            asked.append(screen.submit(calibrated, "POST", "/session", json={"patient_id": other}))
             await asyncio.sleep(0.3)
             return await start(self, *given)
 
         monkeypatch.setattr(TrialFlow, "start", slowly)
-        calibrated.good(
-            "POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
-        )
-        assert "A trial is running" in sentence(asked[0].result(), 409)
-    assert calibrated.good("GET", "/session")["patient"]["id"] == patient["id"]
-    calibrated.good("POST", "/trials/current/end", json={})
+        calibrated.start_trial()
+        assert "A trial is running" in sentence_of(asked[0].result(), 409)
+    assert calibrated.good("GET", "/session")["patient"]["id"] == calibrated.patient["id"]
+    calibrated.end_trial()
 
 
 def test_a_step_whose_end_cannot_be_written_is_over(signed_in: Any, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -161,7 +147,6 @@ def test_a_step_whose_end_cannot_be_written_is_over(signed_in: Any, monkeypatch:
 
     with monkeypatch.context() as broken:
         broken.setattr(CalibrationFlow, "_set", full)
-        signed_in.process.run_t = 1000.0
-        signed_in.until("/calibration", lambda c: c["running"] is None)
+        signed_in.end_step()
     assert signed_in.good("POST", "/calibration/steps/rest/start")["running"]["step"] == "rest"
     signed_in.good("POST", "/calibration/steps/rest/cancel")

@@ -5,16 +5,13 @@ import re
 
 import pytest
 from api.fake_clinic import Clinic
-from api.people_of_clinic import as_person
 from api.routes_with_ids import MISSING, places
-from api.test_roles import contexts, requested
+from api.served_routes import requested, routes_of
 from api.test_shown_patients import HIDDEN, reviewed
-from fastapi.routing import APIRoute
 from stored_interface_test import store_interface_test
 
 from app.clock import utc_now
 from app.features.comments.tables import MomentComment
-from app.features.consents.service import give_consent
 from app.features.records.service import add_note, add_scale
 from app.features.sharing.tables import ShareLink
 
@@ -22,7 +19,6 @@ __all__ = ["reviewed"]  # the fixture: a patient called HIDDEN with a trial, and
 
 # What an owner does with deleted patients: undo, erase, and read the log of what was done.
 FOR_DELETED = {"POST /patients/{patient_id}/restore", "POST /deleted-patients/{patient_id}/erasure", "GET /log"}
-TRIALS = ("trial_id", "trial", "against")
 NAMES = re.compile(f"{HIDDEN}|Zebra")
 SHOWS_DELETED = {"GET /backups"}
 
@@ -30,22 +26,19 @@ SHOWS_DELETED = {"GET /backups"}
 def records_of(clinic: Clinic, trial: int) -> dict[str, int]:
     """Make a record of each kind for the patient who is here; return their ids by the names that routes give them."""
     patient, session = clinic.patient["id"], int(clinic.session)
-    with clinic.database.transaction() as db:
-        give_consent(db, patient, "sharing", utc_now().date(), "Ada")
+    with clinic.rows() as rows:
+        rows.consent(patient, "sharing")
         found = {
-            "note_id": add_note(db, session, f"{HIDDEN} is tired.", "Ada"),
-            "scale_id": add_scale(db, session, "SCIM III", 41.0, utc_now().date()),
-            "test_id": store_interface_test(db, session).id,
+            "note_id": add_note(rows.db, session, f"{HIDDEN} is tired.", "Ada"),
+            "scale_id": add_scale(rows.db, session, "SCIM III", 41.0, utc_now().date()),
+            "test_id": store_interface_test(rows.db, session).id,
         }
     clinic.good("POST", f"/trials/{trial}/comments", json={"t": 1.0, "text": f"{HIDDEN} turned well."})
     clinic.link = clinic.good("POST", f"/patients/{patient}/shares", json={"days": 14})  # type: ignore[attr-defined]
     with clinic.database.transaction() as db:
         found |= {"comment_id": db.query(MomentComment).one().id, "share_id": db.query(ShareLink).one().id}
-    return {
-        **found,
-        **dict.fromkeys(("patient_id", "patient"), patient),
-        **dict.fromkeys(TRIALS, trial),
-    } | dict.fromkeys(("session_id", "other"), session)
+    found |= dict.fromkeys(("patient_id", "patient"), patient) | dict.fromkeys(("session_id", "other"), session)
+    return found | dict.fromkeys(("trial_id", "trial", "against"), trial)
 
 
 @pytest.fixture
@@ -79,12 +72,7 @@ def test_every_route_answers_as_for_an_id_that_does_not_exist(deleted: Clinic) -
 
 
 def test_no_answer_names_a_deleted_patient(deleted: Clinic) -> None:
-    gets = [
-        f"{method} {context.path.removeprefix('/api/v1')}"
-        for context in contexts(deleted.client.app, APIRoute)  # type: ignore[arg-type]
-        for method in context.methods & {"GET"}
-    ]
-    answers = {name: requested(deleted, name).text for name in gets}
+    answers = {name: requested(deleted, name).text for name in routes_of(deleted, {"GET"})}
     assert {name for name, text in answers.items() if HIDDEN in text or "Zebra" in text} == SHOWS_DELETED
     deleted.good("POST", f"/patients/{deleted.patient['id']}/restore")
     assert HIDDEN in requested(deleted, "GET /patients").text
@@ -96,14 +84,14 @@ def test_a_share_link_of_a_deleted_patient_opens_nothing_also_where_it_is_open(r
     records_of(reviewed, trial)
     link = reviewed.link  # type: ignore[attr-defined]
     token = {"token": link["url"].partition("#")[2], "pin": link["pin"]}
-    with as_person(reviewed, {}):
+    with reviewed.as_person({}):
         assert reviewed("POST", "/shared/open", json=token).status_code == 204
         visit = dict(reviewed.client.cookies)
         assert reviewed.good("GET", "/shared")["code"] == HIDDEN
     reviewed.good("DELETE", "/session")
     reviewed.good("DELETE", f"/patients/{reviewed.patient['id']}")
     for cookies in ({}, visit):
-        with as_person(reviewed, cookies):
+        with reviewed.as_person(cookies):
             for refused in (reviewed("GET", "/shared"), reviewed("POST", "/shared/open", json=token)):
                 assert refused.status_code == 401
                 assert refused.json()["detail"].endswith(".")

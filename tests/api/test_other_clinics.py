@@ -6,100 +6,50 @@ from typing import Any
 import pytest
 from api.fake_clinic import Clinic
 from api.routes_with_ids import IDS, MISSING, places
+from stored_interface_test import store_interface_test
 
 from app.api import refusals
 from app.clock import utc_now
 from app.features.comments.service import add_comment
-from app.features.consents.service import give_consent
-from app.features.interface_tests.service import add_interface_test
 from app.features.sharing.service import add_share
 from app.refusals import DiskFull
-from app.speeds import HIGHEST_SPEEDS
 from app.store import tables
 from app.store.access.visible_patients import of_clinic
-from app.store.chairs import add_chair
 from app.store.keeping.incidents import mark_incident
 from app.store.patient_screens import add_screen
-from app.store.patients import add_patient, start_session
-from app.store.people import add_clinic, add_person
-from app.store.runs import add_run, add_trial
+from app.store.people import add_clinic
 
-# Whole numbers that are no ids.
-NUMBERS = {
-    "stops",
+NUMBERS = {  # whole numbers that are no ids
+    *("stops", "port", "seed", "baud", "address", "version", "direction", "before", "seconds", "hour", "years"),
+    *("place", "session", "days", "mental", "physical", "temporal", "performance", "effort", "frustration"),
     "ends",  # compared with the id of the open session, and never looked up
-    "port",
-    "seed",
-    "baud",
-    "address",
-    "version",
-    "direction",
-    "before",
-    "seconds",
-    "hour",
-    "years",
-    "place",
-} | {
-    "session",
-    "days",
-    *("mental", "physical", "temporal", "performance", "effort", "frustration"),
 }
 
 
 @pytest.fixture
 def theirs(signed_in: Clinic) -> dict[str, int]:
     """Return the ids of what another clinic has in the same database, by table."""
-    with signed_in.database.transaction() as db:
-        clinic = add_clinic(db, "Another clinic")
+    with signed_in.rows() as rows:
+        db = rows.db
+        rows.clinic = clinic = add_clinic(db, "Another clinic")
         with of_clinic(clinic.id):
-            patient = add_patient(db, "P-9", "Otter", "")
-            session = start_session(db, patient.id)
-            run = add_run(db, "their-run", session.id, "drive", "their-run")
-            chair = add_chair(db, clinic, "Red", "10.0.0.9", 5354, 1, HIGHEST_SPEEDS)
+            session = rows.open_session(rows.patient("P-9"))
+            trial = rows.trial(session)
             add_screen(db, session.id, "Eve", None)
-            screen = db.query(tables.PatientScreen).one()
-            profile = tables.Profile(
-                patient_id=patient.id, session_id=session.id, version=1, document={}, created=utc_now(), parent=None
-            )
-            db.add(profile)
-            db.flush()
-            parameters = tables.ParameterSet(
-                profile_id=profile.id,
-                title="Set",
-                settings={},
-                hash="0" * 64,
-                created=utc_now(),
-                current=True,
-                abandoned=False,
-            )
-            db.add(parameters)
-            db.flush()
-            trial = add_trial(
-                db,
-                run=run,
-                patient_id=patient.id,
-                parameters_id=parameters.id,
-                floorplan="apartment",
-                floorplan_title="Apartment",
-                path="main",
-                path_points=[[0.0, 0.0]],
-            )
-            trial.status = "done"
-            test = add_interface_test(db, run=run, session=session, parameters_id=parameters.id, plan={})
-            test.status = "done"
-            person = add_person(db, clinic, "Eve", "owner", None)
+            test = store_interface_test(db, session.id)
+            person = rows.person("Eve")
             comment = add_comment(db, trial, person.id, 1.0, "Theirs.")
-            give_consent(db, patient.id, "sharing", utc_now().date(), "Eve")
-            link, _ = add_share(db, patient.id, None, "hash", 14, "Eve")
+            rows.consent(session.patient_id, "sharing")
+            link, _ = add_share(db, session.patient_id, None, "hash", 14, "Eve")
             return {
                 "person": person.id,
-                "patient": patient.id,
+                "patient": session.patient_id,
                 "trial": trial.id,
                 "interface_test": test.id,
                 "session": session.id,
-                "chair": chair.id,
-                "patient_screen": screen.id,
-                "incident": mark_incident(db, utc_now(), "0" * 64, [patient.id], None).id,
+                "chair": rows.chair().id,
+                "patient_screen": db.query(tables.PatientScreen).one().id,
+                "incident": mark_incident(db, utc_now(), "0" * 64, [session.patient_id], None).id,
                 "moment_comment": comment.id,
                 "share_link": link.id,
             }
@@ -127,11 +77,8 @@ def test_another_clinics_ids_do_not_exist_here_and_asking_for_one_is_noted(
         assert (refused.status_code, missing.status_code) == (404, 404), (place.route, refused.text)
         assert re.sub(r"\d+", "N", refused.text) == re.sub(r"\d+", "N", missing.text)
         (row,) = signed_in.log()[rows:]
-        assert (row.person, row.what, row.details) == (
-            "Demo clinician",
-            "another clinic's id",
-            {place.table: theirs[place.table]},
-        ), place.route
+        assert (row.person, row.what) == ("Demo clinician", "another clinic's id"), place.route
+        assert row.details == {place.table: theirs[place.table]}, place.route
         asked.append(place.route)
     assert len(asked) >= 15
 

@@ -3,50 +3,18 @@
 from typing import Any
 
 import pytest
-from api.fake_clinic import Clinic
-from api.test_roles import contexts
+from api.fake_clinic import BASE, Clinic
+from api.served_routes import CHANGING, contexts, filled, routes_of
 from fastapi.routing import APIRoute
-from store.known_people import known_person
 
 from app.api.live.live_picture import ClinicLive
 from app.api.who_asks import READS
 from app.refusals import Conflict
 from app.session.open_session import SessionFlow
 from app.session.page_session import PAGE_SESSION, PageSession
-from app.store.access.sign_ins import sign_in
 
 OTHER = "can no longer be sent"
 UNNAMED = "does not name the session"
-VALUES = {
-    "comment_id": "1",
-    "share_id": "1",
-    "chair_id": "1",
-    "patient_id": "1",
-    "trial_id": "1",
-    "test_id": "1",
-    "person_id": "1",
-    "session_id": "1",
-    "note_id": "1",
-    "scale_id": "1",
-    "consent": "sharing",
-    "incident_id": "1",
-    "screen_id": "1",
-    "name": "nowhere",
-    "step": "rest",
-    "role": "clinician",
-    "kind": "floorplan",
-    "identity": "20260101T000000Z--nowhere",
-    "word": "no-such-word",
-}
-
-
-def changing(clinic: Clinic) -> list[str]:
-    """Return method and path of every route of the API that may change something."""
-    return [
-        f"{method} {context.path.removeprefix('/api/v1')}"
-        for context in contexts(clinic.client.app, APIRoute)  # type: ignore[arg-type]
-        for method in sorted(context.methods - READS)
-    ]
 
 
 def without_session(clinic: Clinic) -> dict[str, str]:
@@ -62,24 +30,20 @@ def without_session(clinic: Clinic) -> dict[str, str]:
 def second_patient(clinic: Any) -> Any:
     """Open another patient's session on another screen; return the session that the first page still shows."""
     before = clinic.session
-    patient = clinic.good("POST", "/patients", json={"code": "B-12", "pseudonym": "Otter"})
-    clinic.open_session(patient["id"])
+    clinic.begin_session("B-12")
     return before
 
 
 def asked(clinic: Any, route: str, session: str | None) -> Any:
     method, path = route.split()
-    headers = {} if session is None else {"Patient-Session": session}
-    return clinic.client.request(
-        method, f"/api/v1{path.format(**VALUES)}", headers={"Origin": str(clinic.client.base_url), **headers}
-    )
+    headers = {"Origin": BASE} | ({} if session is None else {"Patient-Session": session})
+    return clinic.client.request(method, f"/api/v1{filled(path, role='clinician')}", headers=headers)
 
 
 def test_every_changing_route_refuses_another_session_and_none_or_is_marked_with_its_reason(in_session: Any) -> None:
-    database = in_session.database
     name = in_session.good("GET", "/auth/me")["name"]
     before = second_patient(in_session)
-    routes = changing(in_session)
+    routes = routes_of(in_session, CHANGING)
     assert len(routes) >= 50
     reasons = without_session(in_session)
     assert all(reasons.values())
@@ -89,8 +53,7 @@ def test_every_changing_route_refuses_another_session_and_none_or_is_marked_with
         for named in (before, "none", "999999", None, "B-12", "0", "-1"):
             answer = asked(in_session, route, named)
             if answer.status_code == 401:  # some routes end the sign-in
-                with database.transaction() as db:
-                    in_session.client.cookies["bodydrive_sign_in"] = sign_in(db, known_person(db, name), "test")
+                in_session.client.cookies.update(in_session.cookies_of(name))
                 answer = asked(in_session, route, named)
             refused[named] = (
                 (answer.status_code == 409 and OTHER in answer.text),
@@ -108,9 +71,9 @@ def test_every_changing_route_refuses_another_session_and_none_or_is_marked_with
 def test_the_refusal_says_who_is_open_who_opened_it_when_and_whose_page_this_is(in_session: Any) -> None:
     before = second_patient(in_session)
     session = in_session.good("GET", "/session")["session"]
-    answer = in_session("PUT", "/adaptation", json={"mode": "suggest"}, headers={"Patient-Session": before})
-    assert answer.status_code == 409
-    sentence = answer.json()["detail"]
+    sentence = in_session.refused(
+        409, "PUT", "/adaptation", json={"mode": "suggest"}, headers={"Patient-Session": before}
+    )
     assert sentence.startswith(f"B-12 was opened on another screen by {session['opened_by']} at ")
     assert "What this page shows belongs to P-1 and can no longer be sent" in sentence
     assert in_session.good("GET", "/adaptation")["mode"] == "off"
@@ -139,8 +102,7 @@ def test_the_dial_goes_down_from_any_page_and_up_from_the_right_one_only(in_sess
     before = second_patient(in_session)
     stale = {"headers": {"Patient-Session": before}}
     assert in_session("POST", "/control/dial", json={"share": 0.5}, **stale).json() == {"share": 0.5}
-    up = in_session("POST", "/control/dial", json={"share": 0.9}, **stale)
-    assert (up.status_code, OTHER in up.json()["detail"]) == (409, True)
+    assert OTHER in in_session.refused(409, "POST", "/control/dial", json={"share": 0.9}, **stale)
     assert in_session("POST", "/control/dial", json={"share": 0.9}, headers={"Patient-Session": ""}).status_code == 422
     assert in_session.good("POST", "/control/dial", json={"share": 0.9}) == {"share": 0.9}
     assert in_session("POST", "/control/stop", **stale).status_code == 200

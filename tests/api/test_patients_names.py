@@ -14,23 +14,8 @@ PATIENT = {"code": "P-77", "pseudonym": "Bartailed", "note": "likes the window"}
 # the calibration, a role, a source of signals, a choice, the form of a file, and random words. `person` is one who may
 # sign in: never a patient.
 WORDS_OF_ADDRESSES = {
-    *(
-        "name",
-        "floorplan",
-        "path",
-        "measure",
-        "kind",
-        "identity",
-        "step",
-        "role",
-        "source",
-        "same_name",
-        "form",
-        "word",
-        "consent",
-        "course",
-    ),
-    "person",
+    *("name", "floorplan", "path", "measure", "kind", "identity", "step", "role", "source", "same_name", "form"),
+    *("word", "consent", "course", "person"),
 }
 NUMBERS = {"integer", "number", "boolean", "null"}
 

@@ -1,24 +1,17 @@
 """The matrix of roles and routes: every route is requested by every role."""
 
-from collections.abc import Iterator
 from typing import Any
 
 import pytest
 from api.fake_clinic import BASE, Clinic
 from api.pairing import code_of, pair
-from fastapi import FastAPI
-from fastapi.dependencies.models import Dependant
-from fastapi.routing import APIRoute, APIWebSocketRoute, iter_route_contexts
+from api.served_routes import asked, contexts, requested, table
+from fastapi.routing import APIRoute, APIWebSocketRoute
 from starlette.websockets import WebSocketDisconnect
-from store.known_people import known_clinic, known_person
 
-from app.api.deps import anyone_signed_in, clinician, everyone, exporter, owner, viewer
 from app.api.sign_in.identity import SCREEN_COOKIE
 from app.api.who_asks import who_asks
-from app.store.access.sign_ins import sign_in
-from app.store.people import add_person
 
-RIGHTS = {everyone: 0, anyone_signed_in: 1, viewer: 1, clinician: 2, exporter: 2, owner: 3}
 ROLES = {
     "nobody": 0,
     "patient's screen": 0,
@@ -48,6 +41,8 @@ FOR_EVERYONE = {
     "POST /shared/open",
     "GET /shared",
 }
+# Method and path of those that need no cookie at all; what is shared has a cookie of its own.
+OPEN = {(route.split()[0], f"/api/v1{route.split()[1]}") for route in FOR_EVERYONE - {"GET /shared"}}
 FOR_PATIENTS_SCREENS = {"GET /view/{role}/", "GET /view/{role}/plan"}  # the patient's only
 FOR_OWNERS = {
     "POST /chairs",
@@ -123,28 +118,6 @@ FOR_REVIEWERS = {
 }
 
 
-def asked(dependant: Dependant) -> Iterator[Any]:
-    """Yield the dependencies of a route, at any depth."""
-    for below in dependant.dependencies:
-        yield below.call
-        yield from asked(below)
-
-
-def contexts(app: FastAPI, kind: type) -> list[Any]:
-    """Return all routes of a kind as they are reached, those of included routers too; each has a path and methods."""
-    return [context for context in iter_route_contexts(app.routes) if isinstance(context.original_route, kind)]
-
-
-def table(app: FastAPI) -> dict[str, int | None]:
-    """Return the highest right that each route requires, None when it requires none."""
-    rights = {}
-    for context in contexts(app, APIRoute):
-        right = max((RIGHTS[call] for call in asked(context.dependant) if call in RIGHTS), default=None)
-        for method in context.methods - {"HEAD"}:
-            rights[f"{method} {context.path.removeprefix('/api/v1')}"] = right
-    return rights
-
-
 def test_every_route_says_whom_it_is_for_and_it_is_the_table(clinic: Clinic) -> None:
     rights = table(clinic.client.app)  # type: ignore[arg-type]
     assert len(rights) >= 50
@@ -173,41 +146,15 @@ def test_stop_asks_nobodys_name_before_it_stops(signed_in: Clinic, monkeypatch: 
     assert ("Demo clinician", "stop requested") in rows
 
 
-def requested(clinic: Clinic, name: str, view: str = "clinician") -> Any:
-    """Request a route by its method and path as in the table, without content; return the answer."""
-    method, path = name.split()
-    for placeholder in (
-        "{chair_id}",
-        "{patient_id}",
-        "{trial_id}",
-        "{screen_id}",
-        "{person_id}",
-        "{session_id}",
-        "{share_id}",
-    ):
-        path = path.replace(placeholder, "1")
-    path = path.replace("{comment_id}", "1")
-    path = path.replace("{note_id}", "1").replace("{scale_id}", "1").replace("{consent}", "sharing")
-    path = path.replace("{name}", "nowhere").replace("{step}", "rest").replace("{role}", view)
-    path = path.replace("{word}", "no-such-word").replace("{kind}", "floorplan")
-    path = path.replace("{identity}", "20260101T000000Z--nowhere")
-    is_frame = path == f"/view/{view}/" or path.startswith("/view/replay/")
-    prefix = "" if is_frame and method == "GET" else "/api/v1"
-    return clinic.client.request(method, f"{prefix}{path}", headers={"Origin": BASE})
-
-
 @pytest.mark.parametrize("role", ROLES)
 def test_the_matrix_of_roles_and_routes(in_session: Clinic, role: str) -> None:
     """Requests have no content, so that a permitted one is refused for its content only."""
     clinic = in_session
-    database = clinic.database
     if role == "patient's screen":
         assert pair(clinic, code_of(clinic)).status_code == 200
         screen = clinic.client.cookies[SCREEN_COOKIE]
     elif role != "nobody":
-        with database.transaction() as db:
-            patients: list[int] | None = [] if role == "reviewer by patient" else None
-            add_person(db, known_clinic(db), role, role.partition(" ")[0], None, patients=patients)
+        clinic.cookies_of(role, role.partition(" ")[0], [] if role == "reviewer by patient" else None)
     wrong = []
     for name, right in table(clinic.client.app).items():  # type: ignore[arg-type]
         for view in ("clinician", "patient") if "{role}" in name else ("clinician",):
@@ -215,8 +162,7 @@ def test_the_matrix_of_roles_and_routes(in_session: Clinic, role: str) -> None:
             if role == "patient's screen":
                 clinic.client.cookies[SCREEN_COOKIE] = screen
             elif role != "nobody":
-                with database.transaction() as db:  # anew: one of the routes signs out
-                    clinic.client.cookies["bodydrive_sign_in"] = sign_in(db, known_person(db, role), "test")
+                clinic.client.cookies.update(clinic.cookies_of(role))  # anew: one of the routes signs out
             status = requested(clinic, name, view).status_code
             if status not in expected(role, name, right or 0, view):
                 wrong.append((name, view, status))

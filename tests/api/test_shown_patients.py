@@ -8,11 +8,10 @@ from typing import Any
 
 import pytest
 from api.fake_clinic import BASE, Clinic
-from api.people_of_clinic import as_person
 from api.routes_with_ids import MISSING, places
-from api.test_roles import FOR_REVIEWERS, contexts, requested
+from api.served_routes import requested, routes_of
+from api.test_roles import FOR_REVIEWERS
 from api.view.served_view import VIEW, serve_view
-from fastapi.routing import APIRoute
 from starlette.responses import Response
 from starlette.testclient import TestClient
 from starlette.types import Receive, Scope, Send
@@ -21,13 +20,9 @@ from starlette.websockets import WebSocketDisconnect
 from app.api.guard import Guard
 from app.scene.client_messages import SUBPROTOCOL
 from app.settings import Settings
-from app.store.access.sign_ins import sign_in
 from app.store.access.visible_patients import VISIBLE_PATIENTS, VisiblePatients
-from app.store.people import add_person, the_clinic
 from app.store.tables import ParameterSet, Patient, PatientSession, Profile, Run, Table, Trial
 
-ORIGIN = {"Origin": BASE}
-SOCKETS = BASE.replace("http", "ws")
 SHOWN, HIDDEN = "SHOWN-1", "HIDDEN-2"
 
 
@@ -35,30 +30,19 @@ SHOWN, HIDDEN = "SHOWN-1", "HIDDEN-2"
 def reviewed(calibrated: Clinic) -> Clinic:
     """Return a clinic where a patient called HIDDEN is here, with a trial, and one called SHOWN was here."""
     clinic = calibrated
-    with clinic.database.transaction() as db:
-        patient = db.get_one(Patient, clinic.patient["id"])
-        patient.code, patient.pseudonym = HIDDEN, "Zebra"
-    plan = clinic.good("GET", "/floorplans")[0]
-    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": "screen-of-the-test"}
-    with clinic.screen("screen-of-the-test"):
-        clinic.good("POST", "/trials", json=where)
-        clinic.good("POST", "/trials/current/end", json={})
-    shown = clinic.good("POST", "/patients", json={"code": SHOWN, "pseudonym": "Heron"})
-    clinic.shown = shown["id"]  # type: ignore[attr-defined]
+    clinic.rename_patient(HIDDEN, "Zebra")
+    clinic.drive_trial()
+    clinic.shown = clinic.add_patient(SHOWN)  # type: ignore[attr-defined]
     return clinic
 
 
 def reviewer(clinic: Clinic, *patients: int) -> dict[str, str]:
     """Return the cookies of a reviewer to whom these patients are shown."""
-    with clinic.database.transaction() as db:
-        named = the_clinic(db)
-        assert named is not None
-        person = add_person(db, named, f"Rita {len(patients)}", "reviewer", None, patients=list(patients))
-        return {"bodydrive_sign_in": sign_in(db, person, "test")}
+    return clinic.cookies_of(f"Rita {len(patients)}", "reviewer", list(patients))
 
 
 def live_picture(clinic: Clinic) -> Any:
-    with clinic.client.websocket_connect(f"{SOCKETS}/api/v1/live", headers=ORIGIN) as socket:
+    with clinic.socket("/live") as socket:
         return socket.receive_json()
 
 
@@ -67,7 +51,7 @@ def test_the_id_of_another_patient_is_answered_like_one_that_does_not_exist(revi
     trial = reviewed.good("GET", "/trials", params={"patient": reviewed.patient["id"]})[0]["id"]
     hidden = {"patient": reviewed.patient["id"], "trial": trial, "session": int(reviewed.session)}
     tried = []
-    with as_person(reviewed, reviewer(reviewed, reviewed.shown)):  # type: ignore[attr-defined]
+    with reviewed.as_person(reviewer(reviewed, reviewed.shown)):  # type: ignore[attr-defined]
         for place in places(document):
             if place.table not in hidden or place.route not in FOR_REVIEWERS:
                 continue
@@ -79,14 +63,10 @@ def test_the_id_of_another_patient_is_answered_like_one_that_does_not_exist(revi
 
 
 def test_no_answer_to_a_reviewer_names_another_patient(reviewed: Clinic) -> None:
-    gets = [
-        f"{method} {context.path.removeprefix('/api/v1')}"
-        for context in contexts(reviewed.client.app, APIRoute)  # type: ignore[arg-type]
-        for method in context.methods & {"GET"}
-    ]
+    gets = routes_of(reviewed, {"GET"})
     said = json.dumps([requested(reviewed, name).text for name in gets])
     assert HIDDEN in said  # the owner sees the patient in these answers
-    with as_person(reviewed, reviewer(reviewed, reviewed.shown)):  # type: ignore[attr-defined]
+    with reviewed.as_person(reviewer(reviewed, reviewed.shown)):  # type: ignore[attr-defined]
         answers = {name: requested(reviewed, name).text for name in gets}
         assert {name for name, text in answers.items() if HIDDEN in text or "Zebra" in text} == set()
         assert [patient["code"] for patient in reviewed.good("GET", "/patients")] == [SHOWN]
@@ -101,13 +81,13 @@ def test_the_open_session_is_shown_live_to_the_reviewers_of_its_patient_only(
 ) -> None:
     serve_view(monkeypatch)
     session = reviewed.good("GET", "/session")["session"]["id"]
-    with as_person(reviewed, reviewer(reviewed, reviewed.shown)):  # type: ignore[attr-defined]
+    with reviewed.as_person(reviewer(reviewed, reviewed.shown)):  # type: ignore[attr-defined]
         picture = live_picture(reviewed)
         assert (picture["hidden"], picture["session"], picture["gestures"]) == (True, None, [])
         with pytest.raises(WebSocketDisconnect) as refused, reviewed.client.websocket_connect(**VIEW):
             pass
         assert refused.value.code == 4409
-    with as_person(reviewed, reviewer(reviewed, reviewed.shown, reviewed.patient["id"])):  # type: ignore[attr-defined]
+    with reviewed.as_person(reviewer(reviewed, reviewed.shown, reviewed.patient["id"])):  # type: ignore[attr-defined]
         picture = live_picture(reviewed)
         assert (picture["hidden"], picture["session"]) == (False, session)
         assert picture["gestures"]
@@ -116,23 +96,20 @@ def test_the_open_session_is_shown_live_to_the_reviewers_of_its_patient_only(
 
 
 def test_the_plan_of_the_running_trial_is_for_those_who_may_see_its_patient(reviewed: Clinic) -> None:
-    plan = reviewed.good("GET", "/floorplans")[0]
-    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": "screen-of-the-test"}
     others, own = reviewer(reviewed, reviewed.shown), reviewer(reviewed, reviewed.shown, reviewed.patient["id"])  # type: ignore[attr-defined]
-    with reviewed.screen("screen-of-the-test"):
-        trial = reviewed.good("POST", "/trials", json=where)["id"]
-        with as_person(reviewed, own):
-            assert reviewed.good("GET", "/view/clinician/plan")["trial"] == trial
-        with as_person(reviewed, others):
-            assert reviewed.good("GET", "/view/clinician/plan") is None
-            assert live_picture(reviewed)["trial"] is None
+    trial = reviewed.start_trial()["id"]
+    with reviewed.as_person(own):
+        assert reviewed.good("GET", "/view/clinician/plan")["trial"] == trial
+    with reviewed.as_person(others):
+        assert reviewed.good("GET", "/view/clinician/plan") is None
+        assert live_picture(reviewed)["trial"] is None
 
 
 def test_a_session_of_a_shown_patient_appears_at_once(reviewed: Clinic) -> None:
     cookies = reviewer(reviewed, reviewed.shown)  # type: ignore[attr-defined]
     with ExitStack() as stack:
-        with as_person(reviewed, cookies):
-            socket = stack.enter_context(reviewed.client.websocket_connect(f"{SOCKETS}/api/v1/live", headers=ORIGIN))
+        with reviewed.as_person(cookies):
+            socket = stack.enter_context(reviewed.socket("/live"))
             assert socket.receive_json()["hidden"] is True
         reviewed.open_session(reviewed.shown)  # type: ignore[attr-defined]
         for _ in range(100):

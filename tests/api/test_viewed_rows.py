@@ -1,24 +1,21 @@
 """Whoever reads something of a patient stands in the log, whatever route answers."""
 
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from datetime import timedelta
 from typing import Any
 
 import pytest
-from api.fake_clinic import BASE, Clinic
-from api.people_of_clinic import as_person
-from api.test_roles import contexts, requested
-from fastapi.routing import APIRoute
+from api.fake_clinic import Clinic, next_message
+from api.served_routes import filled, requested, routes_of
 
 from app.store import log
 from app.store.log import LISTED, VIEWED
-from app.store.tables import Patient
 
 # Rows that name the patient, the session or the trial; routes that say nothing of the patient.
 ROWS = {VIEWED, "session viewed", "trial viewed", "export", "report exported"}
 LISTS = {LISTED, "patients viewed by attention"}  # rows of all patients
-LIVE = f"{BASE.replace('http', 'ws')}/api/v1/live"
 SILENT = {
     "/patients/{patient_id}/archive/room",  # how large the recordings are
 }
@@ -27,8 +24,8 @@ SILENT = {
 @contextmanager
 def watching(clinic: Clinic, cookies: dict[str, str]) -> Iterator[Any]:
     """Open the live socket of another person."""
-    with as_person(clinic, cookies):
-        opening = clinic.client.websocket_connect(LIVE, headers={"Origin": BASE})
+    with clinic.as_person(cookies):
+        opening = clinic.socket("/live")
         socket = opening.__enter__()
     yield socket
     opening.__exit__(None, None, None)
@@ -45,7 +42,7 @@ def test_every_route_that_answers_with_something_of_a_patient_is_logged(
     monkeypatch.setattr(log, "VIEWED_EVERY", timedelta(0))
     calibrated.good("DELETE", "/session")
     driven = next(one for one in calibrated.good("GET", f"/trials?patient={calibrated.patient['id']}"))
-    words = {"{patient_id}": calibrated.patient["id"], "{session_id}": calibrated.session, "{trial_id}": trial}
+    ids = {"patient_id": calibrated.patient["id"], "session_id": calibrated.session, "trial_id": trial}
     needed: dict[str, Any] = {
         "floorplan": driven["floorplan"],
         "path": driven["path"],
@@ -53,12 +50,12 @@ def test_every_route_that_answers_with_something_of_a_patient_is_logged(
         "patient": calibrated.patient["id"],
     }
     silent, answered = [], 0
-    for context in contexts(calibrated.client.app, APIRoute):  # type: ignore[arg-type]
-        path = name = context.path.removeprefix("/api/v1")
-        for word, value in words.items():
-            path = path.replace(word, str(value))
-        if "GET" not in context.methods or path == name or "{" in path or name in SILENT:
+    for route in routes_of(calibrated, {"GET"}):
+        name = route.removeprefix("GET ")
+        placeholders = set(re.findall(r"\{(\w+)\}", name))
+        if not placeholders or placeholders - ids.keys() or name in SILENT:
             continue
+        path = filled(name, **ids)
         before = len(calibrated.log())
         answer = calibrated("GET", path, params=needed)
         if answer.status_code == 200:
@@ -75,16 +72,14 @@ def test_every_answer_that_names_the_patient_who_is_here_is_logged(
     """Routes without a patient in their address, too: those of the open session."""
     monkeypatch.setattr(log, "VIEWED_EVERY", timedelta(0))
     code, pseudonym = "P-4711", "Dragonfly"
-    with calibrated.database.transaction() as db:
-        patient = db.get_one(Patient, calibrated.patient["id"])
-        patient.code, patient.pseudonym = code, pseudonym
+    calibrated.rename_patient(code, pseudonym)
     named, silent = set(), set()
-    for context in contexts(calibrated.client.app, APIRoute):  # type: ignore[arg-type]
-        name = context.path.removeprefix("/api/v1")
-        if "GET" not in context.methods or name in SILENT:
+    for route in routes_of(calibrated, {"GET"}):
+        name = route.removeprefix("GET ")
+        if name in SILENT:
             continue
         before = len(calibrated.log())
-        answer = requested(calibrated, f"GET {name}")
+        answer = requested(calibrated, route)
         if answer.status_code == 200 and (code in answer.text or pseudonym in answer.text):
             named.add(name)
             if not (ROWS | LISTS) & {row.what for row in calibrated.log()[before:]}:
@@ -94,23 +89,23 @@ def test_every_answer_that_names_the_patient_who_is_here_is_logged(
 
 
 @pytest.mark.parametrize("path", ["/start", "/session"])
-def test_who_is_told_who_is_here_stands_in_the_log_once(calibrated: Clinic, cookies_of: Any, path: str) -> None:
+def test_who_is_told_who_is_here_stands_in_the_log_once(calibrated: Clinic, path: str) -> None:
     here = calibrated.patient["id"]
-    with as_person(calibrated, cookies_of("Rita", "reviewer", [here])):
+    with calibrated.as_person(calibrated.cookies_of("Rita", "reviewer", [here])):
         for _ in range(3):
             calibrated.good("GET", path)
-    with as_person(calibrated, cookies_of("Otto", "reviewer", [])):
+    with calibrated.as_person(calibrated.cookies_of("Otto", "reviewer", [])):
         calibrated.good("GET", path)  # it says that nobody is here
     assert viewings(calibrated, "Rita") == [here]
     assert viewings(calibrated, "Otto") == []
 
 
 def test_who_watches_a_session_live_stands_in_the_log_from_the_first_picture_of_each_patient(
-    calibrated: Clinic, cookies_of: Any
+    calibrated: Clinic,
 ) -> None:
     first = calibrated.patient["id"]
-    second = calibrated.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Crane"})["id"]
-    rita, otto = cookies_of("Rita", "reviewer", None), cookies_of("Otto", "reviewer", [second])
+    second = calibrated.add_patient("P-2")
+    rita, otto = calibrated.cookies_of("Rita", "reviewer", None), calibrated.cookies_of("Otto", "reviewer", [second])
     with watching(calibrated, rita) as ritas, watching(calibrated, otto) as ottos:
         for _ in range(3):  # pictures of one patient make one row
             assert not ritas.receive_json()["hidden"]
@@ -118,8 +113,7 @@ def test_who_watches_a_session_live_stands_in_the_log_from_the_first_picture_of_
         calibrated.open_session(second)
         session = int(calibrated.session)
         for socket in (ritas, ottos):
-            while socket.receive_json()["session"] != session:
-                pass
+            next_message(socket, lambda m: m["session"] == session)
         while not (len(viewings(calibrated, "Rita")) > 1 and viewings(calibrated, "Otto")):
             ritas.receive_json()  # rows are written beside the pictures
     assert viewings(calibrated, "Rita") == [first, second]

@@ -8,6 +8,7 @@ from contextlib import suppress
 from typing import Annotated, Any, Union, get_args, get_origin
 
 import pytest
+from api.plan_documents import plan
 from fastapi.routing import APIRoute
 from pydantic import BaseModel, TypeAdapter, ValidationError
 
@@ -21,8 +22,6 @@ OVERRIDES = (*range(0x202A, 0x202F), *range(0x2066, 0x206A))
 UNSEEN = [*"\0\a\x1b\x7f\x85", *map(chr, (*MARKS, *OVERRIDES))]
 # Read from the body of a request or from a form, so that no route names them.
 DOCUMENTS = [FloorPlan, Options, ShirtLayout]
-ROOM = [[[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [0.0, 4.0], [0.0, 0.0]]]
-PATH = {"name": "main", "title": "Across", "points": [[1.0, 2.0], [5.0, 2.0]], "instruction": "Go."}
 JSON = {"Content-Type": "application/json"}
 SECRET = {"password", "old", "new", "code"}  # never shown: a password may hold anything
 LOOKED_UP = {"file", "device"}  # what a machine's file or device is called; it is found or not
@@ -108,8 +107,8 @@ def test_odd_values_are_refused_with_a_sentence_or_kept_exactly(signed_in: Any) 
             given = {"code": f"Q-{number}-{field}", "pseudonym": "Heron", "note": "", field: text}
             kept += kept_or_refused(signed_in, "/patients", given, field)
         for field in ("name", "title"):
-            plan = {"name": f"plan-{number}-{field}", "title": "Room", "walls": ROOM, "paths": [PATH], field: text}
-            kept += kept_or_refused(signed_in, "/floorplans", plan, field)
+            document = plan(f"plan-{number}-{field}") | {field: text}
+            kept += kept_or_refused(signed_in, "/floorplans", document, field)
         given = {"name": text, "password": "a password of the tests"}
         answer = signed_in("POST", "/auth/sign-in", content=sent(given), headers=JSON)
         assert answer.status_code in {401, 409, 422, 429}

@@ -6,7 +6,7 @@ import signal
 from urllib.parse import urlsplit
 
 import pytest
-from api.test_pages import OPEN
+from api.test_roles import OPEN
 from browser.driving import HIDE, SHOW, go_on_until
 from browser.tablets import headers_of
 from playwright.sync_api import expect

@@ -1,7 +1,7 @@
 """The Shirt page's sentence, the ticks of the steps and "Start trial" follow the shirt as it is now, without reload."""
 
 import pytest
-from api.fake_clinic import LAYOUT
+from api.fake_process import LAYOUT
 from browser.served.clinic_app import assert_quiet, go
 from browser.wave_sender import WaveSender
 from playwright.sync_api import expect

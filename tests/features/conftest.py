@@ -6,7 +6,6 @@ from api.conftest import (  # noqa: F401
     calibrated_state,
     clinic,
     consented,
-    cookies_of,
     in_session,
     make_state,
     new_state,

@@ -76,31 +76,21 @@ def requests(document: dict) -> Iterator[tuple[str, dict[str, str]]]:
 def answers(folder: Path) -> dict[str, int]:
     """Return the status of each answer."""
     import pytest
-    from api.conftest import demonstration, quick, sign_in
+    from api.conftest import new_demonstration, quick, sign_in
     from api.running_app import running
 
     from app.clock import utc_now
     from app.settings import static_folder
-    from app.store.database import Database
-    from app.store.people import add_clinic
 
     found: dict[str, int] = {}
-    settings = demonstration(folder / "state")
-    database = Database(settings.database)
-    with database.transaction() as db:
-        add_clinic(db, "Demonstration")
-    database.close()
+    settings = new_demonstration(folder / "state")
     with pytest.MonkeyPatch.context() as monkeypatch:
         quick(monkeypatch)
         for clinic in running(settings):
             sign_in(clinic)
             patient = clinic.begin_session()
             clinic.calibrate()
-            plan = clinic.good("GET", "/floorplans")[0]
-            where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": "a-screen"}
-            with clinic.screen("a-screen"):
-                clinic.good("POST", "/trials", json=where)
-                clinic.good("POST", "/trials/current/end", json={})
+            clinic.drive_trial()
             today = utc_now().astimezone().date().isoformat()
             clinic("PUT", f"/patients/{patient['id']}/consents/sharing", json={"given": today})
             for page in sorted(static_folder().glob("*.html")):

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple, get_args
 
 import numpy as np
 from large_clinic.written import written_rows
-from recorded_trial import plan_of, record_trial
+from recorded_trial import record_trial
 from sqlalchemy import insert
 from sqlalchemy.orm import Session
 
@@ -31,7 +31,7 @@ from app.store.log_chain import FIRST, entry_hash
 from app.store.people import add_clinic, add_person
 from app.store.tables import LogEntry, ParameterSet, Patient, PatientSession, Profile, Run, Trial
 from app.world.floorplan import FloorPlan, load_floorplan
-from building import make_parameters
+from building import make_parameters, plan_of
 
 PLANS = ("apartment", "clinic")
 RECORDINGS = 12  # driven ones, at most
@@ -174,7 +174,6 @@ class _Rows:
                 "created": begin,
                 "pseudonym": f"Patient {patient:04d}",
                 "adaptation": "off",
-                "deleted": None,
             }
         )
         self.log.append((begin, "patient added", {"patient": patient}))
@@ -192,10 +191,6 @@ class _Rows:
                 "opened_by": "Ada",
                 "ended": started + timedelta(hours=1),
                 "accepted": True,
-                "current_step": None,
-                "script": None,
-                "result": None,
-                "screen": None,
             }
         )
         self.log.append((started, "session opened", {"patient": patient, "session": session}))
@@ -213,9 +208,7 @@ class _Rows:
                 "patient_id": patient,
                 "session_id": session,
                 "version": version,
-                "parent": None,
                 "origin": "calibration",
-                "difference": None,
                 "document": self._profile,
                 "created": moment,
                 "simulated": False,
@@ -274,7 +267,6 @@ class _Rows:
                 "status": "done",
                 "end": "goal",
                 "kept": True,
-                "discard_reason": None,
                 "measures": measures,
                 "quality": recorded.quality,
             }

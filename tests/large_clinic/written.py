@@ -52,7 +52,6 @@ def written_rows(
                 "end": "complete",
                 "plan": plan,
                 "measures": {**MEASURES, "throughput": 0.5 + 0.01 * session["number"]},
-                "workload": None,
             }
         )
         rows[SessionNote].append({"id": own, "session_id": session["id"]})

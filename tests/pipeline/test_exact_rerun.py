@@ -4,13 +4,13 @@ from dataclasses import fields
 
 import numpy as np
 import pytest
-from recorded_trial import plan_of, record_trial
+from recorded_trial import record_trial
 
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.faults import State
 from app.pipeline.replay.exact_rerun import Rerun, replay_run
 from app.recording.reader import read_run
-from building import make_parameters, make_signals, taught_by_others
+from building import make_parameters, make_signals, plan_of, taught_by_others
 
 NAMES = tuple(field.name for field in fields(Rerun))
 

@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
-from recorded_trial import plan_of, record_trial
+from recorded_trial import record_trial
 
 from app.recording.reader import read_run
 from app.scoring.timeline import CHANNELS_SHOWN, MOST_POINTS, events_of, poses_of, timeline_of
-from building import make_parameters
+from building import make_parameters, plan_of
 
 PATH = [[0.0, 0.0], [6.0, 0.0]]
 

@@ -4,11 +4,9 @@ import math
 
 import numpy as np
 
-from app.calibration.linear_map import LinearMap
-from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import Binding, DriveParameters, Gesture
 from app.layout import Channel, Joint, ShirtLayout
-from building import covariance_of_independent
+from building import joint_map, profile_of
 
 RATE = 100.0
 JOINTS = ("right_elbow", "left_elbow")
@@ -23,34 +21,12 @@ def parameters(bound: tuple[str, ...] = JOINTS, *, stop: bool = False) -> DriveP
         channels=tuple(Channel(name=f"{joint}_{i}", joint=joint) for joint in JOINTS for i in range(COUNT)),
         joints=tuple(Joint(name=joint, label=joint.replace("_", " ")) for joint in JOINTS),
     )
-    maps = tuple(
-        JointMap(
-            name=joint,
-            channels=tuple(range(COUNT * place, COUNT * place + COUNT)),
-            mean=(0.0,) * COUNT,
-            evr=0.9,
-            prompted=True,
-            rest_rate=0.01,
-            pca=LinearMap(rates=((0.5, 0.0, 0.0, 0.0),), dead_zone=0.15, full=1.0),
-            step=0.035,
-            filtered_step=0.06,
-            covariance=covariance_of_independent([0.5] * COUNT),
-            grade="good",
-            reason="Clear.",
-        )
+    rates, weights = (0.5, 0.0, 0.0, 0.0), [0.5] * COUNT
+    maps = [
+        joint_map(joint, range(COUNT * place, COUNT * place + COUNT), rates, weights, dead_zone=0.15, rest_rate=0.01)
         for place, joint in enumerate(JOINTS)
-    )
-    profile = CalibrationProfile(
-        created="2025-01-01T00:00:00+00:00",
-        software="0",
-        layout=layout,
-        sample_rate=RATE,
-        left_out={},
-        low=(-1.0,) * COUNT * 2,
-        high=(3.0,) * COUNT * 2,
-        noise=(0.0,) * COUNT * 2,
-        joints=maps,
-    )
+    ]
+    profile = profile_of(layout, maps, -1.0, 3.0, RATE)
     gestures = tuple(Gesture(name=joint, joint=joint, dead_zone=0.15, full=1.0) for joint in JOINTS)
     controls = ("u1+", "u1-")
     bindings = [Binding(control=control, gestures=(joint,)) for control, joint in zip(controls, bound, strict=False)]

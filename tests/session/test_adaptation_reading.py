@@ -11,13 +11,11 @@ from session.test_recordings import JOINTS, LAYOUT, RATE, record
 
 from app.calibration.adaptation.joint_loss import JointLoss
 from app.calibration.adaptation.proposal import propose
-from app.calibration.linear_map import LinearMap
-from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.faults import State
 from app.messages import Tick
 from app.session.adaptation_reading import PastRun, adapt_from_recordings, movement_of
-from building import covariance_of_independent
+from building import joint_map, profile_of
 
 AS_CALIBRATED, PUT_ON_AGAIN = (1.0, -0.6), (1.0, -0.05)  # how a joint's two channels answer to its angle
 SIZE = math.hypot(*AS_CALIBRATED)
@@ -25,35 +23,11 @@ SIZE = math.hypot(*AS_CALIBRATED)
 
 @pytest.fixture
 def parameters() -> DriveParameters:
-    maps = tuple(
-        JointMap(
-            name=joint,
-            channels=(2 * i, 2 * i + 1),
-            mean=(0.0, 0.0),
-            evr=0.95,
-            prompted=True,
-            rest_rate=0.04,
-            pca=LinearMap(rates=(tuple(gain / SIZE**2 for gain in AS_CALIBRATED),), dead_zone=0.2, full=3.0),
-            step=0.035,
-            filtered_step=0.06,
-            covariance=covariance_of_independent(AS_CALIBRATED),
-            grade="good",
-            reason="Clear.",
-        )
-        for i, joint in enumerate(JOINTS)
-    )
-    profile = CalibrationProfile(
-        created="2025-01-01T00:00:00+00:00",
-        software="0",
-        layout=LAYOUT,
-        sample_rate=RATE,
-        left_out={},
-        low=(-1.0,) * 4,
-        high=(1.5,) * 4,
-        noise=(0.0,) * 4,
-        joints=maps,
-    )
-    return standard_parameters(profile)
+    rates = [gain / SIZE**2 for gain in AS_CALIBRATED]
+    maps = [
+        joint_map(joint, (2 * i, 2 * i + 1), rates, AS_CALIBRATED, full=3.0, evr=0.95) for i, joint in enumerate(JOINTS)
+    ]
+    return standard_parameters(profile_of(LAYOUT, maps, -1.0, 1.5, RATE))
 
 
 @pytest.fixture

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from clinic_rows import rows_in
 
 from app.messages import TICK
 from app.refusals import Conflict, Unavailable
@@ -16,8 +17,6 @@ from app.session.runs import SessionRuns
 from app.session.trial import TrialFlow
 from app.source import UNKNOWN_SOURCE
 from app.store.database import Database
-from app.store.patients import add_patient, start_session
-from app.store.people import add_clinic
 from app.store.tables import Run
 
 
@@ -56,10 +55,8 @@ def test_a_run_that_cannot_be_noted_is_not_left_running(tmp_path: Any) -> None:
 @pytest.mark.parametrize("refusal", [Unavailable("It did not answer."), Conflict("Nothing is being recorded.")])
 def test_a_run_whose_end_nobody_answers_is_open_no_more(database: Database, tmp_path: Any, refusal: Exception) -> None:
     """A control process that does not answer is ended (test_control_link.py), and so records no more."""
-    with database.transaction() as db:
-        add_clinic(db, "Clinic")
-        patient = add_patient(db, "P-1", "Heron", "")
-        session = start_session(db, patient.id)
+    with rows_in(database) as rows:
+        session = rows.open_session()
 
     class SilentControl(FakeControl):
         async def call(self, do: str, **fields: Any) -> dict[str, Any]:
@@ -89,9 +86,8 @@ def test_a_run_is_followed_from_its_beginning_and_no_tick_before_it_is_read(
     database: Database, tmp_path: Any, numbers: tuple[int | None, int], first: int
 ) -> None:
     """A control process that was replaced meanwhile numbers its ticks anew."""
-    with database.transaction() as db:
-        add_clinic(db, "Clinic")
-        session = start_session(db, add_patient(db, "P-1", "Heron", "").id)
+    with rows_in(database) as rows:
+        session = rows.open_session()
     asked: list[int] = []
 
     class Ticking(FakeControl):

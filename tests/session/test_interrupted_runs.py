@@ -9,15 +9,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from clinic_rows import rows_in
 from recording.test_recording_killed import KILLED
 
-from app.clock import utc_now
 from app.features.exports.recorded_runs import recorded_runs
 from app.recording.reader import CUT, kept_rows, read_run
 from app.session.runs import NAMELESS, SessionRuns
 from app.store.database import Database
-from app.store.patients import add_patient, start_session
-from app.store.people import add_clinic
 from app.store.runs import add_run
 from app.store.tables import LogEntry, Run
 from folders import ROOT
@@ -41,12 +39,10 @@ def killed_recording(folder: Path, after: float) -> int:
 def interrupted(database: Database, tmp_path: Path) -> tuple[Database, SessionRuns, Path]:
     """A clinic that was killed while it recorded `known`; of `unknown` there is no row yet."""
     runs = tmp_path / "runs"
-    with database.transaction() as db:
-        add_clinic(db, "Clinic")
-        session = start_session(db, add_patient(db, "P-1", "Heron", "").id)
-        add_run(db, "known", session.id, "drive", "known")
-        add_run(db, "gone", session.id, "drive", "gone")
-        session.ended = utc_now()
+    with rows_in(database) as rows:
+        session = rows.session()
+        for run in ("known", "gone"):
+            add_run(rows.db, run, session.id, "drive", run)
     killed_recording(runs / "unknown", 0.0)
     return database, SessionRuns(database, None, runs, lambda: True), runs  # type: ignore[arg-type]
 

@@ -5,39 +5,28 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from recorded_trial import plan_of, record_trial
+from clinic_rows import rows_in
+from recorded_trial import record_trial
 from session.same_process import SameProcess
 from sqlalchemy import select
-from store.course_of_sessions import store_course
 
 from app.features.records.sign_off import sign_off
 from app.session.measures_renewal import MeasuresRenewal
 from app.session.recordings import MEASURES_VERSION, measure_again
 from app.store.database import Database
 from app.store.learning_trials import counted_trials
-from app.store.patients import add_patient
-from app.store.people import add_clinic
 from app.store.runs import keep_trial, trials_of_older_measures
 from app.store.tables import LogEntry, PatientSession, Trial
-from building import make_parameters
+from building import make_parameters, plan_of
 
 PLAN = plan_of()
 OLD = {"time": 99.0, "dist": 1.0, "reached": True, "measures_version": MEASURES_VERSION - 1}
 HALTED = {**OLD, "halts": 3, "halt_time": 14.2, "pauses": 0, "pause_time": 0.0, "interrupted": True}
 
 
-@pytest.fixture
-def database(tmp_path):
-    database = Database(tmp_path / "a.db")
-    yield database
-    database.close()
-
-
 def stored(database: Database, *trials) -> list[int]:
-    with database.transaction() as db:
-        clinic = add_clinic(db, "A")
-        patient = add_patient(db, "P1", "P. One", "")
-        return store_course(db, clinic.id, patient.id, PLAN, [trials])
+    with rows_in(database) as rows:
+        return rows.course(rows.patient(), PLAN, [trials])
 
 
 def renewed(database: Database, folder: Path, measures=None) -> None:

@@ -7,17 +7,18 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from clinic_rows import rows_in
 from sqlalchemy import text
 from store.small_disk import fill, small_disk
 
 from app.refusals import DiskFull
-from app.store.access.sign_ins import sign_in, sign_out, signed_in
+from app.store.access.sign_ins import sign_out, signed_in
 from app.store.database import Database
 from app.store.files.ballast import HEADROOM, PART, SIZE, Ballast
 from app.store.log import write_log
 from app.store.log_chain import verify_log
-from app.store.patients import add_patient, end_session, open_session, start_session
-from app.store.people import add_clinic, add_person
+from app.store.patients import add_patient, end_session, open_session
+from app.store.people import add_clinic
 from folders import ROOT
 
 
@@ -48,10 +49,9 @@ def test_a_session_ends_and_people_sign_out_on_a_full_disk(disk: Path) -> None:
     database = Database(file)
     database.ballast.refill()
     assert database.ballast.file.stat().st_blocks * 512 >= SIZE
-    with database.transaction() as db:
-        clinic = add_clinic(db, "Clinic")
-        start_session(db, add_patient(db, "P-1", "Heron", "").id)
-        token = sign_in(db, add_person(db, clinic, "Ada", "owner", None), "password")
+    with rows_in(database) as rows:
+        rows.open_session()
+        token = rows.sign_in("Ada")
     fill_all(database, disk)
 
     with database.transaction(closing=True) as db:

@@ -3,33 +3,27 @@
 from datetime import timedelta
 
 import pytest
+from clinic_rows import ClinicRows
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
 from app.store import browsers
 from app.store.access.person_tables import KnownBrowser, Person
 from app.store.browsers import KNOWN_FOR, find_browser, remember_browser
-from app.store.people import add_clinic, add_person
 
 
 @pytest.fixture
 def ada(db: Session) -> Person:
-    return add_person(db, add_clinic(db, "Clinic"), "Ada", "owner", "the hash of a password")
+    return ClinicRows(db).person("Ada", "owner", "the hash of a password")
 
 
 def test_a_browser_is_known_for_its_person_only_and_its_token_is_not_in_the_database(db: Session, ada: Person) -> None:
-    eve = add_person(db, ada_clinic(db, ada), "Eve", "clinician", "another hash")
+    eve = ClinicRows(db).person("Eve", "clinician", "another hash")
     token = remember_browser(db, ada, None)
     assert find_browser(db, ada, token) is not None
     for person, shown in ((eve, token), (ada, token[:-1]), (ada, ""), (ada, None), (None, token)):
         assert find_browser(db, person, shown) is None
     assert token not in str([row.token_hash for row in db.query(KnownBrowser)])
-
-
-def ada_clinic(db: Session, person: Person):
-    from app.store.tables import Clinic
-
-    return db.get_one(Clinic, person.clinic_id)
 
 
 def test_another_password_and_being_disabled_make_every_browser_unknown(db: Session, ada: Person) -> None:

@@ -28,7 +28,7 @@ def test_every_connection_is_durable_and_keeps_references_whole(tmp_path: Path) 
 
 def add_clinic_and_break(database: Database) -> None:
     with database.transaction() as db:
-        db.add(Clinic(name="Lost", created=utc_now(), shirt=None, body=None, unused=[], chair=None, limits=None))
+        db.add(Clinic(name="Lost", created=utc_now(), unused=[]))
         db.flush()
         db.execute(text("INSERT INTO person (clinic_id) VALUES (NULL)"))
 
@@ -37,7 +37,7 @@ def test_a_broken_transaction_leaves_nothing_and_content_survives_reopening(tmp_
     file = tmp_path / "folder" / "a.sqlite"
     database = Database(file)
     with database.transaction() as db:
-        db.add(Clinic(name="Kept", created=utc_now(), shirt=None, body=None, unused=[], chair=None, limits=None))
+        db.add(Clinic(name="Kept", created=utc_now(), unused=[]))
     with pytest.raises(IntegrityError):
         add_clinic_and_break(database)
     database.close()
@@ -49,11 +49,9 @@ def test_a_broken_transaction_leaves_nothing_and_content_survives_reopening(tmp_
     assert clinics[0].created.utcoffset() is not None
 
 
-def test_a_patient_of_no_clinic_is_refused(tmp_path: Path) -> None:
-    database = Database(tmp_path / "a.sqlite")
+def test_a_patient_of_no_clinic_is_refused(database: Database) -> None:
     with pytest.raises(IntegrityError), database.transaction() as db:
         db.add(Patient(clinic_id=7, code="A", pseudonym="A", note="", created=utc_now(), deleted=None))
-    database.close()
 
 
 def add_many_patients(database: Database) -> None:
@@ -62,8 +60,7 @@ def add_many_patients(database: Database) -> None:
             add_patient(db, f"P-{number}", "Heron", "n" * 2000)
 
 
-def test_a_full_disk_is_a_refusal_in_a_sentence_and_what_was_there_stays(tmp_path: Path) -> None:
-    database = Database(tmp_path / "a.sqlite")
+def test_a_full_disk_is_a_refusal_in_a_sentence_and_what_was_there_stays(database: Database) -> None:
     with database.transaction() as db:
         add_clinic(db, "Kept")
         pages = db.execute(text("PRAGMA page_count")).scalar_one()
@@ -73,7 +70,6 @@ def test_a_full_disk_is_a_refusal_in_a_sentence_and_what_was_there_stays(tmp_pat
     with database.transaction() as db:
         assert db.query(Patient).count() == 0
         assert [kept.name for kept in db.query(Clinic)] == ["Kept"]
-    database.close()
 
 
 def test_a_database_that_another_program_holds_is_a_refusal(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -90,8 +86,7 @@ def test_a_database_that_another_program_holds_is_a_refusal(tmp_path: Path, monk
     database.close()
 
 
-def test_who_reads_waits_for_nobody_and_sees_what_was_committed(tmp_path: Path) -> None:
-    database = Database(tmp_path / "a.sqlite")
+def test_who_reads_waits_for_nobody_and_sees_what_was_committed(database: Database) -> None:
     with database.transaction() as db:
         add_clinic(db, "Kept")
         db.flush()
@@ -102,16 +97,13 @@ def test_who_reads_waits_for_nobody_and_sees_what_was_committed(tmp_path: Path) 
         with database.transaction() as db:
             add_patient(db, "P-1", "Heron", "")
         assert beside.query(Patient).count() == 0
-    database.close()
 
 
-def test_who_reads_cannot_write(tmp_path: Path) -> None:
-    database = Database(tmp_path / "a.sqlite")
+def test_who_reads_cannot_write(database: Database) -> None:
     with pytest.raises(OperationalError, match="readonly"), database.reading() as db:
         add_clinic(db, "Lost")
     with database.reading() as db:
         assert db.query(Clinic).count() == 0
-    database.close()
 
 
 def test_who_reads_keeps_the_write_ahead_log_from_being_emptied_and_it_is_said(
@@ -129,8 +121,6 @@ def test_who_reads_keeps_the_write_ahead_log_from_being_emptied_and_it_is_said(
     assert not (tmp_path / "a.sqlite-wal").exists()
 
 
-def test_a_mistake_of_ours_is_no_full_disk(tmp_path: Path) -> None:
-    database = Database(tmp_path / "a.sqlite")
+def test_a_mistake_of_ours_is_no_full_disk(database: Database) -> None:
     with pytest.raises(OperationalError), database.transaction() as db:
         db.execute(text("SELECT nothing FROM nowhere"))
-    database.close()

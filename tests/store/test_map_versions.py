@@ -3,32 +3,27 @@
 from typing import Any
 
 import pytest
-from sqlalchemy.orm import Session
+from clinic_rows import ClinicRows
 
 from app.calibration.profile import CalibrationProfile
-from app.calibration.vocabulary import DriveParameters, standard_parameters
+from app.calibration.vocabulary import DriveParameters
 from app.refusals import Conflict
 from app.store.map_versions import family, go_back, save_adapted, version_before, versions_of
-from app.store.parameters import as_document, current_parameters, save_parameters, save_profile
-from app.store.patients import add_patient, start_session
-from app.store.people import add_clinic
-from app.store.runs import add_run, add_trial
-from app.store.tables import ParameterSet, Patient, PatientSession, Profile, Trial
+from app.store.parameters import as_document, current_parameters, save_parameters
+from app.store.tables import ParameterSet, Profile, Trial
 
 
 class PatientMaps:
     """A patient with an accepted calibration."""
 
-    def __init__(self, db: Session, profile: CalibrationProfile) -> None:
-        self.db = db
-        add_clinic(db, "Clinic")
-        self.patient: Patient = add_patient(db, "P-1", "Heron", "")
-        self.session: PatientSession = start_session(db, self.patient.id)
-        self.calibrate(profile)
+    def __init__(self, rows: ClinicRows) -> None:
+        self.rows, self.db = rows, rows.db
+        self.patient = rows.patient()
+        self.session = rows.open_session(self.patient)
+        self.calibrate()
 
-    def calibrate(self, profile: CalibrationProfile) -> None:
-        row = save_profile(self.db, self.patient.id, self.session.id, profile)
-        save_parameters(self.db, row, standard_parameters(profile))
+    def calibrate(self) -> None:
+        self.rows.map(self.session)
 
     @property
     def now(self) -> DriveParameters:
@@ -57,23 +52,13 @@ class PatientMaps:
     def back(self) -> Profile:
         return go_back(self.db, self.patient.id, self.session.id)
 
-    def drive(self, name: str) -> Trial:
-        run = add_run(self.db, name, self.session.id, "drive", name)
-        return add_trial(
-            self.db,
-            run=run,
-            patient_id=self.patient.id,
-            parameters_id=current_parameters(self.db, self.patient.id)[0].id,
-            floorplan="hall",
-            floorplan_title="Hall",
-            path="loop",
-            path_points=[[0.0, 0.0], [1.0, 0.0]],
-        )
+    def drive(self) -> Trial:
+        return self.rows.trial(self.session)
 
 
 @pytest.fixture
-def maps(db: Session, profile: CalibrationProfile) -> PatientMaps:
-    return PatientMaps(db, profile)
+def maps(rows: ClinicRows) -> PatientMaps:
+    return PatientMaps(rows)
 
 
 def test_an_adapted_map_is_a_version_of_its_own(maps: PatientMaps) -> None:
@@ -138,9 +123,9 @@ def test_what_a_person_set_since_stays_when_going_back(maps: PatientMaps) -> Non
 
 
 def test_trials_keep_the_version_that_they_were_driven_with(maps: PatientMaps) -> None:
-    first = maps.drive("a")
+    first = maps.drive()
     maps.adapt(0.02)
-    second, third = maps.drive("b"), maps.drive("c")
+    second, third = maps.drive(), maps.drive()
     maps.back()
     listed = versions_of(maps.db, maps.patient.id)
     assert [(one.version, one.origin, one.parent, one.trials) for one in listed] == [
@@ -152,11 +137,9 @@ def test_trials_keep_the_version_that_they_were_driven_with(maps: PatientMaps) -
     assert [row.profile_id for row in rows] == [1, 2]
 
 
-def test_a_new_calibration_is_no_child_of_what_was_adapted_before(
-    maps: PatientMaps, profile: CalibrationProfile
-) -> None:
+def test_a_new_calibration_is_no_child_of_what_was_adapted_before(maps: PatientMaps) -> None:
     maps.adapt(0.02)
-    maps.calibrate(profile)
+    maps.calibrate()
     maps.adapt(0.02)
     maps.back()
     assert family(maps.db, maps.patient.id, maps.version) == {3, 4, 5}

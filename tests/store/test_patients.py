@@ -1,8 +1,7 @@
 """Patients, sessions, controls and trials: stored, and undone."""
 
-from typing import Any
-
 import pytest
+from clinic_rows import ClinicRows
 from sqlalchemy.orm import Session
 
 from app.calibration.profile import CalibrationProfile
@@ -37,15 +36,14 @@ from app.store.patients import (
     session_progress,
     start_session,
 )
-from app.store.people import add_clinic
-from app.store.runs import add_run, add_trial, close_interrupted_trials, finish_trial, keep_trial
-from app.store.tables import Patient, Trial
+from app.store.runs import add_run, close_interrupted_trials, finish_trial, keep_trial
+from app.store.tables import Patient
+from building import plan_of
 
 
 @pytest.fixture
-def patient(db: Session) -> Patient:
-    add_clinic(db, "Clinic")
-    return add_patient(db, "P-1", "Heron", "")
+def patient(rows: ClinicRows) -> Patient:
+    return rows.patient()
 
 
 def test_a_deleted_patient_comes_back_whole(db: Session, patient: Patient) -> None:
@@ -127,34 +125,15 @@ def test_calibration_steps_survive_and_interrupted_ones_say_so(db: Session, pati
     assert recordings_of(db, session.id) == {}
 
 
-def new_trial(db: Session, patient: Patient, run_id: str, parameters_id: int, **which: Any) -> Trial:
-    session = start_session(db, patient.id)
-    run = add_run(db, run_id, session.id, "drive", run_id)
-    place = {"floorplan": "clinic", "path": "long", **which}
-    return add_trial(
-        db,
-        run=run,
-        patient_id=patient.id,
-        parameters_id=parameters_id,
-        floorplan_title="Clinic",
-        path_points=[[0, 0], [1, 0]],
-        **place,
-    )
-
-
-def test_trials_are_numbered_per_path_and_can_be_discarded(
-    db: Session, patient: Patient, profile: CalibrationProfile
-) -> None:
-    session = start_session(db, patient.id)
-    save_profile(db, patient.id, session.id, profile)
-    parameters = current_parameters(db, patient.id)[0].id
-    first = new_trial(db, patient, "a", parameters)
+def test_trials_are_numbered_per_path_and_can_be_discarded(db: Session, rows: ClinicRows, patient: Patient) -> None:
+    session = rows.open_session(patient)
+    first = rows.trial(session, end=None)
     with pytest.raises(Conflict, match="end it first"):
         keep_trial(db, first.id, "tired")
     finish_trial(db, first.id, "goal", {"dist": 10.0, "sparc": float("nan")})
     assert first.measures == {"dist": 10.0, "sparc": None}
-    assert new_trial(db, patient, "b", parameters).number == 2
-    assert new_trial(db, patient, "c", parameters, path="short").number == 1
+    assert rows.trial(session, end=None).number == 2
+    assert rows.trial(session, plan=plan_of(name="hall"), end=None).number == 1
     assert [trial.end for trial in close_interrupted_trials(db)] == ["fault", "fault"]
     assert patient_figures(db, [patient])[patient.id].trials == 3
     keep_trial(db, first.id, "tired")

@@ -3,6 +3,7 @@
 from datetime import timedelta
 
 import pytest
+from clinic_rows import ClinicRows
 from sqlalchemy import text
 from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
@@ -12,13 +13,13 @@ from app.refusals import Conflict
 from app.store.access.person_tables import SignIn
 from app.store.access.sign_ins import sign_in, sign_out, signed_in
 from app.store.log import write_log
-from app.store.people import add_clinic, add_person, count_people, the_clinic
+from app.store.people import count_people, the_clinic
 
 
 def test_a_sign_in_holds_until_sign_out_and_its_token_is_not_in_the_database(db: Session) -> None:
     assert the_clinic(db) is None
     assert count_people(db) == 0
-    person = add_person(db, add_clinic(db, "Clinic"), "Ada", "owner", None)
+    person = ClinicRows(db).person()
     token = sign_in(db, person, "password")
     found = signed_in(db, token)
     assert found is not None
@@ -30,7 +31,7 @@ def test_a_sign_in_holds_until_sign_out_and_its_token_is_not_in_the_database(db:
 
 
 def test_an_expired_sign_in_and_a_disabled_person_are_out(db: Session) -> None:
-    person = add_person(db, add_clinic(db, "Clinic"), "Ada", "owner", None)
+    person = ClinicRows(db).person()
     first, second = sign_in(db, person, "password"), sign_in(db, person, "password")
     assert first != second
     session = signed_in(db, first)
@@ -44,11 +45,10 @@ def test_an_expired_sign_in_and_a_disabled_person_are_out(db: Session) -> None:
     assert signed_in(db, second) is None
 
 
-def test_one_name_signs_in_one_person(db: Session) -> None:
-    clinic = add_clinic(db, "Clinic")
-    add_person(db, clinic, "Ada", "owner", None)
+def test_one_name_signs_in_one_person(rows: ClinicRows) -> None:
+    rows.person("Ada", "owner")
     with pytest.raises(Conflict, match="choose another name"):
-        add_person(db, clinic, "Ada", "clinician", None)
+        rows.person("Ada", "clinician")
 
 
 def test_the_log_refuses_editing_and_deleting(db: Session) -> None:

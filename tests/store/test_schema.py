@@ -14,14 +14,14 @@ from alembic.autogenerate import compare_metadata
 from alembic.config import Config
 from alembic.migration import MigrationContext
 from alembic.script import ScriptDirectory
+from clinic_rows import rows_in
 from store.later_schema import COLUMN, LATER, use_later_schema
 
 from app.refusals import DiskFull, Refusal, Unavailable
 from app.store.backup import back_up
 from app.store.database import Database, make_engine
 from app.store.log import write_log
-from app.store.patients import add_patient
-from app.store.people import add_clinic, the_clinic
+from app.store.people import the_clinic
 from app.store.schema import MIGRATIONS, NEWEST, metadata, migrate, revision_of
 
 CONFIG = Config()
@@ -41,10 +41,9 @@ def migrated(file: Path, revision: str = "head") -> Path:
 @pytest.fixture
 def file(database: Database, tmp_path: Path) -> Path:
     """Return the database of a clinic with some patients, of this program's schema."""
-    with database.transaction() as db:
-        add_clinic(db, "Old")
+    with rows_in(database, "Old") as rows:
         for number in range(PATIENTS):
-            add_patient(db, f"P-{number}", "Heron", "n" * 2000)
+            rows.patient(f"P-{number}", note="n" * 2000)
     database.close()
     return tmp_path / "clinic.sqlite"
 

@@ -10,16 +10,14 @@ from typing import Any
 
 import pytest
 import sqlalchemy as sa
+from clinic_rows import rows_in
 from exported_clinic import make_clinic
 from store.keeping.filled_clinic import fill
-from store.known_people import known_clinic
 from store.later_schema import LATER, use_later_schema
 from store.test_schema import REVISIONS, migrated
 
 from app.store.database import Database, make_engine
 from app.store.log import write_log
-from app.store.patients import add_patient
-from app.store.people import add_person
 from app.store.schema import NEWEST, migrate, revision_of
 
 FIRST = "0001"  # of 0.2.0
@@ -43,11 +41,11 @@ Rows = dict[str, list[dict[str, Any]]]
 def filled(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return the database of a clinic with a recorded patient, two with a row in every table, and a reviewer of two."""
     settings = make_clinic(tmp_path_factory.mktemp("clinic"))
-    with closing(Database(settings.database)) as database, database.transaction() as db:
+    with rows_in(settings) as rows:
         for word in ("Zebra", "Heron"):
-            fill(db, add_patient(db, f"{word}-code", f"{word} pseudonym", f"{word} note"), word)
-        add_person(db, known_clinic(db), "Rita", "reviewer", None, patients=[1, 2])
-        write_log(db, "Ada", "patient added", patient=2)
+            fill(rows.db, rows.patient(f"{word}-code", f"{word} pseudonym", f"{word} note"), word)
+        rows.person("Rita", "reviewer", patients=[1, 2])
+        write_log(rows.db, "Ada", "patient added", patient=2)
     return settings.database
 
 

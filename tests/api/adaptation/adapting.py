@@ -8,7 +8,6 @@ from app.calibration.vocabulary import DriveParameters
 from app.scoring.trial_forecast import Effect
 from app.session.adaptation import AdaptationFlow
 from app.session.adaptation_reading import AdaptationResult
-from app.speeds import Speeds
 
 UP = 0.01
 
@@ -59,19 +58,6 @@ def change(parameters: DriveParameters, felt: float = 0.03) -> AdaptationResult:
     return AdaptationResult(proposal, EFFECT)
 
 
-def begin(clinic: Any) -> Any:
-    return clinic.good("POST", "/trials", json=clinic.where)
-
-
-def end(clinic: Any) -> Any:
-    return clinic.good("POST", "/trials/current/end", json={"reason": "by hand"})
-
-
-def drive(clinic: Any) -> Any:
-    begin(clinic)
-    return end(clinic)
-
-
 def choose(clinic: Any, mode: str) -> Any:
     return clinic.good("PUT", "/adaptation", json={"mode": mode})
 
@@ -89,12 +75,6 @@ def proposed(clinic: Any) -> Any:
 
 def apply(clinic: Any, view: Any) -> Any:
     return clinic("POST", "/adaptation/apply", json={"proposal": view["proposal"]["id"]})
-
-
-def choose_chair(clinic: Any) -> Any:
-    chair = {"name": "Blue", "host": "10.0.0.7", "port": 5354, "speeds": Speeds().model_dump()}
-    chairs = clinic.good("POST", "/chairs", json=chair)["chairs"]
-    return clinic.good("PUT", "/chairs/chosen", json={"id": chairs[-1]["id"], "dynamics": "unicycle"})
 
 
 def versions(clinic: Any) -> Any:

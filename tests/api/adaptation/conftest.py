@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 from api.adaptation.adapting import change
-from api.fake_clinic import WORD, Clinic
+from api.fake_clinic import Clinic
 
 from app.api.routes import drives
 from app.calibration.vocabulary import DriveParameters
@@ -21,12 +21,6 @@ def _patient_with_this_machine(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture
 def ready(calibrated: Clinic) -> Any:
     """A calibrated patient, and trials that always propose something."""
-    plan = calibrated.good("GET", "/floorplans/apartment")
-    calibrated.where = {  # type: ignore[attr-defined]
-        "floorplan": plan["name"],
-        "path": plan["paths"][0]["name"],
-        "screen": WORD,
-    }
     calibrated.asked = []  # type: ignore[attr-defined]
 
     def adapt(

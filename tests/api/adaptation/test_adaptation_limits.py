@@ -5,23 +5,20 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from api.adaptation.adapting import apply, begin, change, choose, choose_chair, drive, end, proposed, settled, versions
-from api.fake_clinic import WORD
-from store.known_people import known_clinic
+from api.adaptation.adapting import apply, change, choose, proposed, settled, versions
+from api.fake_clinic import WORD, sentence_of
 
 from app.calibration.adaptation.proposal_document import Proposal
 from app.calibration.vocabulary import DriveParameters
 from app.faults import Fault, State
 from app.session.adaptation import AdaptationFlow
 from app.session.adaptation_reading import AdaptationResult
-from app.store.access.sign_ins import sign_in
-from app.store.people import add_person
 
 
 def test_a_large_change_waits_for_a_person(ready: Any) -> None:
     ready.readings["adapt"] = lambda parameters, *_: change(parameters, felt=0.07)
     choose(ready, "auto")
-    drive(ready)
+    ready.drive_trial()
     view = settled(ready)
     assert view["version"] == 1
     assert "waits until somebody" in view["proposal"]["message"]
@@ -32,7 +29,7 @@ def test_nothing_is_applied_where_nothing_would_change(ready: Any) -> None:
     nothing = {"trials": 1, "joints": (), "felt_change": 0.0, "warns": False, "parameters": None, "difference": {}}
     ready.readings["adapt"] = lambda *_: AdaptationResult(Proposal(**nothing, reason="The map fits."), None)
     choose(ready, "auto")
-    drive(ready)
+    ready.drive_trial()
     view = settled(ready)
     assert (view["version"], view["proposal"]["changes"]) == (1, False)
     assert view["why"] == "The map fits."
@@ -40,24 +37,19 @@ def test_nothing_is_applied_where_nothing_would_change(ready: Any) -> None:
 
 
 def test_a_proposal_that_something_overtook_is_refused(ready: Any) -> None:
-    drive(ready)
+    ready.drive_trial()
     view = proposed(ready)
     ready.good("POST", "/controls/suggest")
-    now = ready.good("GET", "/controls")["parameters"]
-    names = ("gestures", "bindings", "mode_u1", "mode_u2", "speeds", "cruise_time", "title")
-    ready.good("PUT", "/controls", json={**{name: now[name] for name in names}, "cutoff": 2.0})
-    answer = apply(ready, view)
-    assert answer.status_code == 409
-    assert "changed since" in answer.json()["detail"]
+    ready.set_controls(cutoff=2.0)
+    assert "changed since" in sentence_of(apply(ready, view), 409)
     assert "changed since" in ready.good("GET", "/adaptation")["why"]
     assert versions(ready) == [(1, "calibration", None)]
 
 
 def test_of_another_patient_nothing_is_shown_or_applied(ready: Any) -> None:
-    drive(ready)
+    ready.drive_trial()
     view = proposed(ready)
-    other = ready.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Stork"})
-    ready.open_session(other["id"])
+    ready.open_session(ready.add_patient("P-2"))
     stands = ready.good("GET", "/adaptation")
     assert (stands["proposal"], stands["version"], stands["mode"]) == (None, None, "off")
     assert apply(ready, view).status_code == 404
@@ -65,9 +57,9 @@ def test_of_another_patient_nothing_is_shown_or_applied(ready: Any) -> None:
 
 def test_nothing_is_adapted_with_a_real_chair_chosen(ready: Any) -> None:
     choose(ready, "suggest")
-    drive(ready)
+    ready.drive_trial()
     view = settled(ready)
-    choose_chair(ready)
+    ready.choose_chair()
     for answer in (apply(ready, view), ready("POST", "/adaptation/propose")):
         assert answer.status_code == 409
         assert answer.json()["detail"].startswith("A real chair is chosen")
@@ -76,13 +68,11 @@ def test_nothing_is_adapted_with_a_real_chair_chosen(ready: Any) -> None:
 
 
 def test_nothing_is_adapted_while_the_real_chair_is_armed(ready: Any) -> None:
-    now = ready.good("GET", "/controls")["parameters"]
-    names = ("gestures", "bindings", "mode_u2", "cutoff", "speeds", "cruise_time", "title")
-    ready.good("PUT", "/controls", json={**{name: now[name] for name in names}, "mode_u1": "velocity"})
-    drive(ready)
+    ready.set_controls(mode_u1="velocity")
+    ready.drive_trial()
     view = proposed(ready)
     choose(ready, "auto")
-    choose_chair(ready)
+    ready.choose_chair()
     with ready.screen():
         digest = ready.good("GET", "/drives/summary")["parameters"]["hash"]
         ready.good("POST", "/drives", json={"hash": digest, "screen": WORD})
@@ -90,9 +80,8 @@ def test_nothing_is_adapted_while_the_real_chair_is_armed(ready: Any) -> None:
         for path in ("apply", "propose", "back"):
             answer = ready("POST", f"/adaptation/{path}", json={"proposal": view["proposal"]["id"]})
             assert answer.status_code == 409, path
-        ready.process.loop.call_soon_threadsafe(
-            ready.parts[AdaptationFlow].trial_over, 1
-        )  # even if a trial's end were told only now
+        # Even if a trial's end were told only now.
+        ready.process.loop.call_soon_threadsafe(ready.parts[AdaptationFlow].trial_over, 1)
         settled(ready)
         assert ready.process.parameters is loaded
         assert versions(ready) == [(1, "calibration", None)]
@@ -101,11 +90,11 @@ def test_nothing_is_adapted_while_the_real_chair_is_armed(ready: Any) -> None:
 
 
 def test_an_adapted_set_is_practised_before_a_real_chair_arms_it(ready: Any) -> None:
-    drive(ready)
+    ready.drive_trial()
     apply(ready, proposed(ready))
     summary = ready.good("GET", "/drives/summary")
     assert any("never practised" in refusal for refusal in summary["refusals"])
-    drive(ready)
+    ready.drive_trial()
     summary = ready.good("GET", "/drives/summary")
     assert summary["practised"]["trials"] == 1
     assert not any("never practised" in refusal for refusal in summary["refusals"])
@@ -132,13 +121,13 @@ def test_by_itself_it_applies_only_between_trials(ready: Any, meanwhile: str) ->
 
     ready.readings["adapt"] = adapt
     choose(ready, "auto")
-    drive(ready)
+    ready.drive_trial()
     assert looks.wait(20)
     assert ready.good("GET", "/adaptation")["looking"] is True
     if meanwhile == "trial":
-        begin(ready)
+        ready.start_trial()
     elif meanwhile == "chair":
-        choose_chair(ready)
+        ready.choose_chair()
     else:
         choose(ready, "off")
     loaded = ready.process.parameters
@@ -149,12 +138,12 @@ def test_by_itself_it_applies_only_between_trials(ready: Any, meanwhile: str) ->
     assert view["proposal"]["message"] != ""
     assert ready.process.parameters is loaded
     if meanwhile == "trial":
-        end(ready)
+        ready.end_trial()
         assert settled(ready)["version"] == 2
 
 
 def test_it_is_applied_at_a_disarmed_standstill_only(ready: Any) -> None:
-    drive(ready)
+    ready.drive_trial()
     view = proposed(ready)
     for says, words in (
         ({"v": 0.3}, "armed or moves"),
@@ -165,21 +154,15 @@ def test_it_is_applied_at_a_disarmed_standstill_only(ready: Any) -> None:
         ({"chair_kind": 1}, "A real chair"),
     ):
         ready.process.says = says
-        answer = apply(ready, view)
-        assert answer.status_code == 409
-        assert words in answer.json()["detail"]
+        assert words in sentence_of(apply(ready, view), 409)
     ready.process.says = {}
     assert apply(ready, view).status_code == 200
 
 
 def test_a_reviewer_looks_and_changes_nothing(ready: Any) -> None:
-    drive(ready)
+    ready.drive_trial()
     view = proposed(ready)
-    database = ready.database
-    with database.transaction() as db:
-        person = add_person(db, known_clinic(db), "Rita", "reviewer", None)
-        token = sign_in(db, person, "test")
-    ready.client.cookies["bodydrive_sign_in"] = token
+    ready.client.cookies.update(ready.cookies_of("Rita", "reviewer"))
     assert ready.good("GET", "/adaptation")["proposal"]["id"] == view["proposal"]["id"]
     assert ready.good("GET", f"/patients/{ready.patient['id']}/maps")[0]["version"] == 1
     assert apply(ready, view).status_code == 403

@@ -8,13 +8,10 @@ from contextlib import contextmanager
 from typing import Any
 
 import pytest
-from api.fake_clinic import BASE, WORD, Clinic
+from api.fake_clinic import Clinic, next_message
 
 from app.api.computer import graphics
 from app.api.computer.measurement import BUSY, FAILED, INTERRUPTED, UNDER_WAY
-
-ORIGIN = {"Origin": BASE}
-SOCKETS = f"{BASE.replace('http', 'ws')}/api/v1"
 
 
 class Asked:
@@ -58,14 +55,9 @@ def started(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[], asyncio.su
 
 @contextmanager
 def open_socket(clinic: Clinic, path: str) -> Iterator[Any]:
-    with clinic.client.websocket_connect(f"{SOCKETS}{path}", headers=ORIGIN) as socket:
+    with clinic.socket(path) as socket:
         socket.receive_json()
         yield socket
-
-
-def until_asked(socket: Any) -> None:
-    while socket.receive_json().get("event") != "graphics":
-        pass
 
 
 def test_it_says_what_the_command_says_and_what_each_screen_draws(
@@ -78,8 +70,8 @@ def test_it_says_what_the_command_says_and_what_each_screen_draws(
         open_socket(paired, "/patient/live") as screen,
     ):
         asked = Asked(paired, 1)
-        until_asked(page)
-        until_asked(screen)
+        for socket in (page, screen):
+            next_message(socket, lambda m: m.get("event") == "graphics")
         page.send_json({"pictures": -1.0})  # nonsense changes nothing
         page.send_json({"pictures": 58.4})
         screen.send_json({"pictures": 12})
@@ -99,31 +91,23 @@ def test_it_says_what_the_command_says_and_what_each_screen_draws(
     assert screens[2]["message"].startswith("A patient's screen draws 12 pictures a second. ")
 
 
-def begin_trial(clinic: Clinic) -> None:
-    plan = clinic.good("GET", "/floorplans/apartment")
-    clinic.good("POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD})
-
-
 def test_it_ends_when_a_chair_is_armed_and_does_not_begin_before_the_end_of_that(
     calibrated: Clinic, started: Callable[[], asyncio.subprocess.Process]
 ) -> None:
     asked = Asked(calibrated, 60)
     process = started()
-    second = calibrated("POST", "/computer/measurement", json={"seconds": 1})
-    assert (second.status_code, second.json()["detail"]) == (409, UNDER_WAY)
-    begin_trial(calibrated)
+    assert calibrated.refused(409, "POST", "/computer/measurement", json={"seconds": 1}) == UNDER_WAY
+    calibrated.start_trial()
     first = asked.answer()
     assert (first.status_code, first.json()["detail"]) == (409, INTERRUPTED)
     assert process.returncode is not None
-    third = calibrated("POST", "/computer/measurement", json={"seconds": 1})
-    assert (third.status_code, third.json()["detail"]) == (409, BUSY)
+    assert calibrated.refused(409, "POST", "/computer/measurement", json={"seconds": 1}) == BUSY
 
 
 def test_a_process_that_cannot_measure_is_one_sentence(signed_in: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
     for program in ("/bin/false", "/nowhere/python"):
         monkeypatch.setattr(sys, "executable", program)
-        answer = signed_in("POST", "/computer/measurement", json={"seconds": 1})
-        assert (answer.status_code, answer.json()["detail"]) == (503, FAILED)
+        assert signed_in.refused(503, "POST", "/computer/measurement", json={"seconds": 1}) == FAILED
 
 
 @pytest.mark.parametrize("seconds", [0, 61, 1.5, "10", None])

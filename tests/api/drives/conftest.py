@@ -3,8 +3,7 @@
 from typing import Any
 
 import pytest
-from api.drives.chair_drives import choose_chair, practise, velocity
-from api.fake_clinic import WORD, Clinic
+from api.fake_clinic import Clinic
 
 from app.api.routes import drives
 
@@ -16,19 +15,13 @@ def _patient_with_this_machine(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture
 def calibrated(calibrated: Clinic) -> Any:
-    plan = calibrated.good("GET", "/floorplans/apartment")
-    calibrated.where = {  # type: ignore[attr-defined]
-        "floorplan": plan["name"],
-        "path": plan["paths"][0]["name"],
-        "screen": WORD,
-    }
-    velocity(calibrated)
+    calibrated.set_controls(mode_u1="velocity")
     return calibrated
 
 
 @pytest.fixture
 def ready(calibrated: Any) -> Any:
     """A chosen chair, and a practised parameter set."""
-    practise(calibrated)
-    choose_chair(calibrated)
+    calibrated.drive_trial()
+    calibrated.choose_chair(forward=0.5)
     return calibrated

@@ -3,8 +3,8 @@
 from typing import Any
 
 import pytest
-from api.drives.chair_drives import arm, choose_chair, practise, velocity
-from api.fake_clinic import WORD, Clinic
+from api.drives.chair_drives import arm
+from api.fake_clinic import WHERE, WORD, Clinic, sentence_of
 
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.hardware.shirt.kind import NO_KEY
@@ -42,7 +42,7 @@ def test_the_summary_is_what_would_apply(ready: Any) -> None:
 
 def test_what_was_not_practised_is_not_armed_and_the_differences_are_named(ready: Any) -> None:
     faster = {**Speeds().model_dump(), "forward": 1.0}
-    digest = velocity(ready, speeds=faster, cutoff=4.0)["hash"]
+    digest = ready.set_controls(speeds=faster, cutoff=4.0)["hash"]
     summary = ready.good("GET", "/drives/summary")
     assert summary["differences"] == [
         {"kind": "field", "name": "cutoff", "before": 3.0, "now": 4.0},
@@ -53,7 +53,7 @@ def test_what_was_not_practised_is_not_armed_and_the_differences_are_named(ready
         assert arm(ready).status_code == 409
     assert "arm" not in [do for do, _ in ready.process.calls if do == "arm"][1:]
     ready.good("PUT", "/chairs/chosen", json={"id": None, "dynamics": "unicycle"})
-    trial = practise(ready)
+    trial = ready.drive_trial()
     summary = ready.good("GET", "/drives/summary")
     assert (summary["practised"]["trials"], summary["parameters"]["hash"]) == (1, digest)
     ready.good("POST", f"/trials/{trial['id']}/discard", json={"reason": "tired"})
@@ -88,22 +88,20 @@ def test_a_chair_that_cannot_drive_is_not_armed(ready: Any, says: dict[str, Any]
     ready.process.says = says
     assert words in ready.good("GET", "/drives/summary")["refusals"][0]
     with ready.screen():
-        answer = arm(ready)
-    assert answer.status_code == 409
-    assert words in answer.json()["detail"]
+        assert words in sentence_of(arm(ready), 409)
     assert ready.good("GET", f"/drives?patient={ready.patient['id']}") == []
 
 
 def test_a_chosen_chair_that_is_not_open_is_not_taken_for_the_virtual_one(ready: Any) -> None:
     ready.process.chair = "virtual"
     assert ready.good("GET", "/drives/summary")["refusals"] == ["Blue is not open: choose it again."]
-    assert ready("POST", "/trials", json=ready.where).status_code == 409
+    assert ready("POST", "/trials", json=WHERE).status_code == 409
 
 
 def test_acceleration_mode_needs_the_stop_switch(calibrated: Any) -> None:
-    velocity(calibrated, mode_u1="acceleration")
-    practise(calibrated)
-    choose_chair(calibrated)
+    calibrated.set_controls(mode_u1="acceleration")
+    calibrated.drive_trial()
+    calibrated.choose_chair(forward=0.5)
     assert "stop switch" in calibrated.good("GET", "/drives/summary")["refusals"][0]
     calibrated.process.switch_seen = True
     assert calibrated.good("GET", "/drives/summary")["refusals"] == []
@@ -114,8 +112,7 @@ def test_a_shirt_that_cannot_be_trusted_arms_no_real_chair_and_the_page_says_why
     ready.parts[Equipment].mistrust = NO_KEY
     assert ready.good("GET", "/drives/summary")["refusals"] == [NO_KEY]
     with ready.screen():
-        answer = arm(ready)
-    assert (answer.status_code, answer.json()["detail"]) == (409, NO_KEY)
+        assert sentence_of(arm(ready), 409) == NO_KEY
     ready.process.mistrust = ""
     ready.good("PUT", "/equipment/shirt", json={"kind": "simulator"})
     assert ready.good("GET", "/drives/summary")["refusals"] == []
@@ -126,8 +123,7 @@ def test_a_shirt_that_cannot_be_trusted_arms_no_real_chair_and_the_page_says_why
 )
 def test_nobody_arms_from_outside(ready: Any, header: str) -> None:
     with ready.screen():
-        answer = arm(ready, **{header: "127.0.0.1"})
-        assert (answer.status_code, "in the building" in answer.json()["detail"]) == (403, True)
+        assert "in the building" in sentence_of(arm(ready, **{header: "127.0.0.1"}), 403)
         assert arm(ready).status_code == 201
         ready.good("POST", "/control/stop")
         outside = ready("POST", "/control/clear", json={"stops": 1}, headers={header: "127.0.0.1"})
@@ -138,13 +134,11 @@ def test_nobody_arms_from_outside(ready: Any, header: str) -> None:
 
 
 def test_a_screen_that_was_not_heard_does_not_arm(ready: Any) -> None:
-    answer = arm(ready)
-    assert (answer.status_code, "in view" in answer.json()["detail"]) == (409, True)
+    assert "in view" in sentence_of(arm(ready), 409)
     with ready.screen("another-screen"):
         assert arm(ready).status_code == 409
 
 
 def test_the_hash_that_was_read_is_the_one_that_is_armed(ready: Any) -> None:
     with ready.screen():
-        answer = ready("POST", "/drives", json={"hash": "0" * 64, "screen": WORD})
-    assert (answer.status_code, "changed meanwhile" in answer.json()["detail"]) == (409, True)
+        assert "changed meanwhile" in ready.refused(409, "POST", "/drives", json={"hash": "0" * 64, "screen": WORD})

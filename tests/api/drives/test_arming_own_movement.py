@@ -3,8 +3,9 @@
 from typing import Any
 
 import pytest
-from api.drives.chair_drives import arm, choose_chair, practise, velocity
-from api.fake_clinic import profile_for
+from api.drives.chair_drives import arm
+from api.fake_clinic import sentence_of
+from api.fake_process import profile_for
 
 from building import AGREES, taught_by_others
 
@@ -17,9 +18,9 @@ def practised(clinic: Any, **taught: Any) -> Any:
     clinic.readings["profile"] = lambda layout: taught_by_others(profile_for(layout), **taught)
     clinic.good("POST", "/calibration/restart")
     clinic.calibrate()
-    velocity(clinic)
-    practise(clinic)  # the virtual chair drives by other people alone
-    choose_chair(clinic)
+    clinic.set_controls(mode_u1="velocity")
+    clinic.drive_trial()  # the virtual chair drives by other people alone
+    clinic.choose_chair(forward=0.5)
     return clinic
 
 
@@ -40,8 +41,7 @@ def test_a_map_that_no_own_movement_confirms_is_practised_and_not_armed(
     assert sentence.startswith("Other people taught the movement of ")
     assert sentence.endswith("repeat it once on the Calibrate page, and practise again.")
     with clinic.screen():
-        answer = arm(clinic)
-    assert (answer.status_code, answer.json()["detail"]) == (409, sentence)
+        assert sentence_of(arm(clinic), 409) == sentence
     assert [do for do, _ in clinic.process.calls].count("arm") == 1  # that of the virtual chair
     assert clinic.good("GET", f"/drives?patient={clinic.patient['id']}") == []
 

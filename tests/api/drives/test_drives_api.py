@@ -5,15 +5,12 @@ from typing import Any
 
 import pytest
 from api.drives.chair_drives import arm
-from api.fake_clinic import WORD
-from store.known_people import known_clinic
+from api.fake_clinic import WHERE, WORD
 
 from app.api.live.live_picture import ClinicLive
 from app.faults import Fault, State
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.session.real_drive import RealDriveFlow
-from app.store.access.sign_ins import sign_in
-from app.store.people import add_person
 
 ARMED, FAULT = 2, 3  # of a chair's telemetry
 
@@ -27,7 +24,7 @@ def test_a_drive_from_arming_to_its_end(ready: Any) -> None:
         assert (run["kind"], run["meta"]) == ("drive", {"chair": "Blue", "key_id": 1, "hash": digest})
         assert ready.process.calls[-1] == ("arm", {"hash": digest})
         assert ready("POST", "/drives", json={"hash": digest, "screen": WORD}).status_code == 409
-        assert ready("POST", "/trials", json=ready.where).status_code == 409
+        assert ready("POST", "/trials", json=WHERE).status_code == 409
         assert ready("PUT", "/chairs/chosen", json={"id": None, "dynamics": "unicycle"}).status_code == 409
         assert ready("DELETE", "/session").status_code == 409
         ended = ready.good("POST", "/drives/current/end")
@@ -73,25 +70,18 @@ def test_a_control_process_that_dies_ends_the_drive(ready: Any) -> None:
 
 
 def test_only_who_armed_goes_on_and_ends_and_anybody_stops(ready: Any) -> None:
-    database = ready.database
-    with database.transaction() as db:
-        other = sign_in(db, add_person(db, known_clinic(db), "Other", "clinician", None), "test")
     with ready.screen():
         arm(ready)
-        mine = ready.client.cookies["bodydrive_sign_in"]
-        ready.client.cookies.clear()
-        assert ready.good("POST", "/control/stop")["state"] == "fault"
-        ready.client.cookies["bodydrive_sign_in"] = other
-        for path, body in (
-            ("/control/clear", {"stops": 1}),
-            ("/control/dial", {"share": 0.5}),
-            ("/drives/current/end", None),
-        ):
-            answer = ready("POST", path, json=body)
-            assert (answer.status_code, "Somebody else" in answer.json()["detail"]) == (409, True), path
-        assert ready.good("POST", "/control/stop")["state"] == "fault"
-        ready.client.cookies.clear()
-        ready.client.cookies["bodydrive_sign_in"] = mine
+        with ready.as_person({}):
+            assert ready.good("POST", "/control/stop")["state"] == "fault"
+        with ready.as_person(ready.cookies_of("Other")):
+            for path, body in (
+                ("/control/clear", {"stops": 1}),
+                ("/control/dial", {"share": 0.5}),
+                ("/drives/current/end", None),
+            ):
+                assert "Somebody else" in ready.refused(409, "POST", path, json=body)
+            assert ready.good("POST", "/control/stop")["state"] == "fault"
         assert ready("POST", "/control/clear", json={"stops": 1}).status_code == 409  # there was a second stop
         while not any(row.what == "stop" for row in ready.log()):
             time.sleep(0.01)

@@ -4,7 +4,7 @@ from datetime import timedelta
 from typing import Any
 
 import pytest
-from api.drives.chair_drives import arm, choose_chair, practise, velocity
+from api.drives.chair_drives import arm
 
 from app.clock import utc_now
 from app.store import log
@@ -22,9 +22,9 @@ def test_sign_in_view_export_change_arming_and_stop_are_in_the_log(
     patient = calibrated.patient["id"]
     calibrated.good("GET", f"/patients/{patient}/sessions")
     assert calibrated("GET", f"/patients/{patient}/report?form=html&for_patient=true").status_code == 200
-    velocity(calibrated, cutoff=2.0)
-    practise(calibrated)
-    choose_chair(calibrated)
+    calibrated.set_controls(cutoff=2.0)
+    calibrated.drive_trial()
+    calibrated.choose_chair(forward=0.5)
     with calibrated.screen():
         assert arm(calibrated).status_code == 201
         calibrated.good("POST", "/control/stop")

@@ -3,22 +3,12 @@
 from typing import Any
 
 import pytest
-from api.fake_clinic import BASE, WORD
+from api.fake_clinic import next_message
 from starlette.websockets import WebSocketDisconnect
-
-ORIGIN = {"Origin": BASE}
-LIVE = f"{BASE.replace('http', 'ws')}/api/v1/live"
-
-
-def next_with(socket: Any, key: str) -> Any:
-    while True:
-        message = socket.receive_json()
-        if key in message:
-            return message
 
 
 def test_the_newest_tick_twenty_times_a_second(signed_in: Any) -> None:
-    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with signed_in.socket("/live") as socket:
         first, second = socket.receive_json(), socket.receive_json()
         assert second["tick"] > first["tick"]
         assert (first["state"], first["fault"], first["control"]) == ("disarmed", None, "alive")
@@ -26,47 +16,41 @@ def test_the_newest_tick_twenty_times_a_second(signed_in: Any) -> None:
         assert len(first["values"]) == 8
         assert (first["run"], first["trial"]) == (None, None)
         assert first["shirt"]["alive"] is True
-        quality = next_with(socket, "quality")
+        quality = next_message(socket, lambda m: "quality" in m)
         assert len(quality["quality"]) == len(quality["noise"]) == 8
 
 
 def test_an_event_names_what_changed(signed_in: Any) -> None:
-    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with signed_in.socket("/live") as socket:
         socket.receive_json()
         signed_in.begin_session()
-        assert next_with(socket, "event")["event"] == "session"
+        assert next_message(socket, lambda m: "event" in m)["event"] == "session"
 
 
-@pytest.mark.parametrize("headers", [{}, {"Origin": "http://evil.example"}])
-def test_another_origin_opens_no_socket(signed_in: Any, headers: dict[str, str]) -> None:
-    with pytest.raises(WebSocketDisconnect), signed_in.client.websocket_connect(LIVE, headers=headers):
-        pass
-
-
-def test_nobody_signed_in_opens_no_socket(clinic: Any) -> None:
-    with pytest.raises(WebSocketDisconnect), clinic.client.websocket_connect(LIVE, headers=ORIGIN):
+@pytest.mark.parametrize("origin", [None, "http://evil.example"])
+def test_another_origin_opens_no_socket(signed_in: Any, origin: str | None) -> None:
+    with pytest.raises(WebSocketDisconnect), signed_in.socket("/live", origin):
         pass
 
 
 def test_sign_out_closes_the_socket(signed_in: Any) -> None:
-    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with signed_in.socket("/live") as socket:
         socket.receive_json()
         signed_in.good("POST", "/auth/sign-out")
         with pytest.raises(WebSocketDisconnect) as closed:
-            next_with(socket, "never")
+            next_message(socket, lambda m: "never" in m)
         assert closed.value.code == 4401
 
 
 def test_stop_and_the_visitors_movement_go_down_and_nonsense_does_not(signed_in: Any) -> None:
-    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with signed_in.socket("/live") as socket:
         for text in ("{", "[]", '{"move": {"right_elbow": NaN}}', '{"move": {"right_elbow": 2}}', '{"unknown": 1}'):
             socket.send_text(text)
         socket.send_json({"move": {"right_elbow": 0.7}})
         socket.send_json({"look": {"yaw": 0.5, "pitch": -0.25, "roll": 99.0}})
         socket.send_json({"look": {"yaw": 0.5, "pitch": -0.25, "roll": 0.0}})
         socket.send_json({"stop": True})
-        while socket.receive_json()["state"] != "fault":
-            pass
+        next_message(socket, lambda m: m["state"] == "fault")
     moves = [fields for do, fields in signed_in.process.told if do == "move"]
     assert moves == [{"joints": {"right_elbow": 0.7}}]
     looks = [fields for do, fields in signed_in.process.told if do == "look"]
@@ -74,38 +58,26 @@ def test_stop_and_the_visitors_movement_go_down_and_nonsense_does_not(signed_in:
 
 
 def test_a_stop_counts_whatever_else_the_message_says(signed_in: Any) -> None:
-    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with signed_in.socket("/live") as socket:
         socket.send_json({"move": {"right_elbow": 2}, "unknown": 1, "stop": True})
-        for _ in range(40):
-            if socket.receive_json()["state"] == "fault":
-                break
-        else:
-            pytest.fail("the stop was lost")
+        next_message(socket, lambda m: m["state"] == "fault", most=40)
 
 
 def test_a_trial_shows_where_it_stands(calibrated: Any) -> None:
-    plan = calibrated.good("GET", "/floorplans/apartment")
-    with calibrated.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
-        calibrated.good(
-            "POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
-        )
-        message = next_with(socket, "trial")
-        while message["trial"] is None:
-            message = socket.receive_json()
+    with calibrated.socket("/live") as socket:
+        calibrated.start_trial()
+        message = next_message(socket, lambda m: m.get("trial") is not None)
         assert message["trial"]["length"] > 5
         assert message["run"]["kind"] == "drive"
         assert (message["stops"], message["dial"], message["chair"], message["drive"]) == (0, 1.0, None, None)
 
 
 def test_without_a_control_process_the_chair_is_shown_standing(signed_in: Any) -> None:
-    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with signed_in.socket("/live") as socket:
         socket.receive_json()
         signed_in.process.silent = True
-        while (message := socket.receive_json())["control"] == "alive":
-            pass
+        message = next_message(socket, lambda m: m["control"] != "alive")
         assert (message["v"], message["omega"], message["state"]) == (0.0, 0.0, "fault")
         assert message["fault"]["name"] == "control_lost"
         signed_in.process.die()
-        while message["control"] != "alive":
-            message = socket.receive_json()
-        assert message["state"] == "disarmed"
+        assert next_message(socket, lambda m: m["control"] == "alive")["state"] == "disarmed"

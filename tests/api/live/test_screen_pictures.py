@@ -4,25 +4,23 @@ import time
 from typing import Any
 
 import pytest
-from api.fake_clinic import BASE, WORD
+from api.fake_clinic import WORD
 from api.pairing import code_of, pair
+from clinic_rows import plan_at
 
 from app.api.live.driving_screen import DrivingScreen
 from app.api.live.screen_pictures import ScreenPictures
 from app.api.live.screens import Screen
 from app.api.patient_screen import patient_socket
 from app.session.trial import TrialFlow
-from app.world.scene import find_place
 
-LIVE = f"{BASE.replace('http', 'ws')}/api/v1/patient/live"
-PLACE = "follow_me.easy"  # somebody walks ahead
+PLACE = plan_at("follow_me.easy")  # somebody walks ahead
+WHERE = {"floorplan": PLACE.name, "path": PLACE.paths[0].name, "screen": WORD, "picture": "view"}
 
 
 @pytest.fixture
 def ready(calibrated: Any) -> Any:
     assert pair(calibrated, code_of(calibrated)).status_code == 200
-    plan = calibrated.good("GET", f"/floorplans/{PLACE}")
-    calibrated.where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD, "picture": "view"}
     return calibrated
 
 
@@ -44,20 +42,19 @@ def until_said(clinic: Any, refused: bool) -> None:
 
 
 def test_a_screen_without_a_picture_starts_no_trial(ready: Any) -> None:
-    blind = ready("POST", "/trials", json={**ready.where, "picture": "none"})
-    assert (blind.status_code, "drives blind" in blind.json()["detail"]) == (409, True)
+    assert "drives blind" in ready.refused(409, "POST", "/trials", json={**WHERE, "picture": "none"})
     with ready.screen() as socket:
         says(socket, "none")
         until_said(ready, True)
         for picture in ("view", "plan", None):  # what the screen itself says counts more than the request
-            assert ready("POST", "/trials", json={**ready.where, "picture": picture}).status_code == 409
+            assert ready("POST", "/trials", json={**WHERE, "picture": picture}).status_code == 409
         assert ready.good("GET", "/trials?patient=1") == []
         says(socket, "plan")
         until_said(ready, False)
-        ready.good("POST", "/trials", json={**ready.where, "picture": "plan"})
+        ready.start_trial(**{**WHERE, "picture": "plan"})
     armed = next(row for row in ready.log() if row.what == "armed")
     assert armed.details["picture"] == "plan"
-    assert ready("POST", "/trials", json={**ready.where, "picture": "eye"}).status_code == 422
+    assert ready("POST", "/trials", json={**WHERE, "picture": "eye"}).status_code == 422
 
 
 def test_what_a_dead_socket_said_last_does_not_count_when_another_speaks_for_the_screen(ready: Any) -> None:
@@ -78,14 +75,13 @@ def test_what_a_dead_socket_said_last_does_not_count_when_another_speaks_for_the
 def test_a_picture_lost_in_a_trial_halts_it_until_there_is_one_again(ready: Any) -> None:
     with ready.screen() as socket, ready.screen("of-somebody-who-looks") as other:
         says(socket, "view")
-        ready.good("POST", "/trials", json=ready.where)
+        ready.start_trial(**WHERE)
         other.send_json({"screen": "of-somebody-who-looks", "visible": True, "silence": 0.0, "picture": "none"})
         until_said(ready, True)
         assert until_state(ready, "armed") == 0  # a screen that only looks stops nobody
         says(socket, "none")
         assert until_state(ready, "fault") == "PICTURE_LOST"
-        refused = ready("POST", "/control/clear", json={"stops": ready.process.stops})
-        assert (refused.status_code, "drawn plan" in refused.json()["detail"]) == (409, True)
+        assert "drawn plan" in ready.refused(409, "POST", "/control/clear", json={"stops": ready.process.stops})
         stops = ready.process.stops
         says(socket, "none")
         says(socket, "plan")
@@ -99,29 +95,28 @@ def test_a_picture_lost_in_a_trial_halts_it_until_there_is_one_again(ready: Any)
 def test_a_late_picture_halts_nothing_and_is_told_as_a_slow_screen(ready: Any) -> None:
     with ready.screen() as socket:
         says(socket, "view")
-        ready.good("POST", "/trials", json=ready.where)
+        ready.start_trial(**WHERE)
         assert ready.parts[DrivingScreen].sign().view == "in view"
         says(socket, "late")
         while ready.parts[DrivingScreen].sign().view != "slow":
             time.sleep(0.002)
         assert ready.process.state.name == "ARMED"  # the control process pauses it
         ready.good("POST", "/control/stop")
-        refused = ready("POST", "/control/clear", json={"stops": ready.process.stops})
-        assert (refused.status_code, "no picture" in refused.json()["detail"]) == (409, True)
+        assert "no picture" in ready.refused(409, "POST", "/control/clear", json={"stops": ready.process.stops})
         says(socket, "view")
         while ready.parts[DrivingScreen].sign().view != "in view":
             time.sleep(0.002)
         assert ready.good("POST", "/control/clear", json={"stops": ready.process.stops})["state"] == "armed"
-        ready.good("POST", "/trials/current/end", json={"reason": "by hand"})
+        ready.end_trial()
         says(socket, "late")
         while not ready.parts[ScreenPictures].is_late(Screen(1, WORD)):
             time.sleep(0.002)
-        assert ready("POST", "/trials", json=ready.where).status_code == 409
+        assert ready("POST", "/trials", json=WHERE).status_code == 409
 
 
 def test_going_on_between_two_words_of_a_screen_halts_again(ready: Any) -> None:
     with ready.screen() as socket:
-        ready.good("POST", "/trials", json=ready.where)
+        ready.start_trial(**WHERE)
         says(socket, "none")
         assert until_state(ready, "fault") == "PICTURE_LOST"
         ready.process.state = type(ready.process.state).ARMED
@@ -133,19 +128,18 @@ def test_the_patients_screen_tells_the_clinicians_page_and_halts_too(ready: Any)
     def shown() -> Any:
         return ready.good("GET", "/patient-screen")["screens"][0]["picture"]
 
-    with ready.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
+    with ready.socket("/patient/live") as socket:
         for junk in ('{"picture": "eye"}', "{", '{"picture": "none", "screen": 1}', "x" * 400):
             socket.send_text(junk)
         assert shown() is None
         socket.send_json({"picture": "none"})
         while shown() != "none":
             pass
-        refused = ready("POST", "/trials", json=ready.where)
-        assert (refused.status_code, "patient's screen" in refused.json()["detail"]) == (409, True)
+        assert "patient's screen" in ready.refused(409, "POST", "/trials", json=WHERE)
         socket.send_json({"picture": "plan"})
         while shown() != "plan":
             pass
-        ready.good("POST", "/trials", json=ready.where)
+        ready.start_trial(**WHERE)
         socket.send_json({"picture": "none"})
         assert until_state(ready, "fault") == "PICTURE_LOST"
         socket.send_json({"picture": "view"})
@@ -153,10 +147,9 @@ def test_the_patients_screen_tells_the_clinicians_page_and_halts_too(ready: Any)
             pass
         ready.good("POST", "/control/clear", json={"stops": ready.process.stops})
     assert until_state(ready, "fault") == "PICTURE_LOST"  # it is gone, and the patient sees nothing any more
-    refused = ready("POST", "/control/clear", json={"stops": ready.process.stops})
-    assert (refused.status_code, "out of reach" in refused.json()["detail"]) == (409, True)
+    assert "out of reach" in ready.refused(409, "POST", "/control/clear", json={"stops": ready.process.stops})
     assert ready.process.state.name == "FAULT"
-    with ready.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
+    with ready.socket("/patient/live") as socket:
         socket.send_json({"picture": "view"})
         while shown() != "view":
             pass
@@ -167,8 +160,8 @@ def test_a_screen_that_was_unpaired_or_left_in_an_earlier_trial_holds_nothing(re
     screen = ready.good("GET", "/patient-screen")["screens"][0]["id"]
 
     def loses_screen() -> Any:
-        ready.good("POST", "/trials", json=ready.where)
-        with ready.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
+        ready.start_trial(**WHERE)
+        with ready.socket("/patient/live") as socket:
             socket.send_json({"picture": "view"})
             while ready.parts[ScreenPictures].patients() != {screen: "view"}:
                 time.sleep(0.002)
@@ -177,10 +170,10 @@ def test_a_screen_that_was_unpaired_or_left_in_an_earlier_trial_holds_nothing(re
 
     seen = loses_screen()
     ready.good("POST", "/trials/current/end", json={"reason": "by hand", **seen})
-    ready.good("POST", "/trials", json=ready.where)  # without that screen
+    ready.start_trial(**WHERE)  # without that screen
     ready.good("POST", "/control/stop")
     assert ready.good("POST", "/control/clear", json={"stops": ready.process.stops})["state"] == "armed"
-    ready.good("POST", "/trials/current/end", json={"reason": "by hand"})
+    ready.end_trial()
     seen = loses_screen()
     assert ready("POST", "/control/clear", json=seen).status_code == 409
     ready.good("DELETE", f"/patient-screen/{screen}")
@@ -189,8 +182,8 @@ def test_a_screen_that_was_unpaired_or_left_in_an_earlier_trial_holds_nothing(re
 
 def test_a_patients_screen_that_falls_silent_halts_the_trial(ready: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(patient_socket, "SILENCE", 0.2)
-    with ready.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
-        ready.good("POST", "/trials", json=ready.where)
+    with ready.socket("/patient/live") as socket:
+        ready.start_trial(**WHERE)
         socket.send_json({"picture": "view"})  # and nothing after it
         assert until_state(ready, "fault") == "PICTURE_LOST"  # though the socket is open
 
@@ -198,7 +191,7 @@ def test_a_patients_screen_that_falls_silent_halts_the_trial(ready: Any, monkeyp
 def test_a_patients_screen_that_falls_silent_is_out_of_reach(ready: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """A page that the browser has put aside keeps its socket, and the clinician's header called it connected."""
     monkeypatch.setattr(patient_socket, "SILENCE", 0.2)
-    with ready.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
+    with ready.socket("/patient/live") as socket:
         socket.send_json({"picture": "plan"})  # and nothing after it
         ready.until("/patient-screen", lambda now: now["screens"][0]["picture"] == "plan")
         ready.until("/patient-screen", lambda now: not now["screens"][0]["connected"])
@@ -206,15 +199,13 @@ def test_a_patients_screen_that_falls_silent_is_out_of_reach(ready: Any, monkeyp
 
 def test_the_patients_page_is_given_what_it_needs_to_draw_the_plan(ready: Any) -> None:
     assert ready.good("GET", "/view/patient/plan") is None
-    trial = ready.good("POST", "/trials", json=ready.where)
+    trial = ready.start_trial(**WHERE)
     shown = ready.good("GET", "/view/patient/plan")
-    plan = find_place(PLACE)
-    assert plan is not None
-    assert shown == {"trial": trial["id"], "floorplan": plan.model_dump(mode="json"), "path": ready.where["path"]}
+    assert shown == {"trial": trial["id"], "floorplan": PLACE.model_dump(mode="json"), "path": WHERE["path"]}
     ready.process.says = {"scene_t": 4.0}
-    with ready.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
-        started = [[*plan.movers[0].points[0]]]
+    with ready.socket("/patient/live") as socket:
+        started = [[*PLACE.movers[0].points[0]]]
         while (movers := socket.receive_json()["trial"]["movers"]) == started or movers[0][:2] == started[0]:
             pass
-    gone, _ = plan.movers[0].way(4.0)
-    assert movers[0][:2] == pytest.approx(plan.movers[0].line.point_at(gone), abs=1e-3)
+    gone, _ = PLACE.movers[0].way(4.0)
+    assert movers[0][:2] == pytest.approx(PLACE.movers[0].line.point_at(gone), abs=1e-3)

@@ -4,7 +4,7 @@ import time
 from typing import Any
 
 import pytest
-from api.fake_clinic import BASE, WORD
+from api.fake_clinic import WHERE, WORD
 from starlette.websockets import WebSocketDisconnect
 
 from app.api.live import screens
@@ -12,9 +12,6 @@ from app.api.live.screens import VIRTUAL_SILENCE_LIMIT
 from app.session.control_link import ControlLink, ScreenSign
 from app.session.real_drive import RealDriveFlow
 from app.session.trial import TrialFlow
-
-URL = f"{BASE.replace('http', 'ws')}/api/v1/screen"
-ORIGIN = {"Origin": BASE}
 
 
 def saying(visible: bool = True, silence: float = 0.0, word: str = WORD) -> dict[str, Any]:
@@ -38,122 +35,107 @@ def until_told(clinic: Any, wanted: str | None) -> None:
         pass
 
 
-@pytest.fixture
-def driving(calibrated: Any) -> Any:
-    plan = calibrated.good("GET", "/floorplans/apartment")
-    calibrated.start = lambda: calibrated.good(
-        "POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
-    )
-    return calibrated
-
-
-@pytest.mark.parametrize("headers", [{}, {"Origin": "http://evil.example"}])
-def test_another_origin_opens_no_socket(signed_in: Any, headers: dict[str, str]) -> None:
-    with pytest.raises(WebSocketDisconnect), signed_in.client.websocket_connect(URL, headers=headers):
+@pytest.mark.parametrize("origin", [None, "http://evil.example"])
+def test_another_origin_opens_no_socket(signed_in: Any, origin: str | None) -> None:
+    with pytest.raises(WebSocketDisconnect), signed_in.socket("/screen", origin):
         pass
 
 
-def test_nobody_signed_in_opens_no_socket(clinic: Any) -> None:
-    with pytest.raises(WebSocketDisconnect), clinic.client.websocket_connect(URL, headers=ORIGIN):
-        pass
-
-
-def test_the_age_goes_down_with_each_word_and_is_null_without_a_trial(driving: Any) -> None:
-    with driving.screen() as socket:
-        assert next_beats(driving)[-1] == (None, "in view")
-        driving.start()
+def test_the_age_goes_down_with_each_word_and_is_null_without_a_trial(calibrated: Any) -> None:
+    with calibrated.screen() as socket:
+        assert next_beats(calibrated)[-1] == (None, "in view")
+        calibrated.start_trial()
         socket.send_json(saying())
-        assert next_beats(driving)[-1][0] is not None
+        assert next_beats(calibrated)[-1][0] is not None
 
 
 def test_hiding_standing_still_and_closing_are_told_apart_with_the_very_message(
-    driving: Any, monkeypatch: pytest.MonkeyPatch
+    calibrated: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     beats: list[str] = []
 
     def tells_at_once(view: str | None) -> None:
         while not beats:
             time.sleep(0.001)
-        until_told(driving, view)
+        until_told(calibrated, view)
         assert len(beats) == 1  # saying it again is no news
         beats.clear()
 
-    with driving.screen() as socket:
-        driving.start()
-        monkeypatch.setattr(driving.parts[ControlLink], "beat", lambda: beats.append("now"))
+    with calibrated.screen() as socket:
+        calibrated.start_trial()
+        monkeypatch.setattr(calibrated.parts[ControlLink], "beat", lambda: beats.append("now"))
         for _ in range(2):
             socket.send_json(saying(visible=False))
         tells_at_once("hidden")
         socket.send_json(saying(silence=VIRTUAL_SILENCE_LIMIT))
-        until_told(driving, "in view")  # nobody sits in the virtual chair: a slow screen may draw for so long
+        until_told(calibrated, "in view")  # nobody sits in the virtual chair: a slow screen may draw for so long
         for silence in (3.1, 3.2):
             socket.send_json(saying(silence=silence))
         tells_at_once("slow")
         socket.send_json(saying())
-        until_told(driving, "in view")
+        until_told(calibrated, "in view")
     tells_at_once(None)
 
 
-def test_a_page_that_stands_still_counts_less_long_on_a_real_chair(driving: Any) -> None:
-    with driving.screen() as socket:
-        driving.start()
+def test_a_page_that_stands_still_counts_less_long_on_a_real_chair(calibrated: Any) -> None:
+    with calibrated.screen() as socket:
+        calibrated.start_trial()
         socket.send_json(saying(silence=1.1))
-        until_told(driving, "in view")
-        driving.parts[RealDriveFlow].current, driving.parts[TrialFlow].current = driving.parts[TrialFlow].current, None
-        until_told(driving, "slow")
-        driving.parts[TrialFlow].current, driving.parts[RealDriveFlow].current = (
-            driving.parts[RealDriveFlow].current,
-            None,
-        )
+        until_told(calibrated, "in view")
+        trials, drives = calibrated.parts[TrialFlow], calibrated.parts[RealDriveFlow]
+        drives.current, trials.current = trials.current, None
+        until_told(calibrated, "slow")
+        trials.current, drives.current = drives.current, None
 
 
-def test_a_second_socket_with_the_same_word_does_not_keep_the_chair_driving(driving: Any) -> None:
-    with driving.screen():
-        driving.start()
-        since = len(driving.process.told)
-        with driving.client.websocket_connect(URL, headers=ORIGIN) as second:
+def test_a_second_socket_with_the_same_word_does_not_keep_the_chair_driving(calibrated: Any) -> None:
+    with calibrated.screen():
+        calibrated.start_trial()
+        since = len(calibrated.process.told)
+        with calibrated.socket("/screen") as second:
             second.send_json(saying())
             with pytest.raises(WebSocketDisconnect) as closed:
                 second.receive_text()
         assert closed.value.code == 4409
-        while (beats := next_beats(driving, since))[-1][0] < 0.31:  # the first one is silent, and the gate is told so
+        # The first one is silent, and the gate is told so.
+        while (beats := next_beats(calibrated, since))[-1][0] < 0.31:
             time.sleep(0.01)
         assert [age for age, _ in beats] == sorted(age for age, _ in beats)
-    until_told(driving, None)
-    with driving.screen():  # loaded again: the first is closed
-        until_told(driving, "in view")
+    until_told(calibrated, None)
+    with calibrated.screen():  # loaded again: the first is closed
+        until_told(calibrated, "in view")
 
 
 def test_a_socket_that_is_dead_but_open_gives_way_long_after_the_chair_stopped(
-    driving: Any, monkeypatch: pytest.MonkeyPatch
+    calibrated: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(screens, "LINK_LIMIT", 0.4)
-    with driving.screen() as dead:
-        driving.start()
-        while next_beats(driving)[-1][0] <= 0.4:
+    with calibrated.screen() as dead:
+        calibrated.start_trial()
+        while next_beats(calibrated)[-1][0] <= 0.4:
             time.sleep(0.01)
-        with driving.client.websocket_connect(URL, headers=ORIGIN) as second:
+        with calibrated.socket("/screen") as second:
             second.send_json(saying())
-            while next_beats(driving)[-1][0] > 0.4:
+            while next_beats(calibrated)[-1][0] > 0.4:
                 time.sleep(0.001)
             dead.send_json(saying(visible=False))  # it comes back, too late
             with pytest.raises(WebSocketDisconnect) as closed:
                 dead.receive_text()
             assert closed.value.code == 4409
-            assert next_beats(driving)[-1][1] == "in view"
+            assert next_beats(calibrated)[-1][1] == "in view"
 
 
-def test_a_beat_out_of_turn_reaches_the_control_process(driving: Any) -> None:
-    driving.parts[ControlLink].follow_screen(lambda: ScreenSign(0.125, "hidden"))
-    driving.parts[ControlLink].beat()
-    assert (0.125, "hidden") in next_beats(driving)
+def test_a_beat_out_of_turn_reaches_the_control_process(calibrated: Any) -> None:
+    calibrated.parts[ControlLink].follow_screen(lambda: ScreenSign(0.125, "hidden"))
+    calibrated.parts[ControlLink].beat()
+    assert (0.125, "hidden") in next_beats(calibrated)
 
 
-def test_another_screen_of_the_same_person_does_not_stand_in(driving: Any) -> None:
-    with driving.screen("another-screen") as other:
-        driving.start()
+def test_another_screen_of_the_same_person_does_not_stand_in(calibrated: Any) -> None:
+    with calibrated.screen("another-screen") as other:
+        calibrated.start_trial()
         other.send_json(saying(word="another-screen"))
-        assert {age for age, _ in next_beats(driving)} == {None}
+        assert {age for age, _ in next_beats(calibrated)} == {None}
 
 
 @pytest.mark.parametrize(
@@ -166,27 +148,26 @@ def test_another_screen_of_the_same_person_does_not_stand_in(driving: Any) -> No
         '{"screen": "the-screen-of-the-tests", "visible": true, "silence": -1}',
     ],
 )
-def test_what_cannot_be_read_is_silence(driving: Any, junk: str) -> None:
-    with driving.screen() as socket:
-        driving.start()
+def test_what_cannot_be_read_is_silence(calibrated: Any, junk: str) -> None:
+    with calibrated.screen() as socket:
+        calibrated.start_trial()
         socket.send_json(saying(visible=False))
-        until_told(driving, "hidden")
+        until_told(calibrated, "hidden")
         socket.send_text(junk)
         socket.send_json(saying(word="another-screen"))  # after it the junk has been read
-        until_told(driving, None)
-        assert all(view != "in view" for age, view in next_beats(driving) if age is not None)
+        until_told(calibrated, None)
+        assert all(view != "in view" for age, view in next_beats(calibrated) if age is not None)
 
 
 def test_what_is_no_text_closes_the_socket(signed_in: Any) -> None:
-    with signed_in.client.websocket_connect(URL, headers=ORIGIN) as socket:
+    with signed_in.socket("/screen") as socket:
         socket.send_bytes(b"\x00")
         with pytest.raises(WebSocketDisconnect) as closed:
             socket.receive_text()
     assert closed.value.code == 1003
 
 
-def test_a_trial_needs_the_word_of_its_screen(driving: Any) -> None:
-    plan = driving.good("GET", "/floorplans/apartment")
-    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"]}
-    assert driving("POST", "/trials", json=where).status_code == 422
-    assert driving("POST", "/trials", json={**where, "screen": "a b"}).status_code == 422
+def test_a_trial_needs_the_word_of_its_screen(calibrated: Any) -> None:
+    for screen in (None, "a b"):
+        assert calibrated("POST", "/trials", json={**WHERE, "screen": screen}).status_code == 422
+    assert calibrated("POST", "/trials", json={name: WHERE[name] for name in ("floorplan", "path")}).status_code == 422

@@ -10,11 +10,6 @@ from urllib.parse import quote
 import pytest
 from api.fake_clinic import BASE, Clinic
 from api.openapi.json_schema import misfits, value_for
-from store.known_people import known_clinic
-
-from app.store.access.person_tables import Person
-from app.store.access.sign_ins import sign_in
-from app.store.people import add_person
 
 SLOW = {"/api/v1/computer/measurement"}  # it measures for as many seconds as it is asked to
 ODD = (0.0, 0.05, 0.3)  # probabilities that a part of a request is something else
@@ -86,17 +81,11 @@ def failures(clinic: Clinic, role: str, count: int, seed: int) -> tuple[list[str
     document: dict[str, Any] = clinic.client.app.openapi()  # type: ignore[attr-defined]
     every = list(operations(document))
     dice = random.Random(seed)
-    database = clinic.database
     wrong: list[str] = []
     codes: Counter[int] = Counter()
-    with database.transaction() as db:
-        person = add_person(db, known_clinic(db), f"A {role}", role, None).id
     for number in range(count):
         path, method, operation = every[number % len(every)] if number < len(every) else dice.choice(every)
-        with database.transaction() as db:
-            who = add_person(db, known_clinic(db), f"{role} {number}", role, None) if number % 50 == 0 else None
-            person = who.id if who is not None else person
-            clinic.client.cookies.set("bodydrive_sign_in", sign_in(db, db.get_one(Person, person), "test"))
+        clinic.client.cookies.update(clinic.cookies_of(f"{role} {number // 50}", role))  # anew: a request may end it
         sent = request_of(path, operation, document, dice)
         headers = {"Origin": BASE, "Patient-Session": clinic.session, **sent.pop("headers")}
         answer = clinic.client.request(method, sent.pop("path"), headers=headers, follow_redirects=False, **sent)

@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from api.fake_clinic import BASE, WORD, Clinic
+from api.fake_clinic import WORD, Clinic, next_message
 from api.pairing import closing
 
 from app.api.live.screens import Screens
@@ -11,12 +11,9 @@ from app.api.patient_screen import patient_socket
 from app.api.patient_screen.patient_picture import PatientPicture
 from app.store.patient_screens import ScreenSettings
 
-ORIGIN = {"Origin": BASE}
-LIVE = f"{BASE.replace('http', 'ws')}/api/v1/patient/live"
-
 
 def test_it_tells_of_nobody(paired: Clinic) -> None:
-    with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with paired.socket("/patient/live") as socket:
         text = socket.receive_text()
     for word in ("P-1", "Heron", "patient_id", "values", "score", "Demo"):
         assert word not in text
@@ -24,32 +21,22 @@ def test_it_tells_of_nobody(paired: Clinic) -> None:
 
 def test_a_trial_is_shown_with_what_to_do_and_how_it_ended(paired: Clinic) -> None:
     paired.calibrate()
-    plan = paired.good("GET", "/floorplans")[0]
-    path = paired.good("GET", f"/floorplans/{plan['name']}")["paths"][0]
-    with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    path = paired.good("GET", "/floorplans/apartment")["paths"][0]
+    with paired.socket("/patient/live") as socket:
         assert socket.receive_json()["trial"] is None
-        paired.good("POST", "/trials", json={"floorplan": plan["name"], "path": path["name"], "screen": WORD})
-        while (message := socket.receive_json())["trial"] is None:
-            pass
+        paired.start_trial()
+        message = next_message(socket, lambda m: m["trial"] is not None)
         trial = message["trial"]
         assert set(trial) == {"id", "t", "done", "length", "stage", "stages", "instruction", "target", "movers"}
         assert trial["instruction"] == path["instruction"]
         assert len(trial["target"]) == 2
         assert message["drives"] is True
         paired.good("POST", "/control/stop")
-        while (message := socket.receive_json())["fault"] is None:
-            pass
-        assert message["fault"] == {
-            "name": "stop_tablet",
-            "message": "Stop was pressed on a clinician's page.",
-        }
-        assert message["waits"] == {
-            "for": "clinician",
-            "message": "We wait for your clinician to look and to go on.",
-        }
+        message = next_message(socket, lambda m: m["fault"] is not None)
+        assert message["fault"] == {"name": "stop_tablet", "message": "Stop was pressed on a clinician's page."}
+        assert message["waits"] == {"for": "clinician", "message": "We wait for your clinician to look and to go on."}
         paired.good("POST", "/trials/current/end", json={})
-        while (message := socket.receive_json())["trial"] is not None:
-            pass
+        message = next_message(socket, lambda m: m["trial"] is None)
         assert message["over"] == {"id": trial["id"], "end": "by hand"}
 
 
@@ -64,12 +51,11 @@ def test_a_prompt_of_the_calibration_is_a_cue(paired: Clinic) -> None:
         return ticks
 
     process.since = cued  # type: ignore[assignment,method-assign]
-    with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with paired.socket("/patient/live") as socket:
         assert socket.receive_json()["cue"] is None
         paired.good("POST", f"/calibration/steps/{step['id']}/start")
         process.run_t = step["cues"][1]["start"] + 0.25
-        while (cue := socket.receive_json()["cue"]) is None or cue["t"] < 0:
-            pass
+        cue = next_message(socket, lambda m: m["cue"] is not None and m["cue"]["t"] >= 0)["cue"]
         assert cue == {
             "index": 1,
             "kind": "move",
@@ -83,23 +69,21 @@ def test_a_prompt_of_the_calibration_is_a_cue(paired: Clinic) -> None:
 
 def test_what_the_clinician_asks_for_is_shown_and_kept_for_the_session(paired: Clinic) -> None:
     wishes = {"arrow": True, "sounds": False, "large": True, "plan": False}
-    with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with paired.socket("/patient/live") as socket:
         assert socket.receive_json()["asks"] == {"arrow": False, "sounds": False, "large": False, "plan": False}
         assert paired.good("POST", "/patient-screen/settings", json=wishes)["settings"] == wishes
-        while socket.receive_json()["asks"] != wishes:
-            pass
+        next_message(socket, lambda m: m["asks"] == wishes)
     paired.parts[PatientPicture].settings = ScreenSettings()  # as after a restart
-    with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with paired.socket("/patient/live") as socket:
         assert socket.receive_json()["asks"] == wishes
     assert paired("POST", "/patient-screen/settings", json={"arrow": "yes"}).status_code == 422
-    other = paired.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Plover"})
-    paired.open_session(other["id"])
+    paired.open_session(paired.add_patient("P-2"))
     assert paired.good("GET", "/patient-screen")["settings"]["arrow"] is False
 
 
 def test_nothing_it_says_is_acted_on_and_a_flood_is_cut_off(screen: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
     before = len(screen.process.calls)
-    with screen.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with screen.socket("/patient/live") as socket:
         socket.send_json({"stop": True})
         socket.send_json({"move": {"right_elbow": 1}})
         socket.send_json({"look": {"yaw": 1}})
@@ -113,7 +97,7 @@ def test_nothing_it_says_is_acted_on_and_a_flood_is_cut_off(screen: Clinic, monk
     assert "stop" not in done
     assert [do for do, _ in screen.process.told if do in {"move", "look"}] == []
     monkeypatch.setattr(patient_socket, "WITHIN", -1.0)
-    with screen.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with screen.socket("/patient/live") as socket:
         for _ in range(2 * patient_socket.FLOOD):
             socket.send_text("x")  # slow enough to be no flood
         for _ in range(3):
@@ -121,7 +105,7 @@ def test_nothing_it_says_is_acted_on_and_a_flood_is_cut_off(screen: Clinic, monk
 
 
 def test_it_is_not_the_screen_that_must_stay_in_view(screen: Clinic) -> None:
-    with screen.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with screen.socket("/patient/live") as socket:
         socket.send_json({"screen": WORD, "visible": True, "silence": 0.0})
         socket.receive_json()
         assert screen.parts[Screens]._signs == {}

@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from api.fake_clinic import BASE, WORD
+from api.fake_clinic import BASE
 from recorded_trial import record_trial
 from starlette.websockets import WebSocketDisconnect
 
@@ -16,14 +16,10 @@ from building import make_parameters
 @pytest.fixture
 def driven(calibrated: Any) -> Any:
     """A clinic with one finished trial and its recording."""
-    plan = calibrated.good("GET", "/floorplans/apartment")
-    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
-    with calibrated.screen():
-        calibrated.trial = calibrated.good("POST", "/trials", json=where)
-        run = calibrated.parts[TrialFlow].current.run
-        assert calibrated("GET", f"/trials/{calibrated.trial['id']}/timeline").status_code == 409
-        calibrated.good("POST", "/trials/current/end", json={"reason": "by hand"})
-    calibrated.folder = run.folder
+    calibrated.trial = calibrated.start_trial()
+    calibrated.folder = calibrated.parts[TrialFlow].current.run.folder
+    assert calibrated("GET", f"/trials/{calibrated.trial['id']}/timeline").status_code == 409
+    calibrated.end_trial()
     return calibrated
 
 
@@ -93,24 +89,17 @@ def test_only_two_are_open_and_none_moves_while_somebody_drives(driven: Any) -> 
     body = {"trial": driven.trial["id"]}
     words = [driven.good("POST", "/replays", json=body)["id"] for _ in range(3)]
     assert [page_of(driven, word) for word in words] == [404, 200, 200]
-    where = {"floorplan": "apartment", "path": driven.trial["path"], "screen": WORD}
     logged = viewings(driven)
-    with driven.screen():
-        running = driven.good("POST", "/trials", json=where)
-        driven("POST", "/replays", json={"trial": running["id"]})
-        for answer in (
-            driven("POST", "/replays", json=body),
-            driven("POST", f"/replays/{words[2]}/at", json={"t": 0.0}),
-        ):
-            assert (answer.status_code, answer.json()["detail"][:14]) == (409, "Somebody drive")
-        assert viewings(driven) == logged
-        assert len(driven.good("GET", f"/trials/{driven.trial['id']}/timeline")["t"]) == 300
-        driven.good("POST", "/trials/current/end", json={"reason": "by hand"})
+    running = driven.start_trial()
+    driven("POST", "/replays", json={"trial": running["id"]})
+    for path, sent in (("/replays", body), (f"/replays/{words[2]}/at", {"t": 0.0})):
+        assert driven.refused(409, "POST", path, json=sent).startswith("Somebody drive")
+    assert viewings(driven) == logged
+    assert len(driven.good("GET", f"/trials/{driven.trial['id']}/timeline")["t"]) == 300
+    driven.end_trial()
     assert driven("POST", f"/replays/{words[2]}/at", json={"t": 0.0}).status_code == 204
 
 
 def test_a_recording_without_a_place_has_no_picture(driven: Any) -> None:
-    answer = driven("POST", "/replays", json={"trial": driven.trial["id"]})
-    assert answer.status_code == 404
-    assert "no picture" in answer.json()["detail"]
+    assert "no picture" in driven.refused(404, "POST", "/replays", json={"trial": driven.trial["id"]})
     assert viewings(driven) == 0

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from api.conftest import sign_in
 from api.fake_clinic import Clinic
 from api.running_app import running
 
@@ -80,7 +81,7 @@ def test_the_choice_outlives_the_application(settings: Settings, signed_in: Clin
     signed_in.good("PUT", "/chairs/chosen", json={"id": chair["id"], "dynamics": "wheelchair"})
     signed_in.good("PUT", "/limits", json=SLOW)
     for again in running(settings):
-        again.good("POST", "/auth/demo", json={"code": "the-code-of-the-link"})
+        sign_in(again)
         assert again.good("GET", "/chairs")["chosen"] == chair["id"]
         assert again.good("GET", "/limits") == SLOW
         assert ("limits", {"clinic": SLOW}) in again.process.calls
@@ -89,9 +90,8 @@ def test_the_choice_outlives_the_application(settings: Settings, signed_in: Clin
 def test_a_chair_that_does_not_open_is_said_and_changes_nothing(signed_in: Clinic, settings: Settings) -> None:
     chair = signed_in.good("POST", "/chairs", json=CHAIR)["chairs"][0]
     signed_in.process.refuse["chair"] = f"the key file {settings.keys}/1.key cannot be read"
-    answer = signed_in("PUT", "/chairs/chosen", json={"id": chair["id"], "dynamics": "unicycle"})
-    assert answer.status_code == 409
-    assert answer.json()["detail"] == "The key file 1.key cannot be read."
+    refused = signed_in.refused(409, "PUT", "/chairs/chosen", json={"id": chair["id"], "dynamics": "unicycle"})
+    assert refused == "The key file 1.key cannot be read."
     assert signed_in.good("GET", "/chairs")["chosen"] is None
 
 
@@ -107,8 +107,8 @@ def test_limits_hold_in_the_control_process_first_and_are_logged(signed_in: Clin
     assert signed_in.good("PUT", "/limits", json=SLOW) == SLOW
     assert ("limits", {"clinic": SLOW}) in signed_in.process.calls
     signed_in.process.refuse["limits"] = "Limits are raised only while the chair stands."
-    refused = signed_in("PUT", "/limits", json=HIGHEST_SPEEDS.model_dump())
-    assert (refused.status_code, refused.json()["detail"]) == (409, signed_in.process.refuse["limits"])
+    refused = signed_in.refused(409, "PUT", "/limits", json=HIGHEST_SPEEDS.model_dump())
+    assert refused == signed_in.process.refuse["limits"]
     assert signed_in.good("GET", "/limits") == SLOW
     rows = signed_in.log()
     assert [row.details["now"]["forward"] for row in rows if row.what == "limits set"] == [0.4]
@@ -150,11 +150,10 @@ def test_the_disk_is_told_before_it_is_full(signed_in: Clinic, monkeypatch: pyte
 def test_no_session_is_opened_where_nothing_could_be_recorded(
     signed_in: Clinic, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    patient = signed_in.good("POST", "/patients", json={"code": "P-1", "pseudonym": "Heron"})["id"]
+    patient = signed_in.add_patient("P-1")
     usage = type("Usage", (), {"free": 499_900_000})()
     monkeypatch.setattr("app.store.files.disk_watch.shutil.disk_usage", lambda _folder: usage)
-    refused = signed_in("POST", "/session", json={"patient_id": patient})
-    assert (refused.status_code, "only 499 MB are free" in refused.json()["detail"]) == (507, True)
+    assert "only 499 MB are free" in signed_in.refused(507, "POST", "/session", json={"patient_id": patient})
     assert signed_in.good("GET", "/session")["session"] is None
     usage.free = 500_000_000
     signed_in.good("POST", "/session", json={"patient_id": patient})
@@ -167,7 +166,5 @@ def test_a_full_disk_is_a_sentence(signed_in: Clinic, monkeypatch: pytest.Monkey
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr("app.session.equipment.pairing.write_key", full)
-    answer = signed_in("POST", "/chairs", json=CHAIR)
-    assert answer.status_code == 507
-    assert "make room" in answer.json()["detail"]
+    assert "make room" in signed_in.refused(507, "POST", "/chairs", json=CHAIR)
     assert signed_in.good("GET", "/chairs")["chairs"] == []

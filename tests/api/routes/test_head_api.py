@@ -19,8 +19,8 @@ def test_a_head_tracker_is_chosen_kept_and_taken_away(signed_in: Any) -> None:
 def test_a_tracker_that_cannot_be_had_is_a_sentence_and_leaves_none(signed_in: Any) -> None:
     signed_in.good("PUT", "/equipment/head", json={"config": OPENTRACK})
     signed_in.process.refuse["head"] = "the port is taken"
-    answer = signed_in("PUT", "/equipment/head", json={"config": {**OPENTRACK, "port": 4243}})
-    assert (answer.status_code, answer.json()["detail"]) == (409, "The port is taken.")
+    refused = signed_in.refused(409, "PUT", "/equipment/head", json={"config": {**OPENTRACK, "port": 4243}})
+    assert refused == "The port is taken."
     assert signed_in.good("GET", "/equipment")["head"]["config"] is None
 
 

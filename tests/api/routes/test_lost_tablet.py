@@ -3,25 +3,20 @@
 from contextlib import ExitStack
 from typing import Any
 
-from api.fake_clinic import BASE, Clinic
-from api.people_of_clinic import as_person
+from api.fake_clinic import Clinic
 
 from app.store.tables import Run
 
-LIVE = f"{BASE.replace('http', 'ws')}/api/v1/live"
-
 
 def run_of_picture(clinic: Clinic) -> Any:
-    with clinic.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
+    with clinic.socket("/live") as socket:
         return socket.receive_json()["run"]
 
 
 def begin_in_the_middle(clinic: Clinic) -> Any:
     """Do the first step, begin the second one, and stand 3 s into it."""
     clinic.begin_session()
-    clinic.good("POST", "/calibration/steps/rest/start")
-    clinic.process.run_t = 1000.0
-    clinic.until("/calibration", lambda c: c["running"] is None)
+    clinic.record("rest")
     clinic.good("POST", "/calibration/steps/free/start")
     clinic.process.run_t = 3.0
     return clinic.good("GET", "/calibration")
@@ -45,7 +40,7 @@ def test_a_page_that_is_loaded_again_in_the_middle_of_a_step_is_in_the_middle_of
     before = begin_in_the_middle(signed_in)
     assert (before["running"]["step"], before["current"]) == ("free", "free")
     kept = runs(signed_in)
-    with signed_in.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
+    with signed_in.socket("/live") as socket:
         assert socket.receive_json()["run"] == {"kind": "free", "t": 3.0, "cue": None}
     signed_in.good("GET", "/start")
     assert signed_in.good("GET", "/calibration") == before
@@ -60,11 +55,11 @@ def test_a_tablet_that_is_lost_in_the_middle_of_a_step_loses_nothing_and_another
 ) -> None:
     with ExitStack() as tablet:
         tablet.enter_context(signed_in.screen())
-        live = tablet.enter_context(signed_in.client.websocket_connect(LIVE, headers={"Origin": BASE}))
+        live = tablet.enter_context(signed_in.socket("/live"))
         before = begin_in_the_middle(signed_in)
         live.receive_json()
     kept = runs(signed_in)
-    with as_person(signed_in, {}):  # the lost tablet's cookie is gone with it
+    with signed_in.as_person({}):  # the lost tablet's cookie is gone with it
         assert signed_in("GET", "/calibration").status_code == 401
         signed_in.good("POST", "/auth/demo", json={"code": "the-code-of-the-link"})
         assert signed_in.good("GET", "/calibration") == before

@@ -5,6 +5,7 @@ from typing import Any
 
 import pytest
 import trimesh
+from api.fake_clinic import sentence_of
 
 from app.scene.models.glb_import import read_model
 from app.scene.models.objects import READINGS
@@ -15,12 +16,6 @@ def bed(*size: float) -> bytes:
     length, width, height = size
     content: bytes = trimesh.creation.box((width, height, length)).export(file_type="glb")
     return content
-
-
-def sentence(answer: Any, status: int) -> str:
-    assert answer.status_code == status, answer.text
-    found: str = answer.json()["detail"]
-    return found
 
 
 def bring(clinic: Any, content: bytes, query: str = "") -> Any:
@@ -45,7 +40,7 @@ def test_an_improbable_size_is_asked_about(
     signed_in: Any, settings: Any, size: tuple[float, ...], said: str, scales: dict[float, list[float]]
 ) -> None:
     answer = bring(signed_in, bed(*size))
-    words = sentence(answer, 422)
+    words = sentence_of(answer, 422)
     assert words.startswith("bed.glb")
     assert said in words
     found = {each["metres_per_unit"]: each["size"] for each in answer.json()["choice"]["scales"]}
@@ -86,13 +81,13 @@ def test_an_improbable_size_can_be_right(signed_in: Any, settings: Any) -> None:
 def test_a_taken_name_and_an_improbable_size_are_two_questions(signed_in: Any) -> None:
     bring(signed_in, bed(1, 1, 1))
     large = bed(3000, 1000, 2000)
-    assert "already" in sentence(bring(signed_in, large), 409)
-    assert "improbable" in sentence(bring(signed_in, large, "?same_name=keep-both"), 422)
+    assert "already" in sentence_of(bring(signed_in, large), 409)
+    assert "improbable" in sentence_of(bring(signed_in, large, "?same_name=keep-both"), 422)
     answer = bring(signed_in, large, "?same_name=keep-both&metres_per_unit=0.001")
     assert {each["name"]: each["size"] for each in answer.json()} == {"bed": [1, 1, 1], "bed-2": [3, 1, 2]}
 
 
 @pytest.mark.parametrize("scale", ["0", "-1", "nan", "inf", "1e999", "1001", "mm", ""])
 def test_a_scale_is_a_bounded_number(signed_in: Any, scale: str) -> None:
-    sentence(bring(signed_in, bed(3000, 1000, 2000), f"?metres_per_unit={scale}"), 422)
+    sentence_of(bring(signed_in, bed(3000, 1000, 2000), f"?metres_per_unit={scale}"), 422)
     assert signed_in.good("GET", "/models") == []

@@ -16,17 +16,14 @@ def test_nobody_signed_in_sees_no_patient(clinic: Any) -> None:
         "/floorplans",
         "/trials?patient=1",
     ):
-        answer = clinic("GET", path)
-        assert answer.status_code == 401, path
-        assert answer.json()["detail"].startswith("You are not signed in")
+        assert clinic.refused(401, "GET", path).startswith("You are not signed in")
 
 
 def test_a_patient_is_added_deleted_and_brought_back(signed_in: Any) -> None:
     patient = signed_in.good("POST", "/patients", json={"code": "P-1", "pseudonym": "Heron", "note": "left-handed"})
     assert (patient["sessions"], patient["trials"], patient["last_seen"]) == (0, 0, None)
-    same = signed_in("POST", "/patients", json={"code": "P-1", "pseudonym": "Otter"})
-    assert same.status_code == 409
-    assert "choose another code" in same.json()["detail"]
+    refused = signed_in.refused(409, "POST", "/patients", json={"code": "P-1", "pseudonym": "Otter"})
+    assert "choose another code" in refused
     signed_in.good("DELETE", f"/patients/{patient['id']}")
     assert signed_in.good("GET", "/patients") == []
     signed_in.good("POST", f"/patients/{patient['id']}/restore")
@@ -53,8 +50,8 @@ def test_bad_input_is_one_sentence_and_adds_nobody(signed_in: Any, body: Any, wo
 
 
 def test_what_is_not_json_is_said_so(signed_in: Any) -> None:
-    answer = signed_in("POST", "/patients", content=b"{", headers={"Content-Type": "application/json"})
-    assert (answer.status_code, answer.json()["detail"]) == (422, "What was sent is not JSON: correct it.")
+    refused = signed_in.refused(422, "POST", "/patients", content=b"{", headers={"Content-Type": "application/json"})
+    assert refused == "What was sent is not JSON: correct it."
 
 
 def test_an_open_session_of_another_patient_ends_only_when_the_person_agrees(signed_in: Any) -> None:
@@ -64,9 +61,7 @@ def test_an_open_session_of_another_patient_ends_only_when_the_person_agrees(sig
     opened = signed_in.good("POST", "/session", json={"patient_id": first})["session"]
     assert opened["trials"] == 0
     for ends in ({}, {"ends": opened["id"] + 1}):
-        refused = signed_in("POST", "/session", json={"patient_id": second, **ends})
-        assert refused.status_code == 409
-        words = refused.json()["detail"]
+        words = signed_in.refused(409, "POST", "/session", json={"patient_id": second, **ends})
         assert f"P-1 is open: begun by {opened['opened_by']} at " in words
         assert ", 0 trials. End it first, or confirm" in words
         assert signed_in.good("GET", "/session")["patient"]["id"] == first

@@ -9,28 +9,13 @@ import ezdxf.filemanagement
 import numpy as np
 import pytest
 import trimesh
-from api.fake_clinic import WORD
+from api.fake_clinic import WORD, sentence_of
+from api.plan_documents import PATH, ROOM, plan
 from PIL import Image
 
 from app import isolated_reader
 from app.api import foreign_files
 from app.world.floorplan import load_floorplan
-
-ROOM = [[[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [0.0, 4.0], [0.0, 0.0]]]
-PATH = {"name": "main", "title": "Across", "points": [[1.0, 2.0], [5.0, 2.0]], "instruction": "Go."}
-
-
-def plan(name: str = "my-room", **more: Any) -> dict[str, Any]:
-    return {"name": name, "title": "My room", "walls": ROOM, "paths": [PATH], **more}
-
-
-def sentence(answer: Any, status: int) -> str:
-    assert answer.status_code == status, answer.text
-    detail: str = answer.json()["detail"]
-    assert detail.endswith(".")
-    assert not detail.endswith("..")
-    assert "/tmp/" not in detail
-    return detail
 
 
 def names(clinic: Any) -> list[str]:
@@ -62,12 +47,12 @@ def test_every_version_stays(signed_in: Any, settings: Any) -> None:
 def test_who_saves_an_old_version_is_told(signed_in: Any) -> None:
     signed_in.good("POST", "/floorplans", json=plan())
     signed_in.good("PUT", "/floorplans/my-room?version=1", json=plan(title="Theirs"))
-    words = sentence(signed_in("PUT", "/floorplans/my-room?version=1", json=plan(title="Mine")), 409)
+    words = signed_in.refused(409, "PUT", "/floorplans/my-room?version=1", json=plan(title="Mine"))
     assert "meanwhile" in words
     assert signed_in.good("GET", "/floorplans/my-room")["title"] == "Theirs"
-    sentence(signed_in("PUT", "/floorplans/my-room", json=plan()), 422)
-    assert "name" in sentence(signed_in("PUT", "/floorplans/other?version=1", json=plan()), 422)
-    sentence(signed_in("PUT", "/floorplans/other?version=1", json=plan("other")), 404)
+    signed_in.refused(422, "PUT", "/floorplans/my-room", json=plan())
+    assert "name" in signed_in.refused(422, "PUT", "/floorplans/other?version=1", json=plan())
+    signed_in.refused(404, "PUT", "/floorplans/other?version=1", json=plan("other"))
 
 
 def test_of_two_who_save_at_the_same_moment_one_is_told(signed_in: Any) -> None:
@@ -98,10 +83,9 @@ def test_a_plan_of_an_earlier_version_that_has_too_many_pieces_says_so(in_sessio
     for file in (settings.floorplans / "map.json", settings.floorplans / "versions" / "map" / "000002.json"):
         file.write_text(stored)
     words = "The floor plan 'map' cannot be used: its walls have 5,006 pieces, and at most 5,000 are taken"
-    assert words in sentence(in_session("GET", "/floorplans/map"), 409)
-    assert words in sentence(
-        in_session("POST", "/trials", json={"floorplan": "map", "path": "main", "screen": WORD}), 409
-    )
+    assert words in in_session.refused(409, "GET", "/floorplans/map")
+    where = {"floorplan": "map", "path": "main", "screen": WORD}
+    assert words in in_session.refused(409, "POST", "/trials", json=where)
     assert "map" not in names(in_session)
     listed = [{"name": "map", "title": "map", "version": 2}]
     assert in_session.good("GET", "/own-floorplans") == listed
@@ -113,15 +97,15 @@ def test_a_plan_of_an_earlier_version_that_has_too_many_pieces_says_so(in_sessio
 
 @pytest.mark.parametrize("name", ["clinic", "Clinic", "desert.easy", "desert", "desert.impossible"])
 def test_what_comes_with_the_software_stays_as_it_is(signed_in: Any, name: str) -> None:
-    assert "comes with the software" in sentence(signed_in("POST", "/floorplans", json=plan(name)), 409)
-    sentence(signed_in("PUT", f"/floorplans/{name}?version=1", json=plan(name)), 409)
-    sentence(signed_in("DELETE", f"/floorplans/{name}"), 409)
+    assert "comes with the software" in signed_in.refused(409, "POST", "/floorplans", json=plan(name))
+    signed_in.refused(409, "PUT", f"/floorplans/{name}?version=1", json=plan(name))
+    signed_in.refused(409, "DELETE", f"/floorplans/{name}")
 
 
 def test_a_name_is_given_once_and_case_does_not_make_another(signed_in: Any) -> None:
     signed_in.good("POST", "/floorplans", json=plan())
     for name in ("my-room", "My-Room"):
-        assert "already" in sentence(signed_in("POST", "/floorplans", json=plan(name)), 409)
+        assert "already" in signed_in.refused(409, "POST", "/floorplans", json=plan(name))
 
 
 def test_a_deleted_plan_can_be_restored(signed_in: Any) -> None:
@@ -129,10 +113,10 @@ def test_a_deleted_plan_can_be_restored(signed_in: Any) -> None:
     signed_in.good("PUT", "/floorplans/my-room?version=1", json=plan(title="Larger"))
     assert signed_in.good("DELETE", "/floorplans/my-room") == []
     assert "my-room" not in names(signed_in)
-    sentence(signed_in("DELETE", "/floorplans/my-room"), 404)
+    signed_in.refused(404, "DELETE", "/floorplans/my-room")
     (back,) = signed_in.good("POST", "/floorplans/my-room/restore")
     assert back == {"name": "my-room", "title": "Larger", "version": 2}
-    sentence(signed_in("POST", "/floorplans/my-room/restore"), 404)
+    signed_in.refused(404, "POST", "/floorplans/my-room/restore")
     assert [row.what for row in signed_in.log()[-2:]] == ["floor plan deleted", "floor plan restored"]
     signed_in.good("DELETE", "/floorplans/my-room")
     assert signed_in.good("POST", "/floorplans", json=plan(title="Third"))["version"] == 3
@@ -151,7 +135,7 @@ def test_a_deleted_plan_can_be_restored(signed_in: Any) -> None:
     ],
 )
 def test_a_bad_plan_is_refused_with_the_place(signed_in: Any, change: dict[str, Any], words: str) -> None:
-    assert words in sentence(signed_in("POST", "/floorplans", json={**plan(), **change}), 422)
+    assert words in signed_in.refused(422, "POST", "/floorplans", json={**plan(), **change})
     answer = signed_in.good("POST", "/floorplans/check", json={**plan(), **change})
     assert not answer["good"]
     assert words in answer["sentence"]
@@ -173,18 +157,18 @@ def test_the_check_says_where_on_the_floor(signed_in: Any) -> None:
     ]
     for content in (b"", b"[" * 100_000, b"\xff\xfe", b"[]", b'{"name": NaN}'):
         assert not signed_in.good("POST", "/floorplans/check", content=content)["good"]
-        sentence(signed_in("POST", "/floorplans", content=content), 422)
+        signed_in.refused(422, "POST", "/floorplans", content=content)
 
 
 def test_more_than_a_plan_can_hold_is_not_taken(signed_in: Any) -> None:
-    assert "8 MB" in sentence(signed_in("POST", "/floorplans", content=b" " * 8_200_000), 413)
+    assert "8 MB" in signed_in.refused(413, "POST", "/floorplans", content=b" " * 8_200_000)
     many = [[x / 10, 1.0] for x in range(5000)]
     walls = [[[0.0, 3.0 + y / 10], [1.0, 3.0 + y / 10]] for y in range(4000)]
     answer = signed_in.good("POST", "/floorplans/check", json=plan(walls=walls, paths=[{**PATH, "points": many}]))
     assert "too many points" in answer["sentence"]
     crowd = b'{"walls": [' + b"[]," * 260_000 + b"[]]}"
     assert "more than 250,000 points" in signed_in.good("POST", "/floorplans/check", content=crowd)["sentence"]
-    assert "more than 250,000 points" in sentence(signed_in("POST", "/floorplans", content=crowd), 422)
+    assert "more than 250,000 points" in signed_in.refused(422, "POST", "/floorplans", content=crowd)
 
 
 def dxf(unit: int = 6) -> bytes:
@@ -242,19 +226,19 @@ def test_bad_files_are_refused_in_one_sentence(signed_in: Any) -> None:
         ([("hall.dxf", dxf())], {"unit": "yard"}, 422, "unit"),
         ([("hall.yaml", b"#" * 200_000), ("hall.pgm", b"x")], {}, 413, "100 kB"),
     ):
-        assert words in sentence(bring(signed_in, *files, **options), status)
+        assert words in sentence_of(bring(signed_in, *files, **options), status)
     answer = signed_in("POST", "/floorplans/import", files=[("files", ("a.dxf", b"x"))], data={"options": "{"})
-    assert "not JSON" in sentence(answer, 422)
-    sentence(signed_in("POST", "/floorplans/import"), 422)
+    assert "not JSON" in sentence_of(answer, 422)
+    signed_in.refused(422, "POST", "/floorplans/import")
 
 
 def test_a_reader_that_dies_or_hangs_is_said(signed_in: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(foreign_files, "read_isolated", isolated_reader.read_isolated)
     monkeypatch.setattr(isolated_reader, "COMMAND", ("false",))
-    assert "could not be read" in sentence(bring(signed_in, ("hall.dxf", dxf())), 422)
+    assert "could not be read" in sentence_of(bring(signed_in, ("hall.dxf", dxf())), 422)
     monkeypatch.setattr(isolated_reader, "COMMAND", ("sh", "-c", "sleep 60", "-"))
     monkeypatch.setattr(isolated_reader, "LONGEST_WAIT", 0.05)
-    assert "too long" in sentence(bring(signed_in, ("hall.dxf", dxf())), 503)
+    assert "too long" in sentence_of(bring(signed_in, ("hall.dxf", dxf())), 503)
 
 
 def glb() -> bytes:
@@ -288,10 +272,10 @@ def test_an_object_is_kept_and_given_to_a_box(signed_in: Any, settings: Any) -> 
 def test_what_is_no_object_is_refused(
     signed_in: Any, settings: Any, name: str, content: bytes, status: int, words: str
 ) -> None:
-    assert words in sentence(signed_in("POST", "/models", files={"file": (name, content)}), status)
+    assert words in signed_in.refused(status, "POST", "/models", files={"file": (name, content)})
     assert not settings.models.exists() or list(settings.models.iterdir()) == []
 
 
 def test_an_objects_name_is_given_once(signed_in: Any) -> None:
     signed_in.good("POST", "/models", files={"file": ("bed.glb", glb())})
-    assert "already" in sentence(signed_in("POST", "/models", files={"file": ("Bed.glb", glb())}), 409)
+    assert "already" in signed_in.refused(409, "POST", "/models", files={"file": ("Bed.glb", glb())})

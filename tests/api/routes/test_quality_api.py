@@ -3,7 +3,6 @@
 from typing import Any
 
 import pytest
-from api.fake_clinic import WORD
 
 QUALITY = {
     "map_angle_deg": 12.0,
@@ -35,34 +34,22 @@ QUALITY = {
 
 @pytest.fixture
 def ready(calibrated: Any) -> Any:
-    plan = calibrated.good("GET", "/floorplans/apartment")
-    calibrated.where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
     calibrated.page = f"/patients/{calibrated.patient['id']}/quality"
     return calibrated
 
 
-def drive(clinic: Any) -> Any:
-    clinic.good("POST", "/trials", json=clinic.where)
-    return clinic.good("POST", "/trials/current/end", json={"reason": "by hand"})
-
-
 def test_without_trials_there_is_nothing_to_say(ready: Any) -> None:
-    assert ready.good("GET", ready.page) == {
-        "source": "simulated",  # a demonstration
-        "trials": [],
-        "labels": {},
-        "warnings": [],
-        "note": "",
-    }
+    nothing = {"trials": [], "labels": {}, "warnings": [], "note": ""}
+    assert ready.good("GET", ready.page) == {"source": "simulated", **nothing}  # a demonstration
     assert ready("GET", "/patients/999/quality").status_code == 404
 
 
 def test_a_finished_trial_has_its_quality_and_its_warning(ready: Any) -> None:
     ready.readings["quality"] = QUALITY
-    trial = drive(ready)
+    trial = ready.drive_trial()
     del ready.readings["quality"]  # from here on only what was kept can be told
     assert ready.good("GET", f"/trials/{trial['id']}")["quality"]["joints"][0]["direction"]["right_elbow_1"] == 1.0
-    found = ready.good("GET", f"{ready.page}?floorplan={ready.where['floorplan']}&path={ready.where['path']}")
+    found = ready.good("GET", f"{ready.page}?floorplan=apartment&path=main")
     (row,) = found["trials"]
     assert (row["id"], row["number"], row["session"], row["map_version"]) == (trial["id"], 1, 1, 1)
     assert row["quality"]["map_angle_deg"] == 12.0
@@ -74,11 +61,11 @@ def test_a_finished_trial_has_its_quality_and_its_warning(ready: Any) -> None:
 
 
 def test_the_quality_of_an_older_trial_is_made_up_for(ready: Any) -> None:
-    trial = drive(ready)
+    trial = ready.drive_trial()
     assert trial["measures"] is not None  # which do not depend on it
     assert ready.good("GET", f"/trials/{trial['id']}")["quality"] is None
     assert ready.good("GET", ready.page)["trials"] == []
-    second = drive(ready)
+    second = ready.drive_trial()
     ready.readings["quality"] = QUALITY
     assert ready.good("GET", f"/trials/{second['id']}")["quality"]["evr"] == 0.9
     del ready.readings["quality"]
@@ -87,7 +74,7 @@ def test_the_quality_of_an_older_trial_is_made_up_for(ready: Any) -> None:
 
 def test_a_discarded_trial_warns_of_nothing(ready: Any) -> None:
     ready.readings["quality"] = QUALITY
-    trial = drive(ready)
+    trial = ready.drive_trial()
     ready.good("POST", f"/trials/{trial['id']}/discard", json={"reason": "plug was out"})
     found = ready.good("GET", ready.page)
     assert (found["trials"], found["warnings"]) == ([], [])

@@ -8,12 +8,10 @@ from typing import Any
 
 import pytest
 import trimesh
+from api.plan_documents import plan
 
 from app.clock import utc_now
 from app.store.files.replacements import replaced_files
-
-ROOM = [[[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [0.0, 4.0], [0.0, 0.0]]]
-PATH = {"name": "main", "title": "Across", "points": [[1.0, 2.0], [5.0, 2.0]], "instruction": "Go."}
 
 
 def recording(clinic: Any, number: int, name: str, same_name: str) -> Any:
@@ -26,16 +24,15 @@ def model(clinic: Any, number: int, name: str, same_name: str) -> Any:
     return clinic("POST", f"/models{same_name}", files={"file": (name, content)})
 
 
-def plan(clinic: Any, number: int, name: str, same_name: str) -> Any:
-    document = {"name": name, "title": f"Room {number}", "walls": ROOM, "paths": [PATH]}
-    return clinic("POST", f"/floorplans{same_name}", json=document)
+def floor_plan(clinic: Any, number: int, name: str, same_name: str) -> Any:
+    return clinic("POST", f"/floorplans{same_name}", json=plan(name, title=f"Room {number}"))
 
 
 # What brings something, under which name, which names are proposed, and the folder in which it lies.
 KINDS = [
     pytest.param(recording, "walk.csv", ["walk-2.csv", "walk-3.csv"], "files", id="recording"),
     pytest.param(model, "bed.glb", ["bed-2.glb", "bed-3.glb"], "models", id="model"),
-    pytest.param(plan, "room", ["room-2", "room-3"], "floorplans", id="floor plan"),
+    pytest.param(floor_plan, "room", ["room-2", "room-3"], "floorplans", id="floor plan"),
 ]
 
 

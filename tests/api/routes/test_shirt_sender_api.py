@@ -23,8 +23,8 @@ def test_another_sender_is_shown_and_taken_by_a_tap_that_is_logged(signed_in: Cl
 
 def test_what_the_control_process_refuses_is_said(signed_in: Clinic) -> None:
     signed_in.process.refuse["sender"] = "The chair is armed: end the drive first."
-    answer = signed_in("PUT", "/equipment/sender", json={"sender": FORGER})
-    assert (answer.status_code, answer.json()["detail"]) == (409, "The chair is armed: end the drive first.")
+    refused = signed_in.refused(409, "PUT", "/equipment/sender", json={"sender": FORGER})
+    assert refused == "The chair is armed: end the drive first."
     assert signed_in("PUT", "/equipment/sender", json={"sender": "x" * 101}).status_code == 422
 
 

@@ -1,14 +1,11 @@
 """A shirt that falls silent: the pages are told, nothing is started, and all is well once it sends again."""
 
-from typing import Any
-
 import pytest
-from api.fake_clinic import BASE, WORD, Clinic
+from api.fake_clinic import WHERE, WORD, Clinic, next_message
 
 from app.session.equipment import shirt_watch
 from app.session.equipment.shirt import Equipment
 
-LIVE = f"{BASE.replace('http', 'ws')}/api/v1/live"
 NO_FRAMES = "No frames from a shirt on 127.0.0.1:5252 (the shirt sends 40 sensors, its layout has 52)."
 
 
@@ -17,42 +14,29 @@ def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shirt_watch, "WATCH_EVERY", 0.01)
 
 
-def until_told(socket: Any) -> None:
-    """Return when the pages are told that the equipment has changed."""
-    while socket.receive_json().get("event") != "equipment":
-        pass
-
-
-def start(clinic: Clinic) -> Any:
-    plan = clinic.good("GET", "/floorplans/apartment")
-    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
-    return clinic("POST", "/trials", json=where)
-
-
 def test_nothing_is_started_while_the_shirt_is_silent_and_the_pages_know_why(calibrated: Clinic) -> None:
     process = calibrated.process
     assert calibrated.good("GET", "/session")["obstacle"] is None
-    with calibrated.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
+    with calibrated.socket("/live") as socket:
         process.sends, process.shirt_words = False, NO_FRAMES
-        until_told(socket)
+        next_message(socket, lambda m: m.get("event") == "equipment")  # the pages are told
         obstacle = calibrated.good("GET", "/session")["obstacle"]
         assert obstacle["page"] == "shirt"
         assert calibrated.good("GET", "/controls/obstacle") == obstacle
         assert calibrated.good("GET", "/controls")["obstacle"] == obstacle
-        for answer in (start(calibrated), calibrated("POST", "/interface-tests", json={"screen": WORD})):
-            assert (answer.status_code, answer.json()["detail"]) == (409, obstacle["message"])
+        for path, body in (("/trials", WHERE), ("/interface-tests", {"screen": WORD})):
+            assert calibrated.refused(409, "POST", path, json=body) == obstacle["message"]
         assert process.runs == calibrated.good("GET", "/session")["session"]["trials"] == 0
-        while socket.receive_json().get("shirt_words") != NO_FRAMES:
-            pass
+        next_message(socket, lambda m: m.get("shirt_words") == NO_FRAMES)
 
         process.sends, process.shirt_words = True, "Sends."
-        until_told(socket)
+        next_message(socket, lambda m: m.get("event") == "equipment")  # the pages are told
         assert calibrated.good("GET", "/session")["obstacle"] is None
-        assert start(calibrated).status_code == 201
+        calibrated.start_trial()
 
 
 def test_the_state_of_another_shirt_is_known_as_soon_as_it_is_chosen(calibrated: Clinic) -> None:
     calibrated.process.shirt_words = "Another one."
     calibrated.good("PUT", "/equipment/shirt", json={"kind": "simulator", "seed": 2})
     assert calibrated.parts[Equipment].state == "Another one."
-    assert start(calibrated).status_code == 201
+    calibrated.start_trial()

@@ -1,11 +1,6 @@
 """Simulated trials are marked in each answer, and never in one curve or warning with worn ones."""
 
-from collections.abc import Iterator
-from pathlib import Path
-from typing import Any
-
-import pytest
-from api.fake_clinic import WORD, Clinic
+from api.fake_clinic import WHERE, Clinic
 from api.running_app import running
 
 from app.api.live.live_picture import ClinicLive
@@ -14,7 +9,6 @@ from app.settings import Settings
 from app.store.calibrations import MIXED
 from app.store.tables import Run, Trial
 
-OWNER = {"code": "the-set-up-code", "name": "Ada", "password": "correct horse battery"}
 SIMULATED = {"kind": "simulator", "seed": 1}
 WORN = {"kind": "udp", "port": 0}
 WORDS = {
@@ -23,41 +17,20 @@ WORDS = {
 }
 
 
-@pytest.fixture
-def real_settings(tmp_path: Path) -> Settings:
-    return Settings(state=tmp_path / "state", setup_code=OWNER["code"])
-
-
-@pytest.fixture
-def clinic_for_real(real_settings: Settings) -> Iterator[Clinic]:
-    """A clinic as `serve` opens it, its first owner signed in."""
-    for clinic in running(real_settings):
-        clinic.good("POST", "/auth/setup", json=OWNER)
-        yield clinic
-
-
-def drive(clinic: Any) -> Any:
-    plan = clinic.good("GET", "/floorplans/apartment")
-    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"]}
-    clinic.good("POST", "/trials", json={**where, "screen": WORD})
-    return where, clinic.good("POST", "/trials/current/end", json={"reason": "by hand"})
-
-
 def test_a_real_clinic_begins_without_a_shirt_and_keeps_the_one_that_was_chosen(
-    clinic_for_real: Clinic, real_settings: Settings
+    owned: Clinic, real_settings: Settings
 ) -> None:
-    clinic = clinic_for_real
-    equipment = clinic.good("GET", "/equipment")
+    equipment = owned.good("GET", "/equipment")
     assert (equipment["shirt"], equipment["simulated"], equipment["body"], equipment["layout"]) == (None,) * 4
     assert equipment["status"]["message"] == "No shirt yet: choose one on the Shirt page."
-    assert {one["kind"]: one["simulated"] for one in clinic.good("GET", "/equipment/shirts")}["simulator"] is True
-    assert "shirt" not in [do for do, _ in clinic.process.calls]
-    assert clinic.parts[ClinicLive]._picture().shirt.chosen is False
-    clinic.begin_session()
-    refused = clinic("POST", "/calibration/steps/rest/start")
+    assert {one["kind"]: one["simulated"] for one in owned.good("GET", "/equipment/shirts")}["simulator"] is True
+    assert "shirt" not in [do for do, _ in owned.process.calls]
+    assert owned.parts[ClinicLive]._picture().shirt.chosen is False
+    owned.begin_session()
+    refused = owned("POST", "/calibration/steps/rest/start")
     assert refused.status_code in {404, 409}
-    clinic.good("PUT", "/equipment/shirt", json=SIMULATED)
-    token = clinic.client.cookies["bodydrive_sign_in"]
+    owned.good("PUT", "/equipment/shirt", json=SIMULATED)
+    token = owned.client.cookies["bodydrive_sign_in"]
     for again in running(real_settings):
         again.client.cookies["bodydrive_sign_in"] = token
         assert again.good("GET", "/equipment")["shirt"]["kind"] == "simulator"
@@ -66,79 +39,69 @@ def test_a_real_clinic_begins_without_a_shirt_and_keeps_the_one_that_was_chosen(
 
 def test_a_demonstration_begins_with_the_simulated_shirt(signed_in: Clinic) -> None:
     equipment = signed_in.good("GET", "/equipment")
-    assert (equipment["shirt"]["kind"], equipment["body"]["kind"], equipment["simulated"]) == (
-        "simulator",
-        "person",
-        True,
-    )
+    kinds = (equipment["shirt"]["kind"], equipment["body"]["kind"], equipment["simulated"])
+    assert kinds == ("simulator", "person", True)
 
 
-def test_anybody_may_ask_whether_a_page_is_to_be_marked(clinic_for_real: Clinic) -> None:
-    clinic = clinic_for_real
+def test_anybody_may_ask_whether_a_page_is_to_be_marked(owned: Clinic) -> None:
     for config, kind in ((None, None), (SIMULATED, "simulator"), (WORN, None)):
         if config is not None:
-            clinic.good("PUT", "/equipment/shirt", json=config)
-        assert clinic.good("GET", "/equipment/practice") == {"kind": kind}
-        assert clinic.parts[ClinicLive]._picture().practice == clinic.parts[PatientPicture].picture().practice == kind
-    clinic.client.cookies.clear()
-    assert clinic.good("GET", "/equipment/practice") == {"kind": None}
+            owned.good("PUT", "/equipment/shirt", json=config)
+        assert owned.good("GET", "/equipment/practice") == {"kind": kind}
+        assert owned.parts[ClinicLive]._picture().practice == owned.parts[PatientPicture].picture().practice == kind
+    owned.client.cookies.clear()
+    assert owned.good("GET", "/equipment/practice") == {"kind": None}
 
 
-def consent(clinic: Clinic, patient: int) -> None:
-    clinic.good("PUT", f"/patients/{patient}/consents/recording", json={"given": "2026-03-01"})
-
-
-def test_trials_say_their_source_and_worn_and_simulated_ones_are_never_mixed(clinic_for_real: Clinic) -> None:
-    clinic = clinic_for_real
-    patient = clinic.begin_session()["id"]
-    consent(clinic, patient)
+def test_trials_say_their_source_and_worn_and_simulated_ones_are_never_mixed(owned: Clinic) -> None:
+    patient = owned.begin_session()["id"]
+    with owned.rows() as rows:
+        rows.consent(patient, "recording")
     made: dict[str, list[int]] = {}
     for config in (WORN, SIMULATED, WORN):
         kind = str(config["kind"])
-        clinic.good("PUT", "/equipment/shirt", json=config)
+        owned.good("PUT", "/equipment/shirt", json=config)
         if config is WORN and not made:
-            clinic.calibrate()
-        where, trial = drive(clinic)
+            owned.calibrate()
+        trial = owned.drive_trial()
         made.setdefault(kind, []).append(trial["id"])
         assert trial["source"]["description"] == WORDS[kind]
         assert trial["source"]["simulated"] is (config is SIMULATED)
-        detail = clinic.good("GET", f"/trials/{trial['id']}")
+        detail = owned.good("GET", f"/trials/{trial['id']}")
         assert detail["source"] == trial["source"]
-    listed = clinic.good("GET", f"/trials?patient={patient}")
+    listed = owned.good("GET", f"/trials?patient={patient}")
     assert [one["source"]["simulated"] for one in listed] == [False, True, False]
-    query = f"floorplan={where['floorplan']}&path={where['path']}"
+    query = "floorplan=apartment&path=main"
     for page in ("learning", "quality"):
         for asked, source in (("", "worn"), ("&source=worn", "worn"), ("&source=simulated", "simulated")):
-            found = clinic.good("GET", f"/patients/{patient}/{page}?{query}{asked}")
+            found = owned.good("GET", f"/patients/{patient}/{page}?{query}{asked}")
             assert found["source"] == source
             if page == "learning":
                 kind = "udp" if source == "worn" else "simulator"
                 assert [row["id"] for row in found["trials"]] == made[kind]
                 assert {row["source"] for row in found["trials"]} == {WORDS[kind]}
                 assert found["others"] == ({"simulated": 1} if source == "worn" else {"worn": 2})
-        assert clinic.good("GET", f"/patients/{patient}/{page}?{query}&source=unknown")["trials"] == []
-        assert clinic("GET", f"/patients/{patient}/{page}?{query}&source=nonsense").status_code == 422
+        assert owned.good("GET", f"/patients/{patient}/{page}?{query}&source=unknown")["trials"] == []
+        assert owned("GET", f"/patients/{patient}/{page}?{query}&source=nonsense").status_code == 422
     # Practice with this very set: two worn trials, whatever was simulated in between.
-    assert clinic.good("GET", "/drives/summary")["practised"]["trials"] == 2
-    assert clinic.good("GET", "/adaptation")["practised"] == 2
-    with clinic.database.transaction() as db:
+    assert owned.good("GET", "/drives/summary")["practised"]["trials"] == 2
+    assert owned.good("GET", "/adaptation")["practised"] == 2
+    with owned.database.transaction() as db:
         runs = {trial.id: db.get_one(Run, trial.run_id).source.shirt for trial in db.query(Trial)}
     assert runs == {**dict.fromkeys(made["udp"], "udp"), **dict.fromkeys(made["simulator"], "simulator")}
 
 
-def test_a_simulated_calibration_drives_no_worn_shirt_and_no_calibration_mixes_both(clinic_for_real: Clinic) -> None:
-    clinic = clinic_for_real
-    consent(clinic, clinic.begin_session()["id"])
-    clinic.good("PUT", "/equipment/shirt", json=SIMULATED)
-    clinic.calibrate()
-    assert clinic.process.parameters is not None
-    clinic.good("PUT", "/equipment/shirt", json=WORN)
-    assert "calibration is one of a shirt that nobody wore" in clinic.good("GET", "/controls")["obstacle"]["message"]
-    assert clinic.process.parameters is None
-    plan = clinic.good("GET", "/floorplans/apartment")
-    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
-    assert "nobody wore" in clinic("POST", "/trials", json=where).json()["detail"]
-    clinic.good("POST", "/calibration/steps/rest/start")  # again, in the worn shirt, the others being simulated
-    clinic.process.run_t = 1000.0
-    wizard = clinic.until("/calibration", lambda c: c["running"] is None)
+def test_a_simulated_calibration_drives_no_worn_shirt_and_no_calibration_mixes_both(owned: Clinic) -> None:
+    patient = owned.begin_session()["id"]
+    with owned.rows() as rows:
+        rows.consent(patient, "recording")
+    owned.good("PUT", "/equipment/shirt", json=SIMULATED)
+    owned.calibrate()
+    assert owned.process.parameters is not None
+    owned.good("PUT", "/equipment/shirt", json=WORN)
+    assert "calibration is one of a shirt that nobody wore" in owned.good("GET", "/controls")["obstacle"]["message"]
+    assert owned.process.parameters is None
+    assert "nobody wore" in owned.refused(409, "POST", "/trials", json=WHERE)
+    owned.good("POST", "/calibration/steps/rest/start")  # again, in the worn shirt, the others being simulated
+    wizard = owned.end_step()
     assert (wizard["steps"][-1]["status"], wizard["steps"][-1]["message"]) == ("failed", MIXED)

@@ -7,19 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 from api.fake_clinic import Clinic
-from api.people_of_clinic import as_person
-from store.course_of_sessions import store_course
-from store.known_people import known_clinic
+from clinic_rows import WORN, plan_at
 
-from app.source import Source
-from app.store.access.sign_ins import sign_in
-from app.store.patients import add_patient
-from app.store.people import add_person
-from app.world.floorplan import FloorPlan
-from app.world.scene import find_place
-
-PLAN = "apartment"
-WORN = Source(shirt="udp", body=None, chair="virtual", simulated=False)
+PLAN = plan_at("apartment")
 
 
 def measures(area: float, **more: Any) -> dict[str, Any]:
@@ -30,31 +20,21 @@ def measures(area: float, **more: Any) -> dict[str, Any]:
 def course(signed_in: Clinic) -> Clinic:
     """A clinic with five people; the trials of the first fall from 3 m2 to 1 m2 in the last of four sessions."""
     rng = np.random.default_rng(2)
-    plan = find_place(PLAN)
-    assert isinstance(plan, FloorPlan)
     clinic = signed_in
-    with clinic.database.transaction() as db:
-        named = known_clinic(db)
-        assert named is not None
+    with clinic.rows() as rows:
         for number in range(5):
-            patient = add_patient(db, f"P-{number}", "Heron", "")
+            patient = rows.patient(f"P-{number}")
             levels = (3.0, 3.0, 3.0, 1.0 if number == 0 else 3.0)
             sessions = [[measures(level * float(np.exp(rng.normal(0, 0.1)))) for _ in range(7)] for level in levels]
-            ids = store_course(db, named.id, patient.id, plan, sessions)
+            ids = rows.course(patient, PLAN, sessions)
             if number == 0:
                 clinic.course, clinic.heron = ids, patient.id  # type: ignore[attr-defined]
-                clinic.worn = store_course_of_one(db, named.id, add_patient(db, "W", "Otter", "").id, plan)  # type: ignore[attr-defined]
+                (clinic.worn,) = rows.course(rows.patient("W"), PLAN, [[measures(3.0)]], WORN)  # type: ignore[attr-defined]
     return clinic
 
 
-def store_course_of_one(db: Any, clinic: int, patient: int, plan: FloorPlan) -> int:
-    return store_course(db, clinic, patient, plan, [[measures(3.0)]], WORN)[0]
-
-
 def task(clinic: Any, **more: str) -> Any:
-    plan = find_place(PLAN)
-    assert isinstance(plan, FloorPlan)
-    query = {"floorplan": PLAN, "path": plan.paths[0].name, **more}
+    query = {"floorplan": PLAN.name, "path": PLAN.paths[0].name, **more}
     return clinic.good("GET", f"/patients/{clinic.heron}/learning", params=query)
 
 
@@ -75,9 +55,8 @@ def test_the_curve_of_one_measure_is_that_of_all_of_them(course: Any) -> None:
     assert one["curves"] == {"e_diff": every["curves"]["e_diff"]}
     assert len(every["curves"]) > 1
     assert {**one, "curves": None} == {**every, "curves": None}
-    refused = course(
-        "GET", f"/patients/{course.heron}/learning", params={"floorplan": PLAN, "path": "x", "measure": "E_diff"}
-    )
+    query = {"floorplan": PLAN.name, "path": "x", "measure": "E_diff"}
+    refused = course("GET", f"/patients/{course.heron}/learning", params=query)
     assert refused.status_code == 422
     assert "is no measure: choose one of stages_done, " in refused.json()["detail"]
 
@@ -108,17 +87,13 @@ def test_a_discarded_trial_has_no_verdict_and_the_others_keep_their_place(course
 
 
 def test_trials_of_different_people_or_sources_are_refused_in_one_sentence(course: Any) -> None:
-    refused = course("GET", f"/trials/{course.course[-1]}/verdicts", params={"against": course.worn})
-    assert refused.status_code == 409
-    assert refused.json()["detail"].startswith("These two trials differ")
+    refused = course.refused(409, "GET", f"/trials/{course.course[-1]}/verdicts", params={"against": course.worn})
+    assert refused.startswith("These two trials differ")
     assert course("GET", f"/trials/{course.course[-1]}/verdicts", params={"against": 10**6}).status_code == 404
 
 
 def test_a_reviewer_of_this_patient_alone_reads_the_same_verdicts(course: Any) -> None:
     owner = task(course)["verdicts"]
-    with course.database.transaction() as db:
-        person = add_person(db, known_clinic(db), "Rita", "reviewer", None, patients=[course.heron])
-        cookies = {"bodydrive_sign_in": sign_in(db, person, "test")}
-    with as_person(course, cookies):
+    with course.as_person(course.cookies_of("Rita", "reviewer", [course.heron])):
         assert task(course)["verdicts"] == owner
         assert [patient["code"] for patient in course.good("GET", "/patients")] == ["P-0"]

@@ -1,27 +1,15 @@
 """Over https every cookie is marked for encrypted connections alone, in its name too, and origins must be https."""
 
-from collections.abc import Iterator
 from http.cookies import SimpleCookie
-from pathlib import Path
 from typing import Any
 
 import pytest
 from api.fake_clinic import Clinic
-from api.running_app import running
+from api.people_of_clinic import OWNER
 from starlette.testclient import TestClient
 from starlette.websockets import WebSocketDisconnect
 
-from app.api.sign_in import hashing
-from app.settings import Settings
-
-OWNER = {"code": "set-up-code", "name": "Ada", "password": "correct horse battery"}
 HTTPS = "https://127.0.0.1:8443"
-
-
-@pytest.fixture
-def real(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Clinic]:
-    monkeypatch.setattr(hashing, "COST", hashing.Cost(time=1, memory=8, lanes=1))
-    yield from running(Settings(state=tmp_path, setup_code="set-up-code"))
 
 
 def over(clinic: Clinic, base: str) -> TestClient:

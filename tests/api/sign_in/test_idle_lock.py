@@ -5,9 +5,10 @@ from datetime import timedelta
 from typing import Any
 
 import pytest
-from api.fake_clinic import BASE, Clinic
-from api.people_of_clinic import OWNER, accepted, as_person, invited
-from api.test_roles import FOR_EVERYONE, requested, table
+from api.fake_clinic import BASE, Clinic, next_message
+from api.people_of_clinic import OWNER, accepted, invited
+from api.served_routes import requested, table
+from api.test_roles import FOR_EVERYONE
 from api.view.served_view import VIEW, serve_view
 from starlette.websockets import WebSocketDisconnect
 
@@ -17,7 +18,6 @@ from app.session.open_session import SessionFlow
 from app.store.access import sign_ins
 
 ORIGIN = {"Origin": BASE}
-LIVE = f"{BASE.replace('http', 'ws')}/api/v1/live"
 PASSWORD = {"password": OWNER["password"]}
 
 Later = Callable[[float], None]
@@ -36,14 +36,6 @@ def later(monkeypatch: pytest.MonkeyPatch) -> Later:
 
     monkeypatch.setattr(sockets, "CHECK_EVERY", 0.01)
     return pass_minutes
-
-
-def next_that(socket: Any, is_it: Callable[[Any], bool]) -> Any:
-    for _ in range(1000):
-        message = socket.receive_json()
-        if is_it(message):
-            return message
-    raise AssertionError("no such message came")
 
 
 def test_every_route_but_those_for_everybody_answers_423(owned: Clinic, later: Later) -> None:
@@ -107,24 +99,24 @@ def test_another_person_signs_in_on_a_locked_page(owned: Clinic, later: Later) -
 
 def test_the_live_socket_shows_nothing_of_a_patient_while_locked_and_stops(owned: Clinic, later: Later) -> None:
     session = owned.begin_session() and owned.good("GET", "/session")["session"]["id"]
-    with owned.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
-        assert next_that(socket, lambda m: not m["hidden"])["session"] == session
+    with owned.socket("/live") as socket:
+        assert next_message(socket, lambda m: not m["hidden"])["session"] == session
         later(11)
-        bare = next_that(socket, lambda m: m["hidden"])
+        bare = next_message(socket, lambda m: m["hidden"])
         assert (bare["session"], bare["values"], bare["trial"], bare["run"]) == (None, None, None, None)
         before = owned.process.stops
         socket.send_json({"move": {"left_wrist": 1.0}})
         socket.send_json({"stop": True})
-        next_that(socket, lambda m: m["stops"] > before)
+        next_message(socket, lambda m: m["stops"] > before)
         assert [do for do, _ in owned.process.told if do == "move"] == []
         owned.good("POST", "/auth/unlock", json=PASSWORD)
-        assert next_that(socket, lambda m: not m["hidden"])["session"] == session
+        assert next_message(socket, lambda m: not m["hidden"])["session"] == session
     with (
-        as_person(owned, dict(owned.client.cookies)),
-        owned.client.websocket_connect(LIVE, headers=ORIGIN) as socket,
+        owned.as_person(dict(owned.client.cookies)),
+        owned.socket("/live") as socket,
     ):
         later(11)
-        next_that(socket, lambda m: m["hidden"])
+        next_message(socket, lambda m: m["hidden"])
 
 
 def test_the_3d_view_ends_when_the_page_is_locked(owned: Clinic, later: Later, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -154,26 +146,26 @@ def beyond(number: int) -> Callable[[Any], bool]:
 
 
 def test_a_touch_of_the_page_counts_as_an_action(owned: Clinic, later: Later) -> None:
-    with owned.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with owned.socket("/live") as socket:
         for _ in range(3):
             later(6)
             socket.send_json({"acted": True})
             number = socket.receive_json()["tick"]
-            next_that(socket, beyond(number + 1))
+            next_message(socket, beyond(number + 1))
         assert owned("GET", "/patients").status_code == 200
 
 
 def test_armed_or_recording_is_not_idle(owned: Clinic, later: Later, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(type(owned.parts[SessionFlow]), "recording", property(lambda _self: True))
-    with owned.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+    with owned.socket("/live") as socket:
         for _ in range(3):
             later(6)
             number = socket.receive_json()["tick"]
-            next_that(socket, beyond(number + 4))
+            next_message(socket, beyond(number + 4))
         assert owned("GET", "/patients").status_code == 200
         monkeypatch.setattr(type(owned.parts[SessionFlow]), "recording", property(lambda _self: False))
         later(10.5)
-        next_that(socket, lambda m: m["hidden"])
+        next_message(socket, lambda m: m["hidden"])
 
 
 def test_a_demonstration_never_locks(signed_in: Clinic, later: Later) -> None:

@@ -1,17 +1,14 @@
 """Who can sign in, and who cannot."""
 
-from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import pytest
-from api.fake_clinic import BASE, Clinic
-from api.running_app import running
+from api.fake_clinic import BASE
+from api.people_of_clinic import OWNER
 
 from app.api.sign_in import set_up
 from app.api.sign_in.hashing import Hashing
 from app.clock import monotonic
-from app.settings import Settings
 
 
 def test_the_code_of_the_link_signs_in_as_often_as_it_is_opened(clinic: Any) -> None:
@@ -45,26 +42,14 @@ def test_after_sign_out_the_old_cookie_is_worthless(signed_in: Any) -> None:
     token = signed_in.client.cookies["bodydrive_sign_in"]
     assert signed_in.good("POST", "/auth/sign-out")["signed_in"] is False
     signed_in.client.cookies.clear()
-    answer = signed_in("GET", "/patients", headers={"Cookie": f"bodydrive_sign_in={token}"})
-    assert answer.status_code == 401
-    assert "sign in" in answer.json()["detail"]
-
-
-@pytest.fixture
-def real(tmp_path: Path) -> Iterator[Clinic]:
-    yield from running(Settings(state=tmp_path, setup_code="set-up-code"))
-
-
-OWNER = {"code": "set-up-code", "name": "Ada", "password": "correct horse battery"}
+    assert "sign in" in signed_in.refused(401, "GET", "/patients", headers={"Cookie": f"bodydrive_sign_in={token}"})
 
 
 def test_the_set_up_code_makes_one_owner(real: Any) -> None:
     assert real.good("GET", "/auth/me")["needs_setup"] is True
     assert real("POST", "/auth/demo", json={"code": "x"}).status_code == 404
     assert real("POST", "/auth/setup", json={**OWNER, "code": "wrong"}).status_code == 401
-    weak = real("POST", "/auth/setup", json={**OWNER, "password": "password"})
-    assert weak.status_code == 422
-    assert "choose another" in weak.json()["detail"]
+    assert "choose another" in real.refused(422, "POST", "/auth/setup", json={**OWNER, "password": "password"})
     assert "at least 8" in real("POST", "/auth/setup", json={**OWNER, "password": "short"}).json()["detail"]
     assert real.good("POST", "/auth/setup", json=OWNER)["role"] == "owner"
     assert real.good("GET", "/auth/me")["needs_setup"] is False
@@ -74,9 +59,7 @@ def test_the_set_up_code_makes_one_owner(real: Any) -> None:
 def test_the_set_up_code_lasts_half_an_hour(real: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     later = monotonic() + 1801
     monkeypatch.setattr(set_up, "monotonic", lambda: later)
-    answer = real("POST", "/auth/setup", json=OWNER)
-    assert answer.status_code == 401
-    assert "restart" in answer.json()["detail"]
+    assert "restart" in real.refused(401, "POST", "/auth/setup", json=OWNER)
 
 
 def test_a_wrong_password_and_an_unknown_name_are_told_alike(real: Any, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,7 +11,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 import numpy as np
-from api.fake_clinic import FakeProcess, profile_for
+from api.fake_process import FakeProcess, profile_for
 from browser.served.review_app import furnish
 from browser.served.served_clinic import ServedClinic
 from processes.served_demo import SessionClient

@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Any
 
-from api.fake_clinic import LAYOUT, profile_for
+from api.fake_process import LAYOUT, profile_for
 from browser.served.served_clinic import ServedClinic
 from processes.served_demo import SessionClient
 

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 
 import uvicorn
-from api.fake_clinic import FakeProcess
+from api.fake_process import FakeProcess
 
 from app.api.app import create_app
 from app.cli.port import bind

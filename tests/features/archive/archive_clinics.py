@@ -4,30 +4,38 @@ import json
 import zipfile
 from contextlib import closing
 from hashlib import sha256
+from pathlib import Path
 
-from app.clock import utc_now
+from clinic_rows import rows_in
+from exported_clinic import make_clinic
+
 from app.features.archive.archive_file import LIST, PATIENT, REPORT, ArchiveList, FileEntry, hash_of
 from app.features.archive.archive_import import import_archive
+from app.features.archive.service import make_archive
 from app.settings import Settings
 from app.store.database import Database
-from app.store.patients import add_patient
-from app.store.tables import Clinic, PatientSession
 
 
 def empty_clinic(state) -> Settings:
     """Make a clinic with two other patients, so that its ids differ."""
     settings = Settings(state=state)
-    with closing(Database(settings.database)) as database, database.transaction() as db:
-        db.add(Clinic(name="Hillside", created=utc_now(), unused=[]))
-        db.flush()
+    with rows_in(settings, "Hillside") as clinic:
         for code in ("A-1", "A-2"):
-            patient = add_patient(db, code, "Wren", "")
-            db.add(
-                PatientSession(
-                    clinic_id=1, patient_id=patient.id, number=1, started=utc_now(), ended=utc_now(), accepted=False
-                )
-            )
+            clinic.session(clinic.patient(code, "Wren"), accepted=False)
     return settings
+
+
+def archive_of(settings: Settings, package: Path, patient: int = 1, person: str = "Ana") -> str:
+    """Make the archive of a clinic's patient, and return its hash."""
+    with closing(Database(settings.database)) as database:
+        return make_archive(database, patient, person, settings.runs, package)
+
+
+def archived_clinic(state: Path) -> Path:
+    """Make a clinic whose patient has a recorded trial, and return the archive of the patient."""
+    settings = make_clinic(state)
+    archive_of(settings, settings.state / "heron.zip")
+    return settings.state / "heron.zip"
 
 
 def bring(settings, package, *, replace=False):

@@ -8,14 +8,15 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from exported_clinic import MEASURES, SIMULATED, make_clinic
-from recorded_trial import plan_of, record_trial, store_trial
-from store.known_people import known_clinic
+from clinic_rows import SIMULATED, rows_in
+from exported_clinic import MEASURES, make_clinic
+from features.archive.archive_clinics import archive_of
+from recorded_trial import record_trial
+from stored_interface_test import MEASURES as TEST_MEASURES
 
 from app.calibration.script import calibration_script
 from app.clock import utc_now
 from app.features.archive.patient_rows import Rows, patient_rows
-from app.features.archive.service import make_archive
 from app.features.comments.service import add_comment
 from app.features.interface_tests.service import add_interface_test, finish_interface_test, save_workload
 from app.features.records.service import add_note, add_scale
@@ -27,28 +28,13 @@ from app.store.database import Database
 from app.store.drives import add_drive, finish_drive
 from app.store.map_versions import go_back, save_adapted
 from app.store.parameters import as_document, current_parameters
-from app.store.people import add_person
-from app.store.runs import add_run, close_run
+from app.store.runs import add_run
 from app.store.tables import PatientSession, Trial
 from app.world.cursor_task import CursorPlan
 from building import make_parameters
 
 PART = {"title": "Turn", "kind": "turn", "reached": True, "time": 3.5, "heading_error_deg": 4.0, "turn_drift": 0.1}
 ALL_MEASURES = {**MEASURES, "path_length": 6.0, "mean_speed": 0.5, "collisions": 0, "stages": 1, "parts": [PART]}
-TEST_MEASURES = {
-    "duration": 120.0,
-    "complete": True,
-    "acquired": 20,
-    "missed": 1,
-    "acquisitions_per_minute": 10.0,
-    "first_entry": 1.0,
-    "dial_in": 0.5,
-    "entries": 1.5,
-    "path_efficiency": 0.8,
-    "effective_width": 0.2,
-    "throughput": 1.25,
-    "directions": {"ahead": {"acquired": 5, "missed": 0, "movement_time": 1.5}},
-}
 QUALITY = ControlQuality(
     map_angle_deg=4.0,
     evr=0.9,
@@ -67,25 +53,22 @@ WRONG: tuple[Any, ...] = (
 
 def whole_clinic(state: Path, trials: int) -> tuple[Any, Path]:
     """Make a clinic whose patient has every kind of row, and this many trials; return its settings and the archive."""
-    settings = make_clinic(state)
-    plan, now = plan_of(), utc_now()
-    with closing(Database(settings.database)) as database, database.transaction() as db:
-        session, parameters = db.get_one(PatientSession, 1), make_parameters()
-        row, _ = current_parameters(db, 1)
+    settings, parameters = make_clinic(state), make_parameters()
+    with rows_in(settings) as clinic:
+        db = clinic.db
+        session = db.get_one(PatientSession, 1)
         db.get_one(Trial, 1).measures = ALL_MEASURES
         save_quality(db, 1, QUALITY)
         for number in range(2, trials + 1):
-            store_trial(db, f"{number:032x}", (session, row), plan, SIMULATED, {**ALL_MEASURES, "time": 13.0 - number})
-            close_run(db, f"{number:032x}", 200, 0)
+            measures = {**ALL_MEASURES, "time": 13.0 - number}
+            clinic.trial(session, measures, run=f"{number:032x}", ticks=200, end="by hand")
         layout = parameters.profile.layout
         script = {"layout": layout.model_dump(mode="json"), "as_worn": {"recording": None, "rings": []}}
         begin_calibration(db, session, script, [step.id for step in calibration_script(layout)])
         session.result, session.accepted = parameters.profile.model_dump(mode="json"), True
         session.screen = {"arrow": True, "sounds": False, "large": False, "plan": False}
-        changed = as_document(*current_parameters(db, 1))
-        save_adapted(
-            db, 1, 1, changed, {"joints": {"left_elbow": {"range_moved": True}}, "trials": [1], "by_itself": True}
-        )
+        difference = {"joints": {"left_elbow": {"range_moved": True}}, "trials": [1], "by_itself": True}
+        save_adapted(db, 1, 1, as_document(*current_parameters(db, 1)), difference)
         go_back(db, 1, 1)
         row, _ = current_parameters(db, 1)
         run = add_run(db, "e" * 32, 1, "interface_test", "e" * 32, SIMULATED)
@@ -98,15 +81,12 @@ def whole_clinic(state: Path, trials: int) -> tuple[Any, Path]:
         drive = add_drive(db, run=run, patient_id=1, chair_id=chair, parameters_id=row.id, digest=row.hash)
         finish_drive(db, drive.id, "by hand", 12.5)
         add_note(db, 1, "Went well.", "Ana")
-        add_scale(db, 1, "SCIM III", 41.5, now.date())
-        person = add_person(db, known_clinic(db), "Dora", "reviewer", None)
-        add_comment(db, db.get_one(Trial, 1), person.id, 2.5, "Here it turns late.")
+        add_scale(db, 1, "SCIM III", 41.5, utc_now().date())
+        add_comment(db, db.get_one(Trial, 1), clinic.person("Dora", "reviewer").id, 2.5, "Here it turns late.")
     for number in range(2, trials + 1):
-        record_trial(settings.runs / f"{number:032x}", parameters, seconds=2.0, seed=number, plan=plan)
-    package = state / "whole.zip"
-    with closing(Database(settings.database)) as database:
-        make_archive(database, 1, "Ana", settings.runs, package)
-    return settings, package
+        record_trial(settings.runs / f"{number:032x}", parameters, seconds=2.0, seed=number)
+    archive_of(settings, state / "whole.zip")
+    return settings, state / "whole.zip"
 
 
 def rows_of(settings: Any) -> Rows:

@@ -2,14 +2,9 @@
 
 import subprocess
 import sys
-from contextlib import closing
 from pathlib import Path
 
-from exported_clinic import make_clinic
-from features.archive.archive_clinics import empty_clinic, rewrite, state_of
-
-from app.features.archive.service import make_archive
-from app.store.database import Database
+from features.archive.archive_clinics import archived_clinic, empty_clinic, rewrite, state_of
 
 IMPORT = """
 import sys
@@ -24,14 +19,12 @@ LISTS = 20_000_000  # about 1.3 GB in memory, 100 kB in the file
 
 
 def test_an_archive_that_needs_too_much_memory_is_one_sentence_and_changes_nothing(tmp_path: Path) -> None:
-    first, other = make_clinic(tmp_path / "first"), empty_clinic(tmp_path / "other")
-    with closing(Database(first.database)) as database:
-        make_archive(database, 1, "Ana", first.runs, tmp_path / "heron.zip")
-    rewrite(tmp_path / "heron.zip", tmp_path / "bomb.zip", text=("12.5", f"[{'[],' * LISTS}1]"))
+    package, other = archived_clinic(tmp_path / "first"), empty_clinic(tmp_path / "other")
+    rewrite(package, tmp_path / "bomb.zip", text=("12.5", f"[{'[],' * LISTS}1]"))
     before = state_of(other)
     assert "because it needs too much memory; nothing was imported." in problem_of(other.state, tmp_path / "bomb.zip")
     assert state_of(other) == before
-    assert problem_of(other.state, tmp_path / "heron.zip") == ""  # the limit leaves enough for a real archive
+    assert problem_of(other.state, package) == ""  # the limit leaves enough for a real archive
 
 
 def problem_of(state: Path, package: Path) -> str:

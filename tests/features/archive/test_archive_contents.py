@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from clinic_rows import rows_in
 from exported_clinic import make_clinic
-from features.archive.archive_clinics import bring, empty_clinic, rewrite
+from features.archive.archive_clinics import archive_of, bring, empty_clinic, rewrite
 
-from app.clock import utc_now
 from app.features.archive.archive_file import LIST, REPORT, open_archive
 from app.features.archive.patient_rows import LEFT_OUT, archived_tables, exchanged, not_archived, table_of
 from app.features.archive.service import make_archive
@@ -21,29 +21,19 @@ from app.features.reports.service import report_of_archive
 from app.features.sharing.attention import patients_and_reasons
 from app.refusals import Conflict
 from app.settings import Settings
-from app.store.access.person_tables import Person
-from app.store.database import Database, Transaction
+from app.store.database import Database
 from app.store.keeping.owned_rows import tables_in
 from app.store.tables import Trial
-
-
-def reader(db: Transaction, name: str) -> Person:
-    person = Person(
-        clinic_id=1, name=name, role="reviewer", patients=None, password_hash=None, created=utc_now(), disabled=None
-    )
-    db.add(person)
-    db.flush()
-    return person
 
 
 @pytest.fixture(scope="module")
 def clinic(tmp_path_factory: pytest.TempPathFactory) -> Settings:
     """Return a clinic in which somebody has commented on a trial, and revised the comment."""
     settings = make_clinic(tmp_path_factory.mktemp("from"))
-    with closing(Database(settings.database)) as database, database.transaction() as db:
-        dora = reader(db, "Dora")
-        comment = add_comment(db, db.get_one(Trial, 1), dora.id, 2.5, "Here it turns late.")
-        revise_comment(db, comment, dora.id, "Here it turns late, <b>and far</b>.")
+    with rows_in(settings) as rows:
+        dora = rows.person("Dora", "reviewer")
+        comment = add_comment(rows.db, rows.db.get_one(Trial, 1), dora.id, 2.5, "Here it turns late.")
+        revise_comment(rows.db, comment, dora.id, "Here it turns late, <b>and far</b>.")
     return settings
 
 
@@ -78,21 +68,21 @@ def test_comments_come_along_with_author_moment_and_history(
     patient = bring(other, tmp_path / "heron.zip").patient_id
     with open_clinic.transaction() as db:
         (first,) = comments_of(db, patient_id=1)
-    with closing(Database(other.database)) as database:
-        with database.transaction() as db:
-            (comment,) = comments_of(db, patient_id=patient)
-            shown = (comment.person, comment.t, comment.text, comment.written, comment.revised)
-            assert shown == ("Dora", 2.5, "Here it turns late, <b>and far</b>.", first.written, first.revised)
-            assert comment_history(db, comment.id)[0].text == "Here it turns late."
-            ben = reader(db, "Dora").id  # of an equal name, and another person
-            assert comment.person_id is None
-            with pytest.raises(Conflict, match="Only its author"):
-                revise_comment(db, db.get_one(MomentComment, comment.id), ben, "Another text.")
-            reasons = {one.id: [each.reason for each in found] for one, found in patients_and_reasons(db, ben)}
-            assert "comment" in reasons[patient]  # nobody here has read it
-            mark_read(db, comment.trial_id, ben)
-            assert comments_of(db, patient_id=patient, not_read_by=ben) == []
-        assert make_archive(database, patient, "Ben", other.runs, tmp_path / "again.zip") == digest
+    with rows_in(other) as rows:
+        db = rows.db
+        (comment,) = comments_of(db, patient_id=patient)
+        shown = (comment.person, comment.t, comment.text, comment.written, comment.revised)
+        assert shown == ("Dora", 2.5, "Here it turns late, <b>and far</b>.", first.written, first.revised)
+        assert comment_history(db, comment.id)[0].text == "Here it turns late."
+        ben = rows.person("Dora", "reviewer").id  # of an equal name, and another person
+        assert comment.person_id is None
+        with pytest.raises(Conflict, match="Only its author"):
+            revise_comment(db, db.get_one(MomentComment, comment.id), ben, "Another text.")
+        reasons = {one.id: [each.reason for each in found] for one, found in patients_and_reasons(db, ben)}
+        assert "comment" in reasons[patient]  # nobody here has read it
+        mark_read(db, comment.trial_id, ben)
+        assert comments_of(db, patient_id=patient, not_read_by=ben) == []
+    assert archive_of(other, tmp_path / "again.zip", patient, "Ben") == digest
 
 
 def without_author(rows: dict[str, Any]) -> None:
@@ -119,7 +109,7 @@ def test_the_report_of_the_course_lies_in_the_archive_and_is_outside_its_hash(
     open_clinic: Database, clinic: Settings, tmp_path: Path
 ) -> None:
     digest = archived(open_clinic, clinic, tmp_path / "heron.zip")
-    assert make_archive(open_clinic, 1, "Ana", clinic.runs, tmp_path / "plain.zip") == digest
+    assert archive_of(clinic, tmp_path / "plain.zip") == digest
     with zipfile.ZipFile(tmp_path / "heron.zip") as opened:
         report = opened.read(REPORT).decode()
         assert json.loads(opened.read(LIST))["report"]["bytes"] == len(report.encode())

@@ -5,24 +5,17 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from exported_clinic import make_clinic
+from features.archive.archive_clinics import archived_clinic
 
 from app.features.archive.archive_file import open_archive
 from app.features.archive.archive_import import checked_rows
-from app.features.archive.service import make_archive
-from app.store.database import Database
 
 FLIPS = 400
 
 
 @pytest.fixture(scope="module")
 def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    settings = make_clinic(tmp_path_factory.mktemp("from"))
-    database = Database(settings.database)
-    made = settings.state / "heron.zip"
-    make_archive(database, 1, "Ana", settings.runs, made)
-    database.close()
-    return made
+    return archived_clinic(tmp_path_factory.mktemp("from"))
 
 
 def read(file: Path, folder: Path) -> tuple[object, list[bytes]]:

@@ -8,27 +8,23 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from clinic_rows import rows_in
 from exported_clinic import make_clinic
-from features.archive.archive_clinics import bring, empty_clinic
+from features.archive.archive_clinics import archive_of, bring, empty_clinic
 from recorded_trial import record_trial
 
 from app.features.archive.archive_file import PATIENT
 from app.features.archive.patient_rows import add_patient_rows, check_rows
-from app.features.archive.service import make_archive
 from app.recording.reader import read_run
 from app.settings import Settings
-from app.source import Source
-from app.speeds import HIGHEST_SPEEDS
-from app.store.chairs import add_chair, chairs_of, free_key_ids
+from app.store.chairs import chairs_of, free_key_ids
 from app.store.database import Database
-from app.store.drives import add_drive, drives_of, finish_drive
-from app.store.parameters import current_parameters
-from app.store.runs import add_run, close_run
-from app.store.tables import Clinic, PairedChair
+from app.store.drives import drives_of
+from app.store.runs import close_run
+from app.store.tables import Clinic, PairedChair, PatientSession
 from building import make_parameters
 
 DRIVE = "fedcba9876543210fedcba9876543210"
-REAL = Source(shirt="udp", body=None, chair="udp", simulated=False)
 ADDRESS = "chair.riverside.example"
 
 
@@ -37,19 +33,14 @@ def driven(tmp_path_factory: pytest.TempPathFactory) -> Any:
     """Return the archive of a patient who drove a real chair twice, its hash, and the clinic."""
     settings = make_clinic(tmp_path_factory.mktemp("from"))
     package = settings.state / "heron.zip"
-    with closing(Database(settings.database)) as database:
-        with database.transaction() as db:
-            chair = add_chair(db, db.get_one(Clinic, 1), "Red", ADDRESS, 5354, 7, HIGHEST_SPEEDS)
-            parameters, _ = current_parameters(db, 1)
-            for run_id, distance in ((DRIVE, 12.5), ("0" * 32, None)):
-                run = add_run(db, run_id, 1, "drive", run_id, REAL)
-                given: dict[str, Any] = {"run": run, "patient_id": 1, "chair_id": chair.id}
-                drive = add_drive(db, parameters_id=parameters.id, digest=parameters.hash, **given)
-                close_run(db, run_id, 100, 0)
-                finish_drive(db, drive.id, "by hand", distance)
-        record_trial(settings.runs / DRIVE, make_parameters(), seconds=1.0)
-        digest = make_archive(database, 1, "Ana", settings.runs, package)
-    return package, digest, settings
+    with rows_in(settings) as clinic:
+        clinic.chair("Red", ADDRESS)
+        session = clinic.db.get_one(PatientSession, 1)
+        for run, distance in ((DRIVE, 12.5), ("0" * 32, None)):
+            clinic.drive(session, "by hand", distance, run)
+            close_run(clinic.db, run, 100, 0)
+    record_trial(settings.runs / DRIVE, make_parameters(), seconds=1.0)
+    return package, archive_of(settings, package), settings
 
 
 def rows_of(package: Path) -> Any:
@@ -72,8 +63,7 @@ def test_drives_and_their_recordings_come_along_and_go_on_with_the_same_hash(dri
     assert figures(other, patient) == figures(first, 1)
     assert [one[-1] for one in figures(other, patient)] == [12.5, None]
     assert read_run(other.runs / DRIVE).damage == ""
-    with closing(Database(other.database)) as database:
-        assert make_archive(database, patient, "Ben", other.runs, tmp_path / "again.zip") == digest
+    assert archive_of(other, tmp_path / "again.zip", patient, "Ben") == digest
     third = empty_clinic(tmp_path / "third")
     again = bring(third, tmp_path / "again.zip").patient_id
     assert figures(third, again) == figures(first, 1)

@@ -7,11 +7,10 @@ from contextlib import closing
 from pathlib import Path
 
 import pytest
-from exported_clinic import make_clinic
+from features.archive.archive_clinics import archived_clinic
 from store.keeping.filled_clinic import two_patients
 
 from app.features.archive.archive_import import import_archive
-from app.features.archive.service import make_archive
 from app.settings import Settings
 from app.store.database import Database
 from app.store.files.temporary_folders import remove_temporary_folders, temporary_folder
@@ -30,10 +29,7 @@ archive_import.import_archive(Database(state / "bodydrive.sqlite"), package, "Be
 
 @pytest.fixture(scope="module")
 def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    first = make_clinic(tmp_path_factory.mktemp("from"))
-    with closing(Database(first.database)) as database:
-        make_archive(database, 1, "Ana", first.runs, first.state / "heron.zip")
-    return first.state / "heron.zip"
+    return archived_clinic(tmp_path_factory.mktemp("from"))
 
 
 @pytest.fixture

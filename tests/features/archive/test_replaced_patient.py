@@ -6,14 +6,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from exported_clinic import MEASURES, RUN, SIMULATED, make_clinic
-from features.archive.archive_clinics import bring, empty_clinic, rewrite, state_of
-from recorded_trial import plan_of, record_trial, store_trial
-from sqlalchemy import select
+from clinic_rows import rows_in
+from exported_clinic import MEASURES, RUN, make_clinic
+from features.archive.archive_clinics import archive_of, bring, empty_clinic, rewrite, state_of
+from recorded_trial import record_trial
 
 from app.clock import utc_now
 from app.features.archive.archive_file import open_archive
-from app.features.archive.service import make_archive
 from app.features.comments.service import add_comment, comments_of
 from app.features.log.service import read_log
 from app.features.records.service import add_note
@@ -21,7 +20,6 @@ from app.features.records.sign_off import sign_off
 from app.recording.reader import read_run
 from app.refusals import Conflict, DiskFull, PatientHere
 from app.settings import Settings
-from app.store.access.person_tables import Person
 from app.store.database import Database
 from app.store.files import room_for_files
 from app.store.files.disk_watch import DiskRoom
@@ -31,10 +29,9 @@ from app.store.keeping.incidents import lift_incident, mark_incident
 from app.store.keeping.keeping_tables import PatientFile
 from app.store.keeping.record_time import set_record_time
 from app.store.origins import origin_of
-from app.store.parameters import current_parameters, save_parameters, save_profile
+from app.store.parameters import current_parameters, save_parameters
 from app.store.patients import delete_patient, sessions_of
-from app.store.runs import close_run
-from app.store.tables import Patient, PatientSession, Profile, Trial
+from app.store.tables import Patient, PatientSession, Trial
 from building import make_parameters
 
 LATER, OWN = "1" * 32, "2" * 32  # recordings of a later session there, and of one here
@@ -42,39 +39,26 @@ LATER, OWN = "1" * 32, "2" * 32  # recordings of a later session there, and of o
 
 def add_session(settings: Settings, patient: int, run: str, title: str) -> int:
     """Add a session with a new map, a set of controls and a trial; return its id."""
-    with closing(Database(settings.database)) as database, database.transaction() as db:
-        now = utc_now()
-        number = 1 + max(one.number for one in sessions_of(db, patient))
-        session = PatientSession(clinic_id=1, patient_id=patient, number=number, started=now, ended=now, accepted=True)
-        db.add(session)
-        db.flush()
-        parameters = make_parameters().model_copy(update={"title": title})
-        parent = db.scalar(
-            select(Profile.version).where(Profile.patient_id == patient).order_by(Profile.version.desc())
-        )
-        profile = save_profile(db, patient, session.id, parameters.profile, origin="adaptation", parent=parent)
-        save_parameters(db, profile, parameters)
-        row, _ = current_parameters(db, patient)
-        store_trial(db, run, (session, row), plan_of(), SIMULATED, MEASURES)
-        close_run(db, run, 100, 0)
-        made = session.id
-    record_trial(settings.runs / run, parameters, seconds=1.0, plan=plan_of())
-    return made
+    parameters = make_parameters().model_copy(update={"title": title})
+    with rows_in(settings) as clinic:
+        session = clinic.session(patient)
+        clinic.map(session, parameters, origin="adaptation", parent=current_parameters(clinic.db, patient)[1].version)
+        clinic.trial(session, MEASURES, run=run, ticks=100, end="by hand")
+    record_trial(settings.runs / run, parameters, seconds=1.0)
+    return session.id
 
 
 def goes_on(settings: Settings) -> None:
     """Let the patient go on in the first clinic: a comment, another set on the first map, a second session."""
-    with closing(Database(settings.database)) as database, database.transaction() as db:
-        dora = Person(clinic_id=1, name="Dora", role="reviewer", created=utc_now())
-        db.add(dora)
-        db.flush()
-        add_comment(db, db.get_one(Trial, 1), dora.id, 1.5, "It turns late.")
-        _, profile = current_parameters(db, 1)
-        save_parameters(db, profile, make_parameters().model_copy(update={"title": "Softer"}))
+    with rows_in(settings) as clinic:
+        dora = clinic.person("Dora", "reviewer")
+        add_comment(clinic.db, clinic.db.get_one(Trial, 1), dora.id, 1.5, "It turns late.")
+        _, profile = current_parameters(clinic.db, 1)
+        save_parameters(clinic.db, profile, make_parameters().model_copy(update={"title": "Softer"}))
     session = add_session(settings, 1, LATER, "Later")
-    with closing(Database(settings.database)) as database, database.transaction() as db:
-        add_note(db, session, "Went better.", "Ana")
-        sign_off(db, db.get_one(PatientSession, session), "Ana")
+    with rows_in(settings) as clinic:
+        add_note(clinic.db, session, "Went better.", "Ana")
+        sign_off(clinic.db, clinic.db.get_one(PatientSession, session), "Ana")
 
 
 class Archives:
@@ -83,14 +67,9 @@ class Archives:
     def __init__(self, folder: Path) -> None:
         self.settings = make_clinic(folder)
         self.first, self.second = folder / "first.zip", folder / "second.zip"
-        self.hashes = [made(self.settings, 1, self.first)]
+        self.hashes = [archive_of(self.settings, self.first)]
         goes_on(self.settings)
-        self.hashes.append(made(self.settings, 1, self.second))
-
-
-def made(settings: Settings, patient: int, package: Path) -> str:
-    with closing(Database(settings.database)) as database:
-        return make_archive(database, patient, "Ana", settings.runs, package)
+        self.hashes.append(archive_of(self.settings, self.second))
 
 
 @pytest.fixture(scope="module")
@@ -125,7 +104,7 @@ def test_a_newer_archive_is_refused_and_replaces_when_a_person_asks_for_that(
         assert [one.text for one in comments_of(db, patient_id=found.patient_id)] == ["It turns late."]
         assert current_parameters(db, found.patient_id)[0].title == "Later"
         assert read_log(db, 1)[0].details["replaced"] == found.kept
-    assert made(settings, found.patient_id, tmp_path / "again.zip") == archives.hashes[1]
+    assert archive_of(settings, tmp_path / "again.zip", found.patient_id) == archives.hashes[1]
     with open_archive(settings.replaced / found.kept) as kept:
         assert kept.listed.hash == archives.hashes[0]
     assert bring(settings, settings.replaced / found.kept, replace=True).sessions == 1  # as it was before
@@ -149,7 +128,7 @@ def test_code_pseudonym_and_uploads_of_this_clinic_stay_and_sessions_held_here_a
     with closing(Database(settings.database)) as database, database.transaction() as db:
         db.get_one(Patient, patient).code = "X-9"
         db.add(PatientFile(patient_id=patient, name="own.csv", current=True))
-    held = made(settings, patient, tmp_path / "held.zip")
+    held = archive_of(settings, tmp_path / "held.zip", patient)
     found = bring(settings, archives.second, replace=True)
     assert (found.code, found.sessions) == ("X-9", 2)
     with closing(Database(settings.database)) as database, database.transaction() as db:
@@ -175,21 +154,21 @@ def test_what_stands_against_a_replacement_is_one_sentence_and_nothing_changes(
         rows["trial"][1]["parameters_id"] = 99
 
     rewrite(archives.second, tmp_path / "wrong.zip", patient=nowhere)
-    with closing(Database(settings.database)) as database, database.transaction() as db:
-        incident = mark_incident(db, utc_now(), "0" * 64, [patient], None).id
+    with rows_in(settings) as clinic:
+        incident = mark_incident(clinic.db, utc_now(), "0" * 64, [patient], None).id
     refused(archives.second, "=P-1 is part of the incident of .*an owner lifts the mark")
-    with closing(Database(settings.database)) as database, database.transaction() as db:
-        lift_incident(db, incident, "It is closed", "Ana")
-        set_record_time(db, 10)
+    with rows_in(settings) as clinic:
+        lift_incident(clinic.db, incident, "It is closed", "Ana")
+        set_record_time(clinic.db, 10)
     add_session(settings, patient, OWN, "Own")
     refused(archives.second, "Sessions of =P-1 were held in this clinic, and their records must be kept until 20")
-    with closing(Database(settings.database)) as database, database.transaction() as db:
-        set_record_time(db, None)
-        now = utc_now() + timedelta(seconds=1)
-        db.add(PatientSession(clinic_id=1, patient_id=patient, number=3, started=now, accepted=False))
+    later = utc_now() + timedelta(seconds=1)
+    with rows_in(settings) as clinic:
+        set_record_time(clinic.db, None)
+        clinic.session(patient, started=later, ended=None)
     refused(archives.second, "=P-1 is open here")
-    with closing(Database(settings.database)) as database, database.transaction() as db:
-        db.query(PatientSession).filter_by(ended=None).one().ended = now
+    with rows_in(settings) as clinic:
+        clinic.db.query(PatientSession).filter_by(ended=None).one().ended = later
     monkeypatch.setattr(room_for_files, "disk_room", lambda _: DiskRoom(1000, ""))
     refused(archives.second, "There is no room for this archive")
     monkeypatch.undo()

@@ -54,8 +54,7 @@ def settings(tmp_path: Path) -> Settings:
 @pytest.fixture(params=["file", "folder"])
 def target(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
     if request.param == "folder":
-        (tmp_path / "stick").mkdir()
-        return tmp_path / "stick"
+        return Path(request.getfixturevalue("stick"))
     return tmp_path / "clinic.backup"
 
 
@@ -180,9 +179,9 @@ def test_a_backup_in_one_file_is_read_by_tar(settings: Settings, tmp_path: Path)
         assert {member.mode for member in tar} == {0o600}
 
 
-def test_a_recording_is_copied_once_and_so_are_uploads_until_one_is_changed(settings: Settings, tmp_path: Path) -> None:
-    stick = tmp_path / "stick"
-    stick.mkdir()
+def test_a_recording_is_copied_once_and_so_are_uploads_until_one_is_changed(
+    settings: Settings, stick: Path, tmp_path: Path
+) -> None:
     made(settings, stick)
 
     def parts() -> dict[str, int]:
@@ -200,9 +199,7 @@ def test_a_recording_is_copied_once_and_so_are_uploads_until_one_is_changed(sett
     assert (tmp_path / "other" / "floorplans" / "ward.json").read_bytes() == b"changed"
 
 
-def test_a_damaged_part_is_stored_again(settings: Settings, tmp_path: Path) -> None:
-    stick = tmp_path / "stick"
-    stick.mkdir()
+def test_a_damaged_part_is_stored_again(settings: Settings, stick: Path) -> None:
     first = made(settings, stick)
     (uploads,) = stick.glob("parts/uploads-*")
     uploads.write_bytes(b"rotten")
@@ -211,19 +208,13 @@ def test_a_damaged_part_is_stored_again(settings: Settings, tmp_path: Path) -> N
     read_backup(made(settings, stick), None)
 
 
-def test_what_a_killed_backup_has_left_goes_with_the_next_one(settings: Settings, tmp_path: Path) -> None:
-    stick = tmp_path / "stick"
-    stick.mkdir()
+def test_what_a_killed_backup_has_left_goes_with_the_next_one(settings: Settings, stick: Path) -> None:
     (stick / ".bodydrive-2026-01-01T02-00-00-000000Z.backup.part").write_bytes(b"cut off")
     made(settings, stick)
     assert list(stick.rglob(".*")) == []
 
 
-def test_only_the_backups_to_keep_stay_with_their_contents(
-    settings: Settings, tmp_path: Path, monkeypatch: Any
-) -> None:
-    stick = tmp_path / "stick"
-    stick.mkdir()
+def test_only_the_backups_to_keep_stay_with_their_contents(settings: Settings, stick: Path, monkeypatch: Any) -> None:
     start = datetime(2026, 1, 1, 2, tzinfo=UTC)
     for day in range(12):
         (settings.files / "changing.csv").write_bytes(f"day {day}".encode())
@@ -241,9 +232,7 @@ def test_only_the_backups_to_keep_stay_with_their_contents(
     assert stored == {f"day {day}".encode() for day in (3, *range(5, 12))}
 
 
-def test_no_backup_goes_because_the_clock_was_set_forward(settings: Settings, tmp_path: Path, monkeypatch: Any) -> None:
-    stick = tmp_path / "stick"
-    stick.mkdir()
+def test_no_backup_goes_because_the_clock_was_set_forward(settings: Settings, stick: Path, monkeypatch: Any) -> None:
     names = []
     for start in range(9):
         ahead = datetime.now(UTC) + timedelta(days=31 * start)

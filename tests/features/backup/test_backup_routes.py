@@ -38,9 +38,7 @@ def whats(clinic: Clinic) -> list[str]:
 
 
 @pytest.mark.parametrize("passphrase", [None, "a quiet blue heron"])
-def test_a_folder_is_chosen_and_a_backup_is_made(signed_in: Clinic, tmp_path: Path, passphrase: str | None) -> None:
-    stick = tmp_path / "stick"
-    stick.mkdir()
+def test_a_folder_is_chosen_and_a_backup_is_made(signed_in: Clinic, stick: Path, passphrase: str | None) -> None:
     before = signed_in.good("GET", "/backups")
     assert (before["folder"], before["last_good"], before["made"]) == (None, None, [])
     assert before["warning"].startswith("There is no good backup yet")
@@ -50,12 +48,8 @@ def test_a_folder_is_chosen_and_a_backup_is_made(signed_in: Clinic, tmp_path: Pa
     assert signed_in("POST", "/backups").status_code == 202
     after = signed_in.until("/backups", lambda view: view["course"] is None)
     (made,) = after["made"]
-    assert (made["good"], made["in_folder"], made["encrypted"], made["with_keys"]) == (
-        True,
-        True,
-        bool(passphrase),
-        False,
-    )
+    assert (made["good"], made["in_folder"], made["with_keys"]) == (True, True, False)
+    assert made["encrypted"] is bool(passphrase)
     assert (after["warning"], after["last_good"]) == ("", made["at"])
     sealed = sealed_key_of(stick / made["name"])
     assert (sealed is None) == (passphrase is None)
@@ -66,9 +60,7 @@ def test_a_folder_is_chosen_and_a_backup_is_made(signed_in: Clinic, tmp_path: Pa
     assert passphrase is None or passphrase not in json.dumps([row.details for row in signed_in.log()])
 
 
-def test_a_folder_that_is_gone_is_a_warning_and_a_failed_backup(signed_in: Clinic, tmp_path: Path) -> None:
-    stick = tmp_path / "stick"
-    stick.mkdir()
+def test_a_folder_that_is_gone_is_a_warning_and_a_failed_backup(signed_in: Clinic, stick: Path) -> None:
     chosen(signed_in, stick)
     for file in stick.iterdir():
         file.unlink()
@@ -80,9 +72,7 @@ def test_a_folder_that_is_gone_is_a_warning_and_a_failed_backup(signed_in: Clini
     assert whats(signed_in)[-1] == "backup failed"
 
 
-def test_a_folder_that_another_clinic_took_is_a_failed_backup(signed_in: Clinic, tmp_path: Path) -> None:
-    stick = tmp_path / "stick"
-    stick.mkdir()
+def test_a_folder_that_another_clinic_took_is_a_failed_backup(signed_in: Clinic, stick: Path) -> None:
     chosen(signed_in, stick)
     (stick / "bodydrive-backups.json").write_text('{"format": 2, "identity": null, "clinic": "another"}')
     assert signed_in("POST", "/backups").status_code == 202
@@ -106,7 +96,7 @@ def test_a_folder_that_cannot_be_used_is_one_sentence(signed_in: Clinic, setting
         (foreign, "another passphrase"),
         (neighbour, "holds the backups of another clinic"),
     ):
-        answer = chosen(signed_in, folder)
+        answer = chosen(signed_in, folder)  # its sentence names the folder
         assert (answer.status_code, words in answer.json()["detail"]) == (409, True), answer.json()
     assert chosen(signed_in, None, encrypted=True).status_code == 409
     assert chosen(signed_in, None, passphrase="short", encrypted=True).status_code == 422
@@ -114,9 +104,7 @@ def test_a_folder_that_cannot_be_used_is_one_sentence(signed_in: Clinic, setting
 
 
 def test_a_deleted_patient_is_listed_undone_and_erased(signed_in: Clinic) -> None:
-    one, other = (
-        signed_in.good("POST", "/patients", json={"code": code, "pseudonym": "Heron"})["id"] for code in ("A", "B")
-    )
+    one, other = (signed_in.add_patient(code) for code in ("A", "B"))
     assert signed_in("POST", f"/deleted-patients/{one}/erasure").status_code == 404
     for patient in (one, other):
         signed_in.good("DELETE", f"/patients/{patient}")
@@ -132,10 +120,9 @@ def test_a_deleted_patient_is_listed_undone_and_erased(signed_in: Clinic) -> Non
 
 
 def test_records_that_must_be_kept_need_a_reason(signed_in: Clinic) -> None:
-    patient = signed_in.good("POST", "/patients", json={"code": "A", "pseudonym": "Heron"})["id"]
+    patient = signed_in.add_patient("A")
     assert signed_in.good("PUT", "/record-keeping", json={"years": 10})["years"] == 10
-    refused = signed_in("DELETE", f"/patients/{patient}")
-    assert (refused.status_code, "give a reason" in refused.json()["detail"]) == (409, True)
+    assert "give a reason" in signed_in.refused(409, "DELETE", f"/patients/{patient}")
     signed_in.good("DELETE", f"/patients/{patient}", json={"reason": "Own wish"})
     assert signed_in.log()[-1].details == {"patient": patient, "reason_given": True}
     for years in (0, 101, 1.5, "ten"):
@@ -143,12 +130,11 @@ def test_records_that_must_be_kept_need_a_reason(signed_in: Clinic) -> None:
 
 
 def test_an_owner_lifts_the_mark_of_an_incident_with_a_reason(signed_in: Clinic) -> None:
-    patient = signed_in.good("POST", "/patients", json={"code": "A", "pseudonym": "Heron"})["id"]
+    patient = signed_in.add_patient("A")
     with signed_in.database.transaction() as db:
         incident = mark_incident(db, utc_now(), "0" * 64, [patient], None).id
     signed_in.good("DELETE", f"/patients/{patient}")
-    refused = signed_in("POST", f"/deleted-patients/{patient}/erasure")
-    assert (refused.status_code, "lifts the mark" in refused.json()["detail"]) == (409, True)
+    assert "lifts the mark" in signed_in.refused(409, "POST", f"/deleted-patients/{patient}/erasure")
     assert signed_in("POST", f"/incidents/{incident}/lifting", json={"reason": ""}).status_code == 422
     view = signed_in.good("POST", f"/incidents/{incident}/lifting", json={"reason": "It is closed"})
     assert (view["incidents"][0]["reason"], view["incidents"][0]["patients"]) == ("It is closed", [patient])

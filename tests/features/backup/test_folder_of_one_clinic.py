@@ -16,13 +16,6 @@ from app.settings import Settings
 
 
 @pytest.fixture
-def stick(tmp_path: Path) -> Path:
-    folder = tmp_path / "stick"
-    folder.mkdir()
-    return folder
-
-
-@pytest.fixture
 def clinics(tmp_path: Path) -> list[Settings]:
     both = [Settings(state=tmp_path / name) for name in ("clinic", "neighbour")]
     for one in both:

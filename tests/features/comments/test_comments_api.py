@@ -3,24 +3,19 @@
 from typing import Any
 
 from api.fake_clinic import BASE, Clinic
-from api.people_of_clinic import as_person
 from api.routes_with_ids import BODIES
-from api.test_roles import contexts
-from fastapi.routing import APIRoute
+from api.served_routes import CHANGING, filled, routes_of
 
 from app.features.comments.service import comment_history
 
 ORIGIN = {"Origin": BASE}
-LIVE = f"{BASE.replace('http', 'ws')}/api/v1/live"
 
 ASKS = {"heartbeat", "status"}  # of the web process itself, or a question that changes nothing
 MOMENT = {"t": 1.5, "text": "The left shoulder tires here."}
 
 
-def test_a_reviewers_comment_reaches_the_clinicians_until_they_have_read_it(
-    calibrated: Clinic, trial: int, cookies_of: Any
-) -> None:
-    with as_person(calibrated, cookies_of("Rhea", "reviewer")):
+def test_a_reviewers_comment_reaches_the_clinicians_until_they_have_read_it(calibrated: Clinic, trial: int) -> None:
+    with calibrated.as_person(calibrated.cookies_of("Rhea", "reviewer")):
         (made,) = calibrated.good("POST", f"/trials/{trial}/comments", json=MOMENT)
         assert (made["person"], made["is_own"], made["t"], made["unread"]) == ("Rhea", True, 1.5, False)
         assert calibrated.good("GET", "/comments") == []
@@ -32,15 +27,13 @@ def test_a_reviewers_comment_reaches_the_clinicians_until_they_have_read_it(
     assert ("comment", 1, trial) in [(one["reason"], one["number"], one["trial_id"]) for one in patient["reasons"]]
     assert calibrated("POST", f"/trials/{trial}/comments/read", json={}).status_code == 204
     assert calibrated.good("GET", "/comments") == []
-    with as_person(calibrated, cookies_of("Rhea", "reviewer")):
+    with calibrated.as_person(calibrated.cookies_of("Rhea", "reviewer")):
         calibrated.good("PUT", f"/comments/{made['id']}", json={"text": "The right one."})
     (again,) = calibrated.good("GET", "/comments")  # a revision is read anew
     assert [one["text"] for one in again["revisions"]] == ["The right one.", MOMENT["text"]]
 
 
-def test_who_reads_comments_or_the_list_of_patients_stands_in_the_log_once(
-    calibrated: Clinic, trial: int, cookies_of: Any
-) -> None:
+def test_who_reads_comments_or_the_list_of_patients_stands_in_the_log_once(calibrated: Clinic, trial: int) -> None:
     patient = calibrated.patient["id"]
 
     def rows(person: str) -> list[tuple[str, Any]]:
@@ -49,24 +42,22 @@ def test_who_reads_comments_or_the_list_of_patients_stands_in_the_log_once(
 
     calibrated.good("POST", f"/trials/{trial}/comments", json=MOMENT)
     for name in ("Rhea", "Rita"):
-        with as_person(calibrated, cookies_of(name, "reviewer")):
+        with calibrated.as_person(calibrated.cookies_of(name, "reviewer")):
             for _ in range(2):
                 calibrated.good("GET", "/comments" if name == "Rita" else f"/trials/{trial}/comments")
                 calibrated.good("GET", "/patients")
         assert rows(name) == [("patient viewed", patient), ("patients listed", None)]
-    with as_person(calibrated, cookies_of("Rolf", "reviewer")):
+    with calibrated.as_person(calibrated.cookies_of("Rolf", "reviewer")):
         assert calibrated("POST", f"/trials/{trial}/comments/read", json={}).status_code == 204
         assert calibrated.good("GET", "/comments") == []
     assert rows("Rolf") == []  # nothing of anybody was shown
 
 
-def test_only_its_author_revises_or_withdraws_a_comment_and_the_history_stays(
-    calibrated: Clinic, trial: int, cookies_of: Any
-) -> None:
+def test_only_its_author_revises_or_withdraws_a_comment_and_the_history_stays(calibrated: Clinic, trial: int) -> None:
     (made,) = calibrated.good("POST", f"/trials/{trial}/comments", json=MOMENT)
     path = f"/comments/{made['id']}"
     for role in ("reviewer", "owner"):
-        with as_person(calibrated, cookies_of(role, role)):
+        with calibrated.as_person(calibrated.cookies_of(role, role)):
             assert calibrated("PUT", path, json={"text": "x"}).status_code == 409
             assert calibrated("DELETE", path).status_code == 409
     assert calibrated.good("DELETE", path) == []
@@ -91,47 +82,39 @@ def test_a_comment_is_bounded_and_has_a_moment_of_the_time_line(calibrated: Clin
     assert calibrated.good("GET", f"/trials/{trial}/comments") == []
 
 
-def test_a_reviewer_sees_no_comment_of_a_patient_who_is_not_shown(
-    calibrated: Clinic, trial: int, cookies_of: Any
-) -> None:
+def test_a_reviewer_sees_no_comment_of_a_patient_who_is_not_shown(calibrated: Clinic, trial: int) -> None:
     (made,) = calibrated.good("POST", f"/trials/{trial}/comments", json=MOMENT)
-    with as_person(calibrated, cookies_of("Ron", "reviewer", [])):
+    with calibrated.as_person(calibrated.cookies_of("Ron", "reviewer", [])):
         assert calibrated.good("GET", "/comments") == calibrated.good("GET", "/attention") == []
         assert calibrated("GET", f"/trials/{trial}/comments").status_code == 404
         assert calibrated("PUT", f"/comments/{made['id']}", json={"text": "x"}).status_code == 404
         assert calibrated("GET", f"/sessions/{calibrated.session}/story").status_code == 404
 
 
-def test_nothing_of_a_reviewer_reaches_the_control_process(calibrated: Clinic, trial: int, cookies_of: Any) -> None:
+def test_nothing_of_a_reviewer_reaches_the_control_process(calibrated: Clinic, trial: int) -> None:
     """Every route, with what it needs; only Stop, which everybody may press, is left out."""
-    words = {"{patient_id}": calibrated.patient["id"], "{session_id}": calibrated.session, "{trial_id}": trial}
-    reviewer = cookies_of("Rhea", "reviewer")
+    ids = {"patient_id": calibrated.patient["id"], "session_id": calibrated.session, "trial_id": trial}
     reached = []
-    for context in contexts(calibrated.client.app, APIRoute):  # type: ignore[arg-type]
-        name = context.path.removeprefix("/api/v1")
-        path = name
-        for word, value in words.items():
-            path = path.replace(word, str(value))
-        for method in context.methods - {"HEAD"}:
-            if name == "/control/stop" or "{role}" in path:
-                continue
-            with as_person(calibrated, reviewer):
-                before = len(calibrated.process.calls), len(calibrated.process.told)
-                calibrated(method, path, json=BODIES.get(f"{method} {name}", MOMENT))
-                after = [do for do, _ in calibrated.process.calls[before[0] :]]
-                after += [do for do, _ in calibrated.process.told[before[1] :]]
-                reached += [(method, name, do) for do in after if do not in ASKS]
-            reviewer = cookies_of("Rhea", "reviewer")  # one of the routes signs out
+    for route in routes_of(calibrated, {"GET"} | CHANGING):
+        method, path = route.split()
+        if path == "/control/stop" or "{role}" in path:
+            continue
+        with calibrated.as_person(calibrated.cookies_of("Rhea", "reviewer")):  # anew: one of the routes signs out
+            before = len(calibrated.process.calls), len(calibrated.process.told)
+            calibrated(method, filled(path, **ids), json=BODIES.get(route, MOMENT))
+            after = [do for do, _ in calibrated.process.calls[before[0] :]]
+            after += [do for do, _ in calibrated.process.told[before[1] :]]
+            reached += [(route, do) for do in after if do not in ASKS]
     assert reached == []
 
 
-def test_a_reviewers_page_moves_nothing_and_stops(calibrated: Clinic, cookies_of: Any) -> None:
+def test_a_reviewers_page_moves_nothing_and_stops(calibrated: Clinic) -> None:
     """The live websocket carries more than Stop, as every page has it."""
     choices: tuple[list[int] | None, ...] = (None, [])
     for patients in choices:
         with (
-            as_person(calibrated, cookies_of(f"Rhea {patients}", "reviewer", patients)),
-            calibrated.client.websocket_connect(LIVE, headers=ORIGIN) as socket,
+            calibrated.as_person(calibrated.cookies_of(f"Rhea {patients}", "reviewer", patients)),
+            calibrated.socket("/live") as socket,
         ):
             told, stops = len(calibrated.process.told), calibrated.process.stops
             socket.send_json({"move": {"right_elbow": 0.7}})

@@ -3,6 +3,7 @@
 from datetime import date, timedelta
 
 import pytest
+from clinic_rows import ClinicRows
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
@@ -10,17 +11,14 @@ from app.clock import utc_now
 from app.features.consents.service import consent_history, give_consent, withdraw_consent
 from app.refusals import Conflict
 from app.store.consent import CONSENTS, Consent, consented, has_consented, require_consent
-from app.store.patients import add_patient
-from app.store.people import add_clinic
 from app.store.tables import Patient
 
 DAY = date(2026, 3, 1)
 
 
 @pytest.fixture
-def patient(db: Session) -> Patient:
-    add_clinic(db, "Clinic")
-    return add_patient(db, "P-01", "Heron", "")
+def patient(rows: ClinicRows) -> Patient:
+    return rows.patient()
 
 
 @pytest.mark.parametrize("consent", CONSENTS)
@@ -28,7 +26,7 @@ def test_a_consent_is_off_until_given_and_after_it_was_withdrawn(
     db: Session, patient: Patient, consent: Consent
 ) -> None:
     def refused() -> None:
-        with pytest.raises(Conflict, match="P-01 has not consented"):
+        with pytest.raises(Conflict, match="P-1 has not consented"):
             require_consent(db, patient.id, consent)
         assert db.scalars(select(Patient.id).where(consented(consent))).all() == []
 

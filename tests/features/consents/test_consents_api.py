@@ -40,9 +40,7 @@ def test_a_worn_shirt_records_nothing_before_the_consent_and_practice_needs_none
     monkeypatch.setattr(type(in_session.parts[Equipment]), "simulated", False)
     assert not in_session.good("GET", "/session")["consents_to_recording"]
     runs = sum(do == "run" for do, _ in in_session.process.calls)
-    refused = in_session("POST", start)
-    assert refused.status_code == 409
-    assert "P-1 has not consented to recording" in refused.json()["detail"]
+    assert "P-1 has not consented to recording" in in_session.refused(409, "POST", start)
     assert sum(do == "run" for do, _ in in_session.process.calls) == runs
     in_session.good("PUT", f"/patients/{patient}/consents/recording", json={"given": "2026-03-01"})
     assert in_session.good("GET", "/session")["consents_to_recording"]

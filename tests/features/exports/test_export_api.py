@@ -5,18 +5,15 @@ import itertools
 import subprocess
 import sys
 import zipfile
-from datetime import date
 from pathlib import Path
 from typing import Any
 
 import pyarrow.parquet as pa_parquet
 import pytest
-from api.fake_clinic import WORD
 from recorded_trial import record_trial
 
 from app import computing_process
 from app.api import package_download
-from app.features.consents.service import give_consent
 from app.recording.reader import read_run
 from app.session.trial import TrialFlow
 from app.store.files.temporary_folders import bytes_in
@@ -27,26 +24,20 @@ from building import make_parameters
 @pytest.fixture
 def driven(calibrated: Any) -> Any:
     """A clinic with one finished trial and its recording."""
-    plan = calibrated.good("GET", "/floorplans/apartment")
-    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
-    with calibrated.screen():
-        trial = calibrated.good("POST", "/trials", json=where)
-        folder = calibrated.parts[TrialFlow].current.run.folder
-        calibrated.good("POST", "/trials/current/end", json={"reason": "by hand"})
-    record_trial(folder, make_parameters(n_channels=8), seconds=2.0)
-    calibrated.folder = folder
-    calibrated.patient = calibrated.good("GET", f"/trials/{trial['id']}")["patient_id"]
+    calibrated.start_trial()
+    calibrated.folder = calibrated.parts[TrialFlow].current.run.folder
+    calibrated.end_trial()
+    record_trial(calibrated.folder, make_parameters(n_channels=8), seconds=2.0)
+    calibrated.patient = calibrated.patient["id"]
     return calibrated
 
 
 def test_an_export_is_streamed_with_consent_only_and_logged(driven: Any) -> None:
     address = f"/patients/{driven.patient}/export?form=parquet"
-    refused = driven("GET", address)
-    assert refused.status_code == 409
-    assert "has not consented to sharing outside the clinic" in refused.json()["detail"]
-    with driven.database.transaction() as db:
-        give_consent(db, driven.patient, "sharing", date(2025, 1, 1), "Ana")
-        run = db.query(Trial).one().run_id
+    assert "has not consented to sharing outside the clinic" in driven.refused(409, "GET", address)
+    with driven.rows() as rows:
+        rows.consent(driven.patient, "sharing")
+        run = rows.db.query(Trial).one().run_id
     word = "word-of-this-export"
     assert driven.good("GET", "/exports", params={"course": word}) is None
     answer = driven("GET", address, params={"form": "parquet", "course": word})
@@ -69,8 +60,8 @@ def test_an_export_is_streamed_with_consent_only_and_logged(driven: Any) -> None
 def test_an_export_takes_as_long_as_it_writes(driven: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """A recording of 8 h needs more than the limit of a question; here each look at the folder finds more bytes."""
     looks = itertools.count()
-    with driven.database.transaction() as db:
-        give_consent(db, driven.patient, "sharing", date(2025, 1, 1), "Ana")
+    with driven.rows() as rows:
+        rows.consent(driven.patient, "sharing")
     monkeypatch.setattr(package_download, "ComputingProcess", computing_process.ComputingProcess)
     monkeypatch.setattr(computing_process, "ANSWER_LIMIT", 0.0)
     monkeypatch.setattr(package_download, "bytes_in", lambda _: next(looks))

@@ -1,17 +1,14 @@
 """`bodydrive export` writes one zip file, or nothing at all."""
 
 import zipfile
-from contextlib import closing
 
 import pytest
+from clinic_rows import rows_in
 from exported_clinic import CODE, make_clinic
 
-from app.clock import utc_now
 from app.settings import Settings
-from app.store.database import Database
 from app.store.files import room_for_files
 from app.store.files.disk_watch import DiskRoom
-from app.store.tables import Clinic
 
 
 def test_a_patient_is_exported_and_progress_is_said(bodydrive, tmp_path):
@@ -42,9 +39,8 @@ def test_bad_input_is_one_sentence_and_leaves_no_file(bodydrive, tmp_path, words
 
 def test_a_patient_goes_to_another_clinic_by_two_commands(bodydrive, tmp_path):
     first = make_clinic(tmp_path / "clinic")
-    (tmp_path / "other").mkdir()
-    with closing(Database(Settings(state=tmp_path / "other").database)) as database, database.transaction() as db:
-        db.add(Clinic(name="Hillside", created=utc_now(), unused=[]))
+    with rows_in(Settings(state=tmp_path / "other"), "Hillside"):
+        pass
     code, out, _err = bodydrive("archive", "make", CODE, "--out", "heron.zip", "--state", first.state)
     assert code == 0
     assert "Its hash is" in out

@@ -5,7 +5,6 @@ import json
 import subprocess
 import sys
 import zipfile
-from contextlib import closing
 from functools import partial
 from pathlib import Path
 
@@ -13,14 +12,14 @@ import numpy as np
 import pyarrow.parquet as pa_parquet
 import pytest
 import pyxdf
-from exported_clinic import CODE, MEASURES, RUN, make_clinic
+from clinic_rows import rows_in
+from exported_clinic import CODE, MEASURES, RUN, make_clinic, material_of
 from stored_interface_test import MEASURES as TEST_MEASURES
 from stored_interface_test import store_interface_test
 
 from app import __version__
 from app.clock import utc_now
 from app.features.backup.contents import clinic_mark
-from app.features.exports.export_material import exported_material
 from app.features.exports.forms import Form
 from app.features.exports.service import export_steps
 from app.features.exports.xdf_form import COMMANDS, POSE
@@ -31,8 +30,6 @@ from app.scoring.interface_test.workload import Workload
 from app.scoring.measures import TEST_MEASURES as TEST_UNITS
 from app.settings import Settings
 from app.store import people
-from app.store.database import Database
-from app.store.tables import Run
 
 
 @pytest.fixture(scope="module")
@@ -56,10 +53,10 @@ def exported(tmp_path):
     """Return a function that exports a clinic's patient, unpacks the zip file, and returns its folder."""
 
     def run(clinic: Settings, form: Form, session: int | None = None) -> Path:
-        with closing(Database(clinic.database)) as database:
-            found = exported_material(database, 1, session, form, "Ana", clinic.runs, lambda *_: {}, place=clinic.state)
-            with database.transaction() as db:
-                assert (read_log(db, 1)[0].what, read_log(db, 1)[0].details["form"]) == ("export", form)
+        found = material_of(clinic, form, session=session)
+        with rows_in(clinic) as rows:
+            (newest,) = read_log(rows.db, 1)
+            assert (newest.what, newest.details["form"]) == ("export", form)
         package = tmp_path / "export.zip"
         ends = [step(package) for step in export_steps(found, form)]
         assert ends == sorted(ends)
@@ -114,12 +111,10 @@ def test_the_table_of_trials_has_measures_verdicts_and_sources_and_no_formula(ex
 def tested(tmp_path_factory):
     """Return a clinic in which two two-minute tests followed the trial, one of them stopped."""
     settings = make_clinic(tmp_path_factory.mktemp("tested"))
-    with closing(Database(settings.database)) as database, database.transaction() as db:
-        done = store_interface_test(db, 1)
+    with rows_in(settings) as rows:
+        done, stopped = store_interface_test(rows.db, 1), store_interface_test(rows.db, 1, end="stopped")
         done.workload = {**dict.fromkeys(Workload.model_fields), "effort": 60}
-        store_interface_test(db, 1, end="stopped")
-        for run in db.query(Run).filter_by(kind="interface_test"):
-            run.ended = utc_now()
+        done.run.ended = stopped.run.ended = utc_now()
     return settings
 
 
@@ -235,8 +230,8 @@ def test_two_clinics_whose_patients_have_one_code_give_them_identifiers_of_their
     first, again = names(export("fhir")), names(export("fhir"))
     other = names(exported(make_clinic(tmp_path / "other"), "fhir"))
     assert first == again
-    with closing(Database(clinic.database)) as database, database.transaction() as db:
-        assert people.clinic_mark(db) == clinic_mark(clinic)  # a restored clinic has the mark of its backups
+    with rows_in(clinic) as rows:
+        assert people.clinic_mark(rows.db) == clinic_mark(clinic)  # a restored clinic has the mark of its backups
     assert first[0][1] == other[0][1] == CODE
     assert first[0][0] != other[0][0]
     assert not first[1] & other[1]
@@ -256,8 +251,7 @@ def test_a_damaged_recording_is_exported_up_to_its_damage_and_says_so(clinic, ex
 
 def test_without_consent_nothing_is_exported_and_nothing_is_logged(tmp_path):
     settings = make_clinic(tmp_path, consent=False)
-    with closing(Database(settings.database)) as database:
-        with pytest.raises(Conflict, match="has not consented to sharing outside"):
-            exported_material(database, 1, None, "csv", "Ana", settings.runs, lambda *_: {}, place=settings.state)
-        with database.transaction() as db:
-            assert "export" not in {row.what for row in read_log(db, 100)}
+    with pytest.raises(Conflict, match="has not consented to sharing outside"):
+        material_of(settings, "csv")
+    with rows_in(settings) as rows:
+        assert "export" not in {row.what for row in read_log(rows.db, 100)}

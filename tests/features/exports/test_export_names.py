@@ -1,20 +1,18 @@
 """What leaves the clinic says who the patient is by the code only."""
 
 import zipfile
-from contextlib import closing
 from pathlib import Path
 from typing import get_args
 
 import pyarrow.parquet as pa_parquet
 import pytest
-from exported_clinic import CODE, make_clinic
+from clinic_rows import rows_in
+from exported_clinic import CODE, make_clinic, material_of
 
 from app.features.exports.bids_form import label
-from app.features.exports.export_material import exported_material
 from app.features.exports.forms import Form
 from app.features.exports.service import export_steps
 from app.settings import Settings
-from app.store.database import Database
 from app.store.tables import Patient
 
 PSEUDONYM, NOTE = "Bartailed", "likes the window"
@@ -23,8 +21,8 @@ PSEUDONYM, NOTE = "Bartailed", "likes the window"
 @pytest.fixture(scope="module")
 def clinic(tmp_path_factory: pytest.TempPathFactory) -> Settings:
     settings = make_clinic(tmp_path_factory.mktemp("clinic"))
-    with closing(Database(settings.database)) as database, database.transaction() as db:
-        patient = db.get_one(Patient, 1)
+    with rows_in(settings) as rows:
+        patient = rows.db.get_one(Patient, 1)
         patient.pseudonym, patient.note = PSEUDONYM, NOTE
     return settings
 
@@ -33,10 +31,8 @@ def clinic(tmp_path_factory: pytest.TempPathFactory) -> Settings:
 def test_no_export_holds_the_pseudonym_or_the_note_and_only_bids_names_files_by_the_code(
     clinic: Settings, tmp_path: Path, form: Form
 ) -> None:
-    with closing(Database(clinic.database)) as database:
-        material = exported_material(database, 1, None, form, "Ana", clinic.runs, lambda *_: {}, place=clinic.state)
     package = tmp_path / "export.zip"
-    for step in export_steps(material, form):
+    for step in export_steps(material_of(clinic, form), form):
         step(package)
     with zipfile.ZipFile(package) as opened:
         opened.extractall(tmp_path / "unpacked")

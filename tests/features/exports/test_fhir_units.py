@@ -1,20 +1,17 @@
 """Each measure that FHIR carries has its UCUM code, in Observations that are valid R4B."""
 
-from contextlib import closing
-
 import pytest
-from exported_clinic import make_clinic
+from clinic_rows import rows_in
+from exported_clinic import make_clinic, material_of
 from fhir.resources.R4B.bundle import Bundle
 from stored_interface_test import MEASURES as TEST_MEASURES
 from stored_interface_test import store_interface_test
 
 from app.clock import utc_now
-from app.features.exports.export_material import exported_material
 from app.features.exports.fhir_form import fhir_bundle
 from app.scoring.measures import EXPORTED
 from app.scoring.measures import TEST_MEASURES as TEST_UNITS
-from app.store.database import Database
-from app.store.tables import Run, Trial
+from app.store.tables import Trial
 
 # Written down once more, from what each measure is: metres, seconds, degrees, plain numbers ("1" in UCUM).
 OF_TRIALS = {
@@ -47,16 +44,10 @@ VALUES = {name: number + 0.5 for number, names in enumerate(OF_TRIALS.values()) 
 def bundle(tmp_path) -> Bundle:
     """Return the Bundle of a trial that has every measure, and of a complete two-minute test."""
     settings = make_clinic(tmp_path)
-    with closing(Database(settings.database)) as database:
-        with database.transaction() as db:
-            db.query(Trial).one().measures = {"reached": True, **VALUES}
-            store_interface_test(db, 1)
-            for run in db.query(Run).filter_by(kind="interface_test"):
-                run.ended = utc_now()
-        material = exported_material(
-            database, 1, None, "fhir", "Ana", settings.runs, lambda *_: {}, place=settings.state
-        )
-    return Bundle.model_validate(fhir_bundle(material, {}))
+    with rows_in(settings) as rows:
+        rows.db.query(Trial).one().measures = {"reached": True, **VALUES}
+        store_interface_test(rows.db, 1).run.ended = utc_now()
+    return Bundle.model_validate(fhir_bundle(material_of(settings, "fhir"), {}))
 
 
 def test_each_measure_has_its_value_and_its_ucum_code(bundle) -> None:

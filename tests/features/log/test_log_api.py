@@ -68,7 +68,7 @@ def test_the_log_is_read_in_pages_and_filtered_by_person_and_patient(
     in_session: Clinic, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     patient = in_session.good("GET", "/session")["patient"]["id"]
-    other = in_session.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Otter"})["id"]
+    other = in_session.add_patient("P-2")
     in_session.good("GET", "/trials", params={"patient": other})
     in_session.good("POST", "/patient-screen/pair", json={"code": code_of(in_session)})
     rows = in_session.log()

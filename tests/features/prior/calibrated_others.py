@@ -1,10 +1,13 @@
-"""Patients whose accepted calibrations add to the clinic's prior, and steps of the calibration of one more."""
+"""Patients whose accepted calibrations add to the clinic's prior, and a profile that other people taught."""
 
 from typing import Any
 
 from api.fake_clinic import Clinic
+from api.fake_process import profile_for
 
 from app.calibration.linear_map import KINDS
+from app.layout import Channel, ShirtLayout
+from building import taught_by_others
 
 OTHERS = (1, 2, 3, 4)  # their ids
 CHANNELS = 2  # of each joint of the test's shirt
@@ -19,24 +22,18 @@ def entry() -> dict[str, Any]:
     return {"recordings": 1, "joints": {"right_elbow": joint}}
 
 
-def begin(clinic: Clinic, code: str) -> int:
-    patient = clinic.good("POST", "/patients", json={"code": code, "pseudonym": "Heron"})
-    clinic.open_session(patient["id"])
-    return int(patient["id"])
-
-
-def record(clinic: Clinic, *steps: str) -> Any:
-    for step in steps:
-        clinic.good("POST", f"/calibration/steps/{step}/start")
-        clinic.process.run_t = 1000.0
-        clinic.until("/calibration", lambda wizard: wizard["running"] is None)
-    return clinic.good("GET", "/calibration")
-
-
 def calibrate_others(clinic: Clinic) -> None:
     """Calibrate four patients, one after the other."""
     clinic.readings["entry"] = entry()
     for patient in OTHERS:
-        assert begin(clinic, f"P-{patient}") == patient
+        assert clinic.begin_session(f"P-{patient}")["id"] == patient
         clinic.calibrate()
         clinic.good("DELETE", "/session")
+
+
+def profile_with_ring(layout: ShirtLayout, **sits: Any) -> Any:
+    """Return a profile whose right elbow drives by other people, with a ring of five sensors that sits in a way."""
+    cuff = [Channel(name=f"cuff_{i}", joint="right_elbow", ring="cuff", place=i) for i in range(5)]
+    others = [channel for channel in layout.channels if channel.joint != "right_elbow"]
+    ringed = ShirtLayout(name=layout.name, channels=(*cuff, *others), joints=layout.joints)
+    return taught_by_others(profile_for(ringed), 3, ["right_elbow"], **sits)

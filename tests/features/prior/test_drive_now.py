@@ -2,15 +2,15 @@
 
 from typing import Any
 
-from features.prior.calibrated_others import OTHERS, begin, record
+from features.prior.calibrated_others import OTHERS
 
 
 def test_with_four_others_a_new_patient_drives_after_rest_and_free_movement(with_others: Any) -> None:
-    begin(with_others, "P-9")
-    wizard = record(with_others, "rest")
+    with_others.begin_session("P-9")
+    wizard = with_others.record("rest")
     assert (wizard["others"], wizard["may_drive_now"]) == (len(OTHERS), False)
     assert with_others("POST", "/calibration/drive-now").status_code == 409
-    assert record(with_others, "free")["may_drive_now"] is True
+    assert with_others.record("free")["may_drive_now"] is True
     wizard = with_others.good("POST", "/calibration/drive-now")
     steps, prior = with_others.readings["fitted"]
     assert (steps, prior.people) == (["rest", "free"], 4)
@@ -27,8 +27,8 @@ def test_a_calibration_knows_others_and_not_the_patient(with_others: Any) -> Non
 
 def test_switched_off_nothing_is_added_and_nobody_is_helped(with_others: Any) -> None:
     assert with_others.good("PUT", "/clinic-prior", json={"on": False})["on"] is False
-    begin(with_others, "P-9")
-    assert record(with_others, "rest", "free")["may_drive_now"] is False
+    with_others.begin_session("P-9")
+    assert with_others.record("rest", "free")["may_drive_now"] is False
     with_others.calibrate()
     assert with_others.readings["fitted"][1] is None
     assert with_others.good("PUT", "/clinic-prior", json={"on": True})["people"] == len(OTHERS)
@@ -43,9 +43,8 @@ def test_a_deleted_patient_helps_nobody_and_one_who_is_brought_back_does(with_ot
 
 
 def test_a_fit_that_fails_says_why_and_nothing_is_accepted(with_others: Any) -> None:
-    begin(with_others, "P-9")
-    record(with_others, "rest", "free")
+    with_others.begin_session("P-9")
+    with_others.record("rest", "free")
     with_others.readings["fit"] = "No joint has a channel that can be used: check the shirt."
-    refused = with_others("POST", "/calibration/drive-now")
-    assert (refused.status_code, refused.json()["detail"]) == (409, with_others.readings["fit"])
+    assert with_others.refused(409, "POST", "/calibration/drive-now") == with_others.readings["fit"]
     assert with_others.good("GET", "/session")["has_profile"] is False

@@ -4,8 +4,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from api import fake_clinic
-from features.prior.calibrated_others import record
+from api import fake_process
 
 
 @pytest.fixture
@@ -21,7 +20,7 @@ def test_the_earlier_calibration_is_fitted_after_rest_and_free_movement(again: A
     wizard = again.good("GET", "/calibration")
     assert (wizard["earlier"]["version"], wizard["may_fit_earlier"]) == (1, False)
     assert again("POST", "/calibration/fit-earlier").status_code == 409
-    assert record(again, "rest", "free")["may_fit_earlier"] is True
+    assert again.record("rest", "free")["may_fit_earlier"] is True
     again.good("POST", "/calibration/fit-earlier")
     assert again.readings["fitted"] == ["rest", "free"]
     assert set(again.process.parameters["profile"]["high"]) == {1.5}  # it drives at once
@@ -41,34 +40,31 @@ def rings_since(calibrated_state: Path, monkeypatch: pytest.MonkeyPatch) -> None
     """The layout of the shirt names a ring, which it did not when the patient was calibrated."""
     channels = tuple(
         one.model_copy(update={"ring": "cuff"}) if one.joint == "right_elbow" else one
-        for one in fake_clinic.LAYOUT.channels
+        for one in fake_process.LAYOUT.channels
     )
-    monkeypatch.setattr(fake_clinic, "LAYOUT", fake_clinic.LAYOUT.model_copy(update={"channels": channels}))
+    monkeypatch.setattr(fake_process, "LAYOUT", fake_process.LAYOUT.model_copy(update={"channels": channels}))
 
 
 @pytest.mark.usefixtures("rings_since")
 def test_a_calibration_from_before_the_layout_had_rings_still_fits(again: Any) -> None:
-    assert again.process.parameters["profile"]["layout"] != fake_clinic.LAYOUT.model_dump(mode="json")
+    assert again.process.parameters["profile"]["layout"] != fake_process.LAYOUT.model_dump(mode="json")
     assert again.good("GET", "/calibration")["earlier"]["version"] == 1
-    record(again, "rest", "free")
+    again.record("rest", "free")
     again.good("POST", "/calibration/fit-earlier")
     assert again.good("GET", "/adaptation")["back_to"] == 1
 
 
 def test_controls_that_a_clinician_set_are_kept(again: Any) -> None:
-    parameters = again.good("GET", "/controls")["parameters"]
-    del parameters["profile"]
-    again.good("PUT", "/controls", json={**parameters, "cutoff": 2.0})
-    record(again, "rest", "free")
+    again.set_controls(cutoff=2.0)
+    again.record("rest", "free")
     again.good("POST", "/calibration/fit-earlier")
     assert again.good("GET", "/controls")["parameters"]["cutoff"] == 2.0
 
 
 def test_a_shirt_that_sits_otherwise_is_one_sentence_and_nothing_changes(again: Any) -> None:
-    record(again, "rest", "free")
+    again.record("rest", "free")
     again.readings["fit"] = "At the right elbow the shirt is turned: turn it back."
-    refused = again("POST", "/calibration/fit-earlier")
-    assert (refused.status_code, refused.json()["detail"]) == (409, again.readings["fit"])
+    assert again.refused(409, "POST", "/calibration/fit-earlier") == again.readings["fit"]
     assert len(again.good("GET", f"/patients/{again.patient['id']}/maps")) == 1
 
 
@@ -80,5 +76,5 @@ def test_a_new_calibration_takes_its_place(again: Any) -> None:
 
 
 def test_somebody_new_has_no_earlier_calibration(in_session: Any) -> None:
-    assert record(in_session, "rest", "free")["earlier"] is None
+    assert in_session.record("rest", "free")["earlier"] is None
     assert in_session("POST", "/calibration/fit-earlier").status_code == 409

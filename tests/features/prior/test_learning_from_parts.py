@@ -3,13 +3,10 @@
 from typing import Any
 
 import pytest
-from api.fake_clinic import profile_for
-from features.prior.calibrated_others import begin, entry, record
+from features.prior.calibrated_others import entry, profile_with_ring
 
 from app.calibration.linear_map import Arrangement
 from app.features.prior.tables import PriorEntry
-from app.layout import Channel, ShirtLayout
-from building import taught_by_others
 
 
 def entry_of(*joints: str, recordings: int = 1) -> dict[str, Any]:
@@ -28,8 +25,8 @@ def stored(clinic: Any, patient: int) -> dict[str, Any]:
 @pytest.fixture
 def newcomer(with_others: Any) -> tuple[Any, int]:
     """A clinic with four others, and a new patient who has rested and moved freely."""
-    patient = begin(with_others, "P-9")
-    record(with_others, "rest", "free")
+    patient = with_others.begin_session("P-9")["id"]
+    with_others.record("rest", "free")
     return with_others, patient
 
 
@@ -43,7 +40,7 @@ def test_drive_now_without_a_prompt_adds_nothing(newcomer: Any) -> None:
 
 def test_drive_now_after_some_prompts_adds_the_joints_that_were_prompted(newcomer: Any) -> None:
     clinic, patient = newcomer
-    record(clinic, "prompt-left_elbow")
+    clinic.record("prompt-left_elbow")
     clinic.readings["entry"] = entry_of("left_elbow")
     clinic.good("POST", "/calibration/drive-now")
     assert set(stored(clinic, patient)["joints"]) == {"left_elbow"}
@@ -52,7 +49,7 @@ def test_drive_now_after_some_prompts_adds_the_joints_that_were_prompted(newcome
 
 def test_switched_off_a_partial_calibration_adds_nothing_either(newcomer: Any) -> None:
     clinic, patient = newcomer
-    record(clinic, "prompt-left_elbow")
+    clinic.record("prompt-left_elbow")
     clinic.good("PUT", "/clinic-prior", json={"on": False})
     assert clinic("POST", "/calibration/drive-now").status_code == 409  # nobody stands in for what is missing
     clinic.good("PUT", "/clinic-prior", json={"on": True})
@@ -64,7 +61,7 @@ def test_a_later_partial_calibration_replaces_its_joints_and_keeps_the_others(ne
     clinic.readings["entry"] = entry_of("right_elbow", "left_elbow", recordings=2)
     clinic.calibrate()
     clinic.good("POST", "/calibration/restart")
-    record(clinic, "rest", "free", "prompt-left_elbow")
+    clinic.record("rest", "free", "prompt-left_elbow")
     newer = entry_of("left_elbow")
     newer["joints"]["left_elbow"]["strokes"] = 2.0
     clinic.readings["entry"] = newer
@@ -78,14 +75,8 @@ def test_a_joint_whose_ring_sits_otherwise_adds_nothing(newcomer: Any, known: st
     """Its sensors lie elsewhere than those of other people, or look so."""
     clinic, patient = newcomer
 
-    def turned(layout: Any) -> Any:
-        sits = {"cuff": Arrangement(shift=1)}
-        cuff = [Channel(name=f"cuff_{i}", joint="right_elbow", ring="cuff", place=i) for i in range(5)]
-        others = [channel for channel in layout.channels if channel.joint != "right_elbow"]
-        ringed = ShirtLayout(name=layout.name, channels=(*cuff, *others), joints=layout.joints)
-        return taught_by_others(profile_for(ringed), 3, ["right_elbow"], **{known: sits})
-
-    clinic.readings["profile"] = turned
+    sits = {known: {"cuff": Arrangement(shift=1)}}
+    clinic.readings["profile"] = lambda layout: profile_with_ring(layout, **sits)
     clinic.readings["entry"] = entry_of("right_elbow", "left_elbow")
     clinic.calibrate()
     assert set(stored(clinic, patient)["joints"]) == {"left_elbow"}

@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from clinic_rows import rows_in
 
 from app.calibration.prior.documents import PersonEntry
 from app.features.prior.entries import put_entry
@@ -11,8 +12,6 @@ from app.features.prior.service import ClinicPrior
 from app.hardware.shirt.standard import standard_layout
 from app.session.calibration.garment import Garment
 from app.store.database import Database
-from app.store.patients import add_patient, start_session
-from app.store.people import add_clinic
 from app.study.simulated_calibration import prior_of_wearers
 
 LAYOUT = standard_layout()
@@ -29,13 +28,11 @@ def joints() -> Any:
 def known(tmp_path: Path, joints: Any, names: list[str]) -> tuple[int, bool]:
     """Return how many people are known when so many patients taught one joint each, and whether there is a prior."""
     database = Database(tmp_path / "clinic.db")
-    with database.transaction() as db:
-        add_clinic(db, "Clinic")
+    with rows_in(database) as rows:
         for number, name in enumerate(names):
-            entry = PersonEntry(recordings=1, joints={name: joints[name]})
-            patient = add_patient(db, f"P-{number}", "Heron", "")
-            put_entry(db, patient.id, GARMENT.hash, entry.model_dump(mode="json"), simulated=True)
-        session = start_session(db, add_patient(db, "P-new", "Otter", "").id).id
+            entry = PersonEntry(recordings=1, joints={name: joints[name]}).model_dump(mode="json")
+            put_entry(rows.db, rows.patient(f"P-{number}").id, GARMENT.hash, entry, simulated=True)
+        session = rows.open_session(rows.patient("P-new", "Otter")).id
     prior = ClinicPrior(database)
     found = prior.people(session, GARMENT), prior.of_others(session, GARMENT) is not None
     database.close()

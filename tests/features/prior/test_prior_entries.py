@@ -3,6 +3,7 @@
 from datetime import date
 
 import pytest
+from clinic_rows import ClinicRows
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
@@ -15,17 +16,14 @@ from app.features.prior.entries import (
     remove_entries,
     switch_prior,
 )
-from app.store.patients import add_patient
-from app.store.people import add_clinic
 from app.store.tables import Patient
 
 SHIRT = "a" * 64
 
 
 @pytest.fixture
-def patients(db: Session) -> list[Patient]:
-    add_clinic(db, "Clinic")
-    return [add_patient(db, f"P-{i}", "Heron", "") for i in range(3)]
+def patients(rows: ClinicRows) -> list[Patient]:
+    return [rows.patient(f"P-{i}") for i in range(3)]
 
 
 def others(db: Session, patient: Patient, *, simulated: bool = False, shirt: str = SHIRT) -> list[str]:

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from api.fake_clinic import profile_for
+from api.fake_process import profile_for
 
 from app.calibration.linear_map import Forecast
 from building import AGREES, taught_by_others

@@ -3,12 +3,9 @@
 from typing import Any
 
 import pytest
-from api.fake_clinic import profile_for
-from features.prior.calibrated_others import record
+from features.prior.calibrated_others import profile_with_ring
 
 from app.calibration.linear_map import Arrangement
-from app.layout import Channel, ShirtLayout
-from building import taught_by_others
 
 TURNED = {"cuff": Arrangement(shift=3)}
 
@@ -19,11 +16,7 @@ def turned(in_session: Any) -> Any:
     answers = in_session.readings
 
     def profile(layout: Any) -> Any:
-        cuff = [Channel(name=f"cuff_{i}", joint="right_elbow", ring="cuff", place=i) for i in range(5)]
-        others = [channel for channel in layout.channels if channel.joint != "right_elbow"]
-        ringed = ShirtLayout(name=layout.name, channels=(*cuff, *others), joints=layout.joints)
-        sits = {"as_worn" if answers["as_worn"] else "arrangement": TURNED}
-        return taught_by_others(profile_for(ringed), 3, ["right_elbow"], **sits)
+        return profile_with_ring(layout, **{"as_worn" if answers["as_worn"] else "arrangement": TURNED})
 
     answers["profile"] = profile
     in_session.calibrate()
@@ -53,9 +46,9 @@ def test_a_ring_is_left_as_worn_and_taken_as_turned_again(turned: Any) -> None:
 
 def test_a_free_movement_that_is_recorded_again_forgets_it(turned: Any) -> None:
     turned.good("POST", "/calibration/sitting", json={"joint": "right_elbow", "is_right": True})
-    record(turned, "prompt-left_elbow")
+    turned.record("prompt-left_elbow")
     assert sits(turned) == ({}, SHOWN)
-    record(turned, "free")
+    turned.record("free")
     assert sits(turned) == (SHOWN, {})
 
 
@@ -66,5 +59,5 @@ def test_where_nothing_looks_turned_there_is_nothing_to_say(turned: Any, joint: 
 
 def test_before_there_is_a_result_it_is_refused(in_session: Any) -> None:
     in_session.good("GET", "/calibration")
-    asked = in_session("POST", "/calibration/sitting", json={"joint": "right_elbow", "is_right": True})
-    assert (asked.status_code, asked.json()["detail"]) == (409, "There is no result yet: do every step first.")
+    refused = in_session.refused(409, "POST", "/calibration/sitting", json={"joint": "right_elbow", "is_right": True})
+    assert refused == "There is no result yet: do every step first."

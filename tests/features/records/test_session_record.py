@@ -3,12 +3,12 @@
 from datetime import date
 
 import pytest
+from clinic_rows import ClinicRows, rows_in
 from sqlalchemy import delete, select, update
 from sqlalchemy.orm import Session
+from stored_interface_test import store_interface_test
 
 from app import __version__
-from app.clock import utc_now
-from app.features.interface_tests.service import add_interface_test
 from app.features.records.service import (
     Scale,
     add_note,
@@ -25,15 +25,11 @@ from app.features.sharing.tables import ShareLink
 from app.refusals import Conflict, NotFound
 from app.store.database import Database
 from app.store.origins import ImportedSession
-from app.store.patients import add_patient, start_session
-from app.store.people import add_clinic
-from app.store.runs import add_run, add_trial
+from app.store.patients import start_session
 from app.store.tables import (
     CalibrationStep,
     Drive,
     InterfaceTest,
-    PairedChair,
-    ParameterSet,
     PatientScreen,
     PatientSession,
     Profile,
@@ -59,38 +55,15 @@ CHANGED: dict[type[Table], tuple[str, object]] = {  # a column of each table, an
 
 
 @pytest.fixture
-def session(db: Session) -> PatientSession:
-    add_clinic(db, "Clinic")
-    patient = add_patient(db, "P-01", "Heron", "")
-    return start_session(db, patient.id, "Ada")
+def session(rows: ClinicRows) -> PatientSession:
+    return rows.open_session()
 
 
 def filled(db: Session, session: PatientSession) -> Trial:
     """Give a session a row in every table of a session, and return its trial."""
-    run = add_run(db, "a" * 32, session.id, "drive", "a" * 32)
-    profile = Profile(
-        patient_id=session.patient_id, session_id=session.id, version=1, document={}, created=utc_now(), simulated=None
-    )
-    db.add_all([profile, CalibrationStep(session_id=session.id, step="rest", status="done", words="")])
-    db.flush()
-    parameters = ParameterSet(
-        profile_id=profile.id, title="A", settings={}, hash="0", created=utc_now(), current=True, abandoned=False
-    )
-    db.add(parameters)
-    db.flush()
-    trial = add_trial(
-        db,
-        run=run,
-        patient_id=session.patient_id,
-        parameters_id=parameters.id,
-        floorplan="corridor",
-        floorplan_title="Corridor",
-        path="straight",
-        path_points=[],
-    )
-    trial.status = "done"
-    test = add_interface_test(db, run=run, session=session, parameters_id=parameters.id, plan={})
-    test.status = "done"
+    trial = ClinicRows(db).trial(session)
+    store_interface_test(db, session.id)
+    db.add(CalibrationStep(session_id=session.id, step="rest", status="done", words=""))
     add_note(db, session.id, "Calm.", "Ada")
     add_scale(db, session.id, "SCIM III", 41, DAY)
     db.flush()
@@ -129,12 +102,11 @@ def test_a_note_or_scale_of_another_session_is_not_found(db: Session, session: P
 @pytest.mark.parametrize("kind", OF_A_SESSION)
 @pytest.mark.parametrize("how", ["change", "delete", "change many", "delete many"])
 def test_no_row_of_a_signed_session_changes_by_any_way(database: Database, kind: type[Table], how: str) -> None:
-    with database.transaction() as db:
-        add_clinic(db, "Clinic")
-        session = start_session(db, add_patient(db, "P-01", "Heron", "").id)
-        trial = filled(db, session)
-        start_drive(db, session, trial)
-        sign_off(db, session, "Ada")
+    with rows_in(database) as rows:
+        session = rows.open_session()
+        filled(rows.db, session)
+        rows.drive(session, "by hand")
+        sign_off(rows.db, session, "Ada")
     column, value = CHANGED[kind]
     with database.transaction() as db:
         row = db.scalars(select(kind)).first()
@@ -154,28 +126,6 @@ def test_no_row_of_a_signed_session_changes_by_any_way(database: Database, kind:
         with pytest.raises(Conflict, match="Session 1 was signed off by Ada"):
             change()
         db.rollback()
-
-
-def start_drive(db: Session, session: PatientSession, trial: Trial) -> None:
-    """Store a drive that has ended."""
-    chair = PairedChair(
-        clinic_id=session.clinic_id, name="C", host="h", port=1, key_id=1, speeds={}, paired=utc_now(), removed=None
-    )
-    db.add(chair)
-    db.flush()
-    drive = Drive(
-        clinic_id=session.clinic_id,
-        patient_id=session.patient_id,
-        session_id=session.id,
-        run_id=trial.run_id,
-        chair_id=chair.id,
-        parameters_id=trial.parameters_id,
-        hash="0",
-        started=utc_now(),
-        ended=utc_now(),
-    )
-    db.add(drive)
-    db.flush()
 
 
 def test_the_table_of_this_test_names_every_table_of_a_session() -> None:
@@ -213,8 +163,7 @@ def test_a_session_in_which_something_is_driven_is_not_signed_off(
     if running == "trial":
         trial.status = "running"
     else:
-        start_drive(db, session, trial)
-        db.scalars(select(Drive)).one().ended = None
+        ClinicRows(db).drive(session)
     db.flush()
     with pytest.raises(Conflict, match="still being driven"):
         sign_off(db, session, "Ada")

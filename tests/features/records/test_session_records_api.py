@@ -4,14 +4,9 @@ from typing import Any
 
 import pytest
 from api.fake_clinic import Clinic
-from api.people_of_clinic import as_person
-from api.test_roles import contexts
-from fastapi.routing import APIRoute
+from api.served_routes import CHANGING, routes_of
 
 from app import __version__
-from app.api.who_asks import READS
-from app.store.access.sign_ins import sign_in
-from app.store.people import add_person, the_clinic
 
 SCALE = {"name": "SCIM III", "total": 41.0, "day": "2026-03-01"}
 BODIES: dict[str, dict[str, Any]] = {  # what each route that changes something of a session is sent
@@ -33,15 +28,6 @@ AFTER_SIGN_OFF = {
 }
 
 
-def drive_trial(clinic: Clinic) -> int:
-    """Drive one trial, and return its id."""
-    plan = clinic.good("GET", "/floorplans")[0]
-    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": "screen-of-the-test"}
-    with clinic.screen("screen-of-the-test"):
-        clinic.good("POST", "/trials", json=where)
-        return int(clinic.good("POST", "/trials/current/end", json={})["id"])
-
-
 def write_record(clinic: Clinic, session: int) -> dict[str, Any]:
     clinic.good("PUT", f"/sessions/{session}/goal", json={"goal": "To the kitchen."})
     clinic.good("POST", f"/sessions/{session}/notes", json={"text": "Tired."})
@@ -49,7 +35,7 @@ def write_record(clinic: Clinic, session: int) -> dict[str, Any]:
 
 
 def test_what_is_written_is_answered_and_logged_without_its_words(calibrated: Clinic) -> None:
-    trial = drive_trial(calibrated)
+    trial = calibrated.drive_trial()["id"]
     session = int(calibrated.session)
     found = write_record(calibrated, session)
     note, scale = found["notes"][0]["id"], found["scales"][0]["id"]
@@ -90,7 +76,7 @@ def test_what_is_not_a_goal_note_or_scale_is_refused_and_nothing_is_kept(
 
 
 def test_every_route_that_changes_something_of_a_session_refuses_a_signed_one(calibrated: Clinic) -> None:
-    trial, session = drive_trial(calibrated), int(calibrated.session)
+    trial, session = calibrated.drive_trial()["id"], int(calibrated.session)
     found = write_record(calibrated, session)
     values = {
         "trial_id": trial,
@@ -101,19 +87,12 @@ def test_every_route_that_changes_something_of_a_session_refuses_a_signed_one(ca
     signed = calibrated.good("POST", f"/sessions/{session}/sign-off")
     assert signed["ended"] is not None
     assert calibrated.session == "none"  # it ended with the sign-off
-    routes = {
-        f"{method} {context.path.removeprefix('/api/v1')}"
-        for context in contexts(calibrated.client.app, APIRoute)  # type: ignore[arg-type]
-        for method in context.methods - READS
-        if "{session_id}" in context.path or "{trial_id}" in context.path
-    }
+    routes = {route for route in routes_of(calibrated, CHANGING) if "{session_id}" in route or "{trial_id}" in route}
     assert routes - AFTER_SIGN_OFF == {*BODIES}
     before = calibrated.good("GET", f"/sessions/{session}")
     for route, body in BODIES.items():
         method, path = route.split()
-        answer = calibrated(method, path.format(**values), json=body)
-        assert answer.status_code == 409, (route, answer.text)
-        words = answer.json()["detail"]
+        words = calibrated.refused(409, method, path.format(**values), json=body)
         assert words.startswith("Session 1 was signed off by Demo clinician on "), route
         assert words.count(". ") == 0
     assert calibrated.good("GET", f"/sessions/{session}") == before
@@ -125,9 +104,7 @@ def test_an_owner_unlocks_for_a_reason_and_the_history_stays(calibrated: Clinic)
     assert calibrated("POST", unlock, json={"reason": "x"}).status_code == 409
     calibrated.good("POST", f"/sessions/{session}/sign-off")
     assert calibrated("POST", unlock, json={"reason": " "}).status_code == 422
-    with calibrated.database.transaction() as db:
-        cookies = {"bodydrive_sign_in": sign_in(db, add_person(db, the_clinic(db), "Cleo", "clinician", None), "test")}  # type: ignore[arg-type]
-    with as_person(calibrated, cookies):
+    with calibrated.as_person(calibrated.cookies_of("Cleo")):
         assert calibrated("POST", unlock, json={"reason": "a wrong scale"}).status_code == 403
     found = calibrated.good("POST", unlock, json={"reason": "a wrong scale"})
     assert found["sign_off"] is None
@@ -141,9 +118,7 @@ def test_an_open_session_is_not_signed_off_while_something_is_recorded(calibrate
     session = calibrated.session
     step = calibrated.good("GET", "/calibration")["steps"][0]["id"]
     calibrated.good("POST", f"/calibration/steps/{step}/start")
-    refused = calibrated("POST", f"/sessions/{session}/sign-off")
-    assert refused.status_code == 409
-    assert "then sign off." in refused.json()["detail"]
+    assert "then sign off." in calibrated.refused(409, "POST", f"/sessions/{session}/sign-off")
     assert calibrated.session == session
     calibrated.good("POST", f"/calibration/steps/{step}/cancel")
     calibrated.good("POST", f"/sessions/{session}/sign-off")
@@ -152,16 +127,16 @@ def test_an_open_session_is_not_signed_off_while_something_is_recorded(calibrate
 def test_two_sessions_are_compared_by_task_and_by_what_changed(calibrated: Clinic) -> None:
     patient, first = calibrated.patient["id"], int(calibrated.session)
     for _ in range(4):
-        drive_trial(calibrated)
+        calibrated.drive_trial()
     calibrated.good("POST", f"/sessions/{first}/sign-off")
     calibrated.open_session(patient)
     second = int(calibrated.session)
-    drive_trial(calibrated)
+    calibrated.drive_trial()
     found = calibrated.good("GET", f"/sessions/{second}/comparison", params={"other": first})
     assert (found["earlier"]["id"], found["later"]["id"]) == (first, second)
     (task,) = found["tasks"]
     assert (task["trials"], task["counted"], task["source"]) == ([4, 1], [4, 1], "simulated")
-    path = calibrated.good("GET", "/floorplans")[0]["paths"][0]
+    path = calibrated.good("GET", "/floorplans/apartment")["paths"][0]
     assert (task["path"], task["path_title"]) == (path["name"], path["title"])
     e_diff = task["measures"]["e_diff"]
     assert e_diff["earlier"] == {"median": 1.5, "low": 1.5, "high": 1.5, "trials": 1}  # three to get used to it
@@ -170,7 +145,6 @@ def test_two_sessions_are_compared_by_task_and_by_what_changed(calibrated: Clini
     assert [one["version"] for one in found["sets"]] == [1, 1]
     again = calibrated("GET", f"/sessions/{first}/comparison", params={"other": first})
     assert (again.status_code, "choose two" in again.text) == (409, True)
-    other = calibrated.good("POST", "/patients", json={"code": "B-1", "pseudonym": "Otter"})
-    calibrated.open_session(other["id"])
+    calibrated.open_session(calibrated.add_patient("B-1"))
     two = calibrated("GET", f"/sessions/{first}/comparison", params={"other": int(calibrated.session)})
     assert (two.status_code, "not of one patient" in two.text) == (409, True)

@@ -1,7 +1,6 @@
 """What people wrote about a patient is nowhere after the erasure, also not in the log; the log stays whole."""
 
 from api.fake_clinic import Clinic
-from features.records.test_session_records_api import drive_trial
 from store.keeping.filled_clinic import mentions
 
 WORD = "Kestrel"
@@ -11,7 +10,7 @@ TOTAL = 41.625
 def test_no_name_or_total_of_a_scale_and_no_reason_stays_in_the_log(calibrated: Clinic) -> None:
     settings = calibrated.settings
     session, patient = int(calibrated.session), calibrated.patient["id"]
-    trial = drive_trial(calibrated)
+    trial = calibrated.drive_trial()["id"]
     calibrated.good("POST", f"/trials/{trial}/discard", json={"reason": f"{WORD} was tired"})
     scale = {"name": f"{WORD} scale", "total": TOTAL, "day": "2026-01-01"}
     for _ in range(2):

@@ -1,15 +1,16 @@
 """Stores a course of sessions with their records and recorded trajectories, as reports are made of."""
 
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import closing, contextmanager
 from dataclasses import replace
 from datetime import date
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from clinic_rows import plan_at, rows_in
 from recorded_trial import record_trial
-from store.course_of_sessions import store_course
 
 from app.features.records.service import add_note, add_scale, write_goal
 from app.features.records.sign_off import sign_off
@@ -22,13 +23,10 @@ from app.source import SourceGroup
 from app.store.database import Database
 from app.store.learning_trials import trials_of_everybody
 from app.store.log_chain import ChainHead
-from app.store.patients import add_patient
-from app.store.people import add_clinic
-from app.store.tables import Clinic, PatientSession
-from app.world.floorplan import FloorPlan
-from app.world.scene import find_place
+from app.store.tables import PatientSession
 from building import make_parameters
 
+Course = tuple[Database, Path, int]  # the database, the folder of its recordings, and the patient
 CODE = "P-017"
 GOAL = "Drive to the window by myself."
 NOTE = "Left elbow tires after four trials."
@@ -51,27 +49,29 @@ def measures(number: int, rng: np.random.Generator) -> dict[str, Any]:
     }
 
 
-def store_reported_course(
-    database: Database, runs: Path, sessions: int, clinic: int | None = None, recordings: bool = True
-) -> int:
+def store_reported_course(database: Database, runs: Path, sessions: int, recordings: bool = True) -> int:
     """Store a patient with sessions, records and, for the trials, copies of one recording; return the patient's id."""
     rng = np.random.default_rng(4)
-    plan = find_place(PLAN)
-    assert isinstance(plan, FloorPlan)
-    with database.transaction() as db:
-        clinic = add_clinic(db, "Clinic at the lake").id if clinic is None else db.get_one(Clinic, clinic).id
-        patient = add_patient(db, CODE, "Heron", "")
+    with rows_in(database, "Clinic at the lake") as rows:
+        patient = rows.patient(CODE)
         course = [[measures(TRIALS * one + two, rng) for two in range(TRIALS)] for one in range(sessions)]
-        store_course(db, clinic, patient.id, plan, course)
-        for session in db.query(PatientSession).filter_by(patient_id=patient.id):
-            write_goal(db, session.id, GOAL)
-            add_note(db, session.id, NOTE, "Dr. Weiß")
-            add_scale(db, session.id, "SCIM III", 46.0, date(2026, 11, 20))
+        rows.course(patient, plan_at(PLAN), course)
+        for session in rows.db.query(PatientSession).filter_by(patient_id=patient.id):
+            write_goal(rows.db, session.id, GOAL)
+            add_note(rows.db, session.id, NOTE, "Dr. Weiß")
+            add_scale(rows.db, session.id, "SCIM III", 46.0, date(2026, 11, 20))
     if recordings:
-        record_trial(runs / "first", make_parameters(), seconds=6.0, plan=plan)
+        record_trial(runs / "first", make_parameters(), seconds=6.0, plan=plan_at(PLAN))
         for number in range(sessions * TRIALS):
             shutil.copytree(runs / "first", runs / f"course-{patient.id}-{number}")
     return int(patient.id)
+
+
+@contextmanager
+def stored_course(folder: Path, sessions: int, recordings: bool = False) -> Iterator[Course]:
+    """Yield a patient with such a course in a database of their own."""
+    with closing(Database(folder / "clinic.sqlite")) as database:
+        yield database, folder / "runs", store_reported_course(database, folder / "runs", sessions, recordings)
 
 
 def sign_last_session(database: Database, person: str) -> None:

@@ -2,53 +2,39 @@
 
 from collections.abc import Iterator
 from datetime import timedelta
-from pathlib import Path
-from typing import Any
 
 import pytest
-from features.reports.reported_clinic import material_of, store_reported_course
+from clinic_rows import rows_in
+from features.reports.reported_clinic import Course, material_of, stored_course
 from features.reports.words_of import pdf_pages
 
-from app.clock import utc_now
 from app.features.reports.composition import compose
 from app.features.reports.document import Report
 from app.features.reports.rendering import render_html, render_pdf
-from app.source import Source
-from app.speeds import HIGHEST_SPEEDS
-from app.store.chairs import add_chair
-from app.store.database import Database
-from app.store.drives import add_drive, finish_drive
 from app.store.parameters import current_parameters, save_parameters
-from app.store.runs import add_run
-from app.store.tables import Clinic, PatientSession
+from app.store.tables import PatientSession
 from building import make_parameters
 
-REAL = Source(shirt="udp", body=None, chair="udp", simulated=False)
 SESSIONS = 2
 DRIVES = (("by hand", 12.5, 61.0), ("fault", 3.25, 20.0), ("by hand", None, 5.0))  # end, m, s
 
 
 @pytest.fixture(scope="module")
-def driven(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Database, Path, int]]:
+def driven(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Course]:
     """Yield a course whose second session has drives of a real chair with a set of their own."""
-    folder = tmp_path_factory.mktemp("driven")
-    database = Database(folder / "clinic.sqlite")
-    patient = store_reported_course(database, folder / "runs", SESSIONS, recordings=False)
-    with database.transaction() as db:
-        chair = add_chair(db, db.get_one(Clinic, 1), "Red \u202echair", "chair.example", 5354, 7, HIGHEST_SPEEDS)
-        session = db.query(PatientSession).filter_by(patient_id=patient, number=2).one()
-        _, profile = current_parameters(db, patient)
-        row = save_parameters(db, profile, make_parameters().model_copy(update={"title": "Outdoors"}))
-        for number, (end, distance, seconds) in enumerate(DRIVES):
-            run = add_run(db, f"drive-{number}", session.id, "drive", f"drive-{number}", REAL)
-            given: dict[str, Any] = {"run": run, "patient_id": patient, "chair_id": chair.id}
-            drive = add_drive(db, parameters_id=row.id, digest=row.hash, **given)
-            finish_drive(db, drive.id, end, distance).ended = drive.started + timedelta(seconds=seconds)
-    yield database, folder / "runs", patient
-    database.close()
+    with stored_course(tmp_path_factory.mktemp("driven"), SESSIONS) as (database, runs, patient):
+        with rows_in(database) as rows:
+            rows.chair("Red \u202echair")
+            session = rows.db.query(PatientSession).filter_by(patient_id=patient, number=2).one()
+            _, profile = current_parameters(rows.db, patient)
+            save_parameters(rows.db, profile, make_parameters().model_copy(update={"title": "Outdoors"}))
+            for end, distance, seconds in DRIVES:
+                drive = rows.drive(session, end, distance)
+                drive.ended = drive.started + timedelta(seconds=seconds)
+        yield database, runs, patient
 
 
-def test_a_session_names_each_drive_with_its_end(driven: tuple[Database, Path, int]) -> None:
+def test_a_session_names_each_drive_with_its_end(driven: Course) -> None:
     rows = compose(material_of(*driven, 2)).drives.rows
     assert [(row[0], row[1], *row[3:]) for row in rows] == [
         ("1", "Red [U+202E]chair", "1 min 1 s", "12.5 m", "ended by hand"),
@@ -57,30 +43,23 @@ def test_a_session_names_each_drive_with_its_end(driven: tuple[Database, Path, i
     ]
 
 
-def test_a_course_has_a_row_for_each_session_with_drives(driven: tuple[Database, Path, int]) -> None:
+def test_a_course_has_a_row_for_each_session_with_drives(driven: Course) -> None:
     report = compose(material_of(*driven, None))
     assert report.drives.rows == (("2", "3", "Red [U+202E]chair", "1 min 26 s", "15.8 m", "1"),)
     assert compose(material_of(*driven, 1)).drives.rows == ()
 
 
-def test_the_source_and_the_set_of_the_drives_are_named(driven: tuple[Database, Path, int]) -> None:
+def test_the_source_and_the_set_of_the_drives_are_named(driven: Course) -> None:
     report = compose(material_of(*driven, 2))
     assert "Worn shirt, real chair" in report.source
     assert {fact.name: fact.value for fact in report.condition}["Set"] == "Outdoors"
     assert report.condition_note.startswith("The newest set is shown; 1 other set")
 
 
-def test_a_session_with_drives_only_has_its_condition(driven: tuple[Database, Path, int]) -> None:
+def test_a_session_with_drives_only_has_its_condition(driven: Course) -> None:
     database, _, patient = driven
-    with database.transaction() as db:
-        now = utc_now()
-        session = PatientSession(clinic_id=1, patient_id=patient, number=3, started=now, ended=now, accepted=True)
-        db.add(session)
-        db.flush()
-        row, _ = current_parameters(db, patient)
-        run = add_run(db, "drive-only", session.id, "drive", "drive-only", REAL)
-        given: dict[str, Any] = {"run": run, "patient_id": patient, "chair_id": 1}
-        add_drive(db, parameters_id=row.id, digest=row.hash, **given)
+    with rows_in(database) as rows:
+        rows.drive(rows.session(patient))
     report = compose(material_of(*driven, 3))
     assert (report.source, report.practice, report.tasks) == ("Worn shirt, real chair", False, ())
     assert report.drives.rows[0][-1] == "goes on"
@@ -91,7 +70,7 @@ def shown(report: Report) -> str:
     return " ".join(" ".join(pdf_pages(render_pdf(report, "a4"))).split())
 
 
-def test_both_files_show_them(driven: tuple[Database, Path, int]) -> None:
+def test_both_files_show_them(driven: Course) -> None:
     report = compose(material_of(*driven, 2))
     for content in (shown(report), render_html(report, "a4").decode()):
         assert "Drives of real chairs" in content

@@ -3,37 +3,33 @@
 from dataclasses import replace
 
 import pytest
-from features.reports.reported_clinic import material_of, store_reported_course
-from stored_interface_test import SIMULATED, store_interface_test
+from clinic_rows import SIMULATED, WORN
+from features.reports.reported_clinic import material_of, stored_course
+from stored_interface_test import store_interface_test
 
 from app.features.reports.composition import compose
 from app.features.reports.measure_reports import ENDS, MOST_ROWS
 from app.features.reports.rendering import render_html, render_pdf
 from app.scoring.measures import TEST_MEASURES, WORKLOAD_NAME
-from app.source import Source
-from app.store.database import Database
 from app.store.tables import InterfaceTest, PatientSession
 
 SESSIONS = 3
 IN_A_SESSION = 6
-WORN = Source(shirt="udp", body=None, chair="virtual", simulated=False)
+WORKLOAD = ("mental", "physical", "temporal", "performance", "effort", "frustration")
 
 
 @pytest.fixture(scope="module")
 def tested(tmp_path_factory):
     """Yield a course with six two-minute tests in each session, the last of them stopped."""
-    folder = tmp_path_factory.mktemp("tested")
-    database = Database(folder / "clinic.sqlite")
-    patient = store_reported_course(database, folder / "runs", SESSIONS, recordings=False)
-    with database.transaction() as db:
-        for session in db.query(PatientSession).filter_by(patient_id=patient).order_by(PatientSession.number):
-            for number in range(IN_A_SESSION):
-                end = "stopped" if session.number == SESSIONS and number == IN_A_SESSION - 1 else "complete"
-                level = 0.5 + 0.2 * session.number + 0.01 * (number % 2)
-                test = store_interface_test(db, session.id, end=end, throughput=level, path_efficiency=0.5)
-        test.workload = dict.fromkeys(("mental", "physical", "temporal", "performance", "effort", "frustration"), 40)
-    yield database, folder / "runs", patient
-    database.close()
+    with stored_course(tmp_path_factory.mktemp("tested"), SESSIONS) as course:
+        with course[0].transaction() as db:
+            for session in db.query(PatientSession).order_by(PatientSession.number):
+                for number in range(IN_A_SESSION):
+                    end = "stopped" if session.number == SESSIONS and number == IN_A_SESSION - 1 else "complete"
+                    level = 0.5 + 0.2 * session.number + 0.01 * (number % 2)
+                    test = store_interface_test(db, session.id, end=end, throughput=level, path_efficiency=0.5)
+            test.workload = dict.fromkeys(WORKLOAD, 40)
+        yield course
 
 
 def rows_of(report, number=0):

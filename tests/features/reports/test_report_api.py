@@ -1,32 +1,24 @@
 """The report as a file from the API: for those with the right to export, and in the log."""
 
 import json
-from datetime import date
 from typing import Any
 
 import pytest
 from api.fake_clinic import Clinic
-from api.people_of_clinic import as_person
 from features.reports.reported_clinic import CODE, store_reported_course
 from features.reports.words_of import html_page, pdf_pages
-from store.known_people import known_clinic
 
-from app.features.consents.service import give_consent, withdraw_consent
+from app.features.consents.service import withdraw_consent
 from app.settings import Settings
-from app.store.access.sign_ins import sign_in
 from app.store.log_chain import HeadFile
-from app.store.people import add_person
 
 
 @pytest.fixture
 def reported(signed_in: Clinic, settings: Settings) -> Any:
     """A clinic with a course of two sessions; its patient's id is the second value."""
-    database = signed_in.database
-    with database.transaction() as db:
-        clinic = known_clinic(db)
-    patient = store_reported_course(database, settings.runs, 2, clinic.id, recordings=False)
-    with database.transaction() as db:
-        give_consent(db, patient, "sharing", date(2026, 1, 1), "Ana")
+    patient = store_reported_course(signed_in.database, settings.runs, 2, recordings=False)
+    with signed_in.rows() as rows:
+        rows.consent(patient, "sharing")
     return signed_in, patient
 
 
@@ -71,12 +63,9 @@ def test_what_is_not_there_is_said_in_a_sentence(reported: Any) -> None:
 
 def test_a_reviewer_reads_and_takes_nothing_out(reported: Any) -> None:
     clinic, patient = reported
-    with clinic.database.transaction() as db:
-        person = add_person(db, known_clinic(db), "Rita", "reviewer", None)
-        cookies = {"bodydrive_sign_in": sign_in(db, person, "test")}
-    with as_person(clinic, cookies):
-        answer = clinic("GET", f"/patients/{patient}/report")
-    assert (answer.status_code, answer.json()["detail"][:31]) == (403, "A reviewer takes no records out")
+    with clinic.as_person(clinic.cookies_of("Rita", "reviewer")):
+        refused = clinic.refused(403, "GET", f"/patients/{patient}/report")
+    assert refused.startswith("A reviewer takes no records out")
 
 
 def test_without_consent_to_sharing_only_a_copy_for_the_patient_is_made(reported: Any) -> None:

@@ -1,15 +1,14 @@
 """What stands in the document of a report: facts, verdicts, recordings, and words where there is nothing."""
 
 import pytest
+from clinic_rows import rows_in
 from features.reports.conftest import SESSIONS
 from features.reports.reported_clinic import CODE, GOAL, HEAD, NOTE, PLAN, TRIALS, material_of, report_of
 
 from app import __version__
-from app.clock import utc_now
 from app.features.reports.composition import NO_CONDITION, NO_GOAL, NO_NOTE, file_name
 from app.refusals import NotFound
-from app.store.patients import add_patient
-from app.store.tables import PatientSession, Trial
+from app.store.tables import Trial
 from app.world.scene import find_place
 
 
@@ -94,16 +93,12 @@ def test_a_later_session_is_not_in_the_report_of_an_earlier_one(reported):
 
 
 def test_empty_things_have_words(database, tmp_path):
-    from app.store.people import add_clinic
-
-    with database.transaction() as db:
-        clinic = add_clinic(db, "Clinic")
-        patient = add_patient(db, "P-1", "Heron", "")
+    with rows_in(database) as rows:
+        patient = rows.patient()
     with pytest.raises(NotFound, match="no session yet"):
         report_of(database, tmp_path, patient.id, None)
-    now = utc_now()
-    with database.transaction() as db:
-        db.add(PatientSession(clinic_id=clinic.id, patient_id=patient.id, number=1, started=now, accepted=False))
+    with rows_in(database) as rows:
+        rows.open_session(patient)
     with pytest.raises(NotFound, match="no session 2"):
         report_of(database, tmp_path, patient.id, 2)
     report = report_of(database, tmp_path, patient.id, 1)

@@ -6,9 +6,7 @@ from typing import Any
 
 import pytest
 from api.fake_clinic import BASE, Clinic
-from api.people_of_clinic import as_person
-from api.test_roles import contexts, requested, table
-from fastapi.routing import APIRoute
+from api.served_routes import requested, table
 
 from app.api.live.live_picture import ClinicLive
 from app.api.sign_in.hashing import Hashing
@@ -16,7 +14,7 @@ from app.api.sign_in.sign_in_limits import SignInLimits
 from app.clock import utc_now
 from app.features.sharing.shared_page import WRONG
 from app.features.sharing.tables import ShareLink
-from app.store.patients import add_patient, start_session
+from app.store.patients import start_session
 
 SHARED = "/shared"
 
@@ -48,14 +46,14 @@ def end_patience(clinic: Clinic) -> None:
 def test_without_consent_there_is_no_link_and_withdrawing_it_ends_one(consented: Clinic, trial: int) -> None:
     consent = f"/patients/{consented.patient['id']}/consents/sharing"
     link = made(consented)
-    with as_person(consented, {}):
+    with consented.as_person({}):
         assert opened(consented, link).status_code == 204
         visit = dict(consented.client.cookies)
         assert consented.good("GET", SHARED)["is_course"]
     consented.good("DELETE", consent)
     refused = consented("POST", f"/patients/{consented.patient['id']}/shares", json={"days": 14})
     assert (refused.status_code, "has not consented to sharing" in refused.text) == (409, True)
-    with as_person(consented, visit):
+    with consented.as_person(visit):
         assert consented("GET", SHARED).status_code == 401
         assert opened(consented, link).status_code == 401
 
@@ -67,7 +65,7 @@ def test_a_course_shows_story_and_figures_by_code_and_every_opening_is_logged(co
     assert link["url"].startswith("http://127.0.0.1:8080/share.html#")
     assert link["message"].startswith("Only this machine can open the link")
     assert len(token_of(link)) >= 22
-    with as_person(consented, {}):
+    with consented.as_person({}):
         assert consented("GET", SHARED).status_code == 401
         answer = opened(consented, link)
         assert "HttpOnly" in answer.headers["set-cookie"]
@@ -102,7 +100,7 @@ def test_an_opening_and_a_wrong_pin_are_told_to_open_pages_with_their_time(
     (row,) = link["shares"]
     assert (row["openings"], row["last_opened"], events) == (0, None, ["shares"])
     before = utc_now()
-    with as_person(consented, {}):
+    with consented.as_person({}):
         assert opened(consented, link, wrong_pin(link)).status_code == 401
         assert events == ["shares"] * 2
         assert opened(consented, link).status_code == 204
@@ -117,16 +115,15 @@ def test_an_opening_and_a_wrong_pin_are_told_to_open_pages_with_their_time(
 def test_a_link_that_was_cut_is_refused_as_a_wrong_one(consented: Clinic) -> None:
     link = made(consented)
     cut = {"token": token_of(link)[:9], "pin": link["pin"]}
-    with as_person(consented, {}):
-        answer = consented("POST", "/shared/open", json=cut)
-    assert (answer.status_code, answer.json()["detail"]) == (401, WRONG)
+    with consented.as_person({}):
+        assert consented.refused(401, "POST", "/shared/open", json=cut) == WRONG
 
 
 def test_a_link_to_a_session_shows_this_session_only(consented: Clinic, trial: int) -> None:
     link = made(consented, session=consented.session)
     with consented.database.transaction() as db:
         start_session(db, consented.patient["id"]).ended = None
-    with as_person(consented, {}):
+    with consented.as_person({}):
         assert opened(consented, link).status_code == 204
         found = consented.good("GET", SHARED)
     assert [str(story["session_id"]) for story in found["stories"]] == [consented.session]
@@ -147,7 +144,7 @@ def test_five_wrong_pins_end_a_link_also_when_they_come_at_once(
 
     monkeypatch.setattr(hashing, "matches", counted)
     link = made(consented)
-    with as_person(consented, {}):
+    with consented.as_person({}):
         with ThreadPoolExecutor(8) as pool:
             body = {"token": token_of(link), "pin": wrong_pin(link)}
             tries = pool.map(lambda _: consented("POST", "/shared/open", json=body).status_code, range(8))
@@ -167,7 +164,7 @@ def test_a_revoked_link_and_one_that_is_over_show_nothing_also_in_an_open_browse
     for end in ("revoked", "over"):
         link = made(consented, days=1)
         row = link["shares"][0]["id"]
-        with as_person(consented, {}):
+        with consented.as_person({}):
             assert opened(consented, link).status_code == 204
             visit = dict(consented.client.cookies)
         if end == "revoked":
@@ -176,7 +173,7 @@ def test_a_revoked_link_and_one_that_is_over_show_nothing_also_in_an_open_browse
         else:
             with database.transaction() as db:
                 db.get_one(ShareLink, row).expires = utc_now() - timedelta(seconds=1)
-        with as_person(consented, visit):
+        with consented.as_person(visit):
             assert consented("GET", SHARED).status_code == 401
             assert opened(consented, link).status_code == 401
         assert consented.good("GET", f"/patients/{consented.patient['id']}/shares")["shares"][0]["state"] == end
@@ -189,19 +186,18 @@ def test_a_link_holds_for_fourteen_days_at_most(consented: Clinic) -> None:
 
 
 def test_the_cookie_of_a_link_opens_no_other_route(consented: Clinic, trial: int) -> None:
-    with consented.database.transaction() as db:
-        add_patient(db, "OTHER-7", "Otter", "")
+    consented.add_patient("OTHER-7")
     link = made(consented)
-    with as_person(consented, {}):
+    with consented.as_person({}):
         assert opened(consented, link).status_code == 204
         token = consented.client.cookies["bodydrive_share"]
         assert "OTHER-7" not in consented.client.get(f"{BASE}/api/v1/shared").text
     rights = table(consented.client.app)  # type: ignore[arg-type]
-    assert len(contexts(consented.client.app, APIRoute)) > 100  # type: ignore[arg-type]
+    assert len(rights) > 100
     for name, right in rights.items():
         if not right:
             continue
-        with as_person(consented, {}):
+        with consented.as_person({}):
             consented.client.cookies["bodydrive_share"] = token  # for every path, unlike a browser
             consented.client.cookies["bodydrive_sign_in"] = token
             answer = requested(consented, name)

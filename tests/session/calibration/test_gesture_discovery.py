@@ -3,6 +3,7 @@
 import shutil
 
 import pytest
+from clinic_rows import rows_in
 from session.same_process import SameProcess
 from session.test_recordings import LAYOUT, record, step_ticks
 
@@ -13,9 +14,6 @@ from app.session.calibration.gesture_discovery import GestureDiscoveries
 from app.session.recordings import fit_recordings
 from app.store.calibrations import begin_calibration, set_step
 from app.store.map_versions import save_adapted
-from app.store.parameters import save_parameters, save_profile
-from app.store.patients import add_patient, start_session
-from app.store.people import add_clinic
 from app.store.runs import add_run
 from app.store.tables import PatientSession
 
@@ -31,25 +29,23 @@ class RecordedCalibration:
         self.steps = calibration_script(LAYOUT)
         recorded = [(step, record(folder / step.id, step_ticks(step), step.cues)) for step in self.steps]
         self.profile = fit_recordings(LAYOUT, recorded, [], None)
-        with database.transaction() as db:
-            add_clinic(db, "Clinic")
-            patient = add_patient(db, "P-1", "Heron", "")
-            session = start_session(db, patient.id)
-            begin_calibration(db, session, {}, [step.id for step in self.steps])
+        with rows_in(database) as rows:
+            session = rows.open_session()
+            begin_calibration(rows.db, session, {}, [step.id for step in self.steps])
             for step in self.steps:
-                add_run(db, step.id, session.id, step.kind, step.id)
-                set_step(db, session.id, step.id, "done", "", step.id)
+                add_run(rows.db, step.id, session.id, step.kind, step.id)
+                set_step(rows.db, session.id, step.id, "done", "", step.id)
             session.result = self.profile.model_dump(mode="json")
-            self.patient, self.session = patient.id, session.id
+            self.patient, self.session = session.patient_id, session.id
 
     def folder_of(self, run):
         return self.folder / run
 
     def accept(self):
-        with self.database.transaction() as db:
-            row = save_profile(db, self.patient, self.session, self.profile)
-            save_parameters(db, row, standard_parameters(self.profile))
-            db.get_one(PatientSession, self.session).accepted = True
+        with rows_in(self.database) as rows:
+            session = rows.db.get_one(PatientSession, self.session)
+            rows.map(session, self.profile)
+            session.accepted = True
 
     def result(self):
         return self.discoveries.of_session(self.session)

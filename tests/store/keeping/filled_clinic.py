@@ -9,15 +9,13 @@ from pathlib import Path
 from typing import Any, cast
 
 import sqlalchemy as sa
+from clinic_rows import rows_in
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
 from app.settings import Settings
-from app.store.database import Database
 from app.store.keeping.owned_rows import foreign_keys, rows_of_patient, tables_in
 from app.store.log import write_log
-from app.store.patients import add_patient
-from app.store.people import add_clinic, add_person, the_clinic
 from app.store.tables import Patient, Table
 from folders import ROOT
 
@@ -85,20 +83,17 @@ def _row_of(db: Session, table: Any, row_id: int) -> dict[str, Any]:
 
 def two_patients(settings: Settings, *words: str) -> list[int]:
     """Make a clinic with an owner and a filled patient for each word, with recordings and uploads; return their ids."""
-    database = Database(settings.database)
-    with database.transaction() as db:
-        clinic = the_clinic(db) or add_clinic(db, "Clinic")
-        add_person(db, clinic, "Ada", "owner", "a hash")
+    with rows_in(settings) as clinic:
+        clinic.person("Ada", "owner", "a hash")
         ids = []
         for word in words:
-            patient = add_patient(db, f"{word}-code", f"{word} pseudonym", f"{word} note")
-            fill(db, patient, word)
-            write_log(db, "Ada", "patient added", patient=patient.id)
+            patient = clinic.patient(f"{word}-code", f"{word} pseudonym", f"{word} note")
+            fill(clinic.db, patient, word)
+            write_log(clinic.db, "Ada", "patient added", patient=patient.id)
             ids.append(patient.id)
-        add_person(db, clinic, "Rita", "reviewer", None, patients=ids)
-        names = [row.name for row in db.execute(sa.text("SELECT name FROM patient_file ORDER BY id"))]
-        runs = [row.folder for row in db.execute(sa.text("SELECT folder FROM run ORDER BY rowid"))]
-    database.close()
+        clinic.person("Rita", "reviewer", patients=ids)
+        names = [row.name for row in clinic.db.execute(sa.text("SELECT name FROM patient_file ORDER BY id"))]
+        runs = [row.folder for row in clinic.db.execute(sa.text("SELECT folder FROM run ORDER BY rowid"))]
     for word, name, run in zip(words, names, runs, strict=True):
         for place in (
             settings.runs / run / "run.parquet",
