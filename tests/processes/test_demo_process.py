@@ -11,20 +11,13 @@ from pathlib import Path
 import httpx
 import psutil
 import pytest
-from processes.served_demo import Demo, bodydrive, printed_link, until
+from processes.served_demo import Demo, bodydrive, printed_link, running_program, until
 
 
 @pytest.fixture
 def demo(tmp_path: Path) -> Iterator[Demo]:
-    process = bodydrive("demo", "--port", "0", TMPDIR=str(tmp_path))
-    try:
-        running = Demo(process)
+    with Demo.running(tmp_path) as running:
         yield running
-        running.client.close()
-    finally:
-        if process.poll() is None:
-            process.kill()
-        process.communicate()
 
 
 def test_the_story_of_a_control_process_that_dies_and_of_an_orderly_end(demo: Demo, tmp_path: Path) -> None:
@@ -102,20 +95,16 @@ def test_a_busy_port_is_one_sentence() -> None:
 
 
 def test_a_clinic_is_set_up_once_and_held_by_one(tmp_path: Path) -> None:
-    first = bodydrive("serve", "--port", "0", "--state", str(tmp_path / "clinic"))
-    try:
+    words = ("serve", "--port", "0", "--state", str(tmp_path / "clinic"))
+    with running_program(*words) as first:
         base, code = printed_link(first).split("/#setup=")
         with httpx.Client(base_url=f"{base}/api/v1", headers={"Origin": base}, timeout=60) as client:
             owner = {"code": code, "name": "Ada", "password": "correct horse battery"}
             assert client.post("/auth/setup", json=owner).json()["role"] == "owner"
-        second = bodydrive("serve", "--port", "0", "--state", str(tmp_path / "clinic"))
+        second = bodydrive(*words)
         _, errors = second.communicate(timeout=60)
         assert (second.returncode, errors.count("\n")) == (2, 1)
         assert "open already" in errors
         first.send_signal(signal.SIGTERM)
         assert "Traceback" not in first.communicate(timeout=60)[1]
         assert first.returncode == 0
-    finally:
-        if first.poll() is None:
-            first.kill()
-            first.communicate()

@@ -9,7 +9,7 @@ import pytest
 from drills.bomb_effects import MOST_GROWTH, memory, send_bomb
 from drills.bombs import BOMBS, glb_with_pictures, png
 from drills.results import Watcher
-from processes.served_demo import Demo, bodydrive
+from processes.served_demo import Demo
 
 # One for each library that reads what is uploaded; `make drills` sends all of them.
 EACH_READER = (
@@ -34,15 +34,9 @@ class DemoOfFolder(Demo):
 @pytest.fixture(scope="module")
 def demo(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DemoOfFolder]:
     folder = tmp_path_factory.mktemp("served")
-    process = bodydrive("demo", "--port", "0", TMPDIR=str(folder))
-    try:
-        running = DemoOfFolder(process)
+    with DemoOfFolder.running(folder) as running:
         running.state = next(folder.glob("bodydrive-demo-*"))
         yield running
-        running.client.close()
-    finally:
-        process.kill()
-        process.communicate()
 
 
 @pytest.fixture(scope="module")
