@@ -1,53 +1,26 @@
 """Each of the four sentences for a first time leads where it says, with the words that it uses, in few taps."""
 
 import pytest
-from browser.served.course_app import CourseApp
 from playwright.sync_api import expect
-from processes.served_demo import running_demo
 
 pytestmark = [pytest.mark.browser]
 
-TABLET = {"width": 768, "height": 1024}
-
-
-@pytest.fixture(scope="module")
-def demo():
-    """Yield the link of a running demonstration."""
-    with running_demo() as link:
-        yield link
-
-
-@pytest.fixture(scope="module")
-def course(tmp_path_factory):
-    """Yield a clinic whose first person became better in four sessions."""
-    app = CourseApp(tmp_path_factory.mktemp("course"))
-    app.start()
-    yield app
-    app.stop()
-
 
 @pytest.fixture
-def open_at(browser, page_log):
+def open_at(open_page):
     """Return what opens a link on a tablet, with the sentences on it, and follows the number of one of them."""
-    logs = []
 
     def follow(link, number):
-        logs.append(page_log(link))
-        page = logs[-1].watch(browser.new_context(viewport=TABLET, has_touch=True).new_page())
-        page.goto(link)
+        page = open_page(link, has_touch=True)
         expect(page.locator(".first-sentences")).to_be_visible()
         page.locator(f'.rail a[data-first="{number}"]:visible').tap()
         return page
 
-    yield follow
-    for log in logs:
-        log.assert_clean()
+    return follow
 
 
-def test_stop_is_in_view_with_its_number_and_one_tap_stops(browser, demo, page_log):
-    log = page_log(demo)
-    page = log.watch(browser.new_context(viewport=TABLET, has_touch=True).new_page())
-    page.goto(demo)
+def test_stop_is_in_view_with_its_number_and_one_tap_stops(demo, open_page):
+    page = open_page(demo, has_touch=True)
     expect(page.locator(".first-sentences li").first).to_contain_text("STOP, on every page")
     stop = page.get_by_role("button", name="Stop the chair now")
     expect(stop).to_be_in_viewport(ratio=1)
@@ -55,7 +28,6 @@ def test_stop_is_in_view_with_its_number_and_one_tap_stops(browser, demo, page_l
     expect(page.get_by_role("button", name="Take the stop back")).to_be_visible()
     page.get_by_role("button", name="Take the stop back").tap()
     expect(page.get_by_role("button", name="Take the stop back")).to_have_count(0)
-    log.assert_clean()
 
 
 def test_one_joint_is_repeated_from_the_row_of_steps(demo, open_at):

@@ -1,12 +1,9 @@
 """Finding one's way: the first screen, the taps to a drive, the sentences for a first time, the help of each page."""
 
-import re
-
 import pytest
-from browser.driving import choose_task, go_on_until
+from browser.driving import choose_task, drives_until
 from browser.tablets import go_to
 from playwright.sync_api import expect
-from processes.served_demo import running_demo
 
 pytestmark = [pytest.mark.browser]
 
@@ -41,35 +38,16 @@ WHOLE = "(all) => all.length > 0 && all.every((one) => one.scrollWidth <= one.cl
 FITS = "() => { const page = document.querySelector('main'); return page.scrollHeight <= page.clientHeight; }"
 
 
-@pytest.fixture(scope="module")
-def demo():
-    """Yield the link of a running demonstration."""
-    with running_demo() as link:
-        yield link
-
-
 @pytest.fixture
-def opened(browser, page_log, demo):
+def opened(demo, open_page):
     """Return what opens the demonstration on a tablet of its own."""
-    log, contexts = page_log(demo), []
 
-    def open_page():
-        contexts.append(browser.new_context(viewport={"width": 768, "height": 1024}))
-        page = log.watch(contexts[-1].new_page())
-        page.goto(demo)
+    def open_demo():
+        page = open_page(demo)
         expect(page.locator("main h1")).to_be_visible()
         return page
 
-    yield open_page
-    log.assert_clean()
-    for context in contexts:
-        context.close()
-
-
-def drives(page):
-    """Wait until the trial's clock goes, then end the trial."""
-    clock = page.locator(".place .big")
-    go_on_until(page, lambda: clock.is_visible() and re.match(r"0:0[1-9]", clock.inner_text()), "a second of the trial")
+    return open_demo
 
 
 def ends(page):
@@ -179,7 +157,7 @@ def test_a_known_patient_drives_after_few_taps(opened):
     start.click()
     page.get_by_role("button", name="Start trial").click()
     taps = page.evaluate("window.taps")
-    drives(page)
+    drives_until(page, 1)
     ends(page)
     assert taps <= MOST_KNOWN
 
@@ -195,7 +173,7 @@ def test_somebody_never_calibrated_drives_after_three_taps(opened):
     page.get_by_role("button", name="Start", exact=True).click()  # rest, then ten seconds of free movement
     page.get_by_role("button", name="Drive now").click(timeout=CALIBRATION)
     taps = page.evaluate("window.taps")
-    drives(page)
+    drives_until(page, 1)
     ends(page)
     assert taps <= MOST_UNCALIBRATED
     go_to(page, "calibrate")  # where the map of each joint comes from, with a way on
@@ -225,7 +203,7 @@ def test_a_new_patient_drives_after_few_taps(opened):
     page.get_by_role("link", name="Drive with these").click()
     page.get_by_role("button", name="Start trial").click()
     taps = page.evaluate("window.taps")
-    drives(page)
+    drives_until(page, 1)
     assert page.get_by_text("P-900").first.is_visible()
     ends(page)
     assert taps <= MOST_NEW
