@@ -49,15 +49,19 @@ class Sheet:
             self.page.touchscreen.tap(middle_x + (x - 4) * 60, middle_y - (y - 3) * 60)
 
 
+def new_sheet(page):
+    page.get_by_role("button", name="New plan").tap()
+    expect(page.locator(".sheet")).to_be_visible()
+    return Sheet(page)
+
+
 def tool(page, name):
     page.get_by_role("toolbar", name="Tools").get_by_role("button", name=name, exact=True).tap()
 
 
 def draw_a_room(page, keep):
-    page.get_by_role("button", name="New plan").tap()
-    expect(page.locator(".sheet")).to_be_visible()
+    sheet = new_sheet(page)
     expect(page.get_by_text("There is no path yet")).to_be_visible()
-    sheet = Sheet(page)
 
     tool(page, "Wall")
     sheet.tap((0, 1), (7, 1), (7, 5), (0, 5), (0, 1.02))
@@ -122,9 +126,7 @@ def test_a_room_is_drawn_by_touch_saved_and_driven_in(tablet):
 
 def test_what_is_wrong_is_shown_where_it_is(tablet):
     page, keep, _ = tablet
-    page.get_by_role("button", name="New plan").tap()
-    expect(page.locator(".sheet")).to_be_visible()
-    sheet = Sheet(page)
+    sheet = new_sheet(page)
     tool(page, "Wall")
     sheet.tap((2, 1), (2, 5), (2, 5.01))
     tool(page, "Path")
@@ -167,10 +169,9 @@ def test_what_is_wrong_is_shown_where_it_is(tablet):
 
 def test_an_object_of_an_improbable_size_is_asked_about(tablet, request):
     page, keep, log = tablet
-    page.get_by_role("button", name="New plan").tap()
-    expect(page.locator(".sheet")).to_be_visible()
+    sheet = new_sheet(page)
     tool(page, "Box")
-    Sheet(page).tap((5, 4), (6, 4.6))
+    sheet.tap((5, 4), (6, 4.6))
     name = f"bed-{request.node.callspec.params['tablet']}"
     content = trimesh.creation.box((1000, 2000, 3000)).export(file_type="glb")  # mm: left, up and ahead
     file = {"name": f"{name}.glb", "mimeType": "model/gltf-binary", "buffer": content}

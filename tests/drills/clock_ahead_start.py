@@ -7,14 +7,13 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from drills.results import Result
-from processes.served_demo import Served, printed_link, running_program
+from processes.served_demo import OWNER, Served, printed_link, running_program
 
 from folders import ROOT
 
 FOLDER = Path(__file__).parent / "clock_ahead"
 DAY = 86_400.0  # s
 PATIENT = {"code": "P-1", "pseudonym": "Blue heron"}
-OWNER = {"name": "Ada", "password": "correct horse battery"}
 
 
 async def clock_ahead(runs, dice):

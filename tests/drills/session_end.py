@@ -45,7 +45,7 @@ def _one(folder, dice, result, told, whole):
             result.violated(f"{words}")
 
     with small_disk(folder / "disk", DISK) as disk, Demo.running(disk or folder) as demo:
-        state = next((disk or folder).glob("bodydrive-demo-*"))
+        state = demo.state
         ballast = state / "bodydrive.sqlite.ballast"
         demo.client.post("/calibration/steps/rest/start")
         with demo.socket("live") as live:

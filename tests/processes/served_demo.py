@@ -23,6 +23,7 @@ from app.clock import monotonic
 from folders import ROOT
 
 COMMAND = [sys.executable, "-c", "from app.cli.main import main; main()"]
+OWNER = {"name": "Ada", "password": "correct horse battery"}
 PATIENCE = 300  # s of silence that count as hung: how quick a machine is says nothing of the program
 CONTINUES = 20  # taps of Continue; on a busy machine a report of the page may be late again and again
 
@@ -117,7 +118,9 @@ class Served:
 
 
 class Demo(Served):
-    """A running demonstration and a client that is signed in."""
+    """A running demonstration and a client that is signed in; `state` is its folder, when one was chosen for it."""
+
+    state: Path
 
     def __init__(self, process: "subprocess.Popen[str]") -> None:
         base, self.code = printed_link(process).split("/#demo=")
@@ -130,6 +133,7 @@ class Demo(Served):
         """Yield a demonstration, whose state lies in a folder when one is given."""
         with running_program("demo", "--port", "0", **({"TMPDIR": str(folder)} if folder else {})) as process:
             demo = cls(process)
+            demo.state = next(Path(folder).glob("bodydrive-demo-*")) if folder else Path()
             yield demo
             demo.client.close()
 

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import httpx
 import pytest
 from browser.served.recorded_clinic import furnish
-from processes.served_demo import SessionClient, free_port, printed_link, running_program
+from processes.served_demo import OWNER, SessionClient, free_port, printed_link, running_program
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 
@@ -195,8 +195,7 @@ def test_a_clinic_is_used_through_the_proxy(proxy: Proxy, certificate: Path, tmp
 def walk_through(browser: Browser, code: str) -> None:
     """Sign in, see the live picture, upload a recording and what is no archive, open the 3D view, and stop."""
     forged = {"X-Forwarded-For": "6.6.6.6", "X-Forwarded-Host": "evil.example"}  # the proxy replaces them
-    owner = {"code": code, "name": "Ada", "password": "correct horse battery"}
-    answer = browser.post("/auth/setup", json=owner, headers=forged)
+    answer = browser.post("/auth/setup", json={"code": code, **OWNER}, headers=forged)
     assert answer.json()["role"] == "owner"
     cookies = answer.headers.get_list("set-cookie")
     assert cookies

@@ -109,13 +109,17 @@ def addressed(where: str) -> Open:
     return lambda page, clinic: page.goto(f"{clinic.address}/#/{where}")
 
 
+def answers(page: Any, pattern: str, document: Any) -> None:
+    """Let requests get another answer from now on."""
+    page.route(pattern, lambda route: route.fulfill(json=document))
+
+
 def answered(path: str, where: str, change: Callable[[Any], Any]) -> Open:
     """Return what opens a page whose request gets another answer."""
 
     def open_place(page: Any, clinic: EyesClinic) -> None:
         leave(page, clinic)
-        other = change(clinic.good("GET", path))
-        page.route(f"**/api/v1{path}", lambda route: route.fulfill(json=other))
+        answers(page, f"**/api/v1{path}", change(clinic.good("GET", path)))
         addressed(where)(page, clinic)
         expect(page.locator("main h1")).to_be_attached()
 

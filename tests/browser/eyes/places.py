@@ -10,6 +10,7 @@ from browser.eyes.eyes_clinic import EyesClinic
 from browser.eyes.opening import (
     Open,
     answered,
+    answers,
     at,
     document,
     filled,
@@ -70,8 +71,7 @@ def computer_measured(page: Any, clinic: EyesClinic) -> None:
     words = {"good": "The clock is set by the network.", "attention": "Free disk: 4 GB.", "bad": "Port 8443 is taken."}
     findings = [{"verdict": verdict, "message": sentence} for verdict, sentence in words.items()]
     machine = {"verdict": "bad", "message": "This computer is not good enough for driving.", "findings": findings}
-    found = {"machine": machine, "screens": findings[:2]}
-    page.route("**/computer/measurement", lambda route: route.fulfill(json=found))
+    answers(page, "**/computer/measurement", {"machine": machine, "screens": findings[:2]})
     steps(tapped("Measure for"), shows("text=Screens that are open now"))(page, clinic)
 
 

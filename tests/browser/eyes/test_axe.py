@@ -2,7 +2,7 @@
 
 Each page is looked at in one size and theme here, and by `make browser` in all of them and in every state. The same
 visit looks for what a finger misses, what Tab does not come to, what is cut off at 200 %, and what moves although the
-person has asked for reduced motion.
+person has asked for reduced motion. That all this is found is tried on a page that is broken.
 """
 
 import re
@@ -27,6 +27,14 @@ KNOWN = """async () => {
   return [...PAGES, ...Object.keys(BELOW).map((one) => `drive/${one}`), ...OWN_PAGES.map((one) => `review/${one}`)];
 }"""
 
+BROKEN = """<!doctype html><html lang="en"><title>A page</title><main><h1>A page</h1>
+<p style="color:#999;background:#fff">Grey on white</p>
+<p style="background:linear-gradient(#fff,#eee)">On a gradient</p>
+<button style="width:44px;height:44px"></button>
+<svg width="200" height="120"><rect width="200" height="120" fill="#eee"/>
+<text id="faint" x="20" y="40" fill="#bbb">faint</text><text id="clear" x="20" y="80" fill="#222">clear</text></svg>
+</main></html>"""
+
 
 def address_of(url):
     """Return the address of a page without the numbers in it."""
@@ -44,6 +52,18 @@ def documents_and_pages():
     pages = [place for place in (folder / "js" / "pages").iterdir() if place.is_dir()]
     documents = {f"/{file.name}" for file in folder.glob("*.html")}
     return documents | {f"/js/pages/{one.name}/{one.name}.js" for one in pages}
+
+
+def test_what_is_wrong_is_found_and_what_is_right_is_not(browser):
+    page = browser.new_page()
+    page.set_content(BROKEN)
+    found = {(one.kind, one.rule, one.target) for one in findings(page)}
+    assert found == {
+        ("violation", "color-contrast", "p:nth-child(2)"),
+        ("undecided", "color-contrast", "p:nth-child(3)"),
+        ("violation", "button-name", "button"),
+        ("violation", "color-contrast", "#faint"),
+    }
 
 
 def test_what_moves_is_found(page, clinic):

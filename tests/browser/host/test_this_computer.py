@@ -3,6 +3,7 @@
 import re
 
 import pytest
+from browser.eyes.opening import answers
 from browser.served.clinic_app import go
 from browser.sizes import photograph
 from playwright.sync_api import expect
@@ -63,8 +64,7 @@ def test_the_headline_counts_the_screens_that_will_not_do(opened, served):
     headlines = {}
     for screens in ([fluent], [slow, fluent], [slow, slow]):
         page.unroute_all()
-        found = {"machine": machine, "screens": screens}
-        page.route("**/computer/measurement", lambda route, found=found: route.fulfill(json=found))
+        answers(page, "**/computer/measurement", {"machine": machine, "screens": screens})
         page.get_by_role("button", name=re.compile("Measure")).click()
         expect(page.locator(".findings li")).to_have_count(len(screens))
         headlines[screens.count(slow)] = page.locator(".findings").first.locator(".summary").inner_text()

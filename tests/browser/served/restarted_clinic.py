@@ -4,9 +4,7 @@ import signal
 from pathlib import Path
 from typing import Self
 
-from processes.served_demo import SessionClient, bodydrive, free_port, printed_link
-
-OWNER = {"name": "Ada", "password": "correct horse battery"}
+from processes.served_demo import OWNER, SessionClient, bodydrive, free_port, printed_link
 
 
 class RestartedClinic:

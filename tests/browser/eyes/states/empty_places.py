@@ -3,7 +3,7 @@
 from typing import Any
 
 from browser.eyes.eyes_clinic import EyesClinic
-from browser.eyes.opening import Open, addressed, answered, at, leave, named, opened, refusing, shows, steps
+from browser.eyes.opening import Open, addressed, answered, answers, at, leave, named, opened, refusing, shows, steps
 from playwright.sync_api import expect
 
 NO_SHIRT: dict[str, Any] = {"shirt": None, "body": None, "layout": None, "unused": []}
@@ -41,8 +41,7 @@ def nobody_found(page: Any, _clinic: EyesClinic) -> None:
 def without_shirt(page: Any, clinic: EyesClinic) -> None:
     steps_left = {"steps": clinic.good("GET", "/calibration")["steps"][-1:]}
     for path, change in (("calibration", steps_left), ("equipment", NO_SHIRT)):
-        answer = {**clinic.good("GET", f"/{path}"), **change}
-        page.route(f"**/api/v1/{path}", lambda route, answer=answer: route.fulfill(json=answer))
+        answers(page, f"**/api/v1/{path}", {**clinic.good("GET", f"/{path}"), **change})
 
 
 EMPTY_PLACES: dict[str, Open] = {
