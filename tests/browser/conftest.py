@@ -1,6 +1,5 @@
 """A real browser, and what it must not do: report an error, or ask another machine for anything."""
 
-import os
 import shlex
 import shutil
 import time
@@ -13,7 +12,10 @@ from typing import Any
 from urllib.parse import urlsplit
 
 import pytest
+from browser.script import script
 from browser.served.clinic_app import ClinicApp
+from browser.served.recorded_clinic import RecordedClinic, course_clinic
+from browser.sizes import window
 from playwright.sync_api import (
     Browser,
     BrowserContext,
@@ -24,8 +26,10 @@ from playwright.sync_api import (
     expect,
     sync_playwright,
 )
+from processes.served_demo import running_demo
 
 from app.child_process import NICENESS
+from needed import need
 
 PATIENCE = 100_000  # ms until a page shows what is expected: a busy machine that draws in software is slow
 CHROMIUM = (
@@ -46,28 +50,7 @@ PROGRAM = shutil.which("chromium-headless-shell") or shutil.which("chromium")
 
 # Without a limit, software draws as many pictures of a page and of its 3D view as the processors can: three a second,
 # and the 3D view in a quarter of its pixels, leave time for other tests. The chair stops for a picture 1 s old.
-FEW_PICTURES = """(() => {
-  if (window !== top) Object.defineProperty(window, "devicePixelRatio", { get: () => 0.5 });
-  const pause = 320;  // ms
-  const next = window.requestAnimationFrame.bind(window), cancel = window.cancelAnimationFrame.bind(window);
-  const pending = new Map();
-  let last = 0, count = 0;
-  window.requestAnimationFrame = (draw) => {
-    const id = ++count;
-    const later = (now) => {
-      if (now !== last && now - last <= pause) return void pending.set(id, next(later));
-      last = now;
-      pending.delete(id);
-      draw(now);
-    };
-    pending.set(id, next(later));
-    return id;
-  };
-  window.cancelAnimationFrame = (id) => {
-    cancel(pending.get(id));
-    pending.delete(id);
-  };
-})()"""
+FEW_PICTURES = script("few_pictures")
 
 # Most of a processor goes to a 3D view that software draws. A page begins with the drawn plan, as one does on which it
 # was chosen before, unless its test looks at the 3D view.
@@ -122,12 +105,22 @@ class PageLog:
         page.on("websocket", lambda socket: self._reached(socket.url))
         return page
 
-    def assert_clean(self) -> None:
-        """Fail when a page reported an error or asked another machine.
+    @property
+    def uncaught(self) -> list[str]:
+        """Return the errors that a page threw."""
+        return [error for error in self.errors if error.startswith("uncaught")]
+
+    def assert_clean(self, allowed: str = CONTINUE) -> None:
+        """Fail when a page reported an error, unless it contains what is `allowed`, or asked another machine.
 
         A Continue may be refused: on a busy machine the picture, or the page itself, can be late again.
         """
-        assert [error for error in self.errors if not error.endswith(CONTINUE)] == []
+        assert [error for error in self.errors if allowed not in error] == []
+        assert self.outside == []
+
+    def assert_quiet(self) -> None:
+        """Fail when a page threw an error or asked another machine; what the server refuses, it may report."""
+        assert self.uncaught == []
         assert self.outside == []
 
     def _console(self, message: ConsoleMessage) -> None:
@@ -245,9 +238,7 @@ def playwright() -> Playwright:
 def browser() -> Iterator[FewPicturesBrowser]:
     """What opens the pages of a file's tests; those that stay open are closed when the file ends."""
     if PROGRAM is None:
-        if os.environ.get("BODYDRIVE_NO_SKIP") == "1":
-            pytest.fail("there is no chromium here: install Debian's package 'chromium'")
-        pytest.skip("there is no chromium here: install Debian's package 'chromium' to run the browser tests")
+        need("chromium", "chromium")
     expect.set_options(timeout=PATIENCE)
     chromium = STARTED.chromium()
     yield FewPicturesBrowser(chromium)
@@ -258,10 +249,71 @@ def browser() -> Iterator[FewPicturesBrowser]:
 @pytest.fixture(scope="module")
 def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ClinicApp]:
     """Yield a clinic for the tests of one file: two calibrated patients, and an owner who is signed in."""
-    app = ClinicApp(tmp_path_factory.mktemp("served") / "clinic")
-    app.start()
-    yield app
-    app.stop()
+    with ClinicApp(tmp_path_factory.mktemp("served") / "clinic") as app:
+        yield app
+
+
+@pytest.fixture
+def recorded(tmp_path: Path) -> Iterator[RecordedClinic]:
+    """Yield a clinic with two trials that are over and have recordings."""
+    with RecordedClinic(tmp_path / "recorded") as app:
+        yield app
+
+
+@pytest.fixture(scope="module")
+def course(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RecordedClinic]:
+    """Yield a clinic for the tests of one file, whose first person became better in four sessions."""
+    with course_clinic(tmp_path_factory.mktemp("course")) as app:
+        yield app
+
+
+@pytest.fixture(scope="module")
+def demo() -> Iterator[str]:
+    """Yield the link of a demonstration that runs for the tests of one file."""
+    with running_demo() as link:
+        yield link
+
+
+@pytest.fixture
+def own_demo(tmp_path: Path) -> Iterator[str]:
+    """Yield the link of a demonstration of this test alone, whose state lies in its folder."""
+    with running_demo(TMPDIR=str(tmp_path)) as link:
+        yield link
+
+
+@pytest.fixture
+def open_page(browser: FewPicturesBrowser) -> Iterator[Callable[..., Page]]:
+    """Return what opens an address in a browser of its own; at the end, no page has reported what is not `allowed`.
+
+    `sign_in` is what the cookie of a person holds, `script` runs first on each page. The clinic that serves the page
+    comes before this fixture, so that it ends after its pages.
+    """
+    opened = []
+
+    def open_address(
+        address: str,
+        size: str = "768x1024",
+        *,
+        allowed: str = CONTINUE,
+        sign_in: str = "",
+        script: str = "",
+        **options: Any,
+    ) -> Page:
+        log = PageLog(urlsplit(address).netloc)
+        page = log.watch(browser.new_page(viewport=window(size), **options))
+        opened.append((page, log, allowed))
+        page.add_init_script(script)
+        if sign_in:
+            clinic = address.partition("#")[0]
+            page.context.add_cookies([{"name": "bodydrive_sign_in", "value": sign_in, "url": clinic}])
+        page.goto(address)
+        return page
+
+    yield open_address
+    for page, _, _ in opened:
+        page.context.close()
+    for _, log, allowed in opened:
+        log.assert_clean(allowed)
 
 
 @pytest.fixture(scope="session")

@@ -3,7 +3,7 @@
 import re
 from contextlib import suppress
 
-from browser.tablets import headers_of
+from browser.tablets import send
 from playwright.sync_api import Error, expect
 
 from app.world.scene import bundled_places
@@ -45,8 +45,7 @@ def drive_by_plan(page):
 
 def end_trial(page, link):
     """End the trial that runs in a demonstration, if one does, so that the next test begins without one."""
-    base, calls = link.split("/#")[0], page.context.request
-    ended = calls.post(f"{base}/api/v1/trials/current/end", data={"reason": "by hand"}, headers=headers_of(calls, base))
+    ended = send(page, link, "POST", "/trials/current/end", {"reason": "by hand"})
     assert ended.ok or ended.status in {409, 503}, ended.text()  # there is none, or it is still being measured
 
 
@@ -62,6 +61,38 @@ def choose_task(page, floorplan, path):
         card.get_by_text(place.level.title, exact=True).click()
     card.get_by_role("link", name=title).click()
     expect(page.locator(".task-card h2")).to_have_text(title)
+
+
+def clock_of(page):
+    """Return the seconds on the trial's clock; 0 while it shows none."""
+    minutes, _, seconds = page.locator(".place .big").inner_text().partition(":")
+    return 60 * int(minutes) + int(seconds) if seconds else 0
+
+
+def drives_until(page, seconds, *, within=60):
+    """Wait until so many seconds stand on the trial's clock, within so many real ones."""
+    expect(page.locator(".place .big")).to_be_visible()
+    go_on_until(page, lambda: clock_of(page) >= seconds, f"{seconds} s on the trial's clock", seconds=within)
+
+
+def drives_for(page, seconds):
+    """Wait until the trial's clock shows so many seconds more."""
+    drives_until(page, clock_of(page) + seconds)
+
+
+def reaches_the_goal(page, *, within=150):
+    goal = page.get_by_role("heading", name="Goal reached")
+    go_on_until(page, goal.is_visible, "the goal", seconds=within)
+
+
+def ends_by_hand(page):
+    page.get_by_role("button", name="End trial").first.click()
+    expect(page.get_by_role("heading", name="Ended by hand")).to_be_visible()
+
+
+def speed_in(text):
+    """Return the speed (m/s) at the beginning of what a page shows of it."""
+    return float(re.match(r"[\d.]+", text)[0])
 
 
 def go_on_until(page, reached, what, *, seconds=60):
@@ -101,7 +132,7 @@ def bend_until(page, speed, least, bend=None):
     def is_fast():
         bend(1.0)
         page.wait_for_timeout(BEND)
-        fast = float(re.match(r"[\d.]+", speed.inner_text())[0]) >= least
+        fast = speed_in(speed.inner_text()) >= least
         bend(0.0)
         if not fast:
             page.wait_for_timeout(BEND)

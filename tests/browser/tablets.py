@@ -2,11 +2,10 @@
 
 from contextlib import contextmanager
 
+from browser.sizes import keep, window
 from playwright.sync_api import expect
 
-from folders import SCREENSHOTS
-
-TABLETS = {"1024x768": (1024, 768), "820x1180": (820, 1180)}
+TABLETS = ("1024x768", "820x1180")
 
 
 @contextmanager
@@ -15,15 +14,13 @@ def signed_in(name, browser, page_log, link, **options):
 
     The `options` are those of `new_context`.
     """
-    width, height = TABLETS[name]
-    page = browser.new_page(viewport={"width": width, "height": height}, has_touch=True, **options)
+    page = browser.new_page(viewport=window(name), has_touch=True, **options)
     log = page_log(link)
     log.watch(page)
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     page.goto(link)
     expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
     put_first_sentences_away(page)
-    yield page, lambda picture: page.screenshot(path=SCREENSHOTS / f"{name}-{picture}.png")
+    yield page, lambda picture: keep(page, f"{name}-{picture}")
     log.assert_clean()
     page.close()
 
@@ -33,6 +30,29 @@ def put_first_sentences_away(page):
     if not page.context.request.get(page.url.split("#")[0] + "api/v1/auth/me").json()["introduced"]:
         page.get_by_role("button", name="Got it").click()
         expect(page.locator(".first-sentences")).to_have_count(0)
+
+
+def choose_network_shirt(page, port, key=None):
+    """Choose a shirt over the network on the Shirt page, and return the card of its source."""
+    go_to(page, "shirt")
+    card = page.locator("section.card", has=page.get_by_role("heading", name="Source"))
+    card.locator("summary").click()
+    card.get_by_text("A shirt over the network", exact=True).click()
+    card.get_by_label("Port").fill(str(port))
+    if key:
+        card.get_by_label("Key").select_option(key)
+    return card
+
+
+def send(page, link, method, path, body=None):
+    """Send a request as a page does that shows the open session; return the answer."""
+    base, calls = link.split("/#")[0].rstrip("/"), page.context.request
+    return calls.fetch(f"{base}/api/v1{path}", method=method, data=body, headers=headers_of(calls, base))
+
+
+def pairing_link(page, link):
+    """Return a link that pairs a patient's screen with the open session."""
+    return send(page, link, "POST", "/patient-screen/pairing").json()["url"]
 
 
 def go_to(page, step):

@@ -3,53 +3,29 @@
 import re
 
 import pytest
-from browser.driving import go_on_until
+from browser.driving import drives_until, ends_by_hand
+from browser.sizes import fits
+from browser.tablets import go_to, signed_in
 from playwright.sync_api import expect
-from processes.served_demo import running_demo
-
-from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser, pytest.mark.long]
 
-TABLETS = {"768x1024": (768, 1024), "1280x800": (1280, 800)}
-LONG_ENOUGH = re.compile(r"^(0:[45]\d|[1-9]:\d\d)$")  # a joint has moved for some seconds by then
+LONG_ENOUGH = 40  # s of a trial: a joint has moved for some seconds by then
 TITLE = "What would change, and why"
 
 
-@pytest.fixture
-def demo():
-    """Yield the link of a running demonstration."""
-    with running_demo() as link:
-        yield link
-
-
-@pytest.fixture(params=list(TABLETS))
-def tablet(request, browser, page_log, demo):
+@pytest.fixture(params=["768x1024", "1280x800"])
+def tablet(request, browser, page_log, own_demo):
     """Yield a page of one tablet, signed in, and a function that keeps a screenshot."""
-    width, height = TABLETS[request.param]
-    page = browser.new_page(viewport={"width": width, "height": height}, has_touch=True)
-    log = page_log(demo)
-    log.watch(page)
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
-    page.goto(demo)
-    expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
-    yield page, lambda picture: page.screenshot(path=SCREENSHOTS / f"{request.param}-{picture}.png")
-    log.assert_clean()
-    page.close()
-
-
-def go_to(page, step):
-    page.goto(page.url.split("#")[0] + f"#/{step}")
+    with signed_in(request.param, browser, page_log, own_demo) as page_and_keep:
+        yield page_and_keep
 
 
 def drive_for_a_while(page):
     go_to(page, "drive")
     page.get_by_role("button", name="Start trial").click()
-    clock = page.locator(".place .big")
-    expect(clock).to_be_visible()
-    go_on_until(page, lambda: LONG_ENOUGH.match(clock.inner_text()), "40 seconds of the trial", seconds=150)
-    page.get_by_role("button", name="End trial").first.click()
-    expect(page.get_by_role("heading", name="Ended by hand")).to_be_visible()
+    drives_until(page, LONG_ENOUGH, within=150)
+    ends_by_hand(page)
 
 
 def take_back_a_stop(page, wanted):
@@ -74,13 +50,6 @@ COUNT_FROM_LATER = """async () => {
 def count_from_later(page):
     """Set all dead-zones so high that a part of every movement does not count."""
     assert page.evaluate(COUNT_FROM_LATER) == 200
-
-
-def large_enough_to_touch(page):
-    boxes = [one.bounding_box() for one in page.locator("main .btn, main .choice").all() if one.is_visible()]
-    assert boxes
-    assert all(box["height"] >= 44 and box["width"] >= 44 for box in boxes)
-    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
 
 
 def test_a_suggestion_is_looked_at_applied_and_taken_back(tablet):
@@ -110,7 +79,7 @@ def test_a_suggestion_is_looked_at_applied_and_taken_back(tablet):
     expect(page.get_by_text("Felt change")).to_be_visible()
     expect(page.locator(".adapt-joint").first).to_contain_text("of the time of its movements does not count")
     expect(page.locator(".adapt-head")).to_contain_text("a real chair arms only what was practised")
-    large_enough_to_touch(page)
+    fits(page, "main .btn, main .choice")
     keep("adapt-suggested")
 
     apply = page.get_by_role("button", name="Apply")

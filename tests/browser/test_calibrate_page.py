@@ -7,7 +7,6 @@ import pytest
 from browser.eyes.spoken import LISTEN, said
 from browser.tablets import TABLETS, go_to, signed_in
 from playwright.sync_api import expect
-from processes.served_demo import running_demo
 
 pytestmark = [pytest.mark.browser]
 
@@ -17,17 +16,10 @@ STEP_LIMIT = 60_000  # ms: the longest step of the calibration takes 13 s
 
 
 @pytest.fixture
-def demo():
-    """Yield the link of a running demonstration."""
-    with running_demo() as link:
-        yield link
-
-
-@pytest.fixture
-def tablets(browser, page_log, demo):
+def tablets(browser, page_log, own_demo):
     """Yield both tablets, side by side in one demonstration."""
     with ExitStack() as stack:
-        yield [stack.enter_context(signed_in(name, browser, page_log, demo)) for name in TABLETS]
+        yield [stack.enter_context(signed_in(name, browser, page_log, own_demo)) for name in TABLETS]
 
 
 @pytest.mark.parametrize("end", ["first gesture", pytest.param("result", marks=pytest.mark.long)])

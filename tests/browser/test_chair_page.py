@@ -5,51 +5,34 @@ The chair is the receiver's own process with its simulated output; everything be
 
 import os
 import re
-import socket
 import subprocess
 import sys
 from contextlib import closing, contextmanager
 from pathlib import Path
 
 import pytest
-from browser.driving import HIDE, SHOW, bend_until, choose_task, go_on_until, stops_because
+from browser.driving import HIDE, SHOW, bend_until, choose_task, drives_until, ends_by_hand, go_on_until, stops_because
+from browser.tablets import choose_network_shirt, go_to, signed_in
 from paired_shirt import PairedShirt, calibrated_as_worn
 from playwright.sync_api import expect
-from processes.served_demo import running_demo
+from processes.udp_shirt import free_port
 
 from folders import ROOT
 
 pytestmark = [pytest.mark.browser]
 
-SCREENSHOTS = ROOT / "var" / "screenshots"
-TABLETS = {"1024x768": (1024, 768), "768x1024": (768, 1024)}
-PRACTICE = re.compile(r"^0:(0[2-9]|[1-5]\d)$")  # as long as a trial is driven so that the set counts as practised
+PRACTICE = 2  # s: as long as a trial is driven so that the set counts as practised
 DRIVING = "The patient drives"
 WAITS = re.compile(r"Without Continue, the drive ends in [45]:\d\d")
 LEFT = re.compile("was hidden or left|sent nothing")
 FREEZE = "() => { const since = performance.now(); while (performance.now() - since < 1800); }"  # longer than 1 s
 
 
-@pytest.fixture
-def demo(tmp_path):
-    """Yield the link of a running demonstration, whose state lies in the test's folder."""
-    with running_demo(TMPDIR=str(tmp_path)) as link:
-        yield link
-
-
 @pytest.fixture(params=["1024x768", pytest.param("768x1024", marks=pytest.mark.long)])
-def tablet(request, browser, page_log, demo):
+def tablet(request, browser, page_log, own_demo):
     """Yield a page of one tablet, signed in, and a function that keeps a screenshot."""
-    width, height = TABLETS[request.param]
-    page = browser.new_page(viewport={"width": width, "height": height}, has_touch=True)
-    log = page_log(demo)
-    log.watch(page)
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
-    page.goto(demo)
-    expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
-    yield page, lambda picture: page.screenshot(path=SCREENSHOTS / f"{request.param}-{picture}.png")
-    log.assert_clean()
-    page.close()
+    with signed_in(request.param, browser, page_log, own_demo) as page_and_keep:
+        yield page_and_keep
 
 
 class StandInChair:
@@ -57,9 +40,7 @@ class StandInChair:
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
-            free.bind(("127.0.0.1", 0))
-            self.port = free.getsockname()[1]
+        self.port = free_port()
         self.release()
 
     def press(self) -> None:
@@ -88,18 +69,9 @@ class StandInChair:
                 process.terminate()
 
 
-def go_to(page, step):
-    page.goto(page.url.split("#")[0] + f"#/{step}")
-
-
 def wear(page, keep, shirt):
     """Choose the patient's shirt, which has a key, on the Shirt page."""
-    go_to(page, "shirt")
-    card = page.locator("section.card", has=page.get_by_role("heading", name="Source"))
-    card.locator("summary").click()
-    card.get_by_text("A shirt over the network", exact=True).click()
-    card.get_by_label("Port").fill(str(shirt.port))
-    card.get_by_label("Key").select_option(shirt.config["key_file"])
+    card = choose_network_shirt(page, shirt.port, shirt.config["key_file"])
     keep("chair-shirt-key")
     card.get_by_role("button", name="Use this").click()
     expect(card.get_by_text("Its frames come from 127.0.0.1:")).to_be_visible()
@@ -130,12 +102,9 @@ def practise(page, bend):
     go_to(page, "drive")
     choose_task(page, "corridors", "straight")
     page.get_by_role("button", name="Start trial").click()
-    clock = page.locator(".place .big")
-    expect(clock).to_be_visible()
-    go_on_until(page, lambda: PRACTICE.match(clock.inner_text()), "two seconds of the trial")
+    drives_until(page, PRACTICE)
     bend_until(page, page.locator(".bar .speed .big"), 0.1, bend)
-    page.get_by_role("button", name="End trial").first.click()
-    expect(page.get_by_role("heading", name="Ended by hand")).to_be_visible()
+    ends_by_hand(page)
     go_on = page.get_by_role("button", name="Take the stop back")
     if go_on.is_visible():  # a busy machine held the chair up at the very end
         go_on.click()
@@ -228,7 +197,7 @@ def stops_when_hidden_or_loaded_again(page, keep):
     go_on(page)
 
 
-def ends_by_hand(page, keep, chair):
+def ends(page, keep, chair):
     go_to(page, "shirt")
     # Driven or stopped, the page without the chair in view offers the way back, and no Continue.
     back = page.get_by_role("link", name=re.compile("Go there|Go to the drive"))
@@ -267,7 +236,7 @@ def test_a_real_chair_is_armed_driven_stopped_and_ended(tablet, tmp_path):
         is_armed_when_nothing_is_missing(page, keep, chair)
         stops_by_key_and_by_touch(page, keep, shirt.bend)
         stops_when_hidden_or_loaded_again(page, keep)
-        ends_by_hand(page, keep, chair)
+        ends(page, keep, chair)
 
     go_to(page, "settings")
     page.get_by_role("button", name="Unpair Ward 3").click()

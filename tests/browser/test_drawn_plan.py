@@ -3,17 +3,24 @@
 import re
 
 import pytest
-from browser.driving import STOPS, WITHOUT_WEBGL, choose_task, end_trial, go_on_until, stops_because
-from browser.tablets import headers_of
+from browser.driving import (
+    STOPS,
+    WITHOUT_WEBGL,
+    choose_task,
+    drives_for,
+    end_trial,
+    ends_by_hand,
+    go_on_until,
+    reaches_the_goal,
+    stops_because,
+)
+from browser.sizes import keep
+from browser.tablets import pairing_link
 from playwright.sync_api import expect
-from processes.served_demo import running_demo
-
-from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser]
 
-DRIVE_LIMIT = 150  # s
-LOOKS = {"light": (1280, 800), "dark": (768, 1024)}
+LOOKS = {"light": "1280x800", "dark": "768x1024"}
 VIEW = "document.querySelector('.view iframe').contentWindow"
 LOSE = f"""() => {{
   const view = {VIEW};
@@ -29,54 +36,25 @@ SMALL = """[...document.querySelectorAll(".lower button, .lower .segments label,
   .filter((one) => Math.min(one.offsetHeight, one.offsetWidth) < 44).map((one) => one.outerHTML.slice(0, 80))"""
 
 
-@pytest.fixture(scope="module")
-def demo():
-    """Yield the link of a running demonstration."""
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
-    with running_demo() as link:
-        yield link
-
-
 @pytest.fixture
-def opened(browser, page_log, demo):
+def opened(demo, open_page):
     """Return what opens a page of its own browser context: with or without WebGL, signed in."""
-    log = page_log(demo)
-    contexts, pages = [], []
+    pages = []
 
-    def open_page(address, scheme="light", *, webgl=True):
-        width, height = LOOKS[scheme]
-        context = browser.new_context(in_3d=True, viewport={"width": width, "height": height}, color_scheme=scheme)
-        contexts.append(context)
-        if not webgl:
-            context.add_init_script(WITHOUT_WEBGL)
-        page = log.watch(context.new_page())
+    def open_address(address, scheme="light", *, webgl=True):
+        script = "" if webgl else WITHOUT_WEBGL
+        page = open_page(address, LOOKS[scheme], script=script, in_3d=True, color_scheme=scheme)
+        page.keep = lambda name: keep(page, f"{scheme}-{name}")
         pages.append(page)
-        page.goto(address)
-        page.keep = lambda name: page.screenshot(path=SCREENSHOTS / f"{scheme}-{name}.png")
         return page
 
-    yield open_page
+    yield open_address
     end_trial(pages[0], demo)
-    log.assert_clean()
-    for context in contexts:
-        context.close()
 
 
 def choose_straight_ahead(page):
     expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
     choose_task(page, "corridors", "straight")
-
-
-def drives_for(page, seconds):
-    """Wait until the trial's clock shows so many seconds more."""
-    clock = page.locator(".place .big")
-
-    def shown():
-        minutes, left = clock.inner_text().split(":")
-        return 60 * int(minutes) + int(left)
-
-    least = shown() + seconds
-    go_on_until(page, lambda: shown() >= least, f"{least} s on the clock")
 
 
 def trials(page):
@@ -103,7 +81,7 @@ def test_without_webgl_a_trial_is_driven_and_replayed_in_the_drawn_plan(opened, 
     page.get_by_role("button", name="Farther").click()
     page.keep("plan-drive-north")
     assert page.evaluate(f"() => {SMALL}") == []
-    go_on_until(page, page.get_by_role("heading", name="Goal reached").is_visible, "the goal", seconds=DRIVE_LIMIT)
+    reaches_the_goal(page)
 
     # Somebody comes who wants the eye: nothing begins, and the plan is offered.
     page.evaluate("sessionStorage.setItem('bodydrive-view', 'eye')")
@@ -171,17 +149,14 @@ def test_a_context_that_is_lost_halts_the_trial_until_there_is_a_picture(opened,
     page.evaluate(f"() => {{ {VIEW}.bodydriveView.age = () => 3.5; }}")
     expect(card).to_contain_text("draws too slowly")
     expect(page.get_by_role("button", name="Continue")).to_be_hidden()
-    page.get_by_role("button", name="End trial").first.click()
-    expect(page.get_by_role("heading", name="Ended by hand")).to_be_visible()
+    ends_by_hand(page)
 
 
 def test_the_patients_screen_falls_back_on_the_drawn_plan_once_the_chair_stands(opened, demo, until):
     page = opened(demo, webgl=False)
     choose_straight_ahead(page)
     base = demo.split("/#")[0]
-    calls = page.context.request
-    offer = calls.post(f"{base}/api/v1/patient-screen/pairing", headers=headers_of(calls, base)).json()
-    patient = opened(offer["url"], "dark")
+    patient = opened(pairing_link(page, demo), "dark")
     card = page.locator(".fault-card")
 
     def drives_with_the_view():

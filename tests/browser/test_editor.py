@@ -7,46 +7,29 @@ import re
 import ezdxf
 import pytest
 import trimesh
-from browser.driving import go_on_until
-from browser.tablets import headers_of
+from browser.driving import reaches_the_goal
+from browser.sizes import fits, keep, window
+from browser.tablets import send
 from playwright.sync_api import expect
-from processes.served_demo import running_demo
-
-from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser, pytest.mark.long]
 
-TABLETS = {"768x1024": (768, 1024), "1280x800": (1280, 800)}
-DRIVE_LIMIT = 150  # s
 DRAFT = "JSON.parse(localStorage.getItem('bodydrive-plan-draft'))"
 
 
-@pytest.fixture(scope="module")
-def demo():
-    """Yield the link of a running demonstration."""
-    with running_demo() as link:
-        yield link
-
-
-@pytest.fixture(params=TABLETS)
+@pytest.fixture(params=["768x1024", "1280x800"])
 def tablet(request, browser, page_log, demo):
     """Yield a page of one tablet on the list of floor plans, a function that keeps a screenshot, and its log."""
-    width, height = TABLETS[request.param]
-    context = browser.new_context(in_3d=True, viewport={"width": width, "height": height}, has_touch=True)
-    page = context.new_page()
     log = page_log(demo)
-    log.watch(page)
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    page = log.watch(browser.new_page(in_3d=True, viewport=window(request.param), has_touch=True))
     page.goto(demo)
     expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
-    calls, base = page.context.request, demo.split("/#")[0]
-    assert calls.post(f"{base}/api/v1/auth/introduction", headers=headers_of(calls, base)).ok
+    assert send(page, demo, "POST", "/auth/introduction").ok
     page.reload()  # without the sentences of a first time, which would move the drawing
     page.get_by_role("navigation", name="What else").get_by_role("link", name="Floor plans").click()
     expect(page.get_by_role("heading", name="Floor plans", exact=True)).to_be_visible()
-    yield page, lambda picture: page.screenshot(path=SCREENSHOTS / f"{request.param}-plan-{picture}.png"), log
+    yield page, lambda picture: keep(page, f"{request.param}-plan-{picture}"), log
     log.assert_clean()
-    context.close()
 
 
 def document(page):
@@ -66,26 +49,19 @@ class Sheet:
             self.page.touchscreen.tap(middle_x + (x - 4) * 60, middle_y - (y - 3) * 60)
 
 
+def new_sheet(page):
+    page.get_by_role("button", name="New plan").tap()
+    expect(page.locator(".sheet")).to_be_visible()
+    return Sheet(page)
+
+
 def tool(page, name):
     page.get_by_role("toolbar", name="Tools").get_by_role("button", name=name, exact=True).tap()
 
 
-def buttons_are_large_enough(page):
-    small = page.evaluate(
-        """() => [...document.querySelectorAll(".page button, .page a.btn, .page input, .page select")]
-            .filter((e) => e.offsetParent && !e.closest(".unseen") && !["checkbox", "radio", "file"].includes(e.type))
-            .map((e) => [e.textContent || e.name, e.getBoundingClientRect()])
-            .filter(([, box]) => box.height < 44 || box.width < 44)
-            .map(([words, box]) => [words, box.width, box.height])"""
-    )
-    assert small == []
-
-
 def draw_a_room(page, keep):
-    page.get_by_role("button", name="New plan").tap()
-    expect(page.locator(".sheet")).to_be_visible()
+    sheet = new_sheet(page)
     expect(page.get_by_text("There is no path yet")).to_be_visible()
-    sheet = Sheet(page)
 
     tool(page, "Wall")
     sheet.tap((0, 1), (7, 1), (7, 5), (0, 5), (0, 1.02))
@@ -126,7 +102,7 @@ def test_a_room_is_drawn_by_touch_saved_and_driven_in(tablet):
     page.get_by_label("Title", exact=True).fill("My room")
     page.get_by_label("Title", exact=True).press("Tab")
     expect(page.get_by_role("heading", name="My room")).to_be_visible()
-    buttons_are_large_enough(page)
+    fits(page, ".page")
 
     page.get_by_role("link", name="All plans").tap()
     expect(page.get_by_role("heading", name="This plan is not saved")).to_be_visible()
@@ -145,15 +121,12 @@ def test_a_room_is_drawn_by_touch_saved_and_driven_in(tablet):
     expect(page.frame_locator("iframe").locator("canvas").first).to_be_visible()
     page.wait_for_timeout(3000)
     keep("driven")
-    goal = page.get_by_role("heading", name="Goal reached")
-    go_on_until(page, goal.is_visible, "the goal", seconds=DRIVE_LIMIT)
+    reaches_the_goal(page)
 
 
 def test_what_is_wrong_is_shown_where_it_is(tablet):
     page, keep, _ = tablet
-    page.get_by_role("button", name="New plan").tap()
-    expect(page.locator(".sheet")).to_be_visible()
-    sheet = Sheet(page)
+    sheet = new_sheet(page)
     tool(page, "Wall")
     sheet.tap((2, 1), (2, 5), (2, 5.01))
     tool(page, "Path")
@@ -196,10 +169,9 @@ def test_what_is_wrong_is_shown_where_it_is(tablet):
 
 def test_an_object_of_an_improbable_size_is_asked_about(tablet, request):
     page, keep, log = tablet
-    page.get_by_role("button", name="New plan").tap()
-    expect(page.locator(".sheet")).to_be_visible()
+    sheet = new_sheet(page)
     tool(page, "Box")
-    Sheet(page).tap((5, 4), (6, 4.6))
+    sheet.tap((5, 4), (6, 4.6))
     name = f"bed-{request.node.callspec.params['tablet']}"
     content = trimesh.creation.box((1000, 2000, 3000)).export(file_type="glb")  # mm: left, up and ahead
     file = {"name": f"{name}.glb", "mimeType": "model/gltf-binary", "buffer": content}
@@ -207,7 +179,7 @@ def test_an_object_of_an_improbable_size_is_asked_about(tablet, request):
     question = page.get_by_role("alertdialog").filter(has_text="3,000 x 1,000 x 2,000 m large as it says")
     objects.set_input_files(file)
     expect(question.get_by_role("button")).to_have_text(["3 × 1 × 2 m", "3000 × 1000 × 2000 m, as it says", "Cancel"])
-    buttons_are_large_enough(page)
+    fits(page, ".page")
     keep("object-size")
     page.keyboard.press("Escape")
     expect(question).to_be_hidden()

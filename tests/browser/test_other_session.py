@@ -3,14 +3,12 @@
 import re
 
 import pytest
-from browser.served.clinic_app import assert_quiet, go
+from browser.served.clinic_app import go
+from browser.sizes import each_size, keep, window
 from playwright.sync_api import expect
-
-from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser]
 
-SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
 COVER = ".other-session"
 CHANGES = {"POST", "PUT", "DELETE"}
 
@@ -24,11 +22,10 @@ def served(served):
 @pytest.fixture(scope="module")
 def two_pages(browser, page_log, served):
     """Two browsers of their own for all tests."""
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     log = page_log(served.address)
-    pages = [log.watch(browser.new_context().new_page()) for _ in range(2)]
+    pages = [log.watch(browser.new_page(viewport=window("768x1024"))) for _ in range(2)]
     yield pages
-    assert_quiet(log)
+    log.assert_quiet()
     for page in pages:
         page.context.close()
 
@@ -38,9 +35,7 @@ def tablets(two_pages, served):
     """Return both, just signed in while A-03 is here."""
     served.open_session("A-03")
     for page in two_pages:
-        page.set_viewport_size({"width": 768, "height": 1024})
-        served.sign_in(page)
-        expect(page.locator(".who")).to_contain_text("A-03")
+        expect(served.sign_in(page).locator(".who")).to_contain_text("A-03")
     return two_pages
 
 
@@ -84,12 +79,10 @@ def test_a_page_of_another_patient_is_covered_and_sends_nothing(tablets, served)
         )
     )
     expect(cover.get_by_role("heading")).to_be_focused()
-    for name, (width, height) in SIZES.items():
-        first.set_viewport_size({"width": width, "height": height})
-        first.wait_for_timeout(200)
-        first.screenshot(path=SCREENSHOTS / f"{name}-other-session.png")
+    for size in each_size(first):
+        keep(first, f"{size}-other-session")
         stop = first.locator("#stop").bounding_box()
-        assert stop["x"] + stop["width"] <= width
+        assert stop["x"] + stop["width"] <= window(size)["width"]
     handle.evaluate("(one) => one.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight', bubbles: true }))")
     first.wait_for_timeout(900)  # twice as long as a change waits before it is sent
     assert sent == []
@@ -169,9 +162,8 @@ def test_who_opens_a_session_is_asked_before_that_of_another_patient_ends(tablet
         assert sent == []
     start.click()
     expect(question).to_be_visible()
-    for name, (width, height) in SIZES.items():
-        page.set_viewport_size({"width": width, "height": height})
-        page.screenshot(path=SCREENSHOTS / f"{name}-session-ends.png")
+    for size in each_size(page, settle=0):
+        keep(page, f"{size}-session-ends")
     served.good("DELETE", "/session")
     served.open_session("A-03")  # on another tablet: the session that the person agreed to end is no longer open
     with page.expect_response(lambda answer: answer.request.method == "POST") as refused:

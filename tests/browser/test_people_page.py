@@ -2,95 +2,32 @@
 
 import re
 from datetime import timedelta
+from functools import partial
 
 import pytest
-from browser.served.served_clinic import ServedClinic
+from browser.served.clinic_app import go
+from browser.served.served_clinic import OWNER
+from browser.sizes import photograph
 from playwright.sync_api import expect
 
 from app.clock import utc_now
-from app.settings import Settings
 from app.store.access import sign_ins
-from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser]
 
-CODE = "the-set-up-code"
-PASSWORD = "correct horse battery"
-SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
 GONE_WITHIN = 5_000  # ms
 
 
-@pytest.fixture(scope="module")
-def served(tmp_path_factory):
-    clinic = ServedClinic(Settings(state=tmp_path_factory.mktemp("people"), setup_code=CODE))
-    clinic.start()
-    yield clinic
-    clinic.stop()
-
-
 @pytest.fixture
-def opened(browser, page_log, served):
-    """Return what opens a page in a browser of its own; at the end, none of them has reported an error."""
-    contexts, logs = [], []
-
-    def open_page(address, size="1280x800"):
-        width, height = SIZES[size]
-        context = browser.new_context(viewport={"width": width, "height": height})
-        log = page_log(served.address)
-        page = log.watch(context.new_page())
-        page.set_default_timeout(20_000)
-        page.goto(address)
-        contexts.append(context)
-        logs.append(log)
-        return page
-
-    yield open_page
-    for context in contexts:
-        context.close()
-    assert [log.outside for log in logs if log.outside] == []
-    uncaught = [error for log in logs for error in log.errors if error.startswith("uncaught")]
-    assert uncaught == []
+def opened(served, open_page):
+    """Return what opens a page in a browser of its own."""
+    return partial(open_page, allowed="Failed to load resource")
 
 
-@pytest.fixture(scope="module")
-def owner_cookies(browser, served):
-    """Return the state of a browser in which the owner has set up the clinic, with two patients."""
-    context = browser.new_context()
-    base = f"{served.address}/api/v1"
-    for path, body in (
-        ("/auth/setup", {"code": CODE, "name": "Ada", "password": PASSWORD}),
-        ("/patients", {"code": "P-71", "pseudonym": "Kingfisher"}),
-        ("/patients", {"code": "P-72", "pseudonym": "Otter"}),
-    ):
-        answer = context.request.post(f"{base}{path}", data=body, headers={"Origin": served.address})
-        assert answer.ok, answer.text()
-    yield context.storage_state()
-    context.close()
-
-
-def owner_page(opened, served, owner_cookies, size="1280x800"):
-    page = opened(served.address, size)
-    page.context.add_cookies(owner_cookies["cookies"])
-    page.goto(f"{served.address}/#/patients")
-    page.reload()
+def owner_page(opened, served, size="1280x800"):
+    page = opened(f"{served.address}/#/patients", size, sign_in=served.sign_in_as("Ada"))
     expect(page.get_by_role("heading", name="Who has come?")).to_be_visible()
     return page
-
-
-def go_to(page, place):
-    page.evaluate(f"location.hash = '#/{place}'")
-
-
-def photograph(page, name):
-    """Keep a screenshot at each size."""
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
-    before = page.viewport_size
-    for size, (width, height) in SIZES.items():
-        page.set_viewport_size({"width": width, "height": height})
-        page.wait_for_timeout(250)
-        page.screenshot(path=SCREENSHOTS / f"people-{name}-{size}.png")
-        assert page.evaluate("() => document.documentElement.scrollWidth <= innerWidth"), f"{name} {size} scrolls"
-    page.set_viewport_size(before)
 
 
 def invite(page, name, role, patient=None):
@@ -101,12 +38,12 @@ def invite(page, name, role, patient=None):
     if patient is not None:
         page.get_by_text("Chosen patients", exact=True).click()
         page.get_by_text(patient).click()
-        photograph(page, "invite")
+        photograph(page, "people-invite")
     page.get_by_role("button", name="Make the invitation").click()
     expect(page.get_by_role("heading", name=f"The invitation of {name}, shown this once")).to_be_visible()
     link = "#" + page.locator("pre code").inner_text().partition("#")[2]
     if patient is not None:
-        photograph(page, "link")
+        photograph(page, "people-link")
     page.get_by_role("button", name="Done", exact=True).click()
     return link
 
@@ -136,7 +73,7 @@ def only_who_may_go_on_is_offered_it(reviewer, clinician):
     reviewer.locator("#stop").click()
     expect(reviewer.get_by_text("The clinician beside the chair looks around")).to_be_visible()
     expect(reviewer.get_by_role("button", name="Take the stop back")).to_have_count(0)
-    photograph(reviewer, "stopped")
+    photograph(reviewer, "people-stopped")
     clinician.get_by_role("button", name="Take the stop back").click()
     expect(reviewer.get_by_text("The clinician beside the chair looks around")).to_have_count(0)
 
@@ -152,10 +89,10 @@ def follows_a_new_patient(looks_on, clinician):
     expect(row).to_contain_text("session open")
 
 
-def test_two_are_invited_accept_elsewhere_and_one_is_disabled(opened, served, owner_cookies):
-    owner = owner_page(opened, served, owner_cookies)
-    go_to(owner, "people")
-    for_ben, for_rita = invite(owner, "Ben", "Clinician"), invite(owner, "Rita", "Reviewer", "P-72 · Otter")
+def test_two_are_invited_accept_elsewhere_and_one_is_disabled(opened, served):
+    owner = owner_page(opened, served)
+    go(owner, "people")
+    for_ben, for_rita = invite(owner, "Ben", "Clinician"), invite(owner, "Rita", "Reviewer", "B-12 · Bird B-12")
     ben, rita = opened(f"{served.address}/{for_ben}", "768x1024"), opened(f"{served.address}/{for_rita}", "390x844")
     expect(ben.get_by_role("heading", name="Welcome, Ben")).to_be_visible()
     assert "invite" not in ben.evaluate("() => location.href")
@@ -170,52 +107,52 @@ def test_two_are_invited_accept_elsewhere_and_one_is_disabled(opened, served, ow
     )
     assert numbers(rita) == ["2", "3"]
     # A reviewer is offered nothing that is refused, and Stop stays in the first row of a telephone.
-    for name in ("New patient", "Import an archive", "Start session", "Delete P-72"):
+    for name in ("New patient", "Import an archive", "Start session", "Delete B-12"):
         expect(rita.get_by_role("button", name=name)).to_have_count(0)
     assert rita.locator(".stop").bounding_box()["y"] == 0
     rita.get_by_role("link", name="Review").first.click()
     expect(rita.get_by_role("heading", name="No trials yet")).to_be_visible()
     assert rita.get_by_role("link", name="Drive the first one").count() == 0
-    go_to(rita, "patients")
-    expect(ben.get_by_text("Kingfisher")).to_be_visible()
-    expect(rita.get_by_text("Otter")).to_be_visible()
-    assert rita.get_by_text("Kingfisher").count() == 0
+    go(rita, "patients")
+    expect(ben.get_by_text("Bird A-03")).to_be_visible()
+    expect(rita.get_by_text("Bird B-12")).to_be_visible()
+    assert rita.get_by_text("Bird A-03").count() == 0
     only_who_may_go_on_is_offered_it(rita, ben)
-    go_to(owner, "patients")
+    go(owner, "patients")
     follows_a_new_patient(owner, ben)
-    go_to(owner, "people")
+    go(owner, "people")
     again = opened(f"{served.address}/{for_ben}", "390x844")
     expect(again.get_by_role("heading", name="This invitation does not work")).to_be_visible()
     owner.reload()
-    expect(owner.get_by_text("Reviewer · P-72")).to_be_visible()
-    photograph(owner, "list")
+    expect(owner.get_by_text("Reviewer · B-12")).to_be_visible()
+    photograph(owner, "people-list")
     owner.get_by_role("button", name="Disable Ben").click()
     expect(ben.get_by_role("heading", name="Sign in")).to_be_visible(timeout=GONE_WITHIN)
     expect(ben.locator(".toast")).to_have_text("You were signed out: sign in again.")
-    assert "Kingfisher" not in ben.evaluate("() => document.documentElement.outerHTML")
+    assert "Bird A-03" not in ben.evaluate("() => document.documentElement.outerHTML")
     expect(owner.get_by_text("Disabled: cannot sign in.")).to_be_visible()
-    expect(rita.get_by_text("Otter")).to_be_visible()
-    go_to(owner, "log")
+    expect(rita.get_by_text("Bird B-12")).to_be_visible()
+    go(owner, "log")
     owner.get_by_label("Person").select_option("Rita")
     expect(owner.locator(".log-table")).to_contain_text("invitation accepted")
     expect(owner.locator(".log-table")).not_to_contain_text("person disabled")
     expect(owner.get_by_text("The log is whole")).to_be_visible()
-    photograph(owner, "log")
-    go_to(owner, "settings")
+    photograph(owner, "people-log")
+    go(owner, "settings")
     expect(owner.get_by_role("heading", name="Your password")).to_be_visible()
-    photograph(owner, "settings")
+    photograph(owner, "people-settings")
 
 
-def test_an_idle_page_locks_with_stop_alive_and_keeps_what_was_typed(opened, served, owner_cookies, monkeypatch):
-    page = owner_page(opened, served, owner_cookies, "768x1024")
+def test_an_idle_page_locks_with_stop_alive_and_keeps_what_was_typed(opened, served, monkeypatch):
+    page = owner_page(opened, served, "768x1024")
     page.get_by_role("button", name="New patient").first.click()
     page.get_by_role("textbox", name="Code").fill("P-99")
     later = timedelta(minutes=11)
     monkeypatch.setattr(sign_ins, "utc_now", lambda: utc_now() + later)
     expect(page.get_by_role("heading", name="Locked")).to_be_visible()
     held = page.evaluate("() => document.documentElement.outerHTML")
-    assert [word for word in ("Kingfisher", "P-71", "P-99") if word in held] == []
-    photograph(page, "lock")
+    assert [word for word in ("Bird A-03", "A-03", "P-99") if word in held] == []
+    photograph(page, "people-lock")
     me = page.context.request.get(f"{served.address}/api/v1/auth/me")
     assert me.json()["locked"] is True
     with page.expect_response("**/api/v1/control/stop") as stopped:
@@ -225,20 +162,20 @@ def test_an_idle_page_locks_with_stop_alive_and_keeps_what_was_typed(opened, ser
     page.get_by_role("button", name="Unlock").click()
     expect(page.locator(".lock-page .problem").first).to_contain_text("That is not the password of Ada")
     page.get_by_label("Password of Ada").clear()
-    paste(page, page.get_by_label("Password of Ada"), PASSWORD)
+    paste(page, page.get_by_label("Password of Ada"), OWNER["password"])
     page.get_by_role("button", name="Unlock").click()
     expect(page.get_by_role("textbox", name="Code")).to_have_value("P-99")
-    expect(page.get_by_text("Kingfisher")).to_be_visible()
+    expect(page.get_by_text("Bird A-03")).to_be_visible()
 
 
-def test_after_the_lock_the_page_is_the_one_of_its_address(opened, served, owner_cookies, monkeypatch):
-    page = owner_page(opened, served, owner_cookies, "1280x800")
+def test_after_the_lock_the_page_is_the_one_of_its_address(opened, served, monkeypatch):
+    page = owner_page(opened, served, "1280x800")
     page.goto(f"{served.address}/#/people")
     expect(page.get_by_role("heading", name="People", level=1)).to_be_visible()
     later = timedelta(minutes=30)  # also after the time to which another test has moved the last action
     monkeypatch.setattr(sign_ins, "utc_now", lambda: utc_now() + later)
     expect(page.get_by_role("heading", name="Locked")).to_be_visible()
     page.evaluate("() => { location.hash = '#/people/invite'; }")  # as Forward of the browser does
-    page.get_by_label("Password of Ada").fill(PASSWORD)
+    page.get_by_label("Password of Ada").fill(OWNER["password"])
     page.get_by_role("button", name="Unlock").click()
     expect(page.get_by_role("textbox", name="Name")).to_be_visible()

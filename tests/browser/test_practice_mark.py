@@ -3,17 +3,16 @@
 import re
 
 import pytest
-from browser.served.clinic_app import assert_quiet, go
+from browser.served.clinic_app import go
+from browser.sizes import each_size, keep, photograph, window
 from playwright.sync_api import expect
 
-from folders import ROOT, SCREENSHOTS
+from folders import ROOT
 
 pytestmark = [pytest.mark.browser]
 
-STATIC = ROOT / "web_static"
-SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
 PAGES = """() => import("/js/shell/rail.js").then(({ PAGES }) => PAGES)"""
-DOCUMENTS = sorted(file.name for file in STATIC.glob("*.html"))
+DOCUMENTS = sorted(file.name for file in (ROOT / "web_static").glob("*.html"))
 IN_VIEW = """(one) => {
   const { left, top, right, bottom } = one.getBoundingClientRect();
   return left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight && right > left;
@@ -23,21 +22,17 @@ IN_VIEW = """(one) => {
 @pytest.fixture(scope="module")
 def one_page(browser, page_log, served):
     """One page for all tests."""
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     log = page_log(served.address)
-    page = log.watch(browser.new_context(viewport={"width": 768, "height": 1024}).new_page())
+    page = log.watch(browser.new_page(viewport=window("768x1024")))
     yield page
-    assert_quiet(log)
+    log.assert_quiet()
     page.context.close()
 
 
 @pytest.fixture
 def page(one_page, served):
-    """Yield the page, on which the owner has just signed in."""
-    served.open_session("A-03")
-    served.sign_in(one_page)
-    expect(one_page.locator(".who")).to_contain_text("A-03")
-    return one_page
+    """Return the page, on which the owner has just signed in."""
+    return served.sign_in(one_page, "A-03")
 
 
 def assert_marked(page, words):
@@ -78,11 +73,7 @@ def test_no_shirt_is_chosen_at_first_and_the_lamps_are_grey(page, served):
     shirts = served.good("GET", "/equipment/shirts")
     offered = {one["kind"] for one in shirts if one["simulated"]}
     assert {radio.get_attribute("value") for radio in practice.get_by_role("radio").all()} == offered
-    for name, (width, height) in SIZES.items():
-        page.set_viewport_size({"width": width, "height": height})
-        page.wait_for_timeout(200)
-        page.screenshot(path=SCREENSHOTS / f"{name}-no-shirt.png")
-    page.set_viewport_size({"width": 768, "height": 1024})
+    photograph(page, "no-shirt")
     go(page, "calibrate")
     page.get_by_role("link", name="Choose a shirt").click()
     worn = page.get_by_role("group", name="A shirt that somebody wears")
@@ -100,13 +91,11 @@ def test_every_page_carries_the_mark_while_nobody_wears_the_shirt(page, served):
     for name in names:
         go(page, name)
         expect(page.locator("main h1").first).to_be_visible()
-        for size, (width, height) in SIZES.items():
-            page.set_viewport_size({"width": width, "height": height})
+        for size in each_size(page, settle=0):
             assert_marked(page, "Simulated shirt")
             assert page.locator("#stop").evaluate(IN_VIEW), (name, size)
             if name in {"shirt", "drive"}:
-                page.screenshot(path=SCREENSHOTS / f"{size}-practice-{name}.png")
-    page.set_viewport_size({"width": 768, "height": 1024})
+                keep(page, f"{size}-practice-{name}")
     link = served.good("POST", "/patient-screen/pairing")["url"]
     page.get_by_role("button", name="Sign out").click()
     expect(page.get_by_role("heading", name="Sign in")).to_be_visible()
@@ -117,7 +106,7 @@ def test_every_page_carries_the_mark_while_nobody_wears_the_shirt(page, served):
         page.goto(f"{served.address}/icon.svg")
         page.goto(f"{served.address}/{address}")
         assert_marked(page, "Simulated shirt")
-        page.screenshot(path=SCREENSHOTS / f"768x1024-practice-{address.split('.')[0].split('#')[0] or 'sign-in'}.png")
+        keep(page, f"768x1024-practice-{address.split('.')[0].split('#')[0] or 'sign-in'}")
     expect(page.get_by_text("We wait for your clinician")).to_be_visible()
 
 

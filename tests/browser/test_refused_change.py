@@ -5,7 +5,8 @@ import re
 from typing import Any
 
 import pytest
-from browser.served.clinic_app import assert_quiet, go
+from browser.served.clinic_app import go
+from browser.sizes import window
 from playwright.sync_api import expect
 
 pytestmark = [pytest.mark.browser]
@@ -25,7 +26,7 @@ def refuse(route):
 def one_page(browser, page_log, served):
     """One page for all tests, whose trial is what its attribute `trial` says."""
     log = page_log(served.address)
-    page = log.watch(browser.new_context(viewport={"width": 1024, "height": 768}).new_page())
+    page = log.watch(browser.new_page(viewport=window("1024x768")))
     page.trial = None
 
     def with_trial(words):
@@ -38,18 +39,15 @@ def one_page(browser, page_log, served):
 
     page.route_web_socket(re.compile("/api/v1/live$"), pass_on)
     yield page
-    assert_quiet(log)
+    log.assert_quiet()
     page.context.close()
 
 
 @pytest.fixture
 def page(one_page, served):
     """Yield the page, on which the owner has just signed in."""
-    served.open_session("A-03")
-    served.sign_in(one_page)
-    expect(one_page.locator(".who")).to_contain_text("A-03")
-    yield one_page
-    one_page.set_viewport_size({"width": 1024, "height": 768})
+    yield served.sign_in(one_page, "A-03")
+    one_page.set_viewport_size(window("1024x768"))
     one_page.unroute_all()
 
 
@@ -124,4 +122,3 @@ def test_signing_in_says_that_it_waits_and_is_not_sent_twice(browser, served):
     waiting[0].continue_()
     expect(page.locator(".who")).to_contain_text("A-03")
     assert len(waiting) == 1
-    page.context.close()

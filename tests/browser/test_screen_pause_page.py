@@ -3,45 +3,23 @@
 import re
 
 import pytest
-from browser.driving import HIDE, SHOW, choose_task, go_on_until
+from browser.driving import HIDE, SHOW, choose_task, clock_of, drives_until, go_on_until
+from browser.sizes import photograph
 from playwright.sync_api import expect
-from processes.served_demo import running_demo
-
-from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser]
 
 LEFT_FOR = 1500  # ms
-SMALL = {"width": 640, "height": 800}  # software draws few pixels of a 3D view faster
-OUTSIDE = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
+SMALL = "640x800"  # software draws few pixels of a 3D view faster
 
 
 @pytest.fixture
-def page(browser, page_log):
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
-    with running_demo() as link:
-        log = page_log(link)
-        context = browser.new_context(in_3d=True, viewport=SMALL)
-        page = log.watch(context.new_page())
-        page.goto(link)
-        yield page
-        log.assert_clean()
-        context.close()
+def page(own_demo, open_page):
+    return open_page(own_demo, SMALL, in_3d=True)
 
 
-def keep(page, name):
-    """Photograph the page on a tablet and on a telephone; nothing may lie outside of it."""
-    for width, height in ((390, 844), (768, 1024)):
-        page.set_viewport_size({"width": width, "height": height})
-        page.wait_for_timeout(200)
-        assert page.evaluate(OUTSIDE) <= 0
-        page.screenshot(path=SCREENSHOTS / f"pause-{name}-{width}.png")
-    page.set_viewport_size(SMALL)
-
-
-def clock_of(page):
-    minutes, seconds = page.locator(".place .big").inner_text().split(":")
-    return 60 * int(minutes) + int(seconds)
+def photographed(page, name):
+    photograph(page, f"pause-{name}", ("390x844", "768x1024"))
 
 
 def paused_by_machine(page):
@@ -67,18 +45,18 @@ def is_paused(page):
 def test_a_hidden_page_pauses_the_trial_and_the_third_pause_offers_the_drawn_plan(page):
     choose_task(page, "corridors", "straight")
     page.get_by_role("button", name="Start trial").click()
-    go_on_until(page, lambda: clock_of(page) >= 1, "the trial's clock")
+    drives_until(page, 1)
     offer = page.locator(".plan-offer").get_by_role("button", name="Show the drawn plan")
     for time in range(3):
         if time == 0 and not paused_by_machine(page):
             expect(offer).to_be_hidden()
         is_paused(page)
         if time == 2:
-            keep(page, "card")
+            photographed(page, "card")
         before = clock_of(page)
         page.evaluate(SHOW)
-        go_on_until(page, lambda least=before + 1: clock_of(page) >= least, "the clock after a pause")
-    keep(page, "offer")
+        drives_until(page, before + 1)
+    photographed(page, "offer")
     offer.click()
     expect(page.locator(".drawn-plan")).to_be_visible()
     expect(offer).to_be_hidden()
@@ -87,7 +65,7 @@ def test_a_hidden_page_pauses_the_trial_and_the_third_pause_offers_the_drawn_pla
     note = page.locator(".interruptions")
     expect(note).to_contain_text(re.compile(r"Paused \d+ times for the screen, \d+ s"))
     expect(note).to_contain_text("This trial counts when you say so.")
-    keep(page, "over")
+    photographed(page, "over")
     page.get_by_role("button", name="Count it").click()
     expect(page.get_by_role("button", name="Discard…")).to_be_visible()
     expect(note).not_to_contain_text("when you say so")
@@ -96,4 +74,4 @@ def test_a_hidden_page_pauses_the_trial_and_the_third_pause_offers_the_drawn_pla
     for address, words in (("#/review/1", "Paused"), ("#/session", "Paused")):
         page.goto(f"{page.url.split('#')[0]}{address}")
         expect(page.get_by_text(re.compile(f"{words} .* for the screen")).first).to_be_visible()
-        keep(page, address.split("/")[1])
+        photographed(page, address.split("/")[1])

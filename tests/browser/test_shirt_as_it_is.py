@@ -1,15 +1,17 @@
 """The Shirt page's sentence, the ticks of the steps and "Start trial" follow the shirt as it is now, without reload."""
 
+from contextlib import closing
+
 import pytest
 from api.fake_process import LAYOUT
-from browser.served.clinic_app import assert_quiet, go
+from browser.served.clinic_app import go
+from browser.sizes import keep, window
+from browser.tablets import choose_network_shirt
 from browser.wave_sender import WaveSender
 from playwright.sync_api import expect
-from processes.served_demo import running_demo
 from processes.udp_shirt import free_port
 
 from app.layout import ShirtLayout
-from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser]
 
@@ -22,16 +24,10 @@ PAGES = ("shirt", "drive", "controls", "calibrate")  # that are open when the sh
 
 @pytest.fixture
 def page(browser, page_log, served):
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     log = page_log(served.address)
-    page = log.watch(browser.new_context(viewport={"width": 768, "height": 1024}).new_page())
     served.good("PUT", "/equipment/shirt", {"kind": "simulator", "seed": 1})
-    served.open_session("A-03")
-    served.sign_in(page)
-    expect(page.locator(".who")).to_contain_text("A-03")
-    yield page
-    assert_quiet(log)
-    page.context.close()
+    yield served.sign_in(log.watch(browser.new_page(viewport=window("768x1024"))), "A-03")
+    log.assert_quiet()
 
 
 def expect_ticks(page, steps):
@@ -72,7 +68,7 @@ def test_all_follow_a_shirt_that_falls_silent_and_sends_again(page, served):
             expect_all(page, where, READY, "Sends.")
             process.sends, process.shirt_words = False, NO_FRAMES
             expect_all(page, where, ("Patients",), NO_FRAMES, ("The shirt sends no signals", "To the shirt"))
-        page.screenshot(path=SCREENSHOTS / f"768x1024-silent-{where}.png")
+        keep(page, f"768x1024-silent-{where}")
         process.sends, process.shirt_words = True, "Sends."
 
 
@@ -90,35 +86,21 @@ def test_all_follow_another_shirt_that_is_chosen_on_another_screen(page, served)
         expect_all(page, where, READY, "Sends.")
 
 
-def test_frames_of_another_number_of_sensors_are_no_signals(browser, page_log, tmp_path):
-    with running_demo(TMPDIR=str(tmp_path)) as link:
-        log = page_log(link)
-        page = log.watch(browser.new_context(viewport={"width": 768, "height": 1024}).new_page())
-        page.goto(link)
-        expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
-        go(page, "shirt")
-        port = free_port()
-        card = page.locator("section.card", has=page.get_by_role("heading", name="Source"))
-        card.locator("summary").click()
-        card.get_by_text("A shirt over the network", exact=True).click()
-        card.get_by_label("Port").fill(str(port))
-        card.get_by_role("button", name="Use this").click()
-        lead, obstacle = page.locator(".lead"), page.locator(".foot").get_by_text("The shirt sends no signals")
-        expect(lead).to_contain_text(f"No frames from a shirt on 127.0.0.1:{port}.")
-        sender = WaveSender(port)
-        try:
-            for channels, words in ((52, "52 sensors"), (40, OTHER_NUMBER), (52, "52 sensors")):
-                is_shirt = channels == 52
-                go(page, "shirt")
-                sender.channels = channels
-                expect(lead).to_contain_text(words)
-                expect_ticks(page, ("Patients", "Shirt") if is_shirt else ("Patients",))
-                go(page, "drive")
-                expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
-                expect(obstacle).to_have_count(0 if is_shirt else 1)
-                sender.channels = 40 if is_shirt else 52
-                expect(obstacle).to_have_count(1 if is_shirt else 0)
-        finally:
-            sender.close()
-        log.assert_clean()
-        page.context.close()
+def test_frames_of_another_number_of_sensors_are_no_signals(own_demo, open_page):
+    page, port = open_page(own_demo), free_port()
+    expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
+    choose_network_shirt(page, port).get_by_role("button", name="Use this").click()
+    lead, obstacle = page.locator(".lead"), page.locator(".foot").get_by_text("The shirt sends no signals")
+    expect(lead).to_contain_text(f"No frames from a shirt on 127.0.0.1:{port}.")
+    with closing(WaveSender(port)) as sender:
+        for channels, words in ((52, "52 sensors"), (40, OTHER_NUMBER), (52, "52 sensors")):
+            is_shirt = channels == 52
+            go(page, "shirt")
+            sender.channels = channels
+            expect(lead).to_contain_text(words)
+            expect_ticks(page, ("Patients", "Shirt") if is_shirt else ("Patients",))
+            go(page, "drive")
+            expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
+            expect(obstacle).to_have_count(0 if is_shirt else 1)
+            sender.channels = 40 if is_shirt else 52
+            expect(obstacle).to_have_count(1 if is_shirt else 0)

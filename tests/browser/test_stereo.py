@@ -2,14 +2,15 @@
 
 import io
 import math
-import signal
 
 import numpy as np
 import pytest
+from browser.eyes.sweep import small_targets
+from browser.served.restarted_clinic import RestartedClinic
 from browser.served.view_app import Running
+from browser.sizes import each_size, keep
 from PIL import Image
 from playwright.sync_api import expect
-from processes.served_demo import SessionClient, bodydrive, free_port, printed_link
 
 from app.api.pages import Pages
 from app.geometry import Pose
@@ -35,8 +36,6 @@ CAMERAS = """() => [...document.querySelectorAll("iframe")].map((one) => {
 # Both pictures are drawn with pixels of one size; each of them becomes coarser by itself while it is slow.
 EQUALLY_COARSE = """new Set([...document.querySelectorAll("iframe")]
     .map((one) => getComputedStyle(one).getPropertyValue("--coarse"))).size === 1"""
-SMALL = """() => [...document.querySelectorAll(".stereo-bar :is(button, select, label)")]
-    .filter((one) => one.checkVisibility() && one.getBoundingClientRect().height < 44).length"""
 AWAY = "document.querySelector('.stereo').classList.add('is-quiet')"
 
 
@@ -50,11 +49,10 @@ def plan():
 
 @pytest.fixture(scope="module")
 def app():
-    served = Running(plan(), "main")
-    served._server.config.app.mount("/", Pages(static_folder()))
-    served.start()
-    yield served
-    served.stop()
+    served = Running(plan())
+    served.app.mount("/", Pages(static_folder()))
+    with served:
+        yield served
 
 
 @pytest.fixture(scope="module")
@@ -103,10 +101,7 @@ def picture(page, name=None):
     page.wait_for_timeout(1000)
     page.evaluate(AWAY)
     page.wait_for_timeout(1000)
-    shot = page.screenshot()
-    if name:
-        SCREENSHOTS.mkdir(parents=True, exist_ok=True)
-        (SCREENSHOTS / f"{name}.png").write_bytes(shot)
+    shot = page.screenshot(path=name and SCREENSHOTS / f"{name}.png")
     return np.asarray(Image.open(io.BytesIO(shot)).convert("RGB"), dtype=np.float64)
 
 
@@ -185,21 +180,15 @@ def test_both_eyes_show_the_same_moment(app, page):
     assert same / all_ > 0.8
 
 
-@pytest.mark.parametrize("size", [(1280, 800), (768, 1024), (640, 360)])
-def test_the_bar_stays_inside(page, size):
-    page.set_viewport_size({"width": size[0], "height": size[1]})
-    page.wait_for_timeout(300)
-    show_bar(page)
-    page.wait_for_timeout(600)
-    page.screenshot(path=SCREENSHOTS / f"stereo-bar-{size[0]}x{size[1]}.png")
-    box = page.locator(".stereo-bar").bounding_box()
-    assert box["x"] >= 0
-    assert box["y"] >= 0
-    assert box["x"] + box["width"] <= size[0]
-    assert box["y"] + box["height"] <= size[1]
-    assert page.evaluate("document.querySelector('.stereo-bar').scrollWidth <= innerWidth")
-    assert page.evaluate(SMALL) == 0
-    page.set_viewport_size({"width": WIDTH, "height": HEIGHT})
+def test_the_bar_stays_inside(page):
+    bar = page.locator(".stereo-bar")
+    for size in each_size(page, ("1280x800", "768x1024", "640x360")):
+        show_bar(page)
+        page.wait_for_timeout(600)
+        keep(page, f"stereo-bar-{size}")
+        expect(bar).to_be_in_viewport(ratio=1)
+        assert bar.evaluate("(one) => one.scrollWidth <= innerWidth"), size
+        assert small_targets(page, ".stereo-bar") == [], size
 
 
 def test_without_a_distance_both_pictures_are_equal_and_it_is_remembered(page, until):
@@ -228,36 +217,20 @@ def test_without_a_distance_both_pictures_are_equal_and_it_is_remembered(page, u
     assert page.evaluate(CAMERAS) == [pytest.approx([0, 0]), pytest.approx([0, 0])]
 
 
-def served(port, state):
-    return bodydrive("serve", "--port", str(port), "--state", str(state))
-
-
 def test_a_paired_screen_sees_it_and_it_comes_back_by_itself(browser, tmp_path, page_log, until):
-    port, state = free_port(), tmp_path / "clinic"
-    process = served(port, state)
-    try:
-        base, code = printed_link(process).split("/#setup=")
-        page = page_log(base).watch(browser.new_page(all_pictures=True, viewport={"width": 640, "height": 360}))
-        page.goto(f"{base}/stereo.html")
+    with RestartedClinic(tmp_path / "clinic") as clinic:
+        stereo = f"{clinic.base}/stereo.html"
+        page = page_log(clinic.base).watch(browser.new_page(all_pictures=True, viewport={"width": 640, "height": 360}))
+        page.goto(stereo)
         expect(page.get_by_role("heading", name="may not see")).to_be_visible()
-        with SessionClient(base) as client:
-            client.post("/auth/setup", json={"code": code, "name": "Ada", "password": "correct horse battery"})
-            patient_id = client.post("/patients", json={"code": "P-1", "pseudonym": "Heron"}).json()["id"]
-            assert client.post("/session", json={"patient_id": patient_id}).is_success
-            link = client.post("/patient-screen/pairing").json()["url"]
-        page.goto(link)
+        page.goto(clinic.link_of_a_screen())
         expect(page.get_by_text("We wait for the shirt")).to_be_visible()
-        page.goto(f"{base}/stereo.html")
+        page.goto(stereo)
         until(page, LIVE, seconds=60)
-        process.send_signal(signal.SIGTERM)
-        process.communicate(timeout=60)
+        clinic.end()
         lost = page.get_by_text("No connection to the program")
         expect(lost).to_be_visible()
-        process = served(port, state)
-        printed_link(process)
+        clinic.begin()
         expect(lost).to_be_hidden()
         until(page, LIVE, seconds=60)
         page.close()
-    finally:
-        process.send_signal(signal.SIGTERM)
-        process.communicate(timeout=60)

@@ -1,31 +1,24 @@
 """The whole story in a real browser: equipment, controls, a drive, its score, and what goes wrong."""
 
 import os
-import re
 import signal
 
 import psutil
 import pytest
-from browser.driving import bend_until, choose_task, drive_by_plan, go_on_until
+from browser.driving import bend_until, choose_task, drive_by_plan, drives_until, reaches_the_goal
 from browser.tablets import go_to, signed_in
 from playwright.sync_api import expect
-from processes.served_demo import bodydrive, printed_link
+from processes.served_demo import printed_link, running_program
 
 pytestmark = [pytest.mark.browser]
-
-AFTER_SOME_SECONDS = re.compile(r"^0:(0[2-9]|[1-5]\d)$")
-DRIVE_LIMIT = 150  # s
 
 
 @pytest.fixture
 def demo():
     """Yield a running demonstration: its process and its link."""
-    with bodydrive("demo", "--port", "0") as process:
-        try:
-            yield process, printed_link(process)
-        finally:
-            process.send_signal(signal.SIGINT)
-            assert process.wait(20) == 0
+    with running_program("demo", "--port", "0") as process:
+        yield process, printed_link(process)
+    assert process.returncode == 0
 
 
 @pytest.fixture(params=["1024x768", pytest.param("820x1180", marks=pytest.mark.long)])
@@ -40,18 +33,12 @@ def drives_to_the_goal(page, keep):
     page.get_by_role("button", name="Start trial").click()
     frame = page.frame_locator("iframe")
     expect(frame.locator("canvas").first).to_be_visible()
-    clock = page.locator(".place .big")
-    go_on_until(page, lambda: AFTER_SOME_SECONDS.match(clock.inner_text()), "two seconds of the trial")
+    drives_until(page, 2)
     for view in ("Eye", "Chase", "Top"):
         page.get_by_text(view, exact=True).click()
         page.wait_for_timeout(1500)
         keep(f"drive-{view.lower()}")
     reaches_the_goal(page)
-
-
-def reaches_the_goal(page):
-    goal = page.get_by_role("heading", name="Goal reached")
-    go_on_until(page, goal.is_visible, "the goal", seconds=DRIVE_LIMIT)
 
 
 def test_a_clinic_drives_stops_and_loses_its_control_process(tablet, demo):
@@ -120,8 +107,7 @@ def the_visitor_drives_by_pads_stops_and_goes_on(page, keep):
     go_to(page, "drive")
     page.get_by_role("button", name="Start trial").click()
     expect(page.locator(".pad-dock")).to_be_visible()
-    clock = page.locator(".place .big")
-    go_on_until(page, lambda: AFTER_SOME_SECONDS.match(clock.inner_text()), "two seconds of the trial")
+    drives_until(page, 2)
     speed = page.locator(".bar .speed .big")
     bend_until(page, speed, 0.1)
     keep("visitor-drives")

@@ -4,32 +4,15 @@ import mimetypes
 from itertools import pairwise
 
 import pytest
+from browser.script import SCRIPTS
+from browser.sizes import window
 
 from app.settings import static_folder
 
 pytestmark = [pytest.mark.browser, pytest.mark.long]
 
 ORIGIN = "http://127.0.0.1:9"  # nothing listens there: every answer comes from the test
-PAGE = """<!doctype html><html lang="en"><head><title>view bar</title>
-<link rel="stylesheet" href="/css/tokens.css"><link rel="stylesheet" href="/css/base.css">
-<link rel="stylesheet" href="/css/widgets/forms.css"><link rel="stylesheet" href="/css/view/picture.css">
-<link rel="stylesheet" href="/css/pages/drive.css"></head><body>
-<div class="view" style="inset: 0 0 200px 0"><div class="surface" tabindex="0" hidden></div></div>
-<div class="lower" id="lower"></div>
-<script type="module">
-import { viewBar } from "/js/view/view_bar.js";
-window.posts = [];
-const free = { azimuth: 0, elevation: 0.5, distance: 10, x: 0, y: 0 };
-const post = async (path, body) => {
-  posts.push({ path, body, at: performance.now() });
-  if (path.endsWith("/free")) Object.assign(free, body);
-  return { ...body, free: { ...free } };
-};
-const bar = viewBar({ api: { post }, toasts: { attempt: (work) => work() } },
-  document.querySelector(".surface"), (which) => { window.chosen = which; });
-document.querySelector("#lower").append(bar.pad, bar.element);
-window.ready = true;
-</script></body></html>"""
+PAGE = (SCRIPTS / "view_bar.html").read_text(encoding="utf-8")
 
 
 CLINICIANS = "posts.findLast(({ path }) => path === '/view/clinician/camera').body"
@@ -48,12 +31,9 @@ def answer(route):
 @pytest.fixture
 def open_bar(browser, page_log, until):
     log = page_log(ORIGIN)
-    contexts = []
 
     def opened(**options):
-        context = browser.new_context(in_3d=True, viewport={"width": 768, "height": 1024}, **options)
-        contexts.append(context)
-        page = log.watch(context.new_page())
+        page = log.watch(browser.new_page(in_3d=True, viewport=window("768x1024"), **options))
         page.route(f"{ORIGIN}/**", answer)
         page.goto(f"{ORIGIN}/")
         until(page, "window.ready && posts.length > 1")
@@ -61,8 +41,6 @@ def open_bar(browser, page_log, until):
 
     yield opened
     log.assert_clean()
-    for context in contexts:
-        context.close()
 
 
 def posts(page, ending):

@@ -6,12 +6,11 @@ import signal
 from contextlib import ExitStack
 
 import pytest
-from browser.driving import go_on_until
+from browser.driving import drives_until, go_on_until, speed_in
+from browser.sizes import each_size, keep, window
 from browser.tablets import put_first_sentences_away
 from playwright.sync_api import expect
 from processes.served_demo import bodydrive, printed_link
-
-from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser]
 
@@ -28,21 +27,19 @@ WORD_OF = "() => sessionStorage.getItem('bodydrive-screen')"
 @pytest.fixture
 def pages(browser, page_log):
     """Yield a running demonstration, a page with a trial that is halted, one with the shirt; both signed in."""
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     with ExitStack() as stack:
         process = stack.enter_context(bodydrive("demo", "--port", "0"))
         stack.callback(end, process)
         link = printed_link(process)
         log = page_log(link)
-        context = browser.new_context(viewport={"width": 1280, "height": 800})
+        context = browser.new_context(viewport=window("1280x800"))
         stack.callback(context.close)
         driven, shirt = (log.watch(context.new_page()) for _ in range(2))
         driven.goto(link)
         expect(driven.get_by_role("heading", name="Where to?")).to_be_visible()
         put_first_sentences_away(driven)
         driven.get_by_role("button", name="Start trial").click()
-        clock = driven.locator(".place .big")
-        go_on_until(driven, lambda: re.match(r"0:0[1-9]", clock.inner_text()), "a second of the trial")
+        drives_until(driven, 1)
         driven.locator("#stop").dispatch_event("pointerdown")
         expect(driven.locator(".fault-card")).to_contain_text(WAITS)
         shirt.goto(f"{link.split('#')[0]}#/shirt")
@@ -65,7 +62,7 @@ def shows_nothing_as_present(page, picture):
     expect(page.locator(".lamps")).to_have_text("Shirt: not knownChair: not known")
     assert [words for words in page.evaluate(OFFERED) if "Colours" not in words] == ["Stop the chair now"]
     assert float(page.locator("main").evaluate("(main) => getComputedStyle(main).opacity")) < 0.5
-    page.screenshot(path=SCREENSHOTS / f"without-program-{picture}.png")
+    keep(page, f"without-program-{picture}")
 
 
 def test_pages_that_lose_their_word_or_the_chair_or_the_program(pages):
@@ -104,7 +101,7 @@ def a_page_that_does_not_hear_the_chair_does_not_keep_it_driving(driven, other):
     driven.reload()
     driven.bring_to_front()
     speed = driven.locator(".bar .speed .big")
-    go_on_until(driven, lambda: float(re.match(r"[\d.]+", speed.inner_text())[0]) >= 0.1, "a speed")
+    go_on_until(driven, lambda: speed_in(speed.inner_text()) >= 0.1, "a speed")
     is_cut = True
     passed[-1].close()
     expect(driven.locator(".notes")).to_contain_text(SINCE)
@@ -130,8 +127,7 @@ def without_the_program_no_page_shows_a_present_or_offers_what_needs_it(process,
 
     end(process)
     shows_nothing_as_present(driven, "drive-down")
-    for width, height in ((768, 1024), (390, 844)):
-        driven.set_viewport_size({"width": width, "height": height})
-        driven.screenshot(path=SCREENSHOTS / f"without-program-{width}x{height}.png")
+    for size in each_size(driven, ("768x1024", "390x844")):
+        keep(driven, f"without-program-{size}")
     driven.locator("#stop").dispatch_event("pointerdown")
     expect(driven.get_by_text("Stop did not get through")).to_be_visible()

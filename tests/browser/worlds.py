@@ -1,6 +1,6 @@
 """A task chosen on the Drive page and driven by the simulated person, seen in a real browser."""
 
-from browser.driving import choose_task, go_on_until
+from browser.driving import choose_task, reaches_the_goal
 from playwright.sync_api import expect
 
 from app.world.scene import bundled_places
@@ -35,6 +35,5 @@ def drive(page, floorplan, path, meanwhile=None):
     if meanwhile is not None:
         page.locator(".view-bar").wait_for()
         meanwhile()
-    goal = page.get_by_role("heading", name="Goal reached")
-    go_on_until(page, goal.is_visible, f"the goal of '{path.title}'", seconds=int(path.time_limit) + 60)
+    reaches_the_goal(page, within=int(path.time_limit) + 60)
     return "\n".join(page.locator("table.measures").all_inner_texts())

@@ -7,14 +7,13 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from drills.results import Result
-from processes.served_demo import Served, bodydrive, printed_link
+from processes.served_demo import OWNER, Served, printed_link, running_program
 
 from folders import ROOT
 
 FOLDER = Path(__file__).parent / "clock_ahead"
 DAY = 86_400.0  # s
 PATIENT = {"code": "P-1", "pseudonym": "Blue heron"}
-OWNER = {"name": "Ada", "password": "correct horse battery"}
 
 
 async def clock_ahead(runs, dice):
@@ -38,24 +37,20 @@ def _one(folder, days, result):
         _expect(result, client.post(f"/patients/{patient['id']}/restore"), "the patient was erased")
         told = [row["what"] for row in client.get("/log").json()["entries"]]
         if "clock jumped" not in told:
-            result.violations.append(f"run {result.runs + 1}: the log does not say that the clock jumped")
+            result.violated("the log does not say that the clock jumped")
 
 
 def _expect(result, answer, words):
     """Return an answer; note a violation when it is a refusal."""
     if not answer.is_success:
-        result.violations.append(f"run {result.runs + 1}: {words}: {answer.status_code} {answer.text[:200]}")
+        result.violated(f"{words}: {answer.status_code} {answer.text[:200]}")
     return answer
 
 
 @contextmanager
 def _clinic(folder, **environment):
     """Yield a client of the program that serves this clinic, and the code with which a new clinic is set up."""
-    with bodydrive("serve", "--port", "0", "--state", str(folder / "clinic"), **environment) as process:
-        try:
-            base, _, code = printed_link(process).partition("/#setup=")
-            with Served(process, base.rstrip("/")).client as client:
-                yield client, code
-        finally:
-            process.terminate()
-            process.wait(60)
+    with running_program("serve", "--port", "0", "--state", str(folder / "clinic"), **environment) as process:
+        base, _, code = printed_link(process).partition("/#setup=")
+        with Served(process, base.rstrip("/")).client as client:
+            yield client, code

@@ -6,12 +6,12 @@ import os
 import resource
 import socket
 import threading
-from contextlib import ExitStack, contextmanager, suppress
+from contextlib import ExitStack, closing, contextmanager, suppress
 from pathlib import Path
 
 import psutil
 from drills.results import Result, Watcher
-from processes.served_demo import Demo, bodydrive
+from processes.served_demo import Demo, running_program
 
 from app.clock import monotonic
 
@@ -28,7 +28,7 @@ KINDS = {"silent": "", "half a head": HEAD, "without its body": HEAD + "Content-
 async def silent_connections(runs, _dice):
     """S6: 1,100 connections that do nothing, to a program with 1,024 descriptors; then Stop over a new one."""
     result = Result(f"{SILENT} connections that do nothing, then Stop over a new one", STOP_LIMIT)
-    await asyncio.to_thread(_in_demo, result, lambda demo, watcher: _be_silent(demo, watcher, runs, result))
+    await asyncio.to_thread(_be_silent, runs, result)
     result.remark = f"{DESCRIPTORS} descriptors; {', '.join(KINDS)}; until Stop is answered"
     return result
 
@@ -37,37 +37,30 @@ async def uploads_of_nobody(runs, _dice):
     """C15: files from somebody who is not signed in, whose ends never come."""
     result = Result(f"{UPLOADS} uploads of somebody who is not signed in", None)
     kept = []
-    await asyncio.to_thread(_in_demo, result, lambda demo, _watcher: _upload(demo, runs, result, kept))
+    await asyncio.to_thread(_upload, runs, result, kept)
     result.remark = f"{SENT / 1e6:.0f} of {LENGTH / 1e6:.0f} MB each; at most {max(kept)} bytes kept on the disk"
     return result
 
 
-def _in_demo(result, act):
+def _be_silent(runs, result):
+    with few_descriptors() as demo, closing(Watcher()) as watcher:
+        for run in range(runs):
+            with connections(demo, list(KINDS)[run % len(KINDS)]) as used:
+                began = monotonic()
+                stop(demo)
+                ended = monotonic()
+                result.add(ended - began, late=watcher.late(began, ended))
+                if max(used) > DESCRIPTORS - 100:
+                    result.violations.append(f"run {result.runs}: too few descriptors are left")
+
+
+def _upload(runs, result, kept):
     with few_descriptors() as demo:
-        watcher = Watcher()
-        try:
-            act(demo, watcher)
-        finally:
-            watcher.close()
-
-
-def _be_silent(demo, watcher, runs, result):
-    for run in range(runs):
-        with connections(demo, list(KINDS)[run % len(KINDS)]) as used:
-            began = monotonic()
-            stop(demo)
-            ended = monotonic()
-            result.add(ended - began, late=watcher.late(began, ended))
-            if max(used) > DESCRIPTORS - 100:
-                result.violations.append(f"run {result.runs}: too few descriptors are left")
-
-
-def _upload(demo, runs, result, kept):
-    for _ in range(runs):
-        kept.append(upload_as_nobody(demo))
-        result.add(None)
-        if kept[-1] > MOST_KEPT:
-            result.violations.append(f"run {result.runs}: {kept[-1] / 1e6:.1f} MB were kept")
+        for _ in range(runs):
+            kept.append(upload_as_nobody(demo))
+            result.add(None)
+            if kept[-1] > MOST_KEPT:
+                result.violations.append(f"run {result.runs}: {kept[-1] / 1e6:.1f} MB were kept")
 
 
 @contextmanager
@@ -75,15 +68,13 @@ def few_descriptors():
     """Yield a demonstration that may open 1,024 descriptors, while this process may open more."""
     soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
     resource.setrlimit(resource.RLIMIT_NOFILE, (max(soft, min(2 * SILENT, hard)), hard))
-    process = bodydrive("demo", "--port", "0")
-    psutil.Process(process.pid).rlimit(psutil.RLIMIT_NOFILE, (DESCRIPTORS, DESCRIPTORS))
     try:
-        made = Demo(process)
-        yield made
-        made.client.close()
+        with running_program("demo", "--port", "0") as process:
+            psutil.Process(process.pid).rlimit(psutil.RLIMIT_NOFILE, (DESCRIPTORS, DESCRIPTORS))
+            made = Demo(process)
+            yield made
+            made.client.close()
     finally:
-        process.kill()
-        process.communicate()
         resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
 
 

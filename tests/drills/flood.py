@@ -6,7 +6,8 @@ import subprocess
 import sys
 
 from drills.results import Result, waited
-from drills.rig import AFTER, environment, rig
+from drills.rig import AFTER, rig
+from processes.served_demo import environment
 
 from app.clock import monotonic
 
@@ -31,7 +32,7 @@ async def sign_ins(runs, dice):
             await asyncio.sleep(dice.uniform(0.5, 0.8))
             answers = (await _ask(flood, b"on")).strip()
             if made.receiver.newest["v"] <= 0:
-                result.violations.append(f"run {result.runs + 1}: the chair did not drive")
+                result.violated("the chair did not drive")
             stopped, before = monotonic(), waited(web.pid)
             await asyncio.to_thread(_stop, port)
             await asyncio.sleep(AFTER)
@@ -39,7 +40,7 @@ async def sign_ins(runs, dice):
             # Stop goes through the web process, and then through two others that wait as the watcher does.
             late = made.watcher.late(stopped, stopped + AFTER) + waited(web.pid) - before
             if begun is None or made.went_on(stopped, begun):
-                result.violations.append(f"run {result.runs + 1}: the chair went on")
+                result.violated("the chair went on")
             result.add(begun, disarmed, late)
             for process in (flood, web):
                 process.kill()

@@ -25,11 +25,21 @@ async def injure_at_random(made, result, dice, injury, recover, after=AFTER):
     begun, disarmed = made.chair_stopped(injured)
     late = made.watcher.late(injured, injured + after)
     if begun is None or disarmed is None:
-        result.violations.append(f"run {result.runs + 1}: the chair went on")
+        result.violated("the chair went on")
     elif made.went_on(injured, begun) and late < LATE_MACHINE:
-        result.violations.append(f"run {result.runs + 1}: the chair went on after it had begun to stop")
+        result.violated("the chair went on after it had begun to stop")
     result.add(begun, disarmed, late)
     await recover()
+
+
+def setting(target, **values):
+    """Return what injures or recovers by setting attributes."""
+
+    async def set_all():
+        for name, value in values.items():
+            setattr(target, name, value)
+
+    return set_all
 
 
 async def nothing():
@@ -42,7 +52,7 @@ def look_for_jerks(made, since, result):
     for before, after in pairwise(lines):
         change = abs(after["v"] - before["v"])
         if change > 6.0 * (after["t"] - before["t"] + 0.012):  # the fastest stop: 1.5 m/s in 0.25 s, plus one step
-            result.violations.append(f"run {result.runs + 1}: a jerk of {change:.2f} m/s")
+            result.violated(f"a jerk of {change:.2f} m/s")
             return
 
 
@@ -52,4 +62,4 @@ def look_whether_it_drives(made, result, late):
         return
     if made.control.newest()["state"] != State.ARMED or made.receiver.newest["state"] != "armed":
         fault = Fault(int(made.control.newest()["fault"])).name
-        result.violations.append(f"run {result.runs + 1}: the drive ended ({fault})")
+        result.violated(f"the drive ended ({fault})")

@@ -6,13 +6,13 @@ import json
 import math
 import threading
 import time
-from contextlib import ExitStack
+from contextlib import closing
 from pathlib import Path
 
 from drills.bomb_effects import MOST_GROWTH, RESET_PEAK, memory
 from drills.connections import stop
 from drills.results import Result, Watcher, waited
-from processes.served_demo import Demo, bodydrive
+from processes.served_demo import Demo
 
 from app.clock import monotonic
 from app.world.floorplan import MAX_LINE_POINTS, MAX_WALLS
@@ -62,20 +62,14 @@ async def large_plan(runs, dice):
 
 def _beside_plan(runs, dice, result):
     document, most = largest_plan(), 0
-    with ExitStack() as stack:
-        watcher = Watcher()
-        stack.callback(watcher.close)
-        process = stack.enter_context(bodydrive("demo", "--port", "0"))
-        stack.callback(process.kill)
-        demo = Demo(process)
-        stack.callback(demo.client.close)
+    with closing(Watcher()) as watcher, Demo.running() as demo, demo.socket("live") as live:
+        pid = demo.process.pid
         assert demo.client.post("/floorplans", content=document).status_code == 201
-        live = stack.enter_context(demo.socket("live"))
         for run in range(runs):
             way = list(LONGEST)[run % len(LONGEST)]
             demo.go_on_until(live, lambda message: message["state"] != "fault" and message["values"] is not None)
-            Path(f"/proc/{process.pid}/clear_refs").write_text(RESET_PEAK)
-            before = memory(process.pid, "VmRSS")
+            Path(f"/proc/{pid}/clear_refs").write_text(RESET_PEAK)
+            before = memory(pid, "VmRSS")
             asking = Asking(lambda way=way: _ask(demo.client, way, document))
             if LONGEST[way] is None:
                 asking.answer()
@@ -83,7 +77,7 @@ def _beside_plan(runs, dice, result):
                 time.sleep(dice.uniform(0.0, LONGEST[way]))
             result.add(*_timed_stop(demo, watcher))
             status = asking.answer()
-            growth = memory(process.pid, "VmHWM") - before
+            growth = memory(pid, "VmHWM") - before
             most = max(most, growth)
             if growth > MOST_GROWTH:
                 result.violations.append(f"run {result.runs}: the web process grew by {growth / 1e6:.0f} MB")

@@ -28,7 +28,7 @@ async def disk_full(runs, dice):
             await tick_with(made.control, lambda tick: tick["state"] == State.FAULT)
             tick = made.control.newest()
             if tick["fault"] != Fault.RECORDING_LOST:
-                result.violations.append(f"run {result.runs + 1}: {Fault(int(tick['fault'])).name}")
+                result.violated(f"{Fault(int(tick['fault'])).name}")
             await asyncio.sleep(AFTER)
             begun, disarmed = made.chair_stopped(full)
             look_for_jerks(made, full, result)
@@ -55,7 +55,7 @@ async def wall_clock(runs, dice):
                 began = monotonic()
                 await asyncio.sleep(2.0)
                 if made.control.newest()["state"] != State.ARMED or made.receiver.newest["state"] != "armed":
-                    result.violations.append(f"run {result.runs + 1}: the drive ended")
+                    result.violated("the drive ended")
                 look_for_jerks(made, began, result)
                 result.add(None, late=made.watcher.late(began, monotonic()))
     finally:

@@ -3,6 +3,7 @@
 import asyncio
 import random
 import tempfile
+from contextlib import closing
 from itertools import pairwise
 from pathlib import Path
 
@@ -68,11 +69,8 @@ class Sender(asyncio.DatagramProtocol):
 async def cuts(runs, dice):
     """Cut, in all `runs` times."""
     result = Result("network cut at a random moment", 0.11, 0.31)
-    watcher = Watcher()
-    try:
+    with closing(Watcher()) as watcher:
         await asyncio.gather(*(_cut(result, watcher, share, dice.random()) for share in shares(runs)))
-    finally:
-        watcher.close()
     result.remark = f"{SIDE_BY_SIDE} chairs side by side; from the last command that was sent"
     return result
 
@@ -119,5 +117,5 @@ async def _one(result, watcher, receiver, sender, dice):
     begun = next((after["t"] - cut for before, after in said if after["v"] < before["v"]), None)
     disarmed = next((after["t"] - cut for _, after in said if after["state"] == "disarmed"), None)
     if begun is None or disarmed is None or receiver.newest["v"]:
-        result.violations.append(f"run {result.runs + 1}: the chair went on")
+        result.violated("the chair went on")
     result.add(begun, disarmed, late)

@@ -57,7 +57,7 @@ def _look_for_freedom(made, since, result):
     for line in made.receiver.since(since):
         recent = [v for t, v in commands if line["t"] - 0.25 <= t <= line["t"] + 0.005 and v < 10]
         if line["v"] and line["state"] == "armed" and recent and line["v"] > max(recent) + 0.02:
-            result.violations.append(f"run {result.runs + 1}: {line['v']:.2f} m/s that nobody commanded")
+            result.violated(f"{line['v']:.2f} m/s that nobody commanded")
             return
 
 
@@ -77,7 +77,7 @@ async def forgeries(runs, dice):
                 await asyncio.sleep(0.01)
             if made.control.newest()["state"] != State.ARMED or made.receiver.newest["state"] != "armed":
                 fault = Fault(int(made.control.newest()["fault"])).name
-                result.violations.append(f"run {result.runs + 1}: the drive ended ({fault})")
+                result.violated(f"the drive ended ({fault})")
             _look_for_freedom(made, began, result)
             look_for_jerks(made, began, result)
             result.add(None, late=made.watcher.late(began, monotonic()))
@@ -127,7 +127,7 @@ async def recorded_switch(runs, dice):
             except LinkRefused:
                 refused += 1
             if (made.control.since(number)["state"] == State.ARMED).any():
-                result.violations.append(f"run {result.runs + 1}: armed by a recording of the switch")
+                result.violated("armed by a recording of the switch")
             result.add(None, late=made.watcher.late(began, monotonic()))
             made.shirt.rest()
             await made.show_switch()

@@ -32,7 +32,7 @@ async def odd_names(runs, dice):
             longest = max(longest, gap)
             look_whether_it_drives(made, result, late)
             if gap > LONGEST_GAP + late:
-                result.violations.append(f"run {result.runs + 1}: {1e3 * gap:.0f} ms between two commands")
+                result.violated(f"{1e3 * gap:.0f} ms between two commands")
             result.add(None, late=late)
             await made.control.call("end_run")
             for value in dice.sample(odd_values(), WHILE_STANDING):

@@ -4,7 +4,7 @@ import asyncio
 import os
 import signal
 
-from drills.injury import A_TICK, COMMAND, LATE_MACHINE, injure_at_random, nothing
+from drills.injury import A_TICK, COMMAND, LATE_MACHINE, injure_at_random, nothing, setting
 from drills.results import Result
 from drills.rig import AFTER, rig
 from processes.running_control import tick_with
@@ -56,7 +56,7 @@ async def kill_receiver(runs, dice):
             ticks = made.control.since(0)
             fault = ticks[(ticks["t"] > newest) & (ticks["state"] == State.FAULT)][0]
             if fault["fault"] != Fault.CHAIR_SILENT:
-                result.violations.append(f"run {result.runs + 1}: {Fault(int(fault['fault'])).name}")
+                result.violated(f"{Fault(int(fault['fault'])).name}")
             result.add(float(fault["t"]) - killed, late=made.watcher.late(killed, killed + 0.5))
             await asyncio.to_thread(made.receiver.start)
             await tick_with(made.control, lambda tick: tick["chair_age"] < 0.3 and tick["chair_state"] == 0)
@@ -79,11 +79,11 @@ async def kill_web(runs, dice):
             begun, disarmed = made.chair_stopped(killed)
             late = made.watcher.late(killed - 0.4, killed + AFTER)
             if begun is None or (made.went_on(killed, begun) and late < LATE_MACHINE):
-                result.violations.append(f"run {result.runs + 1}: the chair went on")
+                result.violated("the chair went on")
             gap = made.relay.longest_gap(killed - 0.3, killed + (begun or 0.0))
             longest = max(longest, gap)
             if gap > 0.04 + late:
-                result.violations.append(f"run {result.runs + 1}: {1e3 * gap:.0f} ms between two commands")
+                result.violated(f"{1e3 * gap:.0f} ms between two commands")
             result.add(begun, disarmed, late)
     result.remark = f"longest time between two commands {1e3 * longest:.0f} ms (limit 40)"
     return result
@@ -93,15 +93,8 @@ async def web_silent(runs, dice):
     """S14: the web process, and the 3D scene that lives in it, says nothing any more."""
     result = Result("web process silent (held)", 0.32 + A_TICK + COMMAND)
     async with rig() as made:
-
-        async def silence():
-            made.beats = False
-
-        async def speak():
-            made.beats = True
-
         for _ in range(runs):
-            await injure_at_random(made, result, dice, silence, speak, after=1.0)
+            await injure_at_random(made, result, dice, setting(made, beats=False), setting(made, beats=True), after=1.0)
     return result
 
 

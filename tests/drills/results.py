@@ -35,6 +35,10 @@ class Result:
             if limit is not None and time > limit + late:
                 self.violations.append(f"run {self.runs}: {name} after {1e3 * time:.0f} ms, limit {1e3 * limit:.0f} ms")
 
+    def violated(self, words: str) -> None:
+        """Say what was wrong in the run that is under way."""
+        self.violations.append(f"run {self.runs + 1}: {words}")
+
     def row(self) -> str:
         cells = [
             self.drill,

@@ -2,7 +2,6 @@
 
 import asyncio
 import json
-import os
 import socket
 import subprocess
 import sys
@@ -15,6 +14,7 @@ from drills.relay import Relay
 from drills.results import Watcher
 from processes.chair_process import ReceiverProcess
 from processes.running_control import clear, tick_with
+from processes.served_demo import environment
 from processes.udp_shirt import RATE, UdpShirtSender, free_port, paired_key_file, shirt_config
 
 from app.clock import MonotonicClock
@@ -161,11 +161,9 @@ class Rig:
     async def start_web(self):
         """Start a process that starts a control process and arms the chair, and return when the chair cruises."""
         self._runs += 1
-        given = self._given()
         self.shirt.rest()
-        web = await asyncio.create_subprocess_exec(
-            sys.executable, "-m", "drills.killed_web", json.dumps(given), stdout=subprocess.PIPE, env=environment()
-        )
+        web = await self._child("processes.web_stand_in")
+        await web.stdout.readline()  # the number of its control process
         await asyncio.sleep(1.0)
         for _ in range(TRIES):
             self.receiver.press(True)
@@ -183,11 +181,7 @@ class Rig:
         """Start the real web process, which arms the chair; return it and its port when the chair cruises."""
         self._runs += 1
         self.shirt.rest()
-        web = await asyncio.create_subprocess_exec(
-            *(sys.executable, "-m", "drills.served_web", json.dumps(self._given())),
-            stdout=subprocess.PIPE,
-            env=environment(),
-        )
+        web = await self._child("drills.served_web")
         try:
             port = int((await web.stdout.readline()).split()[1])
             self.receiver.press(True)
@@ -200,13 +194,16 @@ class Rig:
             raise
         return web, port
 
-    def _given(self):
-        return {
+    async def _child(self, module):
+        """Start a module of the tests that takes what it needs of this rig as JSON."""
+        given = {
             "shirt": self.shirt_config,
             "chair": self.receiver.config(port=self.relay.port),
             "folder": str(self._folder / f"run{self._runs}"),
             "state": str(self._folder / f"state{self._runs}"),
         }
+        command = (sys.executable, "-m", module, json.dumps(given))
+        return await asyncio.create_subprocess_exec(*command, stdout=subprocess.PIPE, env=environment())
 
     async def _stroke_and_cruise(self):
         self.shirt.stroke()
@@ -241,12 +238,6 @@ class Rig:
         self.relay.close()
         self.receiver.close()
         self.watcher.close()
-
-
-def environment():
-    """Return an environment in which a process can import the tests."""
-    tests = str(Path(__file__).resolve().parents[1])
-    return {**os.environ, "PYTHONPATH": os.pathsep.join([tests, os.environ.get("PYTHONPATH", "")])}
 
 
 def _decided(tick):

@@ -41,11 +41,11 @@ async def second_sender(runs, dice):
                 frames = ticks[ticks["has_frame"] == 1]
                 # In a frame of the shirt, the device time belongs to the sequence number.
                 if not np.allclose(frames["t_device"], frames["frame_seq"] / RATE, atol=1e-5):
-                    result.violations.append(f"run {result.runs + 1}: a frame of somebody else was taken")
+                    result.violated("a frame of somebody else was taken")
                 if (frames["t"] > silent).any():
-                    result.violations.append(f"run {result.runs + 1}: after the shirt fell silent a frame was taken")
+                    result.violated("after the shirt fell silent a frame was taken")
                 if made.control.newest()["state"] == State.ARMED or made.receiver.newest["v"]:
-                    result.violations.append(f"run {result.runs + 1}: the chair drives without its shirt")
+                    result.violated("the chair drives without its shirt")
                 result.add(None, late=made.watcher.late(began, monotonic()))
                 made.shirt.stalled = False
                 await tick_with(made.control, lambda tick: tick["has_frame"])

@@ -1,56 +1,20 @@
 """A second socket uses the screen token of the driving page, and that page falls silent."""
 
 import asyncio
-import json
-import tempfile
-import threading
 import time
-from contextlib import ExitStack
+from contextlib import ExitStack, closing
 
 from drills.results import Result, Watcher
-from processes.served_demo import Demo, bodydrive, until
-from websockets.exceptions import ConnectionClosed
+from processes.served_demo import Demo, InView, until
 
 from app.clock import monotonic
 
 WORD = "the-screen-of-this-drill"
-SAY_EVERY = 0.05  # s, as the page does
 SHOWN_EVERY = 0.05  # s between two messages of the live socket, which show when the chair stopped
 A_TICK = 0.02  # s
 # s: the server drops a silent socket after 2 s; the pause ends 1 s of punctual reports after that, by a check for rest
 LOOK_ON = 2.8
 MOVES = 0.15  # m/s
-
-
-class Speaker:
-    """The worker of a page: reports that the page is in view, and reconnects after a refusal."""
-
-    def __init__(self, demo):
-        self.refusals = 0
-        self._demo = demo
-        self._socket = demo.socket("screen")
-        self._speaks, self._ended = threading.Event(), threading.Event()
-        self._speaks.set()
-        self._thread = threading.Thread(target=self._run)
-        self._thread.start()
-
-    def fall_silent(self):
-        """Send nothing more, with the socket open."""
-        self._speaks.clear()
-
-    def close(self):
-        self._ended.set()
-        self._thread.join()
-        self._socket.close()
-
-    def _run(self):
-        while not self._ended.wait(SAY_EVERY):
-            if self._speaks.is_set():
-                try:
-                    self._socket.send(json.dumps({"screen": WORD, "visible": True, "silence": 0.0}))
-                except ConnectionClosed:
-                    self.refusals += 1
-                    self._socket = self._demo.socket("screen")
 
 
 async def second_socket(runs, dice):
@@ -60,14 +24,7 @@ async def second_socket(runs, dice):
 
 def _second_socket(runs, dice):
     result = Result("a second socket with the screen's word, and the screen silent", 0.32 + SHOWN_EVERY + A_TICK)
-    watcher = Watcher()
-    with ExitStack() as stack:
-        stack.callback(watcher.close)
-        folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="bodydrive-drill-"))
-        process = stack.enter_context(bodydrive("demo", "--port", "0", TMPDIR=folder))
-        stack.callback(process.terminate)
-        demo = Demo(process)
-        stack.callback(demo.client.close)
+    with closing(Watcher()) as watcher, Demo.running() as demo:
         plan = demo.client.get("/floorplans/apartment").json()
         where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
         refusals = sum(_run(demo, where, result, dice, watcher) for _ in range(runs))
@@ -79,22 +36,22 @@ def _run(demo, where, result, dice, watcher):
     """Run the drill once; return how often the second socket was refused."""
     with ExitStack() as stack:
         live = stack.enter_context(demo.socket("live"))
-        first = Speaker(demo)
+        first = InView(demo, WORD)
         stack.callback(first.close)
         until(live, lambda message: message["values"] is not None and message["trial"] is None)
         assert demo.client.post("/trials", json=where).status_code == 201
         _until_driving(demo, live)
-        second = Speaker(demo)
+        second = InView(demo, WORD)
         stack.callback(second.close)
         time.sleep(dice.uniform(0.3, 0.6))
-        first.fall_silent()
+        first.speaks = False  # with its socket open
         silent = monotonic()
         shown = []
         until(live, lambda message: shown.append(message) or monotonic() > silent + LOOK_ON)
         late = watcher.late(silent, silent + LOOK_ON)
         stopped = [message for message in shown if message["state"] == "disarmed"]
         if not stopped or stopped != shown[-len(stopped) :] or stopped[-1]["trial"]["paused"]["name"] != "screen_lost":
-            result.violations.append(f"run {result.runs + 1}: the chair went on, or stopped for another reason")
+            result.violated("the chair went on, or stopped for another reason")
         result.add(stopped[0]["t"] - silent if stopped else None, late=late)
         _until_driving(demo, live)  # by itself: the second socket now reports for the screen
         assert demo.client.post("/trials/current/end", json={}).is_success

@@ -12,15 +12,14 @@ from pathlib import Path
 
 import uvicorn
 from processes.running_control import tick_with
+from processes.web_stand_in import arms, say
 
 from app.api.app import create_app
 from app.api.parts import parts_of
 from app.cli.port import bind
 from app.computing_process import ComputingProcess
-from app.faults import State
 from app.process.supervisor import ControlProcess
 from app.realtime import collect_garbage
-from app.refusals import Refusal
 from app.session.control_link import ControlLink, ScreenSign
 from app.settings import Settings
 from building import make_parameters
@@ -46,31 +45,9 @@ async def main(given):
         say("pressed")
         await tick_with(control, lambda tick: tick["stop_input"] == 0 and tick["chair_state"] == 0)
         await control.call("run", run_id="w", folder=given["folder"], kind="drive", cues=[], meta={})
-        await armed(control, parameters)
+        await arms(control, parameters)
         say("armed")
         await serving
-
-
-def say(line):
-    sys.stdout.write(f"{line}\n")
-    sys.stdout.flush()
-
-
-async def armed(control, parameters):
-    while True:
-        await asyncio.sleep(0.05)
-        tick = control.newest()
-        if tick is None:
-            continue
-        if tick["state"] == State.ARMED:
-            return
-        try:
-            if tick["state"] == State.FAULT:
-                await control.call("clear", stops=int(tick["stops"]))
-            elif tick["state"] == State.DISARMED:
-                await control.call("arm", hash=parameters.hash)
-        except Refusal:
-            continue
 
 
 asyncio.run(main(json.loads(sys.argv[1])))

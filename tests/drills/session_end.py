@@ -2,15 +2,14 @@
 
 import asyncio
 import resource
-import signal
 import sqlite3
 import tempfile
-from contextlib import closing, contextmanager
+from contextlib import closing
 from pathlib import Path
 
 import psutil
 from drills.results import Result
-from processes.served_demo import Demo, bodydrive, until
+from processes.served_demo import Demo, until
 from store.small_disk import fill, small_disk
 
 from app.clock import monotonic
@@ -22,7 +21,6 @@ DISK = 640 << 20  # bytes: with less than 500 MB free nothing is recorded
 TOLD = 2.0  # s
 WHOLE_AGAIN = 5.0  # s for the ballast, once there is room
 MOST_PATIENTS = 2000  # that may fit into the free pages of SQLite's files
-CHILDREN_GO = 20.0  # s
 
 
 async def session_end(runs, dice):
@@ -44,10 +42,10 @@ async def session_end(runs, dice):
 def _one(folder, dice, result, told, whole):
     def expect(holds, words):
         if not holds:
-            result.violations.append(f"run {result.runs + 1}: {words}")
+            result.violated(f"{words}")
 
-    with small_disk(folder / "disk", DISK) as disk, _demo(disk or folder) as demo:
-        state = next((disk or folder).glob("bodydrive-demo-*"))
+    with small_disk(folder / "disk", DISK) as disk, Demo.running(disk or folder) as demo:
+        state = demo.state
         ballast = state / "bodydrive.sqlite.ballast"
         demo.client.post("/calibration/steps/rest/start")
         with demo.socket("live") as live:
@@ -122,18 +120,3 @@ def _limit(demo):
     for process in (psutil.Process(demo.process.pid), demo.control_process()):
         process.rlimit(psutil.RLIMIT_FSIZE, (1, resource.RLIM_INFINITY))
     return monotonic()
-
-
-@contextmanager
-def _demo(folder):
-    process = bodydrive("demo", "--port", "0", TMPDIR=str(folder))
-    try:
-        demo = Demo(process)
-        yield demo
-        demo.client.close()
-        process.send_signal(signal.SIGINT)
-        process.communicate(timeout=CHILDREN_GO)
-    finally:
-        if process.poll() is None:
-            process.kill()
-            process.communicate()

@@ -4,7 +4,7 @@ import asyncio
 from contextlib import suppress
 from itertools import pairwise
 
-from drills.injury import A_TICK, COMMAND, injure_at_random
+from drills.injury import A_TICK, COMMAND, injure_at_random, setting
 from drills.results import Result
 from drills.rig import PARAMETERS, rig
 from processes.running_control import clear
@@ -24,15 +24,12 @@ async def shirt_stalls(runs, dice):
     result = Result("the shirt stalls", 0.21 + A_TICK + COMMAND)
     async with rig() as made:
 
-        async def stall():
-            made.shirt.stalled = True
-
         async def go_on():
             made.shirt.stalled = False
             await asyncio.sleep(1.2)  # until the lost frames no longer count
 
         for _ in range(runs):
-            await injure_at_random(made, result, dice, stall, go_on)
+            await injure_at_random(made, result, dice, setting(made.shirt, stalled=True), go_on)
     result.remark = "at 100 Hz"
     return result
 

@@ -1,6 +1,6 @@
 """Drills of immediate stops: the screen that armed the chair, Stop on the tablet, the chair's own switch."""
 
-from drills.injury import A_TICK, COMMAND, HEARTBEAT, injure_at_random, nothing
+from drills.injury import A_TICK, COMMAND, HEARTBEAT, injure_at_random, nothing, setting
 from drills.results import Result
 from drills.rig import rig
 from processes.running_control import tick_with
@@ -28,11 +28,8 @@ async def screen_gone(runs, dice):
 
         for run in range(runs):
             says, wanted = SCREENS[run % len(SCREENS)]
-
-            async def injure(says=says):
-                made.screen_age, made.screen = says
-
-            await injure_at_random(made, result, dice, injure, show)
+            injury = setting(made, screen_age=says[0], screen=says[1])
+            await injure_at_random(made, result, dice, injury, show)
     result.remark = "from when the web process knows it; its heartbeat adds up to 50 ms"
     return result
 

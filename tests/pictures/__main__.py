@@ -17,11 +17,11 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from browser.conftest import CHROMIUM, PATIENCE
-from browser.driving import choose_task, go_on_until
+from browser.driving import choose_task, drives_until, ends_by_hand, reaches_the_goal
 from browser.tablets import go_to
 from PIL import Image
 from playwright.sync_api import Page, ViewportSize, expect, sync_playwright
-from processes.served_demo import bodydrive, printed_link
+from processes.served_demo import running_demo
 
 from folders import ROOT
 
@@ -82,7 +82,7 @@ def take() -> None:
         drives(page, camera)
         camera.still("trial-over")
         go_to(page, "review")
-        expect(page.locator(".js-plotly-plot").first).to_be_visible(timeout=PATIENCE)
+        expect(page.locator(".js-plotly-plot").first).to_be_visible()
         camera.still("review")
         drives_now(page, camera)
 
@@ -108,55 +108,47 @@ def drives_now(page: Page, camera: Camera) -> None:
     page.get_by_role("button", name="Start", exact=True).click()
     begin = time.monotonic()
     now = page.get_by_role("button", name="Drive now")
-    expect(now).to_be_visible(timeout=PATIENCE)
+    expect(now).to_be_visible()
     recorded = time.monotonic() - begin
     camera.still("drive-now")
     begin = time.monotonic()
     now.click()
-    expect(page.frame_locator("iframe").locator("canvas").first).to_be_visible(timeout=PATIENCE)
+    expect(page.frame_locator("iframe").locator("canvas").first).to_be_visible()
     sys.stdout.write(f"rest and free movement: {recorded:.0f} s; then: {time.monotonic() - begin:.0f} s to the view\n")
 
 
 def drives(page: Page, camera: Camera) -> None:
     """Drive a trial, and keep the middle of it."""
-    clock = page.locator(".place .big")
     for _ in range(ATTEMPTS):
         go_to(page, "drive")
         choose_task(page, *TASK)
         page.get_by_role("button", name="Start trial").click()
-        expect(page.frame_locator("iframe").locator("canvas").first).to_be_visible(timeout=PATIENCE)
-        go_on_until(page, lambda: clock.inner_text() >= "0:02", "two seconds of the trial")
+        expect(page.frame_locator("iframe").locator("canvas").first).to_be_visible()
+        drives_until(page, 2)
         camera.still("trial")
         camera.moving("moving", SECONDS)
         if not page.get_by_role("button", name="Continue").is_visible():  # nobody has tapped it since
             break
-        page.get_by_role("button", name="End trial").first.click()
-        expect(page.get_by_role("heading", name="Ended by hand")).to_be_visible(timeout=PATIENCE)
+        ends_by_hand(page)
         page.get_by_role("button", name="Take the stop back").click()
     else:
         raise AssertionError(f"each of {ATTEMPTS} trials was halted while it was taken: the machine is too busy")
-    goal = page.get_by_role("heading", name="Goal reached")
-    go_on_until(page, goal.is_visible, "the goal", seconds=150)
+    reaches_the_goal(page)
 
 
 @contextmanager
 def demonstration() -> Iterator[Page]:
     """Give a page of a demonstration, signed in."""
-    process = bodydrive("demo", "--port", "0")
-    try:
-        link = printed_link(process)
-        with sync_playwright() as playwright:
-            browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=list(CHROMIUM))
-            page = browser.new_page(viewport=TABLET, has_touch=True)
-            page.set_default_timeout(PATIENCE)
-            page.goto(link)
-            expect(page.locator(".who")).to_contain_text("session")
-            page.get_by_role("button", name="Got it").click()
-            yield page
-            browser.close()
-    finally:
-        process.terminate()
-        process.wait(20)
+    with running_demo() as link, sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=list(CHROMIUM))
+        page = browser.new_page(viewport=TABLET, has_touch=True)
+        page.set_default_timeout(PATIENCE)
+        expect.set_options(timeout=PATIENCE)
+        page.goto(link)
+        expect(page.locator(".who")).to_contain_text("session")
+        page.get_by_role("button", name="Got it").click()
+        yield page
+        browser.close()
 
 
 if __name__ == "__main__":

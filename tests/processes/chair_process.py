@@ -13,40 +13,70 @@ from app.speeds import HIGHEST_SPEEDS
 PATIENCE = 60.0  # s
 
 
+class Receiving:
+    """A receiver's process, and the lines that it prints, as they come; `words` is what it says on stderr."""
+
+    def __init__(self, key_file, *options, output="stdout", interpreter=(), lines=None, **more):
+        command = [sys.executable, *interpreter, "-m", "app.hardware.chair.receive", "--output", output]
+        self.process = subprocess.Popen(
+            [*command, "--key-file", str(key_file), *options],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            **more,
+        )
+        self.lines = [] if lines is None else lines
+        self.words = self.process.stderr.readline()
+        assert self.words.startswith("listening on 127.0.0.1:"), self.words
+        self.port = int(self.words.rpartition(":")[2])
+        self._threads = [threading.Thread(target=self._read), threading.Thread(target=self._read_errors)]
+        for thread in self._threads:
+            thread.start()
+
+    def _read(self):
+        for line in self.process.stdout:
+            self._pause()
+            self.lines.append(json.loads(line) if line.startswith("{") else line)
+
+    def _pause(self):
+        """Wait before a line is kept."""
+
+    def _read_errors(self):
+        for line in self.process.stderr:
+            self.words += line
+
+    def end(self, number):
+        """Send a signal, wait for the end, and return the exit code."""
+        self.process.send_signal(number)
+        code = self.process.wait(PATIENCE)
+        for thread in self._threads:
+            thread.join(PATIENCE)
+        return code
+
+    def close(self, number=signal.SIGKILL):
+        """End it, unless it has ended by itself."""
+        self.end(number)
+        self.process.stdout.close()
+        self.process.stderr.close()
+
+
 class ReceiverProcess:
-    """`--output stdout`; its lines are kept as they come."""
+    """A receiver with a key and a stop switch; its lines are kept as they come, also after it is started again."""
 
     def __init__(self, folder, port=0, *options):
-        self.folder, self._options = folder, options
+        self.folder, self._options, self._port = folder, options, port
         self.key_file, self._switch = folder / "7.key", folder / "switch"
         if not self.key_file.exists():
             write_key(self.key_file, new_key(7))
         self.press(False)
         self.lines = []
-        self._process = self._errors = None
-        self._port = port
         self.start()
 
     def start(self):
         """Start it, on the same port as before."""
-        command = [sys.executable, "-m", "app.hardware.chair.receive", "--output", "stdout"]
-        command += ["--key-file", str(self.key_file), "--stop-input", str(self._switch), "--port", str(self._port)]
-        self._process = subprocess.Popen(
-            [*command, *self._options], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-        )
-        said = self._process.stderr.readline()
-        assert said.startswith("listening on "), said
-        self._port = int(said.strip().rpartition(":")[2])
-        self._threads = [
-            threading.Thread(target=self._read, args=(self._process.stdout,)),
-            threading.Thread(target=self._process.stderr.read),
-        ]
-        for thread in self._threads:
-            thread.start()
-
-    def _read(self, lines):
-        for line in lines:
-            self.lines.append(json.loads(line))
+        options = ("--stop-input", str(self._switch), "--port", str(self._port), *self._options)
+        self._receiving = Receiving(self.key_file, *options, lines=self.lines)
+        self._port = self._receiving.port
 
     def press(self, pressed):
         """Press or release the chair's stop switch."""
@@ -60,7 +90,7 @@ class ReceiverProcess:
 
     @property
     def pid(self):
-        return self._process.pid
+        return self._receiving.process.pid
 
     @property
     def newest(self):
@@ -91,16 +121,7 @@ class ReceiverProcess:
         raise AssertionError(f"the chair did not get there within {PATIENCE:g} s: {self.lines[-3:]}")
 
     def kill(self):
-        self._process.send_signal(signal.SIGKILL)
-        self._join()
+        self._receiving.close()
 
     def close(self):
-        self._process.terminate()
-        self._join()
-
-    def _join(self):
-        self._process.wait(PATIENCE)
-        for thread in self._threads:
-            thread.join(PATIENCE)
-        self._process.stdout.close()
-        self._process.stderr.close()
+        self._receiving.close(signal.SIGTERM)

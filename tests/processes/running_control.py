@@ -1,13 +1,16 @@
 """A real control process for tests, with a heartbeat."""
 
 import asyncio
+import functools
 from contextlib import asynccontextmanager, suppress
 
 import pytest
+from processes.udp_shirt import UdpShirtSender, free_port, shirt_config
 
 from app.faults import Fault, State
 from app.process.command_channel import LinkLost, LinkRefused
 from app.process.supervisor import ControlProcess
+from app.session.control_link import ControlLink
 
 PATIENCE = 60.0  # s
 
@@ -20,11 +23,24 @@ ROOM = {
 }
 
 
+IN_VIEW = {"screen_age": 0.0, "screen": "in view"}
+
+
+def in_event_loop(test):
+    """Run a test that is a coroutine function in an event loop of its own."""
+
+    @functools.wraps(test)
+    def run(*arguments, **keywords):
+        asyncio.run(test(*arguments, **keywords))
+
+    return run
+
+
 @asynccontextmanager
-async def running():
-    """Yield a control process that gets heartbeats."""
+async def running(screen=IN_VIEW):
+    """Yield a control process that gets heartbeats, which say of the screen what stands in `screen`; None: none."""
     control = await ControlProcess.start()
-    heart = asyncio.create_task(beat(control))
+    heart = asyncio.create_task(beat(control, screen) if screen else asyncio.sleep(0))
     try:
         yield control
     finally:
@@ -33,11 +49,56 @@ async def running():
         await control.close()
 
 
-async def beat(control):
+async def beat(control, screen=IN_VIEW):
     with suppress(LinkLost):
         while True:
-            control.send("heartbeat", screen_age=0.0)
+            control.send("heartbeat", **screen)
             await asyncio.sleep(0.05)
+
+
+@asynccontextmanager
+async def linked():
+    """Yield a link to a control process with the simulated shirt, the processes that it starts, and its states."""
+    opened, states = [], []
+
+    async def start_process():
+        opened.append(await ControlProcess.start())
+        return opened[-1]
+
+    async def note(state):
+        states.append(state)
+
+    control = ControlLink(start_process)
+    await control.start()
+    try:
+        control.on_change.append(note)
+        await control.load("shirt", config=SIMULATED)
+        await until(lambda: control.newest() is not None)
+        yield control, opened, states
+    finally:
+        await control.close()
+
+
+@asynccontextmanager
+async def worn(control, parameters, key_file=None):
+    """Give a control process a shirt over UDP and parameters; yield the shirt, which sends."""
+    port = free_port()
+    shirt = UdpShirtSender(parameters, port, key_file)
+    try:
+        await control.call("shirt", config=shirt_config(parameters, port, key_file))
+        loaded = await control.call("parameters", parameters=parameters.model_dump(mode="json"))
+        assert loaded["hash"] == parameters.hash
+        yield shirt
+    finally:
+        await asyncio.to_thread(shirt.close)
+
+
+async def until(condition):
+    for _ in range(int(PATIENCE / 0.01)):
+        if condition():
+            return
+        await asyncio.sleep(0.01)
+    raise AssertionError(f"it did not happen within {PATIENCE:g} s")
 
 
 async def tick_with(control, condition):

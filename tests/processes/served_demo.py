@@ -9,10 +9,12 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Any
+from pathlib import Path
+from typing import Any, Self
 
 import httpx
 import psutil
+from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 from websockets.sync.connection import Connection
 from websockets.typing import Origin
@@ -21,14 +23,23 @@ from app.clock import monotonic
 from folders import ROOT
 
 COMMAND = [sys.executable, "-c", "from app.cli.main import main; main()"]
+OWNER = {"name": "Ada", "password": "correct horse battery"}
 PATIENCE = 300  # s of silence that count as hung: how quick a machine is says nothing of the program
 CONTINUES = 20  # taps of Continue; on a busy machine a report of the page may be late again and again
 
 
+def environment() -> dict[str, str]:
+    """Return an environment in which a process can import the tests."""
+    return {**os.environ, "PYTHONPATH": os.pathsep.join([str(ROOT), str(ROOT / "tests")])}
+
+
 def bodydrive(*words: str, **more: Any) -> "subprocess.Popen[str]":
-    environment = {**os.environ, "PYTHONPATH": str(ROOT), **more}
     return subprocess.Popen(
-        [*COMMAND, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment
+        [*COMMAND, *words],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": str(ROOT), **more},
     )
 
 
@@ -41,14 +52,26 @@ def printed_link(process: "subprocess.Popen[str]") -> str:
 
 
 @contextmanager
+def running_program(*words: str, **environment: str) -> Iterator["subprocess.Popen[str]"]:
+    """Run bodydrive; at the end it is asked to end, and killed when it does not."""
+    with bodydrive(*words, **environment) as process:
+        try:
+            yield process
+            if process.poll() is None:
+                process.send_signal(signal.SIGINT)
+                process.communicate(timeout=PATIENCE)
+        finally:
+            if process.poll() is None:
+                process.kill()
+                process.communicate()
+
+
+@contextmanager
 def running_demo(**environment: str) -> Iterator[str]:
     """Yield the address of a running demonstration, and check that it ends in order."""
-    with bodydrive("demo", "--port", "0", **environment) as process:
-        try:
-            yield printed_link(process)
-        finally:
-            process.send_signal(signal.SIGINT)
-            assert process.wait(PATIENCE) == 0
+    with running_program("demo", "--port", "0", **environment) as process:
+        yield printed_link(process)
+    assert process.returncode == 0
 
 
 def free_port() -> int:
@@ -95,12 +118,24 @@ class Served:
 
 
 class Demo(Served):
-    """A running demonstration and a client that is signed in."""
+    """A running demonstration and a client that is signed in; `state` is its folder, when one was chosen for it."""
+
+    state: Path
 
     def __init__(self, process: "subprocess.Popen[str]") -> None:
         base, self.code = printed_link(process).split("/#demo=")
         super().__init__(process, base)
         assert self.client.post("/auth/demo", json={"code": self.code}).json()["signed_in"]
+
+    @classmethod
+    @contextmanager
+    def running(cls, folder: Path | str = "") -> Iterator[Self]:
+        """Yield a demonstration, whose state lies in a folder when one is given."""
+        with running_program("demo", "--port", "0", **({"TMPDIR": str(folder)} if folder else {})) as process:
+            demo = cls(process)
+            demo.state = next(Path(folder).glob("bodydrive-demo-*")) if folder else Path()
+            yield demo
+            demo.client.close()
 
     def go_on_until(self, live: Connection, good: Callable[[Any], bool]) -> Any:
         """Wait for a message with `good`; at a stop, tap Continue, as a person does who sees only the newest message.
@@ -117,12 +152,13 @@ class Demo(Served):
 
 
 class InView:
-    """A page's worker, which reports twenty times a second whether the page is in view."""
+    """A page's worker, which reports twenty times a second whether the page is in view; refused, it comes again."""
 
-    def __init__(self, socket_: ClientConnection, word: str) -> None:
-        self.visible = True
+    def __init__(self, served: Served, word: str) -> None:
+        self.visible = self.speaks = True
+        self.refusals = 0
         self._ended = threading.Event()
-        self._socket, self._word = socket_, word
+        self._served, self._word, self._socket = served, word, served.socket("screen")
         self._thread = threading.Thread(target=self._say)
         self._thread.start()
 
@@ -137,10 +173,15 @@ class InView:
 
     def _say(self) -> None:
         while not self._ended.wait(0.05):
-            self._send()
+            if self.speaks:
+                self._send()
 
     def _send(self) -> None:
-        self._socket.send(json.dumps({"screen": self._word, "visible": self.visible, "silence": 0.0}))
+        try:
+            self._socket.send(json.dumps({"screen": self._word, "visible": self.visible, "silence": 0.0}))
+        except ConnectionClosed:
+            self.refusals += 1
+            self._socket = self._served.socket("screen")
 
 
 def until(socket_: Connection, good: Callable[[Any], bool], since: float = 0.0) -> Any:

@@ -3,17 +3,16 @@
 import fcntl
 import hashlib
 import hmac
-import json
 import os
 import random
 import socket
 import struct
-import subprocess
-import sys
 import threading
 import time
 from contextlib import suppress
 from pathlib import Path
+
+from processes.chair_process import Receiving
 
 from folders import ROOT
 
@@ -101,42 +100,22 @@ class StrangeSender:
             self.telemetry.append(TELEMETRY.unpack(datagram[:52]))
 
 
-class Receiver:
-    """The receiver as a process, with its stdout and stderr."""
+class Receiver(Receiving):
+    """The receiver as a process, whose key is the one of this sender."""
 
     def __init__(self, folder, *options, output="stdout", interpreter=("-S",), environment=None):
         self.key_file = Path(folder) / "513.key"
         if not self.key_file.exists():
             self.key_file.touch(mode=0o600)
             self.key_file.write_text(f"{KEY_ID} {SECRET.hex()}\n")
-        command = [sys.executable, *interpreter, "-m", "app.hardware.chair.receive", "--key-file", str(self.key_file)]
-        self.process = subprocess.Popen(
-            [*command, "--output", output, "--port", "0", *options],
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-            cwd=folder,
-            env={**os.environ, "PYTHONPATH": str(ROOT), **(environment or {})},
-        )
-        self.words = self.process.stderr.readline()
-        assert self.words.startswith("listening on 127.0.0.1:"), self.words
-        self.port = int(self.words.rpartition(":")[2])
         self._deaf = threading.Event()
-        self.lines = []
         self._looked_at = 0
-        self._threads = [threading.Thread(target=self._read), threading.Thread(target=self._read_errors)]
-        for thread in self._threads:
-            thread.start()
+        more = {"cwd": folder, "env": {**os.environ, "PYTHONPATH": str(ROOT), **(environment or {})}}
+        super().__init__(self.key_file, "--port", "0", *options, output=output, interpreter=interpreter, **more)
 
-    def _read(self):
-        for line in self.process.stdout:
-            while self._deaf.is_set():
-                time.sleep(0.01)
-            self.lines.append(json.loads(line) if line.startswith("{") else line)
-
-    def _read_errors(self):
-        for line in self.process.stderr:
-            self.words += line
+    def _pause(self):
+        while self._deaf.is_set():
+            time.sleep(0.01)
 
     def stop_reading(self):
         """Stop reading its lines, so that the pipe fills."""
@@ -156,21 +135,3 @@ class Receiver:
                     return self.lines[self._looked_at - 1]
             time.sleep(0.005)
         raise AssertionError(f"the chair did not do so: {self.lines[-3:]}")
-
-    def end(self, number):
-        """Send a signal, wait for the end, and return the exit code."""
-        self.process.send_signal(number)
-        return self.wait()
-
-    def wait(self):
-        code = self.process.wait(PATIENCE)
-        for thread in self._threads:
-            thread.join(PATIENCE)
-        return code
-
-    def close(self):
-        if self.process.poll() is None:
-            self.process.kill()
-        self.wait()
-        self.process.stdout.close()
-        self.process.stderr.close()

@@ -11,130 +11,101 @@ from contextlib import closing
 
 import numpy as np
 import pytest
-from processes.running_control import PATIENCE, ROOM, SIMULATED, refusal, running, tick_with
-from processes.udp_shirt import RATE, UdpShirtSender, free_port, shirt_config
+from processes.running_control import (
+    PATIENCE,
+    ROOM,
+    SIMULATED,
+    in_event_loop,
+    linked,
+    refusal,
+    running,
+    tick_with,
+    until,
+    worn,
+)
+from processes.udp_shirt import RATE, free_port, shirt_config
 
 from app.faults import Fault, State
 from app.pipeline.process import main
 from app.process.command_channel import LinkLost
 from app.process.supervisor import ControlProcess, launch
 from app.recording.reader import read_run
-from app.session.control_link import ControlLink
 from building import make_parameters
 
 
-def test_what_cannot_be_done_is_refused_in_one_sentence(tmp_path):
+@in_event_loop
+async def test_what_cannot_be_done_is_refused_in_one_sentence(tmp_path):
     parameters = make_parameters()
     document = parameters.model_dump(mode="json")
-
-    async def story():
-        async with running() as control:
-            folder = str(tmp_path / "run")
-            run = {"run_id": "r", "folder": folder, "kind": "rest", "cues": [], "meta": {}}
-            assert "calibrate first" in await refusal(control, "arm", hash="0" * 64)
-            assert "No shirt" in await refusal(control, "run", **run)
-            assert "no command 'fly'" in await refusal(control, "fly")
-            assert "there is no shirt of the kind 'coat'" in await refusal(control, "shirt", config={"kind": "coat"})
-            assert "simulated shirt" in await refusal(control, "body", config={"kind": "visitor"})
-            assert "begin a run" in await refusal(control, "end_run")
-            await control.call("shirt", config=SIMULATED)
-            assert "other sensors" in await refusal(control, "parameters", parameters=document)
-            assert "nobody" in await refusal(control, "move", joints={"right_elbow": 0.5})
-            await control.call("body", config={"kind": "visitor"})
-            assert "no joint 'tail'" in await refusal(control, "move", joints={"tail": 0.5})
-            assert "joints.right_elbow" in await refusal(control, "move", joints={"right_elbow": 1.5})
-            assert "folder" in await refusal(control, "run", **{**run, "folder": "relative"})
-            await control.call("run", **run)
-            assert "already" in await refusal(control, "run", **run)
-            assert "already" in await refusal(control, "shirt", config=SIMULATED)
-            await control.call("end_run")
-            assert "recording of this name" in await refusal(control, "run", **run)
-            await control.call("shirt", config=shirt_config(parameters, free_port()))
-            assert (await control.call("status"))["shirt"]["alive"] is False
-            document["gestures"][0]["dead_zone"] = -1.0
-            assert "gestures[0].dead_zone" in await refusal(control, "parameters", parameters=document)
-            document["gestures"][0]["dead_zone"] = 0.2
-            await control.call("parameters", parameters=document)
-            assert "changed meanwhile" in await refusal(control, "arm", hash="0" * 64)
-            assert (await control.call("shirt", config=SIMULATED))["hash"] is None
-
-    asyncio.run(story())
+    async with running() as control:
+        folder = str(tmp_path / "run")
+        run = {"run_id": "r", "folder": folder, "kind": "rest", "cues": [], "meta": {}}
+        assert "calibrate first" in await refusal(control, "arm", hash="0" * 64)
+        assert "No shirt" in await refusal(control, "run", **run)
+        assert "no command 'fly'" in await refusal(control, "fly")
+        assert "there is no shirt of the kind 'coat'" in await refusal(control, "shirt", config={"kind": "coat"})
+        assert "simulated shirt" in await refusal(control, "body", config={"kind": "visitor"})
+        assert "begin a run" in await refusal(control, "end_run")
+        await control.call("shirt", config=SIMULATED)
+        assert "other sensors" in await refusal(control, "parameters", parameters=document)
+        assert "nobody" in await refusal(control, "move", joints={"right_elbow": 0.5})
+        await control.call("body", config={"kind": "visitor"})
+        assert "no joint 'tail'" in await refusal(control, "move", joints={"tail": 0.5})
+        assert "joints.right_elbow" in await refusal(control, "move", joints={"right_elbow": 1.5})
+        assert "folder" in await refusal(control, "run", **{**run, "folder": "relative"})
+        await control.call("run", **run)
+        assert "already" in await refusal(control, "run", **run)
+        assert "already" in await refusal(control, "shirt", config=SIMULATED)
+        await control.call("end_run")
+        assert "recording of this name" in await refusal(control, "run", **run)
+        await control.call("shirt", config=shirt_config(parameters, free_port()))
+        assert (await control.call("status"))["shirt"]["alive"] is False
+        document["gestures"][0]["dead_zone"] = -1.0
+        assert "gestures[0].dead_zone" in await refusal(control, "parameters", parameters=document)
+        document["gestures"][0]["dead_zone"] = 0.2
+        await control.call("parameters", parameters=document)
+        assert "changed meanwhile" in await refusal(control, "arm", hash="0" * 64)
+        assert (await control.call("shirt", config=SIMULATED))["hash"] is None
 
 
-def test_without_a_heartbeat_nothing_is_armed():
+@in_event_loop
+async def test_without_a_heartbeat_nothing_is_armed():
     parameters = make_parameters()
-
-    async def story():
-        port = free_port()
-        control = await ControlProcess.start()
-        shirt = UdpShirtSender(parameters, port)
-        try:
-            await control.call("shirt", config=shirt_config(parameters, port))
-            await control.call("parameters", parameters=parameters.model_dump(mode="json"))
-            await tick_with(control, lambda tick: tick["has_frame"])
-            await control.call("arm", hash=parameters.hash)
-            tick = await tick_with(control, lambda tick: tick["state"] == State.FAULT)
-            assert tick["fault"] == Fault.WEB_SILENT
-            assert not np.any(control.since(0)["state"] == State.ARMED)
-        finally:
-            shirt.close()
-            await control.close()
-
-    asyncio.run(story())
+    async with running(screen=None) as control, worn(control, parameters):
+        await tick_with(control, lambda tick: tick["has_frame"])
+        await control.call("arm", hash=parameters.hash)
+        tick = await tick_with(control, lambda tick: tick["state"] == State.FAULT)
+        assert tick["fault"] == Fault.WEB_SILENT
+        assert not np.any(control.since(0)["state"] == State.ARMED)
 
 
-def test_a_control_process_that_is_killed_is_noticed_and_replaced_disarmed(tmp_path):
-    async def story():
-        opened = []
-
-        async def start_process():
-            opened.append(await ControlProcess.start())
-            return opened[-1]
-
-        control = ControlLink(start_process)
-        states = []
-
-        async def note(state):
-            states.append(state)
-
-        control.on_change.append(note)
-        await control.start()
-        try:
-            await control.load("shirt", config=SIMULATED)
-            folder = tmp_path / "run"
-            await control.call("run", run_id="r", folder=str(folder), kind="free", cues=[], meta={})
-            await asyncio.sleep(1.0)
-            os.kill(opened[0].pid, signal.SIGKILL)
-            await asyncio.wait_for(opened[0].died(), PATIENCE)
-            with pytest.raises(LinkLost):
-                await opened[0].call("status")
-            for _ in range(int(PATIENCE / 0.02)):
-                if states == ["lost", "alive"]:
-                    break
-                await asyncio.sleep(0.02)
-            assert states == ["lost", "alive"]
-            status = await control.call("status")
-            assert status["shirt"]["kind"] == "simulator"  # the setup is loaded again
-            assert status["recording"] is None
-            assert (await tick_with(control, lambda tick: tick["has_frame"]))["state"] == State.DISARMED
-            run = read_run(folder)
-            assert run.rows > 0.3 * RATE  # the part on the disk is kept
-            assert "cut" in run.damage
-        finally:
-            await control.close()
-
-    asyncio.run(story())
+@in_event_loop
+async def test_a_control_process_that_is_killed_is_noticed_and_replaced_disarmed(tmp_path):
+    folder = tmp_path / "run"
+    async with linked() as (control, opened, states):
+        await control.call("run", run_id="r", folder=str(folder), kind="free", cues=[], meta={})
+        await asyncio.sleep(1.0)
+        os.kill(opened[0].pid, signal.SIGKILL)
+        await asyncio.wait_for(opened[0].died(), PATIENCE)
+        with pytest.raises(LinkLost):
+            await opened[0].call("status")
+        await until(lambda: states == ["lost", "alive"])
+        status = await control.call("status")
+        assert status["shirt"]["kind"] == "simulator"  # the setup is loaded again
+        assert status["recording"] is None
+        assert (await tick_with(control, lambda tick: tick["has_frame"]))["state"] == State.DISARMED
+        run = read_run(folder)
+        assert run.rows > 0.3 * RATE  # the part on the disk is kept
+        assert "cut" in run.damage
 
 
-def test_closing_ends_the_process_and_leaves_no_memory_behind():
-    async def story():
-        control = await ControlProcess.start()
-        assert not [name for name in shared_memory() if f"-{os.getpid()}-" in name]
-        await control.close()
-        with pytest.raises(ProcessLookupError):
-            os.kill(control.pid, 0)
-
-    asyncio.run(story())
+@in_event_loop
+async def test_closing_ends_the_process_and_leaves_no_memory_behind():
+    control = await ControlProcess.start()
+    assert not [name for name in shared_memory() if f"-{os.getpid()}-" in name]
+    await control.close()
+    with pytest.raises(ProcessLookupError):
+        os.kill(control.pid, 0)
 
 
 def shared_memory():

@@ -11,23 +11,16 @@ from pathlib import Path
 import httpx
 import psutil
 import pytest
-from processes.served_demo import Demo, bodydrive, printed_link, until
+from processes.served_demo import OWNER, Demo, bodydrive, printed_link, running_program, until
 
 
 @pytest.fixture
 def demo(tmp_path: Path) -> Iterator[Demo]:
-    process = bodydrive("demo", "--port", "0", TMPDIR=str(tmp_path))
-    try:
-        running = Demo(process)
+    with Demo.running(tmp_path) as running:
         yield running
-        running.client.close()
-    finally:
-        if process.poll() is None:
-            process.kill()
-        process.communicate()
 
 
-def test_the_story_of_a_control_process_that_dies_and_of_an_orderly_end(demo: Demo, tmp_path: Path) -> None:
+def test_the_story_of_a_control_process_that_dies_and_of_an_orderly_end(demo: Demo) -> None:
     equipment = demo.client.get("/equipment").json()
     assert len(equipment["layout"]["channels"]) == 52
     with demo.socket("live") as live:
@@ -49,16 +42,15 @@ def test_the_story_of_a_control_process_that_dies_and_of_an_orderly_end(demo: De
         assert wizard["steps"][0]["status"] == "failed"
 
         control = demo.control_process()
-        state = next(tmp_path.glob("bodydrive-demo-*"))
         demo.process.send_signal(signal.SIGINT)
         _, errors = demo.process.communicate(timeout=60)
     assert demo.process.returncode == 0
     assert "Traceback" not in errors
     assert not control.is_running()
-    assert not state.exists()
+    assert not demo.state.exists()
 
 
-def test_nothing_of_a_clinic_can_be_read_by_others(demo: Demo, tmp_path: Path) -> None:
+def test_nothing_of_a_clinic_can_be_read_by_others(demo: Demo) -> None:
     """After a session with a recording, an upload, a floor plan, a paired chair; under the usual umask."""
     client = demo.client
     chair = {"name": "Blue", "host": "127.0.0.1", "port": 5354, "speeds": {}}
@@ -68,16 +60,15 @@ def test_nothing_of_a_clinic_can_be_read_by_others(demo: Demo, tmp_path: Path) -
     client.post("/calibration/steps/rest/start")
     with demo.socket("live") as live:
         until(live, lambda m: m["run"] is not None and m["run"]["t"] > 0.7)
-        state = next(tmp_path.glob("bodydrive-demo-*"))
-        while_recording = readable_by_others(state)
-        names = {place.name for place in state.rglob("*")}
+        while_recording = readable_by_others(demo.state)
+        names = {place.name for place in demo.state.rglob("*")}
         client.post("/calibration/steps/rest/cancel")
         until(live, lambda m: m["run"] is None)
-    assert while_recording == readable_by_others(state) == []
+    assert while_recording == readable_by_others(demo.state) == []
     assert {"segment-0000.arrows", "run.json", "arm.csv", "1.key"} <= names
     database = {"bodydrive.sqlite", "bodydrive.sqlite-wal", "bodydrive.sqlite-shm"}
     assert database | {"bodydrive.sqlite.log-head", "bodydrive.sqlite.ballast"} <= names
-    assert list(state.rglob("run.parquet"))
+    assert list(demo.state.rglob("run.parquet"))
 
 
 def readable_by_others(folder: Path) -> list[Path]:
@@ -102,20 +93,15 @@ def test_a_busy_port_is_one_sentence() -> None:
 
 
 def test_a_clinic_is_set_up_once_and_held_by_one(tmp_path: Path) -> None:
-    first = bodydrive("serve", "--port", "0", "--state", str(tmp_path / "clinic"))
-    try:
+    words = ("serve", "--port", "0", "--state", str(tmp_path / "clinic"))
+    with running_program(*words) as first:
         base, code = printed_link(first).split("/#setup=")
         with httpx.Client(base_url=f"{base}/api/v1", headers={"Origin": base}, timeout=60) as client:
-            owner = {"code": code, "name": "Ada", "password": "correct horse battery"}
-            assert client.post("/auth/setup", json=owner).json()["role"] == "owner"
-        second = bodydrive("serve", "--port", "0", "--state", str(tmp_path / "clinic"))
+            assert client.post("/auth/setup", json={"code": code, **OWNER}).json()["role"] == "owner"
+        second = bodydrive(*words)
         _, errors = second.communicate(timeout=60)
         assert (second.returncode, errors.count("\n")) == (2, 1)
         assert "open already" in errors
         first.send_signal(signal.SIGTERM)
         assert "Traceback" not in first.communicate(timeout=60)[1]
         assert first.returncode == 0
-    finally:
-        if first.poll() is None:
-            first.kill()
-            first.communicate()

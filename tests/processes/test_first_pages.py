@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 from drills.results import Watcher, waited
-from processes.served_demo import InView, Served, bodydrive, printed_link, until
+from processes.served_demo import InView, Served, printed_link, running_program, until
 from recorded_trial import record_trial, store_trial
 
 from app.api.sign_in.identity import COOKIE
@@ -75,15 +75,12 @@ def furnish_with_trials(settings: Settings) -> str:
 @contextmanager
 def served(state: Path, token: str) -> Iterator[Served]:
     """Yield a program that serves the clinic, in which nothing was loaded before, and a client that is signed in."""
-    with bodydrive("serve", "--port", "0", "--state", str(state)) as process:
-        try:
-            running = Served(process, printed_link(process).rstrip("/"))
-            running.client.cookies.set(COOKIE, token)
-            yield running
-            running.client.close()
-        finally:
-            process.terminate()
-            assert process.wait(60) == 0
+    with running_program("serve", "--port", "0", "--state", str(state)) as process:
+        running = Served(process, printed_link(process).rstrip("/"))
+        running.client.cookies.set(COOKIE, token)
+        yield running
+        running.client.close()
+    assert process.returncode == 0
 
 
 def shared_objects(pid: int) -> set[str]:
@@ -101,7 +98,7 @@ def drive_and_open(clinic: Served) -> tuple[Any, float]:
     """Drive, open every page, and return the first message that tells of a stop, None without one; and the lateness."""
     with ExitStack() as stack:
         live = stack.enter_context(clinic.socket("live"))
-        screen = InView(clinic.socket("screen"), WORD)
+        screen = InView(clinic, WORD)
         stack.callback(screen.close)
         watcher = Watcher()
         stack.callback(watcher.close)

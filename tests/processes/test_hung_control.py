@@ -6,50 +6,20 @@ import signal
 
 import psutil
 import pytest
-from processes.running_control import SIMULATED
+from processes.running_control import in_event_loop, linked, until
 
 from app.clock import monotonic
 from app.faults import State
-from app.process.supervisor import ControlProcess
 from app.refusals import Unavailable
 from app.session import control_link as control_module
-from app.session.control_link import HANG_LIMIT, STOP_LIMIT, ControlLink
+from app.session.control_link import HANG_LIMIT, STOP_LIMIT
 
-PATIENCE = 60.0  # s
 LOAD = 1.0  # s of lateness of a busy machine
-
-
-async def until(condition):
-    deadline = monotonic() + PATIENCE
-    while not condition():
-        assert monotonic() < deadline, f"it did not happen within {PATIENCE:g} s"
-        await asyncio.sleep(0.01)
-
-
-async def started():
-    opened = []
-
-    async def start_process():
-        opened.append(await ControlProcess.start())
-        return opened[-1]
-
-    control = ControlLink(start_process)
-    await control.start()
-    await control.load("shirt", config=SIMULATED)
-    await until(lambda: control.newest() is not None)
-    return control, opened
 
 
 def test_stop_is_answered_and_a_new_one_takes_its_place():
     async def story():
-        control, opened = await started()
-        states = []
-
-        async def note(state):
-            states.append(state)
-
-        control.on_change.append(note)
-        try:
+        async with linked() as (control, opened, states):
             assert await control.stop()
             os.kill(opened[0].pid, signal.SIGSTOP)
             before = monotonic()
@@ -63,44 +33,31 @@ def test_stop_is_answered_and_a_new_one_takes_its_place():
             tick = control.newest()
             assert (State(int(tick["state"])), float(tick["v"])) == (State.DISARMED, 0.0)
             assert await control.stop()
-        finally:
-            await control.close()
 
     asyncio.run(story())
 
 
-def test_a_run_that_is_asked_of_one_that_stands_still_is_open_nowhere(tmp_path):
-    async def story():
-        control, opened = await started()
-        try:
-            os.kill(opened[0].pid, signal.SIGSTOP)
-            run = {"run_id": "a", "folder": str(tmp_path / "a"), "kind": "rest", "cues": [], "meta": {}}
-            with pytest.raises(Unavailable):
-                await control.call("run", **run)
-            await until(lambda: len(opened) == 2 and control.state == "alive")
-            assert (await control.call("status"))["recording"] is None
-            await until(lambda: control.newest() is not None and control.newest()["has_frame"])
-            assert (await control.call("run", **{**run, "run_id": "b", "folder": str(tmp_path / "b")}))["run"] == 1
-            assert (await control.call("end_run"))["dropped"] == 0
-        finally:
-            await control.close()
-
-    asyncio.run(story())
+@in_event_loop
+async def test_a_run_that_is_asked_of_one_that_stands_still_is_open_nowhere(tmp_path):
+    async with linked() as (control, opened, _):
+        os.kill(opened[0].pid, signal.SIGSTOP)
+        run = {"run_id": "a", "folder": str(tmp_path / "a"), "kind": "rest", "cues": [], "meta": {}}
+        with pytest.raises(Unavailable):
+            await control.call("run", **run)
+        await until(lambda: len(opened) == 2 and control.state == "alive")
+        assert (await control.call("status"))["recording"] is None
+        await until(lambda: control.newest() is not None and control.newest()["has_frame"])
+        assert (await control.call("run", **{**run, "run_id": "b", "folder": str(tmp_path / "b")}))["run"] == 1
+        assert (await control.call("end_run"))["dropped"] == 0
 
 
-def test_a_short_pause_is_left_to_the_gate(monkeypatch):
+@in_event_loop
+async def test_a_short_pause_is_left_to_the_gate(monkeypatch):
     monkeypatch.setattr(control_module, "HANG_LIMIT", 30.0)  # this machine may be busy
-
-    async def story():
-        control, opened = await started()
-        try:
-            os.kill(opened[0].pid, signal.SIGSTOP)
-            await asyncio.sleep(0.2)
-            os.kill(opened[0].pid, signal.SIGCONT)
-            number = int(control.newest()["number"])
-            await until(lambda: int(control.newest()["number"]) > number + 10)
-            assert len(opened) == 1
-        finally:
-            await control.close()
-
-    asyncio.run(story())
+    async with linked() as (control, opened, _):
+        os.kill(opened[0].pid, signal.SIGSTOP)
+        await asyncio.sleep(0.2)
+        os.kill(opened[0].pid, signal.SIGCONT)
+        number = int(control.newest()["number"])
+        await until(lambda: int(control.newest()["number"]) > number + 10)
+        assert len(opened) == 1

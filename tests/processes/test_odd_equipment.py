@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from odd_values import odd_values
-from processes.running_control import SIMULATED, refusal, tick_with
+from processes.running_control import SIMULATED, in_event_loop, refusal, running, tick_with
 
 from app.api.app import create_app
 from app.computing_process import ComputingProcess
@@ -169,8 +169,7 @@ def test_a_name_that_takes_5_s_to_resolve_holds_nothing_up(monkeypatch, do, conf
     monkeypatch.setenv("PYTHONPATH", f"{slow}{os.pathsep}{os.environ.get('PYTHONPATH', '')}")
 
     async def story():
-        control = await ControlProcess.start()
-        try:
+        async with running(screen=None) as control:
             await tick_with(control, lambda _tick: True)
             begun = int(control.newest()["number"])
             opening = asyncio.create_task(refusal(control, do, config=config))
@@ -182,26 +181,19 @@ def test_a_name_that_takes_5_s_to_resolve_holds_nothing_up(monkeypatch, do, conf
             assert len(ticks) > 150  # in 5 s at 50 Hz, on a busy machine
             assert config["host"] in sentence
             assert (await control.call("status"))["late"] < 20
-        finally:
-            await control.close()
 
     asyncio.run(story())
 
 
-def test_a_driver_that_raises_anything_is_a_sentence():
-    async def story():
-        control = await ControlProcess.start()
-        try:
-            with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
-                other.bind(("127.0.0.1", 0))
-                taken = {"kind": "udp", "port": other.getsockname()[1], "layout": LAYOUT}
-                assert "a port that is free" in await refusal(control, "shirt", config=taken)
-            await control.call("shirt", config=SIMULATED)
-            file = {"kind": "recorded", "file": "/dev/zero"}
-            assert "ordinary file" in await refusal(control, "body", config=file)
-            assert "ordinary file" in await refusal(control, "head", config=file)
-            assert "ordinary file" in await refusal(control, "shirt", config={**file, "kind": "replay"})
-        finally:
-            await control.close()
-
-    asyncio.run(story())
+@in_event_loop
+async def test_a_driver_that_raises_anything_is_a_sentence():
+    async with running(screen=None) as control:
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
+            other.bind(("127.0.0.1", 0))
+            taken = {"kind": "udp", "port": other.getsockname()[1], "layout": LAYOUT}
+            assert "a port that is free" in await refusal(control, "shirt", config=taken)
+        await control.call("shirt", config=SIMULATED)
+        file = {"kind": "recorded", "file": "/dev/zero"}
+        assert "ordinary file" in await refusal(control, "body", config=file)
+        assert "ordinary file" in await refusal(control, "head", config=file)
+        assert "ordinary file" in await refusal(control, "shirt", config={**file, "kind": "replay"})

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from paired_shirt import PairedShirt, calibrated_as_worn
 from processes.chair_process import ReceiverProcess
-from processes.served_demo import CONTINUES, Demo, InView, bodydrive, until
+from processes.served_demo import CONTINUES, Demo, InView, until
 from processes.udp_shirt import free_port
 
 from app.hardware.chair.key import Key, write_key
@@ -18,14 +18,8 @@ WORD = "the-screen-of-this-test"
 
 @pytest.fixture
 def demo(tmp_path: Path) -> Iterator[Demo]:
-    process = bodydrive("demo", "--port", "0", TMPDIR=str(tmp_path))
-    try:
-        running = Demo(process)
+    with Demo.running(tmp_path) as running:
         yield running
-        running.client.close()
-    finally:
-        process.terminate()
-        process.communicate(timeout=60)
 
 
 def good(demo: Demo, method: str, path: str, body: Any = None) -> Any:
@@ -63,7 +57,7 @@ def test_the_story_of_a_real_chair(demo: Demo, tmp_path: Path) -> None:
     receiver = ReceiverProcess(tmp_path, port)
     database = next(tmp_path.rglob("bodydrive.sqlite"))
     shirt = PairedShirt(database.parent)
-    screen = InView(demo.socket("screen"), WORD)
+    screen = InView(demo, WORD)
     try:
         with demo.socket("live") as live:
             until(live, lambda m: m["values"] is not None)

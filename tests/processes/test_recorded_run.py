@@ -1,11 +1,8 @@
 """The recording of a real control process, and that decoding it gives its numbers again."""
 
-import asyncio
-
 import numpy as np
 import pytest
-from processes.running_control import ROOM, SIMULATED, armed, refusal, running, tick_with
-from processes.udp_shirt import UdpShirtSender, free_port, shirt_config
+from processes.running_control import ROOM, SIMULATED, armed, in_event_loop, refusal, running, tick_with, worn
 
 from app.faults import Fault, State
 from app.pipeline.replay.exact_rerun import Rerun, replay_run
@@ -16,34 +13,29 @@ from building import make_parameters
 SOURCE = {"shirt": "simulator", "body": "person", "chair": "virtual", "simulated": True}
 
 
-def test_a_run_with_cues_is_recorded(tmp_path):
+@in_event_loop
+async def test_a_run_with_cues_is_recorded(tmp_path):
     cues = [
         {"start": 0.1, "end": 0.3, "kind": "rest"},
         {"start": 0.3, "end": 0.6, "kind": "move", "joint": "right_elbow", "repetition": 1},
     ]
-
-    async def story():
-        async with running() as control:
-            answer = await control.call("shirt", config=SIMULATED)
-            assert answer["sample_rate"] == 200.0
-            channels = len(answer["layout"]["channels"])
-            await control.call("body", config={"kind": "person", "skill": "practised", "seed": 1})
-            folder = str(tmp_path / "run")
-            begun = await control.call("run", run_id="r1", folder=folder, kind="prompt", cues=cues, meta={"step": "x"})
-            number = begun["run"]
-            assert begun["source"] == SOURCE
-            await tick_with(control, lambda tick: tick["run_t"] > 0.8)
-            status = await control.call("status")
-            assert status["recording"]["run_id"] == "r1"
-            assert status["shirt"]["kind"] == "simulator"
-            assert status["shirt"]["alive"]
-            ended = await control.call("end_run")
-            after = await tick_with(control, lambda tick: tick["run"] == 0)
-            assert np.isnan(after["run_t"])
-            return channels, number, ended
-
-    channels, number, ended = asyncio.run(story())
-    assert number == 1
+    async with running() as control:
+        answer = await control.call("shirt", config=SIMULATED)
+        assert answer["sample_rate"] == 200.0
+        channels = len(answer["layout"]["channels"])
+        await control.call("body", config={"kind": "person", "skill": "practised", "seed": 1})
+        folder = str(tmp_path / "run")
+        begun = await control.call("run", run_id="r1", folder=folder, kind="prompt", cues=cues, meta={"step": "x"})
+        assert begun["source"] == SOURCE
+        await tick_with(control, lambda tick: tick["run_t"] > 0.8)
+        status = await control.call("status")
+        assert status["recording"]["run_id"] == "r1"
+        assert status["shirt"]["kind"] == "simulator"
+        assert status["shirt"]["alive"]
+        ended = await control.call("end_run")
+        after = await tick_with(control, lambda tick: tick["run"] == 0)
+        assert np.isnan(after["run_t"])
+    assert begun["run"] == 1
     run = read_run(tmp_path / "run")
     assert (run.damage, run.rows, run.dropped) == ("", ended["rows"], ended["dropped"])
     assert ended["dropped"] == 0
@@ -61,45 +53,34 @@ def test_a_run_with_cues_is_recorded(tmp_path):
 
 
 @pytest.mark.parametrize("dynamics", ["unicycle", "wheelchair"])
-def test_a_drive_is_recorded_and_decoding_the_recording_gives_the_same_drive(tmp_path, dynamics):
+@in_event_loop
+async def test_a_drive_is_recorded_and_decoding_the_recording_gives_the_same_drive(tmp_path, dynamics):
     parameters = make_parameters()
-
-    async def story():
-        port = free_port()
-        async with running() as control:
-            await control.call("shirt", config=shirt_config(parameters, port))
-            digest = (await control.call("parameters", parameters=parameters.model_dump(mode="json")))["hash"]
-            assert digest == parameters.hash
-            await control.call("chair", config={"kind": "virtual", "dynamics": dynamics})
-            await control.call("world", floorplan=ROOM, path="ahead")
-            shirt = UdpShirtSender(parameters, port)
-            try:
-                await tick_with(control, lambda tick: tick["has_frame"])
-                await control.call("run", run_id="d", folder=str(tmp_path / "run"), kind="drive", cues=[], meta={})
-                await armed(control, digest)
-                start = control.newest()
-                assert (start["x"], start["y"], start["theta"]) == (1.0, 0.5, 0.0)
-                shirt.stroke()
-                await tick_with(control, lambda tick: tick["x"] > 1.3)
-                assert "armed" in await refusal(control, "parameters", parameters=None)
-                assert "armed" in await refusal(control, "world", floorplan=None, path=None)
-                await control.call("stop", by="key")
-                stopped = await tick_with(control, lambda tick: tick["v"] == 0.0)
-                assert (stopped["state"], stopped["fault"]) == (State.FAULT, Fault.STOP_KEY)
-                sentence = await refusal(control, "arm", hash=digest)
-                assert "keyboard" in sentence
-                # Continue must resume the parameters that were armed and recorded.
-                assert "recorded" in await refusal(control, "parameters", parameters=None)
-                assert "recorded" in await refusal(control, "world", floorplan=None, path=None)
-                assert "another stop" in await refusal(control, "clear", stops=int(stopped["stops"]) - 1)
-                await control.call("clear", stops=int(stopped["stops"]))
-                await tick_with(control, lambda tick: tick["state"] == State.ARMED)
-                await control.call("end_run")
-                assert control.newest()["state"] == State.DISARMED
-            finally:
-                shirt.close()
-
-    asyncio.run(story())
+    async with running() as control, worn(control, parameters) as shirt:
+        await control.call("chair", config={"kind": "virtual", "dynamics": dynamics})
+        await control.call("world", floorplan=ROOM, path="ahead")
+        await tick_with(control, lambda tick: tick["has_frame"])
+        await control.call("run", run_id="d", folder=str(tmp_path / "run"), kind="drive", cues=[], meta={})
+        await armed(control, parameters.hash)
+        start = control.newest()
+        assert (start["x"], start["y"], start["theta"]) == (1.0, 0.5, 0.0)
+        shirt.stroke()
+        await tick_with(control, lambda tick: tick["x"] > 1.3)
+        assert "armed" in await refusal(control, "parameters", parameters=None)
+        assert "armed" in await refusal(control, "world", floorplan=None, path=None)
+        await control.call("stop", by="key")
+        stopped = await tick_with(control, lambda tick: tick["v"] == 0.0)
+        assert (stopped["state"], stopped["fault"]) == (State.FAULT, Fault.STOP_KEY)
+        sentence = await refusal(control, "arm", hash=parameters.hash)
+        assert "keyboard" in sentence
+        # Continue must resume the parameters that were armed and recorded.
+        assert "recorded" in await refusal(control, "parameters", parameters=None)
+        assert "recorded" in await refusal(control, "world", floorplan=None, path=None)
+        assert "another stop" in await refusal(control, "clear", stops=int(stopped["stops"]) - 1)
+        await control.call("clear", stops=int(stopped["stops"]))
+        await tick_with(control, lambda tick: tick["state"] == State.ARMED)
+        await control.call("end_run")
+        assert control.newest()["state"] == State.DISARMED
     run = read_run(tmp_path / "run")
     assert (run.damage, run.meta["dynamics"]) == ("", dynamics)
     assert run.meta["source"] == {"shirt": "udp", "body": None, "chair": "virtual", "simulated": False}

@@ -2,7 +2,6 @@
 
 import json
 import os
-import shutil
 import socket
 import ssl
 import subprocess
@@ -14,8 +13,8 @@ from typing import NamedTuple
 
 import httpx
 import pytest
-from browser.served.review_app import furnish
-from processes.served_demo import SessionClient, bodydrive, free_port, printed_link
+from browser.served.recorded_clinic import furnish
+from processes.served_demo import OWNER, SessionClient, free_port, printed_link, running_program
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 
@@ -23,6 +22,7 @@ from app.api.proxy import INCOMPLETE
 from app.scene.client_messages import SUBPROTOCOL
 from app.settings import Settings
 from folders import ROOT
+from needed import need
 
 NAME = "clinic.example.org"
 PLACE = "/etc/ssl/clinic"  # of the certificate, in the configurations
@@ -166,11 +166,7 @@ def listens(port: int) -> bool:
 def proxy(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Proxy:
     monkeypatch.setenv("PATH", f"{os.environ['PATH']}:/usr/sbin")  # where Debian has nginx
     chosen = PROXIES[request.param]
-    if shutil.which(request.param) is None:
-        sentence = f"there is no {request.param} here: install Debian's package '{chosen.package}'"
-        if os.environ.get("BODYDRIVE_NO_SKIP") == "1":
-            pytest.fail(sentence)
-        pytest.skip(sentence)
+    need(request.param, chosen.package)
     return chosen
 
 
@@ -180,8 +176,7 @@ def test_a_clinic_is_used_through_the_proxy(proxy: Proxy, certificate: Path, tmp
     name = f"{NAME}:{port}"
     furnish(Settings(state=tmp_path / "clinic"))  # a patient with recorded trials
     words = ("serve", "--port", str(upstream), "--state", str(tmp_path / "clinic"))
-    served = bodydrive(*words, "--behind-proxy", "127.0.0.1", "--name", name)
-    try:
+    with running_program(*words, "--behind-proxy", "127.0.0.1", "--name", name) as served:
         with running(proxy.words(main), port, tmp_path):
             link, _, code = printed_link(served).partition("#setup=")
             assert link == f"https://{name}/"
@@ -191,7 +186,6 @@ def test_a_clinic_is_used_through_the_proxy(proxy: Proxy, certificate: Path, tmp
                     look_from_elsewhere(browser, visitor)
             past_the_proxy = httpx.get(f"http://127.0.0.1:{upstream}/")
             assert (past_the_proxy.status_code, past_the_proxy.json()["detail"]) == (403, INCOMPLETE)
-    finally:
         served.terminate()
         _, errors = served.communicate(timeout=30)
     assert served.returncode == 0
@@ -201,8 +195,7 @@ def test_a_clinic_is_used_through_the_proxy(proxy: Proxy, certificate: Path, tmp
 def walk_through(browser: Browser, code: str) -> None:
     """Sign in, see the live picture, upload a recording and what is no archive, open the 3D view, and stop."""
     forged = {"X-Forwarded-For": "6.6.6.6", "X-Forwarded-Host": "evil.example"}  # the proxy replaces them
-    owner = {"code": code, "name": "Ada", "password": "correct horse battery"}
-    answer = browser.post("/auth/setup", json=owner, headers=forged)
+    answer = browser.post("/auth/setup", json={"code": code, **OWNER}, headers=forged)
     assert answer.json()["role"] == "owner"
     cookies = answer.headers.get_list("set-cookie")
     assert cookies

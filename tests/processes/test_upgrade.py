@@ -13,13 +13,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from processes.served_demo import COMMAND, SessionClient, printed_link
+from processes.served_demo import COMMAND, OWNER, SessionClient, printed_link
 from store.later_schema import LATER, add_later_migration
 
 from app.store.schema import NEWEST
 from folders import ROOT
 
-OWNER = {"name": "Ada", "password": "correct horse battery"}
 PAGE = ROOT / "docs" / "administrators.md"
 STATE_OF_PAGE = "/var/lib/bodydrive"
 NO_SOURCE = shutil.ignore_patterns(".*", "node_modules", "__pycache__", "tests", "var")

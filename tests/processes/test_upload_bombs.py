@@ -9,7 +9,7 @@ import pytest
 from drills.bomb_effects import MOST_GROWTH, memory, send_bomb
 from drills.bombs import BOMBS, glb_with_pictures, png
 from drills.results import Watcher
-from processes.served_demo import Demo, bodydrive
+from processes.served_demo import Demo
 
 # One for each library that reads what is uploaded; `make drills` sends all of them.
 EACH_READER = (
@@ -25,28 +25,14 @@ pytestmark = pytest.mark.xdist_group("upload bombs")  # one program for all of t
 HELD_UP = 3.0  # s: a file that is unpacked by the event loop holds every answer up for longer
 
 
-class DemoOfFolder(Demo):
-    """A demonstration whose files can be looked at."""
-
-    state: Path
-
-
 @pytest.fixture(scope="module")
-def demo(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DemoOfFolder]:
-    folder = tmp_path_factory.mktemp("served")
-    process = bodydrive("demo", "--port", "0", TMPDIR=str(folder))
-    try:
-        running = DemoOfFolder(process)
-        running.state = next(folder.glob("bodydrive-demo-*"))
+def demo(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Demo]:
+    with Demo.running(tmp_path_factory.mktemp("served")) as running:
         yield running
-        running.client.close()
-    finally:
-        process.kill()
-        process.communicate()
 
 
 @pytest.fixture(scope="module")
-def before(demo: DemoOfFolder) -> int:
+def before(demo: Demo) -> int:
     demo.client.get("/models").raise_for_status()
     return memory(demo.process.pid, "VmRSS")
 
@@ -65,7 +51,7 @@ def kept(state: Path) -> list[Path]:
 @pytest.mark.parametrize(
     "name", [*EACH_READER, *(pytest.param(name, marks=pytest.mark.long) for name in BOMBS if name not in EACH_READER)]
 )
-def test_a_bomb_is_refused_and_nobody_waits(demo: DemoOfFolder, before: int, watcher: Watcher, name: str) -> None:
+def test_a_bomb_is_refused_and_nobody_waits(demo: Demo, before: int, watcher: Watcher, name: str) -> None:
     effect = send_bomb(demo, BOMBS[name](), watcher, before)
     assert effect.status in {413, 415, 422}
     assert effect.detail.endswith(".")
@@ -75,7 +61,7 @@ def test_a_bomb_is_refused_and_nobody_waits(demo: DemoOfFolder, before: int, wat
     assert [file for file in kept(demo.state) if file.is_file()] == []
 
 
-def test_an_object_that_an_older_version_stored_is_not_unpacked(demo: DemoOfFolder, before: int) -> None:
+def test_an_object_that_an_older_version_stored_is_not_unpacked(demo: Demo, before: int) -> None:
     stored = demo.state / "models" / "old.glb"
     stored.parent.mkdir(exist_ok=True)
     stored.write_bytes(glb_with_pictures(png(13_000)))
@@ -86,7 +72,7 @@ def test_an_object_that_an_older_version_stored_is_not_unpacked(demo: DemoOfFold
     stored.unlink()
 
 
-def test_no_reader_stays(demo: DemoOfFolder) -> None:
+def test_no_reader_stays(demo: Demo) -> None:
     children = psutil.Process(demo.process.pid).children(recursive=True)
     assert [child for child in children if "app.isolated_reader" in child.cmdline()] == []
     assert os.path.exists(f"/proc/{demo.process.pid}")

@@ -1,23 +1,23 @@
 """The web process is killed or suspended: the virtual chair stops while the simulated body moves on."""
 
+import json
 import signal
 import socket
 import subprocess
 import sys
 from itertools import pairwise
-from pathlib import Path
 from typing import NamedTuple
 
 import psutil
 import pytest
-from processes.udp_shirt import UdpShirtSender, free_port
+from processes.served_demo import environment
+from processes.udp_shirt import UdpShirtSender, free_port, shirt_config
 
 from app.clock import monotonic
 from app.faults import State
 from app.hardware.chair.report import REPORT
 from building import make_parameters
 
-TESTS = Path(__file__).resolve().parents[1]
 HEARTBEAT_LIMIT = 0.3  # s
 STOP_TIME = 0.25  # s
 A_TICK_OR_TWO = 0.05  # s
@@ -85,12 +85,9 @@ def drive():
     parameters = make_parameters()
     reports = Reports()
     port = free_port()
-    web = subprocess.Popen(
-        [sys.executable, str(TESTS / "processes" / "web_stand_in.py"), str(TESTS), str(port), str(reports.port)],
-        stdout=subprocess.PIPE,
-        text=True,
-        cwd=TESTS.parent,
-    )
+    given = json.dumps({"shirt": shirt_config(parameters, port), "report": reports.port})
+    command = [sys.executable, "-m", "processes.web_stand_in", given]
+    web = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment())
     shirt = UdpShirtSender(parameters, port)
     control = None
     try:

@@ -31,24 +31,13 @@ def main():
         parser.error("--minutes: give at least 1, because a stopped viewer is cut off only after 20 s")
     pictures = drawn_lines()
     found = soak(60 * minutes, WARM, EVERY)
+    share, returned = found.share, float("nan") if found.returned is None else found.returned
     rows = [
         ("growth of the web process", found.growth, "MB", MOST_GROWTH, found.growth <= MOST_GROWTH),
-        (
-            "others' poses, as a share of the undisturbed ones'",
-            found.share,
-            "",
-            LEAST_SHARE,
-            found.share >= LEAST_SHARE,
-        ),
+        ("others' poses, as a share of the undisturbed ones'", share, "", LEAST_SHARE, share >= LEAST_SHARE),
         ("the stopped one was cut off", float(found.was_cut_off), "", 1.0, found.was_cut_off),
         ("longest time an other got nothing", found.longest_without, "s", 0.0, found.longest_without == 0),
-        (
-            "the stopped one has a picture again after",
-            float("nan") if found.returned is None else found.returned,
-            "s",
-            COMES_BACK,
-            found.returned is not None,
-        ),
+        ("the stopped one has a picture again after", returned, "s", COMES_BACK, found.returned is not None),
     ]
     lines = ["| Viewer | poses/s before | with one stopped | the worst interval |", "|---|---|---|---|"]
     for viewer in range(VIEWERS):

@@ -5,7 +5,6 @@ this machine with the server: without a graphics card, that is what the figures 
 """
 
 import shutil
-import signal
 import statistics
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -13,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from browser.conftest import CHROMIUM
 from playwright.sync_api import Page, ViewportSize, sync_playwright
-from processes.served_demo import Demo, bodydrive
+from processes.served_demo import Demo
 
 VIEWERS = (1, 4, 8)
 SIZE: ViewportSize = {"width": 640, "height": 400}
@@ -40,25 +39,19 @@ class Drawn(NamedTuple):
 
 def drawn() -> Iterator[Drawn]:
     """Open more and more pages, and measure them together."""
-    process = bodydrive("demo", "--port", "0")
-    try:
-        demo = Demo(process)
-        with sync_playwright() as playwright:
-            browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=list(CHROMIUM))
-            context = browser.new_context(viewport=SIZE)
-            context.add_cookies([{"name": n, "value": v, "url": demo.base} for n, v in demo.client.cookies.items()])
-            pages: list[Page] = []
-            for viewers in VIEWERS:
-                while len(pages) < viewers:
-                    pages.append(context.new_page())
-                    pages[-1].goto(f"{demo.base}/view/clinician/")
-                    pages[-1].wait_for_function("window.bodydriveView?.lag() >= 0", timeout=120_000)
-                    pages[-1].evaluate(COUNT)
-                yield _measured(pages)
-            browser.close()
-    finally:
-        process.send_signal(signal.SIGINT)
-        process.wait(30)
+    with Demo.running() as demo, sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=list(CHROMIUM))
+        context = browser.new_context(viewport=SIZE)
+        context.add_cookies([{"name": n, "value": v, "url": demo.base} for n, v in demo.client.cookies.items()])
+        pages: list[Page] = []
+        for viewers in VIEWERS:
+            while len(pages) < viewers:
+                pages.append(context.new_page())
+                pages[-1].goto(f"{demo.base}/view/clinician/")
+                pages[-1].wait_for_function("window.bodydriveView?.lag() >= 0", timeout=120_000)
+                pages[-1].evaluate(COUNT)
+            yield _measured(pages)
+        browser.close()
 
 
 def _measured(pages: list[Page]) -> Drawn:

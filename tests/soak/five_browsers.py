@@ -8,6 +8,7 @@ from typing import Any
 
 from argon2 import PasswordHasher
 from browser.conftest import FewPicturesBrowser
+from browser.served.served_clinic import stored
 from playwright.sync_api import Page, Response, ViewportSize
 from soak.cables import Cable
 
@@ -15,7 +16,6 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import standard_parameters
 from app.cli.serve import profile_file
 from app.settings import Settings
-from app.store.database import Database
 from app.store.parameters import save_parameters, save_profile
 from app.store.patients import add_patient, end_session, start_session
 from app.store.people import add_clinic, add_person
@@ -36,8 +36,7 @@ def furnish(state: Path) -> None:
     """Make a clinic with three people and two calibrated patients."""
     profile = CalibrationProfile.model_validate_json(profile_file().read_bytes())
     hashed = PasswordHasher(time_cost=1, memory_cost=8192, parallelism=1).hash(PASSWORD)
-    database = Database(Settings(state=state).database)
-    with database.transaction() as db:
+    with stored(Settings(state=state)) as db:
         clinic = add_clinic(db, "A clinic")
         for name, role in PEOPLE.items():
             add_person(db, clinic, name, role, hashed)
@@ -47,7 +46,6 @@ def furnish(state: Path) -> None:
             row = save_profile(db, patient.id, session.id, profile, simulated=True)
             save_parameters(db, row, standard_parameters(profile))
             end_session(db)
-    database.close()
 
 
 @dataclass

@@ -1,9 +1,11 @@
 """Scripts that test the modules of web_static/js in node, without a page."""
 
+import json
 import shutil
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -42,5 +44,17 @@ def run_script(modules: Path) -> Callable[..., str]:
         done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
         assert done.returncode == 0, done.stderr
         return done.stdout
+
+    return run
+
+
+@pytest.fixture
+def answered(run_script: Callable[..., str], tmp_path: Path) -> Callable[..., Any]:
+    """Run a script on a document, which it reads from a file, and return the document that it prints."""
+
+    def run(name: str, given: Any, *arguments: Path) -> Any:
+        file = tmp_path / "given.json"
+        file.write_text(json.dumps(given), encoding="utf-8")
+        return json.loads(run_script(name, *arguments, file))
 
     return run

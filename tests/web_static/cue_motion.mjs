@@ -1,4 +1,4 @@
-// The ring and the disc of a cue for people who prefer reduced motion, and for the others. Run by test_cue_motion.py
+// The ring and the disc of a cue for people who prefer reduced motion, and for the others. Run by test_modules.py
 // with the folder js.
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";

@@ -1,4 +1,4 @@
-// What the editor does to documents, without a page. Run by test_editor_logic.py with the folder js.
+// What the editor does to documents, without a page. Run by test_modules.py with the folder js.
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 import { serveReference } from "./served.mjs";

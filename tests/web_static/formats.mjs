@@ -1,4 +1,4 @@
-// Times, days and sizes as people read them. Run by test_formats.py with the folder js, in a time zone west of Greenwich.
+// Times, days and sizes as people read them. Run by test_modules.py with the folder js, in a time zone west of Greenwich.
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 

@@ -1,4 +1,4 @@
-// Which large word the patient's screen shows, without a page. Run by test_moment_word.py with the folder js.
+// Which large word the patient's screen shows, without a page. Run by test_modules.py with the folder js.
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 

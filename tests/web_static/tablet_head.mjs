@@ -1,4 +1,4 @@
-// What a tablet tells of itself, with a page that is made of nothing. Run by test_tablet_head.py with the folder js.
+// What a tablet tells of itself, with a page that is made of nothing. Run by test_modules.py with the folder js.
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 

@@ -6,8 +6,9 @@ from importlib.resources import files
 from typing import Any
 
 from browser.eyes.contrast import too_faint
+from browser.script import script
+from browser.sizes import SIZES, window
 
-SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
 THEMES = {
     "light": {"color_scheme": "light", "contrast": "no-preference", "forced_colors": "none"},
     "dark": {"color_scheme": "dark", "contrast": "no-preference", "forced_colors": "none"},
@@ -19,44 +20,7 @@ CELLS = [(size, theme) for theme in THEMES for size in SIZES]
 NOT_ON_TELEPHONES = {"drive", "drive, runs", "drive, stopped", "plans, edit"}
 # The 3D picture in a frame is another page. One character is text too, and a sign is text: their contrast is decided
 # like any other's; the other options are axe's own.
-RUN = """(context) => {
-  const contrast = {
-    ignoreUnicode: false, ignoreLength: true, ignorePseudo: false, boldValue: 700, boldTextPt: 14, largeTextPt: 18,
-    contrastRatio: { normal: { expected: 4.5 }, large: { expected: 3 } },
-    pseudoSizeThreshold: 0.25, shadowOutlineEmMax: 0.2, textStrokeEmMin: 0.03,
-  };
-  axe.configure({ checks: [{ id: "color-contrast", options: contrast }] });
-  const only = context && { runOnly: ["color-contrast"] };
-  // In forced colours the browser paints text and what is behind it in colours of the person's own choice.
-  const isForced = matchMedia("(forced-colors: active)").matches;
-  const element = context && document.querySelector(context);
-  if (context && !element) return [];
-  element?.scrollIntoView({ block: "center", inline: "center", behavior: "instant" });
-  // The foot of a page sticks to its lower edge: at the very end, nothing of the page lies behind it.
-  element?.closest(".foot")?.parentElement.scrollTo({ top: 1e6, behavior: "instant" });
-  // Nothing shows through a dialog whose background is solid, but axe counts what lies behind it.
-  const dialog = element?.closest("[role=dialog]");
-  const isSolid = dialog && /^rgb\\(/.test(getComputedStyle(dialog).backgroundColor);
-  const behind = isSolid ? [...document.querySelectorAll("main")].filter((one) => !one.contains(dialog)) : [];
-  for (const one of behind) one.style.visibility = "hidden";
-  return axe.run(element ?? document, {
-    iframes: false,
-    resultTypes: ["violations", "incomplete"],
-    ...(only ?? { rules: {
-      "target-size": { enabled: true },
-      "label-content-name-mismatch": { enabled: true }, // who says "click All" by voice says what is written
-      "color-contrast": { enabled: !isForced },
-    } }),
-  }).then(({ violations, incomplete }) => {
-    const rows = (kind, rules) => rules.flatMap(({ id, impact, nodes }) => nodes.map((node) => ({
-      kind, rule: id, impact, target: node.target.join(" "), html: node.html.slice(0, 140),
-      why: [...node.any, ...node.all, ...node.none].map(({ message }) => message).join(" ").slice(0, 200),
-    })));
-    const undecided = rows("undecided", incomplete)
-      .filter(({ rule, why }) => rule === "color-contrast" || why.includes("encountered an error"));
-    return [...rows("violation", violations), ...undecided];
-  }).finally(() => { for (const one of behind) one.style.visibility = ""; });
-}"""
+RUN = script("axe_findings")
 IN_DRAWING = """(targets) => targets.filter((target) => document.querySelector(target)?.closest("svg"))"""
 # After a change of size or theme: styles are computed and transitions have ended.
 SETTLE = 150  # ms
@@ -106,9 +70,8 @@ def cells_of(name: str) -> list[tuple[str, str]]:
     return [cell for cell in CELLS if cell[0] != "390x844" or name not in NOT_ON_TELEPHONES]
 
 
-def look_as(page: Any, cell: tuple[str, str]) -> None:
-    """Give the page a size and a theme."""
-    width, height = SIZES[cell[0]]
-    page.set_viewport_size({"width": width, "height": height})
+def look_as(page: Any, cell: tuple[str, str], settle: float = SETTLE) -> None:
+    """Give the page a size and a theme, and wait for `settle` ms."""
+    page.set_viewport_size(window(cell[0]))
     page.emulate_media(**THEMES[cell[1]])
-    page.wait_for_timeout(SETTLE)
+    page.wait_for_timeout(settle)

@@ -46,6 +46,14 @@ def press(page, name, key="Enter"):
     page.keyboard.press(key)
 
 
+def opens_and_gives_back(page, opener, field, closer="Cancel"):
+    """Open what takes the focus into a field of this name, and close it: the focus is back where it was."""
+    press(page, opener)
+    page.wait_for_function(f"(name) => ({FOCUSED})().includes(name)", arg=field)
+    press(page, closer)
+    assert opener in focused(page)
+
+
 def heading(page, name):
     """Return the expectation of the first heading of this name."""
     return expect(page.get_by_role("heading", name=name).first)

@@ -12,8 +12,8 @@ from urllib.parse import urlsplit
 
 import numpy as np
 from api.fake_process import FakeProcess, profile_for
-from browser.served.review_app import furnish
-from browser.served.served_clinic import ServedClinic
+from browser.served.recorded_clinic import furnish
+from browser.served.served_clinic import OWNER, OwnedClinic, stored
 from processes.served_demo import SessionClient
 from sqlalchemy import delete
 from stored_interface_test import store_interface_test
@@ -29,13 +29,11 @@ from app.hardware.shirt.standard import standard_layout
 from app.session.calibration.calibration_flow import CalibrationFlow
 from app.settings import Settings
 from app.store.calibrations import calibration_steps
-from app.store.database import Database
 from app.store.parameters import save_parameters, save_profile
 from app.store.patients import end_session, start_session
 from app.store.people import find_person
 from app.store.tables import InterfaceTest, PatientSession, Trial
 
-OWNER = {"code": "the-set-up-code-of-the-tests", "name": "Ada", "password": "correct horse battery"}
 LAYOUT = standard_layout()
 # What is stored of all that a place may change, and that has to be put back.
 STORED = (
@@ -66,14 +64,13 @@ class StandIn(FakeProcess):
         return ticks
 
 
-class EyesClinic(ServedClinic):
+class EyesClinic(OwnedClinic):
     """The application of this clinic; `client` is its owner's own browser, `trials` are the recorded ones."""
 
     def __init__(self, folder: Path) -> None:
-        self._settings = settings = Settings(state=folder, setup_code=OWNER["code"])
+        settings = Settings(state=folder, setup_code=OWNER["code"])
         self.trials = self._furnish(settings)
-        super().__init__(settings, stand_in=StandIn)
-        self.client = SessionClient(self.address)
+        super().__init__(settings, StandIn)
         self.shown: dict[str, Any] = {}  # fields of the live picture that are other than in truth
         self.shown_to_patient: dict[str, Any] = {}  # the same of the patient's picture
         self.lamps: dict[int, str] = {}  # conditions of sensors that are other than in truth, by the sensor's number
@@ -84,20 +81,17 @@ class EyesClinic(ServedClinic):
     def _furnish(self, settings: Settings) -> list[int]:
         """Make what is there before it serves; return the ids of the recorded trials."""
         trials = furnish(settings)
-        database = Database(settings.database)
-        with database.transaction() as db:
+        with stored(settings) as db:
             profile = profile_for(LAYOUT)
             session = start_session(db, 1)
             save_parameters(db, save_profile(db, 1, session.id, profile), standard_parameters(profile))
             end_session(db)
-        database.close()
         return trials
 
     def start(self) -> None:
         """Return when it serves, its owner is signed in, and its patient wears a simulated shirt."""
         super().start()
         self._change_pictures()
-        self.good("POST", "/auth/setup", OWNER)
         self.good("POST", "/auth/introduction")  # the sentences of a first time do not stand above every page
         self._admit()
         self.good("PUT", "/equipment/shirt", {"kind": "simulator", "seed": 1})
@@ -112,19 +106,7 @@ class EyesClinic(ServedClinic):
         """End it, and the other clinics, and wait for that."""
         for other in self._others.values():
             other.stop()
-        self.client.close()
         super().stop()
-
-    def good(self, method: str, path: str, body: Any = None) -> Any:
-        """Send a request that must be answered well, from the owner's own browser."""
-        answer = self.client.request(method, path, json=body)
-        assert answer.is_success, (path, answer.text)
-        return answer.json() if answer.content else None
-
-    def be_here(self, patient: int = 1) -> None:
-        """Open a patient's session."""
-        now = self.good("GET", "/session")["session"]
-        self.good("POST", "/session", {"patient_id": patient, "ends": now and now["id"]})
 
     def _change_pictures(self) -> None:
         """Let `shown` and `shown_to_patient` replace fields of what the live sockets send."""
@@ -193,34 +175,28 @@ class EyesClinic(ServedClinic):
     ) -> None:
         """Let the open session's calibration be at a step; at "result" every step is done, and there is one."""
         session_id = self.good("GET", "/session")["session"]["id"]
-        database = Database(self._settings.database)
-        with database.transaction() as db:
+        with stored(self._settings) as db:
             self.app.state.parts[CalibrationFlow]._begin_new(db, session_id)
             session = db.get_one(PatientSession, session_id)
             session.current_step, session.accepted = step, False
             for row in calibration_steps(db, session_id).values():
                 row.status = "done" if step == "result" else "waiting"
             session.result = change(profile_for(LAYOUT)).model_dump(mode="json") if step == "result" else None
-        database.close()
 
     def add_tests(self) -> None:
         """Store six two-minute tests of the open session in place of earlier ones, the newest better than noise."""
         session_id = self.good("GET", "/session")["session"]["id"]
-        database = Database(self._settings.database)
-        with database.transaction() as db:
+        with stored(self._settings) as db:
             db.execute(delete(InterfaceTest))  # the result of a test on a page of these tests is a matter of chance
             for throughput in (0.7, 0.72, 0.69, 0.71, 0.7, 1.2):
                 store_interface_test(db, session_id, throughput=throughput)
-        database.close()
 
     def add_comment(self, t: float, text: str) -> None:
         """Store a comment of Ben, the second person of the clinic, on a moment (s) of the first trial."""
-        database = Database(self._settings.database)
-        with database.transaction() as db:
+        with stored(self._settings) as db:
             ben = find_person(db, "Ben")
             assert ben is not None
             add_comment(db, db.get_one(Trial, self.trials[0]), ben.id, t, text)
-        database.close()
 
     def fault(self, fault: Fault) -> None:
         """Let the control process stop the chair for a reason."""

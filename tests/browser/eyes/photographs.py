@@ -16,10 +16,11 @@ from pathlib import Path
 from typing import Any
 
 from browser.conftest import CHROMIUM, FewPicturesBrowser
-from browser.eyes.axe import NOT_ON_TELEPHONES, SETTLE, SIZES, THEMES
+from browser.eyes.axe import NOT_ON_TELEPHONES, SETTLE, THEMES
 from browser.eyes.contact_sheets import save_sheets
 from browser.eyes.eyes_clinic import EyesClinic
 from browser.eyes.places import PLACES, put_back
+from browser.sizes import SIZES, window
 from PIL import Image
 from playwright.sync_api import expect, sync_playwright
 
@@ -57,9 +58,9 @@ class Cell:
 
     def window(self) -> dict[str, int]:
         """Return width and height that the browser lays out, in px."""
-        width, height = SIZES[self.size]
         factor = ZOOMS[self.zoom]
-        return {"width": width // factor, "height": height // factor}
+        whole = window(self.size)
+        return {"width": whole["width"] // factor, "height": whole["height"] // factor}
 
 
 def cell(text: str) -> Cell:
@@ -116,18 +117,12 @@ def take(page: Any, clinic: EyesClinic, cells: list[Cell], places: list[str], ou
 def owners_page() -> Iterator[tuple[Any, EyesClinic]]:
     """Give the clinic's owner's page, and the clinic."""
     expect.set_options(timeout=PATIENCE)
-    with tempfile.TemporaryDirectory() as folder:
-        clinic = EyesClinic(Path(folder))
-        clinic.start()
-        try:
-            with sync_playwright() as playwright:
-                launched = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=list(CHROMIUM))
-                page = FewPicturesBrowser(launched).new_context(storage_state=clinic.storage()).new_page()
-                page.set_default_timeout(PATIENCE)
-                yield page, clinic
-                launched.close()
-        finally:
-            clinic.stop()
+    with tempfile.TemporaryDirectory() as folder, EyesClinic(Path(folder)) as clinic, sync_playwright() as playwright:
+        launched = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=list(CHROMIUM))
+        page = FewPicturesBrowser(launched).new_context(storage_state=clinic.storage()).new_page()
+        page.set_default_timeout(PATIENCE)
+        yield page, clinic
+        launched.close()
 
 
 def arguments(argv: list[str]) -> argparse.Namespace:

@@ -7,9 +7,25 @@ import time
 from typing import Any
 
 from browser.eyes.eyes_clinic import EyesClinic
-from browser.eyes.opening import Open, answered, at, go, leave, opened, patient_screen, start_with, tap
-from browser.eyes.states.asked_places import ASKED_PLACES
-from browser.eyes.states.calibrate_places import CALIBRATE_PLACES
+from browser.eyes.opening import (
+    Open,
+    answered,
+    answers,
+    at,
+    document,
+    filled,
+    go,
+    named,
+    opened,
+    patient_screen,
+    pauses,
+    shows,
+    start_with,
+    steps,
+    tapped,
+)
+from browser.eyes.states.asked_places import ASKED_PLACES, PROBLEM
+from browser.eyes.states.calibrate_places import CALIBRATE_PLACES, calibration_at
 from browser.eyes.states.chair_places import chair_page, no_chair, paired_chair
 from browser.eyes.states.course_places import COURSE_PLACES
 from browser.eyes.states.empty_places import EMPTY_PLACES
@@ -24,65 +40,25 @@ from browser.eyes.states.session_places import (
     interface_test_runs,
     review,
     revoke_links,
-    shared_help,
     shared_records,
     trial_over,
     trial_runs,
     trial_stopped,
-    unread,
     written_session,
 )
 from browser.eyes.states.tablet_places import TABLET_PLACES
 from browser.eyes.states.trials_places import TRIALS_PLACES
+from browser.script import script
 from playwright.sync_api import expect
 
 from app.faults import Fault
 from app.session.trial import TrialFlow
 
 
-def refused_sign_in(page: Any, clinic: EyesClinic) -> None:
-    start_with(signed_in=False)(page, clinic)
-    page.get_by_label("Name").fill("Ada")
-    page.get_by_label("Password").fill("not this one")
-    tap(page, "Sign in")
-    expect(page.locator(".problem")).not_to_be_empty()
-
-
 def invitation(page: Any, clinic: EyesClinic) -> None:
     ben = next(one for one in clinic.good("GET", "/people") if one["name"] == "Ben")
     link = clinic.good("POST", f"/people/{ben['id']}/link")["url"]
-    leave(page, clinic)
-    page.goto(f"{clinic.address}/#{link.partition('#')[2]}")
-    expect(page.get_by_role("heading", name="Welcome")).to_be_visible()
-
-
-def without_patients(page: Any, clinic: EyesClinic) -> None:
-    answered("/patients", "patients", lambda _: [])(page, clinic)
-
-
-def patient_is_deleted(page: Any, clinic: EyesClinic) -> None:
-    go(page, clinic, "patients")
-    tap(page, "Delete")
-    expect(page.locator(".toast")).to_be_visible()
-
-
-def erasure(page: Any, clinic: EyesClinic) -> None:
-    clinic.good("DELETE", "/patients/2")
-    at("backup", "Erase now")(page, clinic)
-    expect(page.get_by_role("group", name="Erase now")).to_be_visible()
-
-
-def refused_patient(page: Any, clinic: EyesClinic) -> None:
-    at("patients", "New patient")(page, clinic)
-    page.get_by_label("Code").fill("P-1")
-    page.get_by_label("Pseudonym").fill("Again")
-    tap(page, "Add")
-    expect(page.locator(".problem")).not_to_be_empty()
-
-
-def link_of_somebody(page: Any, clinic: EyesClinic) -> None:
-    at("people", "New link for Ben")(page, clinic)
-    expect(page.locator("img.qr")).to_be_visible()
+    steps(document(f"#{link.partition('#')[2]}"), shows(named("heading", "Welcome")))(page, clinic)
 
 
 def picked_lamp(page: Any, clinic: EyesClinic) -> None:
@@ -90,68 +66,17 @@ def picked_lamp(page: Any, clinic: EyesClinic) -> None:
     page.locator(".bodies .sensor").nth(20).click()
 
 
-def first_step(page: Any, clinic: EyesClinic) -> None:
-    at("calibrate", "Start")(page, clinic)
-    page.wait_for_timeout(300)
-
-
-def calibrated(page: Any, clinic: EyesClinic) -> None:
-    clinic.set_calibration("result")
-    opened("calibrate")(page, clinic)
-    expect(page.get_by_role("heading", name="What this body can do")).to_be_visible()
-
-
-def plan_editor(page: Any, clinic: EyesClinic) -> None:
-    at("plans", "New plan")(page, clinic)
-    expect(page.locator(".sheet")).to_be_visible()
-
-
-def code_of_a_screen(page: Any, clinic: EyesClinic) -> None:
-    at("drive/screen", "Pair a screen")(page, clinic)
-    expect(page.get_by_role("heading", name="Pair a screen")).to_be_focused()
-
-
-def patient_stopped(page: Any, clinic: EyesClinic) -> None:
-    clinic.fault(Fault.STOP_TABLET)
-    patient_screen(page, clinic)
-    expect(page.locator(".band.stopped")).to_be_visible()
-
-
 def computer_measured(page: Any, clinic: EyesClinic) -> None:
     go(page, clinic, "computer")
     words = {"good": "The clock is set by the network.", "attention": "Free disk: 4 GB.", "bad": "Port 8443 is taken."}
     findings = [{"verdict": verdict, "message": sentence} for verdict, sentence in words.items()]
     machine = {"verdict": "bad", "message": "This computer is not good enough for driving.", "findings": findings}
-    found = {"machine": machine, "screens": findings[:2]}
-    page.route("**/computer/measurement", lambda route: route.fulfill(json=found))
-    tap(page, "Measure for")
-    expect(page.get_by_role("heading", name="Screens that are open now")).to_be_visible()
-
-
-def document(name: str) -> Open:
-    """Return what opens a page of its own."""
-
-    def open_place(page: Any, clinic: EyesClinic) -> None:
-        leave(page, clinic)
-        page.goto(f"{clinic.address}/{name}")
-        page.wait_for_timeout(700)
-
-    return open_place
+    answers(page, "**/computer/measurement", {"machine": machine, "screens": findings[:2]})
+    steps(tapped("Measure for"), shows("text=Screens that are open now"))(page, clinic)
 
 
 # Where the address says so, no socket is ever opened.
-CUT = """if (location.search === "?cut") {
-  window.WebSocket = class extends EventTarget {
-    static OPEN = 1;
-    readyState = 3;
-    constructor() {
-      super();
-      setTimeout(() => this.dispatchEvent(new Event("close")), 50);
-    }
-    send() {}
-    close() {}
-  };
-}"""
+CUT = script("no_socket")
 
 
 def no_connection(page: Any, clinic: EyesClinic) -> None:
@@ -161,48 +86,54 @@ def no_connection(page: Any, clinic: EyesClinic) -> None:
     expect(page.locator(".note")).to_be_visible()
 
 
-def other_session(page: Any, clinic: EyesClinic) -> None:
-    go(page, clinic, "controls")
-    clinic.be_here(2)
-    expect(page.locator(".other-session")).to_be_visible()
-
-
 def same_name(page: Any, clinic: EyesClinic) -> None:
     opened("shirt")(page, clinic)
     page.get_by_text("Replay of a file").click()
-    file = {"name": "walk.csv", "mimeType": "text/csv", "buffer": b"t,a\n0.0,1\n0.01,1\n0.02,1\n"}
     for word in ("1", "2"):
-        file["buffer"] = b"t,a\n" + b"".join(b"%.2f,%s\n" % (i / 100, word.encode()) for i in range(20))
+        rows = "".join(f"{i / 100:.2f},{word}\n" for i in range(20))
+        file = {"name": "walk.csv", "mimeType": "text/csv", "buffer": f"t,a\n{rows}".encode()}
         page.locator("input[type=file][accept='.csv,.parquet']").first.set_input_files(file)
         page.wait_for_timeout(500)
     expect(page.get_by_role("alertdialog")).to_be_visible()
 
 
-def with_fault(page: Any, clinic: EyesClinic) -> None:
-    clinic.fault(Fault.SHIRT_SILENT)
-    go(page, clinic, "patients")
-    expect(page.get_by_role("button", name="Take the stop back")).to_be_visible()
+def settled(name: str) -> Open:
+    """Return what opens a page of its own, and waits until it stands still."""
+    return steps(document(name), pauses(700))
+
+
+def stopped_by(fault: Fault) -> Open:
+    """Return what lets the control process stop the chair."""
+    return lambda _, clinic: clinic.fault(fault)
 
 
 PLACES: dict[str, Open] = {
     "sign_in": start_with(signed_in=False),
-    "sign_in, refused": refused_sign_in,
+    "sign_in, refused": steps(
+        start_with(signed_in=False),
+        filled("Name", "Ada"),
+        filled("Password", "wrong"),
+        tapped("Sign in"),
+        shows(PROBLEM),
+    ),
     "set_up": start_with(signed_in=False, needs_setup=True),
     "invitation": invitation,
     "lock": start_with(locked=True),
     "patients": at("patients"),
-    "patients, none": without_patients,
+    "patients, none": answered("/patients", "patients", lambda _: []),
     "patients, owner alone": answered("/people", "patients", lambda people: people[:1]),
     "patients, new": at("patients", "New patient"),
-    "patients, deleted": patient_is_deleted,
-    "patients, fault": with_fault,
+    "patients, deleted": steps(at("patients", "Delete"), shows(".toast")),
+    "patients, fault": steps(
+        stopped_by(Fault.SHIRT_SILENT), at("patients"), shows(named("button", "Take the stop back"))
+    ),
     "shirt": at("shirt"),
     "shirt, lamp": picked_lamp,
     "shirt, open": opened("shirt"),
     "shirt, same name": same_name,
     "calibrate": opened("calibrate"),
-    "calibrate, runs": first_step,
-    "calibrate, result": calibrated,
+    "calibrate, runs": steps(at("calibrate", "Start"), pauses(300)),
+    "calibrate, result": steps(calibration_at("result"), opened("calibrate"), shows("text=What this body can do")),
     "controls": at("controls"),
     "controls, open": opened("controls"),
     "adapt": opened("adapt"),
@@ -212,7 +143,9 @@ PLACES: dict[str, Open] = {
     "attention": attention,
     "review": review(""),
     "review trial": review("/trial/{first}"),
-    "review, unread": unread,
+    "review, unread": steps(
+        lambda _, clinic: clinic.add_comment(3.0, "Well turned."), review(""), shows("text=unread comment")
+    ),
     "review, comments": commented,
     "review compare": review("/compare/{first}/{second}"),
     **SESSION_PLACES,
@@ -220,38 +153,41 @@ PLACES: dict[str, Open] = {
     "settings, pair": at("settings", "Pair a chair"),
     "settings, paired": paired_chair,
     "plans": opened("plans"),
-    "plans, edit": plan_editor,
+    "plans, edit": steps(at("plans", "New plan"), shows(".sheet")),
     "people": at("people"),
     "people, invite": at("people", "Invite somebody"),
-    "people, link": link_of_somebody,
+    "people, link": steps(at("people", "New link for Ben"), shows("img.qr")),
     "log": at("log"),
     "first time": start_with(introduced=False),
     "help": at("calibrate", "What is this page for?"),
     "computer": at("computer"),
     "computer, measured": computer_measured,
     "backup": at("backup"),
-    "backup, erase": erasure,
+    "backup, erase": steps(
+        lambda _, clinic: clinic.good("DELETE", "/patients/2"),
+        *(at("backup", "Erase now"), shows(named("group", "Erase now"))),
+    ),
     "drive": opened("drive"),
     "drive tasks": opened("drive/tasks"),
     "drive chairs": opened("drive/chairs"),
     "drive screen": opened("drive/screen"),
-    "drive, pair a screen": code_of_a_screen,
+    "drive, pair a screen": steps(at("drive/screen", "Pair a screen"), shows(":is(h1, h2, h3):focus")),
     "drive, over": trial_over,
     "drive, runs": trial_runs,
     "drive, stopped": trial_stopped,
     "chair": chair_page,
-    "patient's screen, not paired": document("patient.html"),
+    "patient's screen, not paired": settled("patient.html"),
     "patient's screen": patient_screen,
-    "patient's screen, stopped": patient_stopped,
-    "stereo": document("stereo.html"),
-    "tablet": document("tablet.html"),
-    "share link, none": document("share.html"),
-    "share link, PIN": document("share.html#a-link"),
+    "patient's screen, stopped": steps(stopped_by(Fault.STOP_TABLET), patient_screen, shows(".band.stopped")),
+    "stereo": settled("stereo.html"),
+    "tablet": settled("tablet.html"),
+    "share link, none": settled("share.html"),
+    "share link, PIN": settled("share.html#a-link"),
     "share link": shared_records,
-    "share link, help": shared_help,
-    "docs": document("docs/"),
-    "docs clinicians": document("docs/clinicians"),
-    "other session": other_session,
+    "share link, help": steps(shared_records, tapped("What is this page for?"), shows("role=dialog")),
+    "docs": settled("docs/"),
+    "docs clinicians": settled("docs/clinicians"),
+    "other session": steps(at("controls"), lambda _, clinic: clinic.be_here(2), shows(".other-session")),
     "no connection": no_connection,
     **ARCHIVE_PLACES,
     **EMPTY_PLACES,

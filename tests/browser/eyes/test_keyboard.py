@@ -3,25 +3,16 @@
 import re
 
 import pytest
-from browser.eyes.axe import look_as
-from browser.eyes.by_keyboard import focused, heading, press, tab_to
-from browser.eyes.eyes_clinic import OWNER
+from browser.eyes.by_keyboard import focused, heading, opens_and_gives_back, press, tab_to
 from browser.eyes.opening import go
-from browser.eyes.places import PLACES, put_back
+from browser.eyes.places import PLACES
+from browser.served.served_clinic import OWNER
 from playwright.sync_api import expect
 
 from app.api.live.live_picture import ClinicLive
 from app.session.calibration import calibration_flow
 
 pytestmark = [pytest.mark.browser]
-
-
-@pytest.fixture(autouse=True)
-def whole_clinic(page, clinic):
-    """Give each test the same window, and the same clinic."""
-    look_as(page, ("1280x800", "light"))
-    yield
-    put_back(clinic)
 
 
 def test_sign_in(browser, clinic):
@@ -35,15 +26,11 @@ def test_sign_in(browser, clinic):
     page.keyboard.press("Enter")
     heading(page, "Where to?").to_be_visible()  # somebody is here, and calibrated
     assert focused(page) == "Where to?"
-    page.context.close()
 
 
 def test_patients(page, clinic):
     go(page, clinic, "patients")
-    press(page, "New patient")
-    assert "Code" in focused(page)
-    press(page, "Cancel")
-    assert focused(page) == "New patient"
+    opens_and_gives_back(page, "New patient", "Code")
     page.keyboard.press("Enter")
     page.keyboard.type("P-9")
     page.keyboard.press("Tab")
@@ -160,23 +147,12 @@ def test_review(page, clinic):
 
 def test_settings(page, clinic):
     go(page, clinic, "settings")
-    press(page, "Pair a chair")
-    assert "Name" in focused(page)
-    press(page, "Cancel")
-    assert focused(page) == "Pair a chair"
-    press(page, "Pair a screen")
-    heading(page, "Pair a screen").to_be_visible()
-    assert focused(page) == "Pair a screen"
-    press(page, "Close")
-    assert focused(page) == "Pair a screen"
+    opens_and_gives_back(page, "Pair a chair", "Name")
 
 
 def test_people(page, clinic):
     go(page, clinic, "people")
-    press(page, "Invite somebody")
-    assert "Name" in focused(page)
-    press(page, "Cancel")
-    assert focused(page) == "Invite somebody"
+    opens_and_gives_back(page, "Invite somebody", "Name")
     page.keyboard.press("Enter")
     page.keyboard.type("Cleo")
     page.keyboard.press("Tab")

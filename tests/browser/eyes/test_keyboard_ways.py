@@ -1,24 +1,15 @@
-"""By keyboard alone through pages below the main ones: records, backups, the choices before a drive, the help."""
+"""By keyboard alone through pages below the main ones, and through what is no page of a session: first start, docs."""
 
 import re
 
 import pytest
-from browser.eyes.axe import look_as
-from browser.eyes.by_keyboard import focused, heading, press, tab_to
-from browser.eyes.opening import go
-from browser.eyes.places import PLACES, put_back
-from browser.eyes.states.session_places import written_session
+from browser.eyes.by_keyboard import focused, heading, opens_and_gives_back, press, tab_to
+from browser.eyes.opening import document, go
+from browser.eyes.places import PLACES
+from browser.eyes.states.session_places import revoke_links, written_session
 from playwright.sync_api import expect
 
 pytestmark = [pytest.mark.browser]
-
-
-@pytest.fixture(autouse=True)
-def whole_clinic(page, clinic):
-    """Give each test the same window, and the same clinic."""
-    look_as(page, ("1280x800", "light"))
-    yield
-    put_back(clinic)
 
 
 def test_a_task_is_chosen(page, clinic):
@@ -37,13 +28,10 @@ def test_another_chair_is_chosen(page, clinic):
     tab_to(page, "Back to the task")
 
 
-def test_a_screen_is_paired_and_the_code_is_closed(page, clinic):
-    go(page, clinic, "drive/screen")
-    press(page, "Pair a screen")
-    heading(page, "Pair a screen").to_be_visible()
-    assert focused(page) == "Pair a screen"
-    press(page, "Close")
-    assert focused(page) == "Pair a screen"
+@pytest.mark.parametrize("where", ["drive/screen", "settings"])
+def test_a_screen_is_paired_and_the_code_is_closed(page, clinic, where):
+    go(page, clinic, where)
+    opens_and_gives_back(page, "Pair a screen", "Pair a screen", closer="Close")
 
 
 def test_the_help_is_opened_and_closed(page, clinic):
@@ -65,10 +53,7 @@ def test_the_first_sentences_are_put_away(page, clinic):
 
 def test_a_note_is_revised_or_left_as_it_is(page, clinic):
     go(page, clinic, f"session/{written_session(clinic)}")
-    press(page, "Revise the note")
-    assert focused(page) == "Text of the note"
-    press(page, "Cancel")
-    assert "Revise the note" in focused(page)
+    opens_and_gives_back(page, "Revise the note", "Text of the note")
     page.keyboard.press("Enter")
     page.keyboard.type("Rested. ")
     press(page, "Save the revision")
@@ -99,10 +84,7 @@ def test_a_session_is_signed_off_and_unlocked(page, clinic):
     assert focused(page) == "Yes, sign off"
     page.keyboard.press("Enter")
     heading(page, "Session").to_be_focused()
-    press(page, "Unlock")
-    assert focused(page) == "Why it is unlocked"
-    press(page, "Cancel")
-    assert focused(page) == "Unlock"
+    opens_and_gives_back(page, "Unlock", "Why it is unlocked")
     page.keyboard.press("Enter")
     page.keyboard.type("The goal is not the patient's.")
     press(page, "Unlock the session")
@@ -197,3 +179,58 @@ def test_the_story_of_a_session_leads_to_its_trials_and_record(page, clinic):
     PLACES["session story"](page, clinic)
     press(page, "Record")
     heading(page, "Session").to_be_focused()
+
+
+def test_the_first_owner_is_asked_for_and_a_wrong_code_is_refused(page, clinic):
+    PLACES["set_up"](page, clinic)
+    for field, words in (("Set-up code", "no such code"), ("Name", "Ida"), ("Password", "correct horse battery")):
+        tab_to(page, field)
+        page.keyboard.type(words)
+    press(page, "Show what is typed", key="Space")
+    expect(page.get_by_label("Password", exact=True)).to_have_attribute("type", "text")
+    press(page, "Set up and sign in")
+    expect(page.locator(".problem")).not_to_be_empty()
+
+
+def test_an_invitation_is_accepted(browser, clinic):
+    link = clinic.good("POST", "/people", {"name": "Cara", "role": "reviewer", "patients": None})["url"]
+    page = browser.new_page()
+    page.goto(f"{clinic.address}/#{link.partition('#')[2]}")
+    heading(page, "Welcome, Cara").to_be_visible()
+    tab_to(page, "Your new password")
+    page.keyboard.type("battery horse correct")
+    page.keyboard.press("Enter")
+    heading(page, "Who to look at").to_be_focused()
+
+
+def test_shared_records_are_opened_read_and_explained(browser, clinic):
+    written_session(clinic)  # with the consent
+    revoke_links(clinic)
+    made = clinic.good("POST", "/patients/1/shares", {"days": 1})
+    page = browser.new_page()
+    page.goto(f"{clinic.address}/share.html#{made['url'].partition('#')[2]}")
+    tab_to(page, "PIN of this link")
+    page.keyboard.type(made["pin"])
+    page.keyboard.press("Enter")
+    heading(page, "Records of P-1").to_be_focused()
+    press(page, "What is this page for?")
+    expect(page.get_by_role("dialog")).to_be_visible()
+    page.keyboard.press("Escape")
+    assert focused(page) == "What is this page for?"
+
+
+def test_a_page_of_the_docs_leads_to_the_next(page, clinic):
+    document("docs/")(page, clinic)
+    tab_to(page, "For clinicians")
+    page.keyboard.press("Enter")
+    expect(page).to_have_url(re.compile("docs/clinicians"))
+
+
+def test_a_screen_is_paired_by_its_code(browser, clinic):
+    code = clinic.good("POST", "/patient-screen/pairing")["code"]
+    page = browser.new_page()
+    page.goto(f"{clinic.address}/patient.html")
+    tab_to(page, "Code from the clinician's page")
+    page.keyboard.type(code)
+    page.keyboard.press("Enter")
+    expect(page.get_by_text("We wait for your clinician")).to_be_visible()

@@ -7,10 +7,11 @@ import math
 import re
 
 import pytest
-from browser.eyes.axe import SIZES, look_as
+from browser.eyes.axe import look_as
 from browser.eyes.places import PLACES, put_back
 from browser.eyes.states.live_places import estimated_lamps
 from browser.eyes.sweep import small_targets
+from browser.sizes import SIZES
 from playwright.sync_api import expect
 
 pytestmark = [pytest.mark.browser]
@@ -75,8 +76,7 @@ def in_sizes(page, clinic):
             look_as(page, (size, "light"))
             yield size
 
-    yield visit
-    put_back(clinic)
+    return visit
 
 
 def test_a_lamp_is_24_px_wide_and_has_a_place_of_its_own(page, in_sizes):

@@ -32,7 +32,6 @@ def test_forced_colours_leave_bars_and_the_current_step(page, clinic):
     current, other = (picture(page, f".steps li:{where} span") for where in ("has([aria-current])", "last-child"))
     corner = (slice(6, 8), slice(14, 18))  # above the number
     assert contrast(current[corner].mean((0, 1)), other[corner].mean((0, 1))) >= SEEN
-    put_back(clinic)
 
 
 def test_forced_colours_leave_the_line_of_a_slider(page, clinic):
@@ -41,7 +40,6 @@ def test_forced_colours_leave_the_line_of_a_slider(page, clinic):
     slider = picture(page, ".play-bar input[type=range]")
     right = slider[:, slider.shape[1] // 2 :]  # the handle is at the left
     assert contrast(right, np.zeros(3)).max() >= SEEN
-    put_back(clinic)
 
 
 def test_the_page_that_connects_a_device_follows_the_system_and_its_tick_and_switch_stand_out(page, clinic):
@@ -56,7 +54,6 @@ def test_the_page_that_connects_a_device_follows_the_system_and_its_tick_and_swi
                 assert (luminance(ground) < 0.1) == is_dark, (name, theme, ground)
             look_as(page, ("768x1024", theme))
             assert stands_out(page), (name, theme)
-        put_back(clinic)
 
 
 def whole_window(page):
@@ -84,4 +81,3 @@ def test_the_shared_page_has_one_ground_and_a_button_to_touch(page, clinic):
         whole = whole_window(page)
         assert contrast(whole[2, 2], whole[-2, 2]) < 1.1, theme
         assert page.get_by_role("button", name="Open").bounding_box()["height"] >= 44, theme
-    put_back(clinic)

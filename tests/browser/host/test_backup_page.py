@@ -3,40 +3,20 @@
 import re
 
 import pytest
-from browser.served.clinic_app import assert_quiet, go
+from browser.served.clinic_app import go
+from browser.sizes import photograph
 from playwright.sync_api import expect
-
-from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser]
 
-SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
-SMALL = """[...document.querySelectorAll("main button, main a")]
-  .filter((one) => one.offsetParent && one.getBoundingClientRect().height < 44)
-  .map((one) => one.outerHTML.slice(0, 80))"""
+ALLOWED = "Failed to load resource"  # what the server refuses, the browser reports
 
 
 @pytest.fixture
-def page(browser, page_log, served):
-    log = page_log(served.address)
-    page = log.watch(browser.new_context(viewport={"width": 1280, "height": 800}).new_page())
-    page.set_default_timeout(30_000)
-    served.sign_in(page)
+def page(served, open_page):
+    page = open_page(served.address, "1280x800", sign_in=served.sign_in_as("Ada"), allowed=ALLOWED)
     expect(page.get_by_role("heading", name="Who has come?")).to_be_visible()
-    yield page
-    page.context.close()
-    assert_quiet(log)
-
-
-def photograph(page, name):
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
-    for size, (width, height) in SIZES.items():
-        page.set_viewport_size({"width": width, "height": height})
-        page.wait_for_timeout(200)
-        page.screenshot(path=SCREENSHOTS / f"backup-{name}-{size}.png", full_page=True)
-        assert page.evaluate("() => document.documentElement.scrollWidth <= innerWidth"), f"{name} {size} scrolls"
-        assert page.evaluate(f"() => {SMALL}") == []
-    page.set_viewport_size({"width": 1280, "height": 800})
+    return page
 
 
 def test_an_owner_backs_up_and_looks_after_deleted_patients(page, served, tmp_path):
@@ -54,7 +34,7 @@ def test_an_owner_backs_up_and_looks_after_deleted_patients(page, served, tmp_pa
     expect(page.get_by_role("heading", name="Backup", level=1)).to_be_visible()
     expect(page.get_by_text("There is no good backup yet: choose a folder")).to_be_visible()
     expect(page.get_by_role("button", name="Back up now")).to_be_disabled()
-    photograph(page, "first")
+    photograph(page, "backup-first", touched="main")
     page.get_by_label("Folder").fill("relative")
     page.get_by_role("button", name="Save").first.click()
     expect(page.get_by_text("Give the whole path of the folder")).to_be_visible()
@@ -68,7 +48,7 @@ def test_an_owner_backs_up_and_looks_after_deleted_patients(page, served, tmp_pa
     expect(page.get_by_text("erased in 30 days")).to_be_visible()
     page.get_by_role("button", name="Erase now: B-12").click()
     expect(page.get_by_role("button", name="Cancel")).to_be_focused()
-    photograph(page, "made")
+    photograph(page, "backup-made", touched="main")
     cancel = page.get_by_role("button", name="Cancel").element_handle()
     (other,) = [one["id"] for one in served.good("GET", "/patients") if one["code"] == "A-03"]
     served.good("DELETE", f"/patients/{other}", {"reason": "The patient's own wish"})

@@ -2,7 +2,6 @@
 
 import json
 import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -15,6 +14,7 @@ from app.api.qr import qr_picture
 from app.cli.host.lan import MOVED, SCAN
 from app.cli.qr import terminal_code
 from folders import ROOT
+from needed import lacks, need
 
 pytestmark = [pytest.mark.browser]
 
@@ -25,12 +25,9 @@ SCRIPT = Path(__file__).with_name("moving_machine.py")
 @pytest.fixture
 def own_network() -> tuple[str, ...]:
     """The words that start a program in a network of its own."""
-    for command, why in (
-        ([shutil.which("chromium") or "false", "--version"], "there is no chromium here: install Debian's package"),
-        ([*OWN_NETWORK, "true"], "no program may have a network of its own here (unshare --map-root-user --net)"),
-    ):
-        if subprocess.run(command, capture_output=True, check=False).returncode:
-            (pytest.fail if os.environ.get("BODYDRIVE_NO_SKIP") == "1" else pytest.skip)(why)
+    need("chromium", "chromium")
+    if subprocess.run([*OWN_NETWORK, "true"], capture_output=True, check=False).returncode:
+        lacks("no program may have a network of its own here (unshare --map-root-user --net)")
     return OWN_NETWORK
 
 

@@ -6,7 +6,6 @@ in the settings.
 
 import os
 import re
-import shutil
 import socket
 import ssl
 import subprocess
@@ -25,6 +24,7 @@ from processes.host.served_lan import HOSTS, NAME, OWNER, ServedLan, served_lan
 from app.clock import utc_now
 from app.host.authority import make_leaf, read_identity
 from app.host.certificate import KEY
+from needed import need
 
 FOREIGN = "bank.example"
 # For one page; Playwright's own clock would be that of every page of the tablet.
@@ -47,9 +47,7 @@ def lan(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ServedLan]:
 def _programs() -> None:
     """Skip these tests, or fail, where a program that they start is missing."""
     for command, package in (("chromium", "chromium"), ("certutil", "libnss3-tools")):
-        if shutil.which(command) is None:
-            message = f"there is no {command} here: install Debian's package '{package}' for the tests of tablets"
-            (pytest.fail if os.environ.get("BODYDRIVE_NO_SKIP") == "1" else pytest.skip)(message)
+        need(command, package)
 
 
 @contextmanager
@@ -215,27 +213,4 @@ def test_a_wrong_clock_is_said(stranger: BrowserContext, lan: ServedLan, until: 
     said = page.locator(".check").inner_text()
     assert re.search(r"This device shows (Dec 31, 2000|Jan 1, 2001), \d\d:\d\d, the machine shows", said)
     assert "set date and time by itself" in said
-    page.close()
-
-
-DEVICES = [
-    ("Mozilla/5.0 (Macintosh; Intel Mac OS X 10_15_7) Version/18.0 Safari/605.1.15", "MacIntel", 5, "iPad or iPhone"),
-    ("Mozilla/5.0 (Macintosh; Intel Mac OS X 10_15_7) Version/18.0 Safari/605.1.15", "MacIntel", 0, "Mac"),
-    ("Mozilla/5.0 (iPhone; CPU iPhone OS 18_0 like Mac OS X)", "iPhone", 5, "iPad or iPhone"),
-    ("Mozilla/5.0 (Linux; Android 15; Tablet) Chrome/140.0", "Linux armv8l", 5, "Android"),
-    ("Mozilla/5.0 (Windows NT 10.0; Win64; x64) Chrome/140.0", "Win32", 10, "Windows"),
-    ("Mozilla/5.0 (X11; Linux x86_64; rv:140.0) Firefox/140.0", "Linux x86_64", 0, "Linux"),
-]
-
-
-def test_the_page_knows_the_device(stranger: BrowserContext, lan: ServedLan) -> None:
-    page = stranger.new_page()
-    page.goto(lan.page)
-    for agent, platform, touches, name in DEVICES:
-        found = page.evaluate(
-            "async (browser) => (await import('/js/tablet/steps.js')).deviceOf(browser)",
-            {"userAgent": agent, "platform": platform, "maxTouchPoints": touches},
-        )
-        texts = page.evaluate("async () => (await import('/js/texts/en/tablet.js')).default")
-        assert texts[found] == name
     page.close()

@@ -4,25 +4,15 @@ import json
 import zipfile
 
 import pytest
-from browser.served.review_app import ReviewApp
 from playwright.sync_api import expect
 
 pytestmark = [pytest.mark.browser]
 
 
-@pytest.fixture
-def app(tmp_path):
-    served = ReviewApp(tmp_path / "clinic")
-    served.start()
-    yield served
-    served.stop()
-
-
-def test_only_a_patient_who_consents_is_exported_and_anybody_gets_a_copy_of_the_report(browser, app, tmp_path):
-    page = browser.new_context(viewport={"width": 768, "height": 1024}).new_page()
-    page.goto(app.link)
+def test_only_a_patient_who_consents_is_exported_and_anybody_gets_a_copy_of_the_report(recorded, open_page, tmp_path):
+    page = open_page(recorded.link)
     expect(page.get_by_role("heading", level=1)).to_be_visible()
-    page.goto(f"{app.address}/#/session/patient/1")
+    page.goto(f"{recorded.address}/#/session/patient/1")
     card = page.locator(".card").filter(has=page.get_by_role("heading", name="Export for other programs"))
     expect(card).to_contain_text("needs the patient's consent to sharing outside")
     expect(card.get_by_role("link")).to_have_count(0)
@@ -34,10 +24,10 @@ def test_only_a_patient_who_consents_is_exported_and_anybody_gets_a_copy_of_the_
     download.value.save_as(file)
     with zipfile.ZipFile(file) as package:
         assert "P-1" in json.dumps(json.loads(package.read("export.json")))
-        assert sum(name.endswith(".parquet") for name in package.namelist()) == len(app.trials)
+        assert sum(name.endswith(".parquet") for name in package.namelist()) == len(recorded.trials)
     page.get_by_role("button", name="Withdraw the consent: Sharing outside").click()
     expect(card.get_by_role("link")).to_have_count(0)
-    page.goto(f"{app.address}/#/session/1")
+    page.goto(f"{recorded.address}/#/session/1")
     report = page.locator(".card").filter(has=page.get_by_role("heading", name="Report"))
     expect(report).to_contain_text("P-1 has not consented to sharing outside")
     expect(report.get_by_role("link", name="Make the")).to_have_count(0)
@@ -47,4 +37,3 @@ def test_only_a_patient_who_consents_is_exported_and_anybody_gets_a_copy_of_the_
         report.get_by_role("link", name="Make the web page: Session 1 of P-1").click()
     download.value.save_as(tmp_path / "report.html")
     assert "Copy for the patient" in (tmp_path / "report.html").read_text()
-    page.context.close()

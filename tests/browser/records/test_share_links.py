@@ -1,36 +1,21 @@
 """Share links on the page of a patient's sessions: made with the consent only, shown once, opened, counted, revoked."""
 
 import pytest
-from browser.served.review_app import ReviewApp
+from browser.sizes import window
 from playwright.sync_api import expect
-
-from app.store.access.sign_ins import sign_in
-from app.store.database import Database
-from app.store.people import add_person, the_clinic
 
 pytestmark = [pytest.mark.browser]
 
-
-@pytest.fixture
-def app(tmp_path):
-    served = ReviewApp(tmp_path / "clinic")
-    served.start()
-    yield served
-    served.stop()
+TELEPHONE = "390x844"
 
 
 @pytest.fixture
-def page(browser, page_log, app):
-    log = page_log(app.address)
-    context = browser.new_context(viewport={"width": 390, "height": 844})
-    context.grant_permissions(["clipboard-read", "clipboard-write"])
-    page = log.watch(context.new_page())
-    page.goto(app.link)
+def page(recorded, open_page):
+    page = open_page(recorded.link, TELEPHONE, allowed="409 (Conflict)")  # the refusal
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
     expect(page.get_by_role("heading", level=1)).to_be_visible()
-    page.goto(f"{app.address}/#/session/patient/1")
-    yield page
-    assert [error for error in log.errors if "409 (Conflict)" not in error] == log.outside == []  # the refusal
-    context.close()
+    page.goto(f"{recorded.address}/#/session/patient/1")
+    return page
 
 
 @pytest.fixture
@@ -41,7 +26,7 @@ def card(page):
 
 def opens(browser, app, token, pin):
     """Open a link in a browser of its own; return the page, and whether it shows the records."""
-    page = browser.new_context(viewport={"width": 390, "height": 844}).new_page()
+    page = browser.new_page(viewport=window(TELEPHONE))
     page.goto(f"{app.address}/share.html#{token}")
     page.get_by_label("PIN of this link").fill(pin)
     page.get_by_role("button", name="Open").click()
@@ -62,7 +47,7 @@ def test_without_the_consent_one_sentence_stands_in_place_of_the_form(page, card
     expect(card.get_by_role("button", name="Make the link")).to_have_count(0)
 
 
-def test_a_link_is_shown_once_opened_counted_and_revoked(browser, app, page, card):
+def test_a_link_is_shown_once_opened_counted_and_revoked(browser, recorded, page, card):
     page.get_by_role("button", name="Enter consent: Sharing outside").click()
     card.get_by_label("What it shows").select_option("Session 1")
     card.get_by_label("How long").select_option("3 days")
@@ -81,7 +66,7 @@ def test_a_link_is_shown_once_opened_counted_and_revoked(browser, app, page, car
     expect(card.get_by_role("button", name="Make the link")).to_be_focused()
     assert pin not in card.inner_text()
 
-    visitor, is_open = opens(browser, app, url.partition("#")[2], pin)
+    visitor, is_open = opens(browser, recorded, url.partition("#")[2], pin)
     assert is_open
     expect(card.locator(".share-link")).to_contain_text("Opened once, ")  # without a reload
     card.get_by_role("button", name="Revoke the link: Session 1").click()
@@ -92,12 +77,14 @@ def test_a_link_is_shown_once_opened_counted_and_revoked(browser, app, page, car
     visitor.reload()
     expect(visitor.get_by_label("PIN of this link")).to_be_visible()
     visitor.context.close()
-    again, is_open = opens(browser, app, url.partition("#")[2], pin)
+    again, is_open = opens(browser, recorded, url.partition("#")[2], pin)
     assert not is_open
     again.context.close()
 
 
-def test_openings_appear_while_a_new_link_is_shown_and_the_list_of_ended_ones_is_unfolded(browser, app, page, card):
+def test_openings_appear_while_a_new_link_is_shown_and_the_list_of_ended_ones_is_unfolded(
+    browser, recorded, page, card
+):
     page.get_by_role("button", name="Enter consent: Sharing outside").click()
     card.get_by_role("button", name="Make the link").click()
     card.get_by_role("button", name="Done").click()
@@ -106,13 +93,13 @@ def test_openings_appear_while_a_new_link_is_shown_and_the_list_of_ended_ones_is
     card.get_by_role("button", name="Make the link").click()
     token, pin = card.locator("pre").inner_text().partition("#")[2], card.locator(".typed-code").inner_text()
     wrong = "000000" if pin != "000000" else "111111"
-    visitor, is_open = opens(browser, app, token, wrong)
+    visitor, is_open = opens(browser, recorded, token, wrong)
     assert not is_open
     visitor.context.close()
     expect(card.locator(".share-link").first).to_contain_text("Not opened yet · 1 wrong PIN")
     button = card.get_by_role("button", name="Revoke the link")
     button.focus()
-    visitor, is_open = opens(browser, app, token, pin)
+    visitor, is_open = opens(browser, recorded, token, pin)
     assert is_open
     visitor.context.close()
     expect(card.locator(".share-link").first).to_contain_text("Opened once, ")
@@ -121,7 +108,7 @@ def test_openings_appear_while_a_new_link_is_shown_and_the_list_of_ended_ones_is
     expect(card.locator(".typed-code")).to_have_text(pin)
 
 
-def test_a_refusal_of_the_server_is_said_and_the_form_stays(app, page, card):
+def test_a_refusal_of_the_server_is_said_and_the_form_stays(page, card):
     page.get_by_role("button", name="Enter consent: Sharing outside").click()
     expect(card.get_by_role("button", name="Make the link")).to_be_visible()
     withdrawn = "fetch('/api/v1/patients/1/consents/sharing', {method: 'DELETE', headers: {'Patient-Session': 'none'}})"
@@ -132,13 +119,12 @@ def test_a_refusal_of_the_server_is_said_and_the_form_stays(app, page, card):
     expect(card.locator(".share-link")).to_have_count(0)
 
 
-def test_a_reviewer_has_no_share_links_and_asks_for_none(app, page, card):
-    with app.app.state.parts[Database].transaction() as db:
-        token = sign_in(db, add_person(db, the_clinic(db), "Rhea", "reviewer", None), "test")
+def test_a_reviewer_has_no_share_links_and_asks_for_none(recorded, page, card):
+    token = recorded.sign_in_as("Rhea", "reviewer")
     address = page.url
     page.goto("about:blank")  # what the owner's page still asks for is not the reviewer's, and needs the owner's cookie
     page.context.clear_cookies()
-    page.context.add_cookies([{"name": "bodydrive_sign_in", "value": token, "url": app.address}])
+    page.context.add_cookies([{"name": "bodydrive_sign_in", "value": token, "url": recorded.address}])
     asked = []
     page.on("request", lambda request: asked.append(request.url))
     page.goto(address)

@@ -3,24 +3,19 @@
 import re
 
 import pytest
-from browser.served.course_app import CourseApp
+from browser.sizes import each_size, keep
 from playwright.sync_api import expect
-
-from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser]
 
-SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
 PLAIN = re.compile(r"^Better than noise over 28 trials in 4 sessions: the area off the path fell by about \d\.\d\d m²")
 TOO_WIDE = "document.querySelector('main').scrollWidth > document.querySelector('main').clientWidth"
 
 
-@pytest.fixture(scope="module")
-def served(tmp_path_factory):
-    app = CourseApp(tmp_path_factory.mktemp("course"))
-    app.start()
-    yield app
-    app.stop()
+def keep_each_size(page, name):
+    for size in each_size(page, settle=0):
+        page.wait_for_function(f"() => !({TOO_WIDE})")  # charts follow the new size
+        keep(page, f"{size}-{name}")
 
 
 def opens_with_a_word(page, address):
@@ -35,33 +30,23 @@ def opens_with_a_word(page, address):
     page.unroute("**/learning?*")
 
 
-def test_a_change_has_one_word_on_every_page(served, browser, page_log):
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
-    log = page_log(served.address)
-    page = log.watch(browser.new_context(viewport={"width": 768, "height": 1024}).new_page())
-
-    def keep(name):
-        for size, (width, height) in SIZES.items():
-            page.set_viewport_size({"width": width, "height": height})
-            page.wait_for_function(f"() => !({TOO_WIDE})")  # charts follow the new size
-            page.screenshot(path=SCREENSHOTS / f"{size}-verdict-{name}.png")
-
-    ids, review = served.trials, f"{served.address}/#/review/1"
-    page.goto(served.link)
+def test_a_change_has_one_word_on_every_page(course, open_page):
+    page = open_page(course.link, allowed="404")  # these trials have no recordings
+    ids, review = course.trials, f"{course.address}/#/review/1"
     expect(page.get_by_role("heading", level=1)).to_be_visible()
 
     page.goto(f"{review}/trial/{ids[-2]}")  # the last one that reached the goal; 1.0 m2 on that day as before
     area = page.locator(".large-figures section").filter(has=page.locator(".change")).first
     expect(area.locator(".change")).to_have_text("within noise")
     expect(page.get_by_text("No minimal detectable change has been published")).to_be_visible()
-    keep("trial")
+    keep_each_size(page, "verdict-trial")
 
     page.goto(f"{review}/trial/{ids[-1]}")  # 65 m2, and the goal was not reached
     expect(page.get_by_text("The goal was not reached")).to_be_visible()
     expect(page.locator(".large-figures")).to_have_count(0)
     unfinished = re.compile(r"\d\d\.\d\d m²|E_diff|Area off|Compared with")
     expect(page.locator("main")).not_to_contain_text(unfinished, use_inner_text=True)
-    keep("unfinished")
+    keep_each_size(page, "verdict-unfinished")
 
     page.goto(f"{review}/trial/{ids[1]}")
     expect(page.get_by_text("one of the first three trials")).to_be_visible()
@@ -70,7 +55,7 @@ def test_a_change_has_one_word_on_every_page(served, browser, page_log):
     row = page.locator("main tbody tr").first
     expect(row).to_contain_text("↓ better than noise")
     expect(page.locator("main tbody tr").filter(has_text="Mean speed")).to_contain_text("–")
-    keep("compare")
+    keep_each_size(page, "verdict-compare")
 
     opens_with_a_word(page, review)
     card = page.locator(".session-verdicts")
@@ -87,22 +72,16 @@ def test_a_change_has_one_word_on_every_page(served, browser, page_log):
     expect(card.locator("p").filter(has_text="Goal reached: 100 % → 88 %").first).to_contain_text("within noise")
     card.locator("summary").first.click()
     expect(card.locator("tbody tr").filter(has_text="Time").first).to_contain_text("within noise")
-    keep("review")
+    keep_each_size(page, "verdict-review")
     card.get_by_role("link", name="Compare sessions").click()
     expect(page.get_by_role("link", name="Session 4").first).to_be_in_viewport()
     page.go_back()
-    log.errors = [error for error in log.errors if "404" not in error]  # these trials have no recordings
-    log.assert_clean()
-    page.context.close()
 
 
-def test_the_curve_is_said_in_plain_words_and_its_statistics_stand_in_closed_details(served, browser, page_log):
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
-    log = page_log(served.address)
-    page = log.watch(browser.new_context().new_page())
-    page.goto(served.link)
+def test_the_curve_is_said_in_plain_words_and_its_statistics_stand_in_closed_details(course, open_page):
+    page = open_page(course.link)
     expect(page.get_by_role("heading", level=1)).to_be_visible()
-    page.goto(f"{served.address}/#/review/1")
+    page.goto(f"{course.address}/#/review/1")
     card = page.locator("section.card").filter(has=page.get_by_role("heading", name="Learning curve"))
     summary = card.get_by_text("Details: statistics, and which curve is drawn")
     choice, statistics = (
@@ -112,17 +91,14 @@ def test_the_curve_is_said_in_plain_words_and_its_statistics_stand_in_closed_det
     for state in ("closed", "open"):
         if state == "open":
             summary.click()
-        for size, (width, height) in SIZES.items():
-            page.set_viewport_size({"width": width, "height": height})
+        for size in each_size(page, settle=0):
             page.wait_for_function(f"() => !({TOO_WIDE})")
             expect(card.get_by_text(PLAIN)).to_be_visible()
             expect(choice).to_be_visible(visible=state == "open")
             expect(statistics).to_be_visible(visible=state == "open")
             summary.scroll_into_view_if_needed()
-            page.screenshot(path=SCREENSHOTS / f"{size}-curve-{state}.png")
+            keep(page, f"{size}-curve-{state}")
     drawn = card.locator(".js-plotly-plot")
     choice.get_by_text("Level line").click()
     expect(card.get_by_text("Level line: describes these trials less well than the best")).to_be_visible()
     expect(drawn.locator(".legend")).to_contain_text("Learning curve")
-    log.assert_clean()
-    page.context.close()

@@ -1,12 +1,8 @@
 """Review pages that are open while a trial begins and ends elsewhere, in a real browser of a reviewer."""
 
 import pytest
-from browser.served.clinic_app import assert_quiet, go
+from browser.served.clinic_app import go
 from playwright.sync_api import expect
-
-from app.store.access.sign_ins import sign_in
-from app.store.database import Database
-from app.store.people import add_person, the_clinic
 
 pytestmark = [pytest.mark.browser]
 
@@ -21,17 +17,11 @@ def served(served):
 
 
 @pytest.fixture
-def reviewer(browser, page_log, served):
-    """Yield the page of a reviewer who is signed in."""
-    with served.app.state.parts[Database].transaction() as db:
-        cookie = sign_in(db, add_person(db, the_clinic(db), "Rita", "reviewer", None), "test")
-    context = browser.new_context(viewport={"width": 1280, "height": 800})
-    context.add_cookies([{"name": "bodydrive_sign_in", "value": cookie, "url": served.address}])
-    log = page_log(served.address)
-    page = log.watch(context.new_page())
-    yield page
-    assert_quiet(log)
-    context.close()
+def reviewer(served, open_page):
+    """Return the page of a reviewer who is signed in."""
+    token = served.sign_in_as("Rita", "reviewer")
+    where = f"{served.address}/#/review/{served.patients['A-03']}"
+    return open_page(where, "1280x800", sign_in=token, allowed="Failed to load resource")
 
 
 def drive(served):
@@ -46,7 +36,6 @@ def end(served):
 
 def test_the_list_and_the_page_of_a_trial_follow_it_to_its_end(reviewer, served):
     patient = served.patients["A-03"]
-    reviewer.goto(f"{served.address}/#/review/{patient}")
     expect(reviewer.get_by_role("heading", name="No trials yet")).to_be_visible()
     first = drive(served)
     row = reviewer.locator("table.trials tbody tr")

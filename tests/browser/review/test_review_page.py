@@ -3,47 +3,34 @@
 import re
 
 import pytest
-from browser.served.review_app import ReviewApp
+from browser.served.recorded_clinic import RecordedClinic
+from browser.sizes import fits, keep
 from playwright.sync_api import expect
-
-from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser, pytest.mark.long]
 
-SIZES = {"1280x800": (1280, 800), "768x1024": (768, 1024)}
 PICTURE = "document.querySelector('.replay-frame iframe').contentWindow.__viserMutable?.nodePoseData"
 MOMENT = f"(({PICTURE} ?? {{}})['/moment']?.position ?? [NaN])[0]"
 CHAIR = f"(({PICTURE} ?? {{}})['/world/chair']?.position ?? [NaN])[0]"
 ON_PLAN = "Number(/translate\\(([-\\d.e]+)/.exec(document.querySelector('.plan .chair').getAttribute('transform'))[1])"
 CURSORS = """[...document.querySelectorAll(".cursor")].map(
   (one) => Math.round(Number(/translateX\\(([-\\d.]+)/.exec(one.style.transform)[1])))"""
-SMALL = """[...document.querySelectorAll("main button, main select, main .segments label, main .pick, main .foot a")]
-  .filter((one) => one.checkVisibility())
-  .filter((one) => one.getBoundingClientRect().height < 44).map((one) => one.outerHTML.slice(0, 80))"""
-TOO_WIDE = "document.querySelector('main').scrollWidth > document.querySelector('main').clientWidth"
+TOUCHED = "main button, main select, main .segments label, main .pick, main .foot"
 
 
 @pytest.fixture(scope="module")
 def served(tmp_path_factory):
-    app = ReviewApp(tmp_path_factory.mktemp("clinic"))
-    app.start()
-    yield app
-    app.stop()
+    with RecordedClinic(tmp_path_factory.mktemp("clinic")) as app:
+        yield app
 
 
-@pytest.fixture(params=SIZES)
-def page(request, browser, page_log, served):
-    """Yield a page of one size, signed in, and a function that keeps a screenshot."""
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
-    width, height = SIZES[request.param]
-    log = page_log(served.address)
-    page = log.watch(browser.new_context(viewport={"width": width, "height": height}, color_scheme="dark").new_page())
-    page.goto(served.link)
+@pytest.fixture(params=["1280x800", "768x1024"])
+def page(request, served, open_page):
+    """Return a page of one size, signed in."""
+    page = open_page(served.link, request.param, color_scheme="dark")
     expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
-    page.keep = lambda name: page.screenshot(path=SCREENSHOTS / f"{request.param}-{name}.png")
-    yield page
-    log.assert_clean()
-    page.context.close()
+    page.keep = lambda name: keep(page, f"{request.param}-{name}")
+    return page
 
 
 def read(page, expression):
@@ -91,8 +78,7 @@ def test_one_slider_moves_everything(page, until, served):
     assert float(slider.input_value()) == pytest.approx(14.5, abs=0.2)
     expect(page.locator(".over-picture")).to_be_hidden()
     page.keep("trial-replay")
-    assert read(page, SMALL) == []
-    assert not read(page, TOO_WIDE)
+    fits(page, TOUCHED)
 
 
 def test_two_trials_are_chosen_and_compared(page, until, served):
@@ -111,5 +97,4 @@ def test_two_trials_are_chosen_and_compared(page, until, served):
         re.compile(r"\d m")
     )
     page.keep("compare")
-    assert read(page, SMALL) == []
-    assert not read(page, TOO_WIDE)
+    fits(page, TOUCHED)

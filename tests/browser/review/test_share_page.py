@@ -5,7 +5,8 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
-from browser.served.review_app import ReviewApp
+from browser.review.test_far_away import FAR
+from browser.sizes import fits, keep, window
 from playwright.sync_api import expect
 
 from app.api.sign_in.hashing import Hashing
@@ -14,22 +15,15 @@ from app.features.consents.service import give_consent
 from app.features.sharing.service import add_share
 from app.store.database import Database
 from app.store.tables import Patient, Trial
-from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser, pytest.mark.long]
 
-FAR = {"offline": False, "latency": 300, "downloadThroughput": 500_000, "uploadThroughput": 250_000}  # ms, byte/s
 PIN = "314159"
-TOO_WIDE = "document.documentElement.scrollWidth > document.documentElement.clientWidth"
-SMALL = """[...document.querySelectorAll("main button, main input")]
-  .filter((one) => one.getBoundingClientRect().height < 44).map((one) => one.outerHTML)"""
 
 
 @pytest.fixture
-def link(tmp_path):
-    """Serve a clinic and make a link whose PIN is known; yield its address."""
-    app = ReviewApp(tmp_path / "clinic")
-    app.start()
+def link(app):
+    """Make a link whose PIN is known; return its address."""
     with ThreadPoolExecutor(1) as pool:  # the browser has an event loop in this thread
         pin_hash = pool.submit(lambda: asyncio.run(_hash(PIN))).result()
     with app.app.state.parts[Database].transaction() as db:
@@ -38,8 +32,7 @@ def link(tmp_path):
             trial.measures = {**trial.measures, "reached": True}
         give_consent(db, patient.id, "sharing", utc_now().astimezone().date(), "Ada")
         _, token = add_share(db, patient.id, None, pin_hash, 14, "Ada")
-    yield f"{app.address}/share.html#{token}"
-    app.stop()
+    return f"{app.address}/share.html#{token}"
 
 
 async def _hash(pin: str) -> str:
@@ -51,8 +44,7 @@ async def _hash(pin: str) -> str:
 
 
 def test_a_share_link_on_a_phone_far_away(browser, link) -> None:
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
-    context = browser.new_context(viewport={"width": 390, "height": 844})
+    context = browser.new_context(viewport=window("390x844"))
     page = context.new_page()
     context.new_cdp_session(page).send("Network.emulateNetworkConditions", FAR)
     asked: list[str] = []
@@ -79,15 +71,13 @@ def test_a_share_link_on_a_phone_far_away(browser, link) -> None:
     curve = page.locator(".area-curve").first
     expect(curve.locator("circle")).to_have_count(2)
     assert curve.locator("text").all_text_contents()[-2:] == ["Trial 1", "Trial 2"]
-    assert not page.evaluate(TOO_WIDE)
-    assert page.evaluate(SMALL) == []
+    fits(page, "main")
     # What the page is for, by keyboard.
     page.keyboard.press("Shift+Tab")
     expect(page.get_by_role("button", name="What is this page for?")).to_be_focused()
     page.keyboard.press("Enter")
     expect(page.get_by_role("dialog", name="Shared records").get_by_role("heading")).to_be_focused(timeout=20_000)
-    assert not page.evaluate(TOO_WIDE)
+    fits(page)
     page.keyboard.press("Escape")
     expect(page.get_by_role("button", name="What is this page for?")).to_be_focused()
-    page.screenshot(path=SCREENSHOTS / "share-390.png", full_page=True)
-    context.close()
+    keep(page, "share-390")

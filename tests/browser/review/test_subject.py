@@ -3,28 +3,17 @@
 import re
 
 import pytest
+from browser.script import script
+from browser.sizes import SIZES, each_size, keep
 from playwright.sync_api import expect
 
 from app.store.database import Database
 from app.store.patients import add_patient, end_session, start_session
-from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser]
 
-SIZES = ((1280, 800), (768, 1024), (390, 844), (320, 640))
 # The place shows all of its words, inside the header and beside whatever else is there.
-IS_WHOLE = """(one) => {
-  const box = one.getBoundingClientRect();
-  const parts = [...one.children].map((part) => part.getBoundingClientRect());
-  const head = one.closest("header").getBoundingClientRect();
-  const others = [...one.closest("header").querySelectorAll(".lamp, .me, .tools, .stop, .brand, .practice")]
-    .filter((other) => other.checkVisibility()).map((other) => other.getBoundingClientRect());
-  const overlaps = (other) => parts.some((part) => part.left < other.right - 1 && other.left < part.right - 1
-    && part.top < other.bottom - 1 && other.top < part.bottom - 1);
-  return box.width > 0 && parts.every((part) => part.left >= 0 && part.right <= innerWidth + 0.5
-    && part.top >= head.top - 0.5 && part.bottom <= head.bottom + 0.5)
-    && !others.some((other) => other.width && overlaps(other));
-}"""
+IS_WHOLE = script("is_whole")
 
 
 @pytest.fixture
@@ -38,16 +27,14 @@ def other_session(app):
 def assert_named(page, name, code, part):
     who = page.locator("header .who")
     expect(page).to_have_title(re.compile(f"^{code}, {part} · .* · bodydrive$"))
-    for width, height in SIZES:
-        page.set_viewport_size({"width": width, "height": height})
+    for size in each_size(page, (*SIZES, "320x640"), settle=0):
         expect(who.get_by_text(code, exact=True)).to_be_visible()
         expect(who.get_by_text(part, exact=True)).to_be_visible()
-        page.screenshot(path=SCREENSHOTS / f"subject-{name}-{width}x{height}.png")
-        assert who.evaluate(IS_WHOLE), (name, width)
+        keep(page, f"subject-{name}-{size}")
+        assert who.evaluate(IS_WHOLE), (name, size)
 
 
 def test_trial_comparison_review_and_record_name_patient_and_session(app, open_for, other_session):
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     first, second = app.trials
     page = open_for("Ada Lovelace", "owner", f"review/1/trial/{first}")
     assert_named(page, "trial", "P-1", "session 1 shown")
@@ -67,5 +54,5 @@ def test_trial_comparison_review_and_record_name_patient_and_session(app, open_f
 
 
 def test_a_page_of_the_open_session_says_so(app, open_for):
-    page = open_for("Ada", "owner", f"review/1/trial/{app.trials[0]}", (390, 844))
+    page = open_for("Ada", "owner", f"review/1/trial/{app.trials[0]}", "390x844")
     assert_named(page, "open", "P-1", "session 1 open")

@@ -6,18 +6,22 @@ python tests/browser/served/view_app.py --floorplan clinic --port 8090
 import argparse
 import math
 import sys
-import threading
-from collections.abc import AsyncIterator, Iterator
-from contextlib import asynccontextmanager, contextmanager
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from pathlib import Path
 
 import numpy as np
 import uvicorn
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # for its own start, outside of the tests
+
+from browser.served.served_clinic import ServedApp
 from fastapi import FastAPI, WebSocket
 
 from app.api.view.view_bridge import view_router
 from app.api.view.view_controls import view_controls
 from app.cli.port import bind
-from app.clock import MonotonicClock, monotonic
+from app.clock import monotonic
 from app.geometry import Pose
 from app.messages import TICK
 from app.scene.role_servers import Role, RoleServers
@@ -96,19 +100,13 @@ def view_app(plan: FloorPlan, path_name: str, rides: list[tuple[Ride, SceneThrea
     return app
 
 
-class Running:
+class Running(ServedApp):
     """The application in a thread of this process."""
 
-    def __init__(self, plan: FloorPlan, path_name: str) -> None:
+    def __init__(self, plan: FloorPlan, path_name: str = "main") -> None:
         self._rides: list[tuple[Ride, SceneThread]] = []
-        self.socket = bind("127.0.0.1", 0)
         app = view_app(plan, path_name, self._rides)
-        config = uvicorn.Config(
-            app, log_level="error", ws_per_message_deflate=False, ws_ping_interval=2, ws_ping_timeout=3
-        )
-        self._server = uvicorn.Server(config)
-        self._thread = threading.Thread(target=self._server.run, args=([self.socket],))
-        self.address = f"http://127.0.0.1:{self.socket.getsockname()[1]}"
+        super().__init__(app, bind("127.0.0.1", 0), ws_ping_interval=2, ws_ping_timeout=3)
 
     @property
     def ride(self) -> Ride:
@@ -120,31 +118,8 @@ class Running:
         """Return what follows it."""
         return self._rides[0][1]
 
-    def start(self) -> None:
-        """Return when it serves."""
-        self._thread.start()
-        clock = MonotonicClock()
-        while not self._server.started:
-            if not self._thread.is_alive():
-                raise RuntimeError("the application did not start: see its message above")
-            clock.sleep_until(clock.now() + 0.02)
 
-    def stop(self) -> None:
-        """Return when everything has ended."""
-        self._server.should_exit = True
-        self._thread.join()
-        self.socket.close()
-
-
-@contextmanager
-def running(plan: FloorPlan, path_name: str = "main") -> Iterator[Running]:
-    """Serve the 3D view of a plan."""
-    served = Running(plan, path_name)
-    served.start()
-    try:
-        yield served
-    finally:
-        served.stop()
+running = Running
 
 
 def plans() -> dict[str, FloorPlan]:

@@ -1,12 +1,12 @@
-"""Finding one's way: the first screen, the taps to a drive, the sentences for a first time, the help of each page."""
+"""Finding one's way: the first screen, the taps to a drive, the sentences for a first time, the help of each page.
 
-import re
+Each of the four sentences leads where it says, with the words that it uses, in few taps: before they are put away.
+"""
 
 import pytest
-from browser.driving import choose_task, go_on_until
+from browser.driving import choose_task, drives_until
 from browser.tablets import go_to
 from playwright.sync_api import expect
-from processes.served_demo import running_demo
 
 pytestmark = [pytest.mark.browser]
 
@@ -41,35 +41,65 @@ WHOLE = "(all) => all.length > 0 && all.every((one) => one.scrollWidth <= one.cl
 FITS = "() => { const page = document.querySelector('main'); return page.scrollHeight <= page.clientHeight; }"
 
 
-@pytest.fixture(scope="module")
-def demo():
-    """Yield the link of a running demonstration."""
-    with running_demo() as link:
-        yield link
+@pytest.fixture
+def open_at(open_page):
+    """Return what opens a link on a tablet, with the sentences on it, and follows the number of one of them."""
+
+    def follow(link, number):
+        page = open_page(link, has_touch=True)
+        expect(page.locator(".first-sentences")).to_be_visible()
+        page.locator(f'.rail a[data-first="{number}"]:visible').tap()
+        return page
+
+    return follow
+
+
+def test_stop_is_in_view_with_its_number_and_one_tap_stops(demo, open_page):
+    page = open_page(demo, has_touch=True)
+    expect(page.locator(".first-sentences li").first).to_contain_text("STOP, on every page")
+    stop = page.get_by_role("button", name="Stop the chair now")
+    expect(stop).to_be_in_viewport(ratio=1)
+    stop.tap()
+    expect(page.get_by_role("button", name="Take the stop back")).to_be_visible()
+    page.get_by_role("button", name="Take the stop back").tap()
+    expect(page.get_by_role("button", name="Take the stop back")).to_have_count(0)
+
+
+def test_one_joint_is_repeated_from_the_row_of_steps(demo, open_at):
+    page = open_at(demo, 2)
+    page.get_by_role("list", name="The steps of the calibration").get_by_role("button", name="right elbow").tap()
+    expect(page.get_by_role("heading", name="Bend your right elbow")).to_be_visible()
+    expect(page.get_by_role("button", name="Start", exact=True)).to_be_in_viewport(ratio=1)
+
+
+def test_turning_becomes_slower_and_undo_takes_it_back(demo, open_at):
+    page = open_at(demo, 3)
+    speed = page.get_by_role("group", name="Turn speed", exact=True)
+    expect(speed).to_be_visible()
+    before = speed.locator("output").inner_text()
+    speed.get_by_role("button", name="Turn speed −").tap()
+    expect(speed.locator("output")).not_to_have_text(before)
+    page.get_by_role("button", name="Undo").tap()
+    expect(speed.locator("output")).to_have_text(before)
+
+
+def test_whether_last_week_was_better_is_read_without_scrolling(course, open_at):
+    page = open_at(course.link, 4)
+    page.get_by_label("Patient").select_option(label="P-1 Heron")
+    expect(page.get_by_role("heading", name="Better, or noise?")).to_be_in_viewport(ratio=1)
+    expect(page.get_by_text("m² better than noise").first).to_be_in_viewport(ratio=1)
 
 
 @pytest.fixture
-def opened(browser, page_log, demo):
+def opened(demo, open_page):
     """Return what opens the demonstration on a tablet of its own."""
-    log, contexts = page_log(demo), []
 
-    def open_page():
-        contexts.append(browser.new_context(viewport={"width": 768, "height": 1024}))
-        page = log.watch(contexts[-1].new_page())
-        page.goto(demo)
+    def open_demo():
+        page = open_page(demo)
         expect(page.locator("main h1")).to_be_visible()
         return page
 
-    yield open_page
-    log.assert_clean()
-    for context in contexts:
-        context.close()
-
-
-def drives(page):
-    """Wait until the trial's clock goes, then end the trial."""
-    clock = page.locator(".place .big")
-    go_on_until(page, lambda: clock.is_visible() and re.match(r"0:0[1-9]", clock.inner_text()), "a second of the trial")
+    return open_demo
 
 
 def ends(page):
@@ -179,7 +209,7 @@ def test_a_known_patient_drives_after_few_taps(opened):
     start.click()
     page.get_by_role("button", name="Start trial").click()
     taps = page.evaluate("window.taps")
-    drives(page)
+    drives_until(page, 1)
     ends(page)
     assert taps <= MOST_KNOWN
 
@@ -195,7 +225,7 @@ def test_somebody_never_calibrated_drives_after_three_taps(opened):
     page.get_by_role("button", name="Start", exact=True).click()  # rest, then ten seconds of free movement
     page.get_by_role("button", name="Drive now").click(timeout=CALIBRATION)
     taps = page.evaluate("window.taps")
-    drives(page)
+    drives_until(page, 1)
     ends(page)
     assert taps <= MOST_UNCALIBRATED
     go_to(page, "calibrate")  # where the map of each joint comes from, with a way on
@@ -225,7 +255,7 @@ def test_a_new_patient_drives_after_few_taps(opened):
     page.get_by_role("link", name="Drive with these").click()
     page.get_by_role("button", name="Start trial").click()
     taps = page.evaluate("window.taps")
-    drives(page)
+    drives_until(page, 1)
     assert page.get_by_text("P-900").first.is_visible()
     ends(page)
     assert taps <= MOST_NEW

@@ -9,7 +9,7 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 import httpx
-from processes.served_demo import bodydrive
+from processes.served_demo import running_program
 
 HOSTS = ("127.0.0.1", "127.0.0.2")
 NAME = socket.gethostname().lower()
@@ -48,9 +48,6 @@ class ServedLan:
 @contextmanager
 def served_lan(state: Path, *words: str) -> Iterator[ServedLan]:
     hosts = [word for host in HOSTS for word in ("--host", host)]
-    with bodydrive("serve", "--lan", *hosts, "--port", "0", "--state", str(state), *words) as process:
-        try:
-            yield ServedLan(process, state)
-        finally:
-            process.terminate()
-            assert process.wait(60) == 0
+    with running_program("serve", "--lan", *hosts, "--port", "0", "--state", str(state), *words) as process:
+        yield ServedLan(process, state)
+    assert process.returncode == 0

@@ -1,4 +1,4 @@
-// What stands along a learning curve, without a page. Run by test_curve_marks.py with the folder js.
+// What stands along a learning curve, without a page. Run by test_modules.py with the folder js.
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 

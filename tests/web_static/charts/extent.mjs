@@ -1,4 +1,4 @@
-// The range of an axis, without a page. Run by test_extent.py with the folder js.
+// The range of an axis, without a page. Run by test_modules.py with the folder js.
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 

@@ -1,4 +1,4 @@
-// Which path Review shows first, and what it says of a task without a verdict. Run by test_first_path.py with the folder js and
+// Which path Review shows first, and what it says of a task without a verdict. Run by test_modules.py with the folder js and
 // a file that holds the reference of the server.
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";

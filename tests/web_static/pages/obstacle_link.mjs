@@ -1,4 +1,4 @@
-// Where the main button of the Drive page leads before a trial can be started. Run by test_obstacle_link.py with the folder js.
+// Where the main button of the Drive page leads before a trial can be started. Run by test_modules.py with the folder js.
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 

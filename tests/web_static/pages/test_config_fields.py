@@ -1,10 +1,9 @@
 """The form of a shirt is made of the schema of its configuration: also of a kind that stands in this file only."""
 
-import json
 from collections.abc import Callable
-from pathlib import Path
 from typing import Annotated, Any, Literal
 
+import pytest
 from hardware.shirt.shirts import small_layout
 from pydantic import Field
 
@@ -41,18 +40,18 @@ class BandConfig(ShirtConfig):
     secret: int = Field(default=7, json_schema_extra={"format": "hidden"})
 
 
-def drawn(
-    run_script: Callable[..., str], folder: Path, kind: ShirtKind[Any], around: dict[str, Any], **entries: Any
-) -> Any:
-    file = folder / "form.json"
-    form = shirt_kind_view(kind).model_dump(mode="json")["form"]
-    file.write_text(json.dumps({"form": form, "around": NOTHING | around, "entries": entries}), encoding="utf-8")
-    return json.loads(run_script("pages/config_fields.mjs", file))
+@pytest.fixture
+def drawn(answered: Callable[..., Any]) -> Callable[..., Any]:
+    """Return what draws the form of a kind of shirt, fills it in, and reads what it holds."""
+
+    def draw(kind: ShirtKind[Any], around: dict[str, Any], **entries: Any) -> Any:
+        form = shirt_kind_view(kind).model_dump(mode="json")["form"]
+        return answered("pages/config_fields.mjs", {"form": form, "around": NOTHING | around, "entries": entries})
+
+    return draw
 
 
-def test_a_new_kind_of_shirt_has_a_form_with_its_words_and_bounds(
-    run_script: Callable[..., str], tmp_path: Path
-) -> None:
+def test_a_new_kind_of_shirt_has_a_form_with_its_words_and_bounds(drawn: Callable[..., Any]) -> None:
     entries = {
         "Serial line": " /dev/ttyUSB3 ",
         "Gain (dB)": "2.5",
@@ -65,7 +64,7 @@ def test_a_new_kind_of_shirt_has_a_form_with_its_words_and_bounds(
         "File": "walk.csv",
     }
     around = {"files": FILES, "keys": ["shirt-1.key", "shirt-2.key"]}
-    page = drawn(run_script, tmp_path, ShirtKind(BandConfig, UdpShirt), around, **entries)
+    page = drawn(ShirtKind(BandConfig, UdpShirt), around, **entries)
     shown = {field.pop("label"): field for field in page["shown"]}
     assert set(shown) == set(entries)
     assert shown["Serial line"]["hint"] == "As the system names it."
@@ -92,23 +91,21 @@ def test_a_new_kind_of_shirt_has_a_form_with_its_words_and_bounds(
     assert page["in_use"] == "Chest bands on /dev/ttyUSB3, 1000000 baud"
 
 
-def test_a_form_shows_the_configuration_in_use_and_keeps_what_is_not_shown(
-    run_script: Callable[..., str], tmp_path: Path
-) -> None:
+def test_a_form_shows_the_configuration_in_use_and_keeps_what_is_not_shown(drawn: Callable[..., Any]) -> None:
     now = BandConfig(kind="band", file="walk.csv", gain=3.0, offset=2, secret=9, layout=small_layout())
     around = {"now": now.model_dump(mode="json"), "files": FILES, "layout": small_layout().model_dump(mode="json")}
-    page = drawn(run_script, tmp_path, ShirtKind(BandConfig, UdpShirt), around, Offset="")
+    page = drawn(ShirtKind(BandConfig, UdpShirt), around, Offset="")
     assert BandConfig.model_validate(page["before"]) == now
     assert BandConfig.model_validate(page["after"]) == now.model_copy(update={"offset": None})
 
 
-def test_two_sensors_of_the_simulated_shirt_can_be_dead(run_script: Callable[..., str], tmp_path: Path) -> None:
+def test_two_sensors_of_the_simulated_shirt_can_be_dead(drawn: Callable[..., Any]) -> None:
     simulator = SHIRTS["simulator"]
     layout = standard_layout().model_dump(mode="json")
-    others = drawn(run_script, tmp_path, simulator, {"layout": layout})  # another shirt is in use
+    others = drawn(simulator, {"layout": layout})  # another shirt is in use
     assert [field["label"] for field in others["shown"]] == ["Frames a second", "Which simulated shirt"]
     now = simulator.config(kind="simulator").model_dump(mode="json")
-    page = drawn(run_script, tmp_path, simulator, {"layout": layout, "now": now})
+    page = drawn(simulator, {"layout": layout, "now": now})
     assert page["shown"][-1]["segments"] == ["All work", "Two are dead"]
     assert page["shown"][0]["options"] == ["50 Hz", "100 Hz", "200 Hz", "500 Hz", "1000 Hz"]
     assert page["in_use"] == "Simulated shirt, 100 frames a second"

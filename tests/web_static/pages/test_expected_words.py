@@ -1,20 +1,17 @@
 """The result of a calibration says both forecasts of a map from other people, and what is not known."""
 
-import json
 from typing import Any
 
 HITS = {"value": 71.3, "uncertainty": 11.3}
 FALSE = {"value": 1.79, "uncertainty": 1.2}
 
 
-def test_each_forecast_has_its_uncertainty_and_what_is_not_known_is_said(run_script: Any, tmp_path: Any) -> None:
-    file = tmp_path / "forecasts.json"
+def test_each_forecast_has_its_uncertainty_and_what_is_not_known_is_said(answered: Any) -> None:
     given = [
         {"hits": HITS, "hits_with_prompts": None, "false_per_minute": FALSE},
         {"hits": None, "hits_with_prompts": None, "false_per_minute": None},
     ]
-    file.write_text(json.dumps(given))
-    known, unknown = json.loads(run_script("pages/expected_words.mjs", file))
+    known, unknown = answered("pages/expected_words.mjs", given)
     assert known == [
         "Of 100 movements about 71 are answered (± 11).",
         "At rest it acts about 1.8 times a minute (± 1.2).",
@@ -23,10 +20,9 @@ def test_each_forecast_has_its_uncertainty_and_what_is_not_known_is_said(run_scr
     assert unknown[1] == "How often it acts at rest is known once this movement has been repeated."
 
 
-def test_before_any_prompt_it_says_what_prompts_would_bring(run_script: Any, tmp_path: Any) -> None:
-    file = tmp_path / "forecasts.json"
+def test_before_any_prompt_it_says_what_prompts_would_bring(answered: Any) -> None:
     without = {"value": 70.8, "uncertainty": 17.9}
-    file.write_text(json.dumps([{"hits": without, "hits_with_prompts": HITS, "false_per_minute": None}]))
-    ((hits, _, prompted),) = json.loads(run_script("pages/expected_words.mjs", file))
+    given = [{"hits": without, "hits_with_prompts": HITS, "false_per_minute": None}]
+    ((hits, _, prompted),) = answered("pages/expected_words.mjs", given)
     assert hits == "Of 100 movements about 71 are answered (± 18)."
     assert prompted.startswith("After three repetitions of this movement the first figure is surer (± 11)")

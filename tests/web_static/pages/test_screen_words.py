@@ -1,6 +1,5 @@
 """The Drive page says of the patient's screens how many are paired, and apart what has no connection or no picture."""
 
-import json
 from typing import Any
 
 import pytest
@@ -22,9 +21,5 @@ AWAY = {"connected": False, "picture": None}
         ([GOOD, AWAY, EMPTY], "3 paired, not all connected", True),
     ],
 )
-def test_what_is_said_of_the_screens(
-    run_script: Any, tmp_path: Any, screens: list[Any], words: str, is_bad: bool
-) -> None:
-    file = tmp_path / "screens.json"
-    file.write_text(json.dumps([screens]))
-    assert json.loads(run_script("pages/screen_words.mjs", file)) == [{"words": words, "isBad": is_bad}]
+def test_what_is_said_of_the_screens(answered: Any, screens: list[Any], words: str, is_bad: bool) -> None:
+    assert answered("pages/screen_words.mjs", [screens]) == [{"words": words, "isBad": is_bad}]

@@ -1,4 +1,4 @@
-// Which group of trials a review shows first, without a page. Run by test_source_group.py with the folder js.
+// Which group of trials a review shows first, without a page. Run by test_modules.py with the folder js.
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 

@@ -1,4 +1,4 @@
-// The words of verdicts, and how far an unfinished trial came, without a page. Run by test_verdict_words.py with the
+// The words of verdicts, and how far an unfinished trial came, without a page. Run by test_modules.py with the
 // folder js and a file that holds the reference of the server.
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";

@@ -1,4 +1,4 @@
-// How old a picture may be, without a page. Run by test_picture_age.py with the folder js.
+// How old a picture may be, without a page. Run by test_modules.py with the folder js.
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 

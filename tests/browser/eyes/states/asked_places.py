@@ -3,90 +3,42 @@
 from typing import Any
 
 from browser.eyes.eyes_clinic import EyesClinic
-from browser.eyes.opening import Open, answered, at, go, leave, opened, start_with, tap
+from browser.eyes.opening import (
+    Open,
+    answered,
+    at,
+    chosen,
+    document,
+    filled,
+    named,
+    opened,
+    pressed,
+    refusing,
+    shows,
+    start_with,
+    steps,
+    tapped,
+)
+from browser.eyes.states.chair_places import one_chair
 from browser.eyes.states.session_places import session_record, trial_over, written_session
 from playwright.sync_api import expect
 
-
-def somebody_else_at_the_lock(page: Any, clinic: EyesClinic) -> None:
-    start_with(locked=True)(page, clinic)
-    words = "That is not the password of Ada."
-    page.route("**/auth/unlock", lambda route: route.fulfill(status=401, json={"detail": words}))
-    page.get_by_label("Password of Ada").fill("not this one")
-    tap(page, "Unlock")
-    expect(page.get_by_text(words)).to_be_visible()
-    tap(page, "I am somebody else")
-
-
-def refused_set_up(page: Any, clinic: EyesClinic) -> None:
-    start_with(signed_in=False, needs_setup=True)(page, clinic)
-    for name, words in {"Set-up code": "wrong", "Name": "Ada", "Password": "correct horse"}.items():
-        page.get_by_label(name).first.fill(words)
-    tap(page, "Set up and sign in")
-    expect(page.locator(".problem")).not_to_be_empty()
+PROBLEM = ".problem:not(:empty)"  # what a page says of a refusal
+NOT_OF_ADA = "That is not the password of Ada."
+NAMED_BY_AN_INCIDENT = "An incident names P-2: say why it is deleted all the same."
+SET_FORWARD = (
+    "The clock of this machine went on by 31 days for which it did not run: it was set forward, or the machine was "
+    "off. Nothing is erased because of that: deleted patients, replaced files and old backups stay that much "
+    "longer. Check date and time."
+)
 
 
-def old_invitation(page: Any, clinic: EyesClinic) -> None:
-    leave(page, clinic)
-    page.goto(f"{clinic.address}/#invite=not-this-one")
-    expect(page.get_by_role("heading", name="This invitation does not work")).to_be_visible()
-
-
-def rights(page: Any, clinic: EyesClinic) -> None:
-    at("people", "Change rights of Ben")(page, clinic)
-
-
-def invited_reviewer(page: Any, clinic: EyesClinic) -> None:
-    at("people", "Invite somebody")(page, clinic)
-    page.get_by_text("Reviewer", exact=True).click()
-    page.get_by_text("Chosen patients", exact=True).first.click()
-
-
-def disabled_person(page: Any, clinic: EyesClinic) -> None:
-    def one_of_each(people: Any) -> Any:
-        states = ("disabled", "invited")
-        others = [{**people[-1], "id": 90 + i, "name": f"Person {i}", "state": state} for i, state in enumerate(states)]
-        shown = [{**people[-1], "id": 95, "name": "Rita", "role": "reviewer", "state": "active", "patients": [1]}]
-        return [*people, *others, *shown]
-
-    answered("/people", "people", one_of_each)(page, clinic)
-
-
-def unpairing(page: Any, clinic: EyesClinic) -> None:
-    clinic.good("POST", "/chairs", {"name": "Ward 3", "host": "127.0.0.1", "port": 5354, "speeds": {}})
-    at("settings", "Unpair Ward 3")(page, clinic)
-    expect(page.get_by_role("group", name="Unpair Ward 3")).to_be_visible()
-
-
-def refused_password(page: Any, clinic: EyesClinic) -> None:
-    go(page, clinic, "settings")
-    page.get_by_label("Your password until now").fill("wrong")
-    page.get_by_label("Your new password").fill("correct horse battery staple")
-    page.keyboard.press("Enter")
-    expect(page.locator("form .problem").last).not_to_be_empty()
-
-
-def discarding(page: Any, clinic: EyesClinic) -> None:
-    trial_over(page, clinic)
-    tap(page, "Discard…")
-    page.get_by_text("Another reason").first.click()
-
-
-def erasing_with_a_reason(page: Any, clinic: EyesClinic) -> None:
-    go(page, clinic, "patients")
-    words = "An incident names P-2: say why it is deleted all the same."
-    page.route("**/api/v1/patients/2", lambda route: route.fulfill(status=409, json={"detail": words}))
-    tap(page, "Delete P-2")
-    expect(page.get_by_text(words)).to_be_visible()
-
-
-def refused_goal(page: Any, clinic: EyesClinic) -> None:
-    session_record(page, clinic)
-    page.route("**/goal", lambda route: route.fulfill(status=503, json={"detail": "The disk is full."}))
-    page.locator("textarea").first.fill("To get to the garden.")
-    page.locator("textarea").first.press("Tab")
-    page.keyboard.press("Enter")
-    expect(page.locator(".toast")).to_be_visible()
+def of_every_kind(people: Any) -> Any:
+    """Return the clinic's people, and one of each state that a person may have."""
+    states = ("disabled", "invited")
+    others = [{**people[-1], "id": 90 + i, "name": f"Person {i}", "state": state} for i, state in enumerate(states)]
+    shown = [{**people[-1], "id": 95, "name": "Rita", "role": "reviewer", "state": "active", "patients": [1]}]
+    return [*people, *others, *shown]
 
 
 def withdrawn_consent(page: Any, clinic: EyesClinic) -> None:
@@ -104,18 +56,13 @@ def log_that_was_changed(page: Any, clinic: EyesClinic) -> None:
     expect(page.get_by_text("Row 12 was changed")).to_be_visible()
 
 
-def backups_made(page: Any, clinic: EyesClinic) -> None:
+def with_backups(view: Any) -> Any:
+    """Return the page's view with two backups, one of which failed, a course and two incidents."""
+
     def row(number: int, good: bool, words: str) -> Any:
         facts = {"files": 120, "bytes": 48_000_000, "encrypted": good, "with_keys": False, "in_folder": True}
-        name = f"bodydrive-{number}.zip"
-        return {
-            "at": f"2026-03-0{number}T02:00:00+00:00",
-            "place": "daily",
-            "name": name,
-            "good": good,
-            "message": words,
-            **facts,
-        }
+        at = f"2026-03-0{number}T02:00:00+00:00"
+        return {"at": at, "place": "daily", "name": f"bodydrive-{number}.zip", "good": good, "message": words, **facts}
 
     incident = {
         "id": 1, "made": "2026-03-02T10:00:00+00:00", "since": "2026-03-01T10:00:00+00:00", "hash": "ab12" * 16,
@@ -130,28 +77,18 @@ def backups_made(page: Any, clinic: EyesClinic) -> None:
         "incidents": [incident, {**incident, "id": 2, "lifted": incident["made"], "reason": "It was a drill."}],
         "fingerprint": "12:34:56:78",
     }
-    answered("/backups", "backup", lambda view: {**view, **changes})(page, clinic)
-    tap(page, "Lift the mark")
+    return {**view, **changes}
 
 
-def measuring(page: Any, clinic: EyesClinic) -> None:
-    go(page, clinic, "computer")
-    waiting: list[Any] = []
-
-    def wait(route: Any) -> None:
-        waiting.append(route)
-
-    page.route("**/computer/measurement", wait)
-    tap(page, "Measure for")
-    expect(page.locator("progress")).to_be_visible()
+def never_answered(pattern: str) -> Open:
+    """Return what lets requests wait for ever."""
+    return lambda page, _: page.route(pattern, lambda _: None)
 
 
 def unsaved_plan(page: Any, clinic: EyesClinic) -> None:
     """Change a plan, and go away from it without saving."""
-    go(page, clinic, "plans")
     clinic.when_left.append(lambda: page.evaluate("() => localStorage.clear()"))
-    tap(page, "New plan")
-    expect(page.locator(".sheet")).to_be_visible()
+    steps(at("plans", "New plan"), shows(".sheet"))(page, clinic)
     title = page.get_by_label("Title", exact=True).first
     title.fill("The corridor of ward 3")
     title.press("Tab")
@@ -163,60 +100,69 @@ def unsaved_plan_of_the_list(page: Any, clinic: EyesClinic) -> None:
     unsaved_plan(page, clinic)
     page.get_by_role("alertdialog").get_by_role("button").nth(1).click()
     expect(page.locator("main h1")).to_have_text("Floor plans")
-    tap(page, "New plan")
-    expect(page.get_by_role("alertdialog")).to_be_visible()
+    steps(tapped("New plan"), shows("role=alertdialog"))(page, clinic)
 
 
-def wrong_pin(page: Any, clinic: EyesClinic) -> None:
-    leave(page, clinic)
-    page.goto(f"{clinic.address}/share.html#{'a' * 32}")
-    page.get_by_label("PIN of this link").fill("0000")
-    tap(page, "Open")
-    expect(page.locator(".problem")).not_to_be_empty()
-
-
-def another_session(page: Any, clinic: EyesClinic) -> None:
-    go(page, clinic, "patients")
+def start_of_another_session(page: Any, _clinic: EyesClinic) -> None:
     page.locator(".person").filter(has_text="P-2").get_by_role("button", name="Start session").click()
-    expect(page.get_by_role("button", name="End it and start P-2")).to_be_visible()
-
-
-def suggesting(page: Any, clinic: EyesClinic) -> None:
-    at("controls", "Suggest for me")(page, clinic)
-    expect(page.get_by_role("button", name="Replace them")).to_be_visible()
-
-
-def clock_set_forward(page: Any, clinic: EyesClinic) -> None:
-    words = (
-        "The clock of this machine went on by 31 days for which it did not run: it was set forward, or the machine was "
-        "off. Nothing is erased because of that: deleted patients, replaced files and old backups stay that much "
-        "longer. Check date and time."
-    )
-    answered("/backups", "backup", lambda view: {**view, "clock": words})(page, clinic)
-    expect(page.get_by_text(words)).to_be_visible()
 
 
 ASKED_PLACES: dict[str, Open] = {
-    "lock, somebody else": somebody_else_at_the_lock,
-    "set_up, refused": refused_set_up,
-    "invitation, old": old_invitation,
-    "people, rights": rights,
-    "people, invite a reviewer": invited_reviewer,
-    "people, of every kind": disabled_person,
-    "settings, unpair": unpairing,
-    "settings, wrong password": refused_password,
-    "drive, discard": discarding,
-    "patients, reason": erasing_with_a_reason,
+    "lock, somebody else": steps(
+        start_with(locked=True),
+        refusing("**/auth/unlock", 401, NOT_OF_ADA),
+        *(filled("Password of Ada", "not this one"), tapped("Unlock"), shows(f"text={NOT_OF_ADA}")),
+        tapped("I am somebody else"),
+    ),
+    "set_up, refused": steps(
+        start_with(signed_in=False, needs_setup=True),
+        *(filled("Set-up code", "wrong"), filled("Name", "Ada"), filled("Password", "correct horse")),
+        *(tapped("Set up and sign in"), shows(PROBLEM)),
+    ),
+    "invitation, old": steps(
+        document("#invite=not-this-one"), shows(named("heading", "This invitation does not work"))
+    ),
+    "people, rights": at("people", "Change rights of Ben"),
+    "people, invite a reviewer": steps(at("people", "Invite somebody"), chosen("Reviewer"), chosen("Chosen patients")),
+    "people, of every kind": answered("/people", "people", of_every_kind),
+    "settings, unpair": steps(
+        lambda _, clinic: one_chair(clinic), at("settings", "Unpair Ward 3"), shows(named("group", "Unpair Ward 3"))
+    ),
+    "settings, wrong password": steps(
+        at("settings"),
+        *(filled("Your password until now", "wrong"), filled("Your new password", "correct horse battery staple")),
+        *(pressed("Enter"), shows(f"form {PROBLEM}")),
+    ),
+    "drive, discard": steps(trial_over, tapped("Discard…"), chosen("Another reason")),
+    "patients, reason": steps(
+        at("patients"),
+        refusing("**/api/v1/patients/2", 409, NAMED_BY_AN_INCIDENT),
+        *(tapped("Delete P-2"), shows(f"text={NAMED_BY_AN_INCIDENT}")),
+    ),
     "patients, open": opened("patients"),
-    "patients, another session": another_session,
-    "controls, suggesting": suggesting,
-    "session, refused": refused_goal,
+    "patients, another session": steps(
+        at("patients"), start_of_another_session, shows(named("button", "End it and start P-2"))
+    ),
+    "controls, suggesting": steps(at("controls", "Suggest for me"), shows(named("button", "Replace them"))),
+    "session, refused": steps(
+        session_record,
+        refusing("**/goal", 503, "The disk is full."),
+        lambda page, _: page.locator("textarea").first.fill("To get to the garden."),
+        lambda page, _: page.locator("textarea").first.press("Tab"),
+        *(pressed("Enter"), shows(".toast")),
+    ),
     "session patient, withdrawn": withdrawn_consent,
     "log, changed": log_that_was_changed,
-    "backup, made": backups_made,
-    "backup, clock": clock_set_forward,
-    "computer, measuring": measuring,
+    "backup, made": steps(answered("/backups", "backup", with_backups), tapped("Lift the mark")),
+    "backup, clock": steps(
+        answered("/backups", "backup", lambda view: {**view, "clock": SET_FORWARD}), shows(f"text={SET_FORWARD}")
+    ),
+    "computer, measuring": steps(
+        at("computer"), never_answered("**/computer/measurement"), tapped("Measure for"), shows("progress")
+    ),
     "plans, unsaved": unsaved_plan,
     "plans, unsaved before": unsaved_plan_of_the_list,
-    "share link, wrong PIN": wrong_pin,
+    "share link, wrong PIN": steps(
+        document(f"share.html#{'a' * 32}"), filled("PIN of this link", "0000"), tapped("Open"), shows(PROBLEM)
+    ),
 }

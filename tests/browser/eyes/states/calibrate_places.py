@@ -1,72 +1,43 @@
 """The Calibrate page on the way to a result, when a step has failed, and where a ring of sensors sits otherwise."""
 
+from collections.abc import Callable
 from typing import Any
 
 from browser.eyes.eyes_clinic import LAYOUT, EyesClinic
-from browser.eyes.opening import Open, answered, opened, tap
-from playwright.sync_api import expect
+from browser.eyes.opening import Open, answered, opened, shows, steps, tapped
 
 from app.calibration.linear_map import Arrangement
 from building import taught_by_others
 
-
-def restarting(page: Any, clinic: EyesClinic) -> None:
-    clinic.set_calibration("result")
-    opened("calibrate")(page, clinic)
-    tap(page, "Begin anew")
-    expect(page.locator(".toast")).to_be_visible()
+MOVED = "The body moved too much: let the arms hang, and repeat this step."
+WEAK = "The movement is hardly larger than rest (1.4 times): make it larger, and repeat this step."
 
 
-def failed_step(page: Any, clinic: EyesClinic) -> None:
-    words = "The body moved too much: let the arms hang, and repeat this step."
-
-    def change(view: Any) -> Any:
-        first, *others = view["steps"]
-        return {**view, "steps": [{**first, "status": "failed", "message": words}, *others], "current": first["id"]}
-
-    answered("/calibration", "calibrate", change)(page, clinic)
-    expect(page.get_by_text(words)).to_be_visible()
+def calibration_at(step: str) -> Open:
+    """Return what lets the open session's calibration be at a step."""
+    return lambda _, clinic: clinic.set_calibration(step)
 
 
-def judged_step(page: Any, clinic: EyesClinic) -> None:
-    words = "The movement is hardly larger than rest (1.4 times): make it larger, and repeat this step."
-
-    def change(view: Any) -> Any:
-        rest, free, judged, *others = view["steps"]
-        done = [{**step, "status": "done"} for step in (rest, free)]
-        return {
-            **view,
-            "steps": [*done, {**judged, "status": "done", "message": words}, *others],
-            "current": judged["id"],
-        }
-
-    answered("/calibration", "calibrate", change)(page, clinic)
-    expect(page.get_by_text(words)).to_be_visible()
+def viewed(change: Callable[[Any], Any]) -> Open:
+    """Return what opens the page with another view of the calibration."""
+    return answered("/calibration", "calibrate", change)
 
 
-def drive_now(page: Any, clinic: EyesClinic) -> None:
-    def change(view: Any) -> Any:
-        return {**view, "may_drive_now": True, "others": 12}
-
-    answered("/calibration", "calibrate", change)(page, clinic)
-    expect(page.locator(".drive-now")).to_be_visible()
+def failed(view: Any) -> Any:
+    first, *others = view["steps"]
+    return {**view, "steps": [{**first, "status": "failed", "message": MOVED}, *others], "current": first["id"]}
 
 
-def fitting(page: Any, clinic: EyesClinic) -> None:
-    clinic.set_calibration("result")
-    running = {"step": "result", "t": 0.0}
-    answered("/calibration", "calibrate", lambda view: {**view, "running": running})(page, clinic)
-    expect(page.locator(".working")).to_be_visible()
+def judged(view: Any) -> Any:
+    rest, free, weak, *others = view["steps"]
+    done = [{**step, "status": "done"} for step in (rest, free, weak)]
+    done[-1]["message"] = WEAK
+    return {**view, "steps": [*done, *others], "current": weak["id"]}
 
 
-def missing_steps(page: Any, clinic: EyesClinic) -> None:
-    clinic.set_calibration("result")
-
-    def change(view: Any) -> Any:
-        steps = [{**step, "status": "waiting"} if i in (2, 4) else step for i, step in enumerate(view["steps"])]
-        return {**view, "steps": steps, "result": None}
-
-    answered("/calibration", "calibrate", change)(page, clinic)
+def lacking(view: Any) -> Any:
+    each = [{**step, "status": "waiting"} if i in (2, 4) else step for i, step in enumerate(view["steps"])]
+    return {**view, "steps": each, "result": None}
 
 
 def sits_otherwise(offer: str, **sits: Arrangement) -> Open:
@@ -76,19 +47,26 @@ def sits_otherwise(offer: str, **sits: Arrangement) -> Open:
         ring = next(channel.ring for channel in LAYOUT.channels if channel.joint == "right_elbow" and channel.ring)
         of_ring = {how: {ring: arrangement} for how, arrangement in sits.items()}
         clinic.set_calibration("result", lambda profile: taught_by_others(profile, 3, ["right_elbow"], **of_ring))
-        opened("calibrate")(page, clinic)
-        expect(page.get_by_text(offer, exact=True)).to_be_visible()
+        steps(opened("calibrate"), shows(f'text="{offer}"'))(page, clinic)
 
     return open_place
 
 
 CALIBRATE_PLACES: dict[str, Open] = {
-    "calibrate, begin anew": restarting,
-    "calibrate, failed": failed_step,
-    "calibrate, judged": judged_step,
-    "calibrate, drive now": drive_now,
-    "calibrate, fitting": fitting,
-    "calibrate, missing": missing_steps,
+    "calibrate, begin anew": steps(
+        calibration_at("result"), opened("calibrate"), tapped("Begin anew"), shows(".toast")
+    ),
+    "calibrate, failed": steps(viewed(failed), shows(f"text={MOVED}")),
+    "calibrate, judged": steps(viewed(judged), shows(f"text={WEAK}")),
+    "calibrate, drive now": steps(
+        viewed(lambda view: {**view, "may_drive_now": True, "others": 12}), shows(".drive-now")
+    ),
+    "calibrate, fitting": steps(
+        calibration_at("result"),
+        viewed(lambda view: {**view, "running": {"step": "result", "t": 0.0}}),
+        shows(".working"),
+    ),
+    "calibrate, missing": steps(calibration_at("result"), viewed(lacking)),
     "calibrate, turned": sits_otherwise("It sits right", arrangement=Arrangement(shift=3)),
     "calibrate, mirrored": sits_otherwise("It sits right", arrangement=Arrangement(mirrored=True)),
     "calibrate, as worn": sits_otherwise("Take it as turned", as_worn=Arrangement(shift=3)),

@@ -3,16 +3,12 @@
 from typing import Any
 
 from browser.eyes.eyes_clinic import EyesClinic
-from browser.eyes.opening import at, opened, tap
-from playwright.sync_api import expect
+from browser.eyes.opening import at, filled, opened, shows, steps, tapped
 
-
-def paired_chair(page: Any, clinic: EyesClinic) -> None:
-    at("settings", "Pair a chair")(page, clinic)
-    page.get_by_label("Name").fill("Ward 3")
-    page.get_by_label("Address").fill("127.0.0.1")
-    tap(page, "Make the key")
-    expect(page.locator("img.qr").first).to_be_visible()
+paired_chair = steps(
+    at("settings", "Pair a chair"),
+    *(filled("Name", "Ward 3"), filled("Address", "127.0.0.1"), tapped("Make the key"), shows("img.qr")),
+)
 
 
 def one_chair(clinic: EyesClinic) -> int:

@@ -4,11 +4,12 @@ import io
 
 import numpy as np
 from browser.eyes.eyes_clinic import EyesClinic
-from browser.served.course_app import PLAN, TRIALS, furnish, measures
+from browser.served.course_trials import PLAN, TRIALS, measures
+from browser.served.recorded_clinic import furnish_course
+from browser.served.served_clinic import stored
 from store.course_of_sessions import store_course
 
 from app.settings import Settings
-from app.store.database import Database
 from app.store.patients import add_patient
 from app.world.floorplan import FloorPlan
 from app.world.scene import find_place
@@ -27,16 +28,14 @@ class CourseClinic(EyesClinic):
     """The application of this clinic; `trials` are those of the patient who became better."""
 
     def _furnish(self, settings: Settings) -> list[int]:
-        trials = furnish(settings)
+        trials = furnish_course(settings)
         plan = find_place(PLAN)
         assert isinstance(plan, FloorPlan)
         rng = np.random.default_rng(4)
-        database = Database(settings.database)
-        with database.transaction() as db:
+        with stored(settings) as db:
             patient = add_patient(db, f"P-{WORSE}", "Kingfisher", "")
             assert patient.id == WORSE
             store_course(db, 1, patient.id, plan, [[measures(rng, level) for _ in range(TRIALS)] for level in LEVELS])
-        database.close()
         return trials
 
     def _admit(self) -> None:

@@ -4,14 +4,16 @@ from collections.abc import Callable
 from typing import Any
 
 from browser.eyes.eyes_clinic import EyesClinic
-from browser.eyes.opening import Open, go, leave, open_all, opened
+from browser.eyes.opening import Open, at, go, leave, open_all, opened, shows, steps
 from browser.eyes.states.course_clinic import BETTER, WORSE, CourseClinic
 from playwright.sync_api import expect
 
 CHART = ".js-plotly-plot .plot-container"
+NOISE = "Worse than this person's own noise"
+GOOD_CHANGE = shows("main td.change.good")
 
 
-def of_course(open_place: Callable[[Any, CourseClinic], None]) -> Open:
+def of_course(open_place: Callable[[Any, CourseClinic], object]) -> Open:
     """Return what opens a place in the clinic of people with a course of sessions."""
 
     def open_in_course(page: Any, clinic: EyesClinic) -> None:
@@ -35,23 +37,21 @@ def reviewed(page: Any, clinic: EyesClinic) -> None:
 def deteriorated(page: Any, clinic: EyesClinic) -> None:
     go(page, clinic, f"review/{WORSE}")
     expect(page.locator(CHART).first).to_be_attached()
-    expect(page.locator(".session-verdicts .problem")).to_contain_text("Worse than this person's own noise")
+    expect(page.locator(".session-verdicts .problem")).to_contain_text(NOISE)
 
 
 def attention_for_worse(page: Any, clinic: EyesClinic) -> None:
     go(page, clinic, "attention")
     expect(page.get_by_text("worked out")).to_have_count(0, timeout=60_000)
-    expect(page.get_by_text("Worse than this person's own noise")).to_be_visible()
+    expect(page.get_by_text(NOISE)).to_be_visible()
 
 
 def compared_trials(page: Any, clinic: EyesClinic) -> None:
-    opened(f"review/{BETTER}/compare/{clinic.trials[6]}/{clinic.trials[-2]}")(page, clinic)
-    expect(page.locator("main td.change.good").first).to_be_visible()
+    steps(opened(f"review/{BETTER}/compare/{clinic.trials[6]}/{clinic.trials[-2]}"), GOOD_CHANGE)(page, clinic)
 
 
 def compared_sessions(page: Any, clinic: CourseClinic) -> None:
-    opened(f"session/compare/{clinic.session(1)}/{clinic.session(4)}")(page, clinic)
-    expect(page.locator("main td.change.good").first).to_be_visible()
+    steps(opened(f"session/compare/{clinic.session(1)}/{clinic.session(4)}"), GOOD_CHANGE)(page, clinic)
 
 
 def story(page: Any, clinic: CourseClinic) -> None:
@@ -59,8 +59,7 @@ def story(page: Any, clinic: CourseClinic) -> None:
 
 
 def measured_trial(page: Any, clinic: EyesClinic) -> None:
-    go(page, clinic, f"drive/over/{clinic.trials[-2]}")
-    expect(page.locator(".large-figures .change").first).to_be_visible()
+    steps(at(f"drive/over/{clinic.trials[-2]}"), shows(".large-figures .change"))(page, clinic)
 
 
 def replaced(where: str, name: str) -> Open:

@@ -3,11 +3,11 @@
 What the live sockets say is changed by `EyesClinic.shown`, as a chair or a trial that is under way would change it.
 """
 
-from collections.abc import Callable
 from typing import Any
 
 from browser.eyes.eyes_clinic import EyesClinic
-from browser.eyes.opening import Open, answered, go, leave, patient_screen
+from browser.eyes.opening import Open, answered, at, document, leave, named, patient_screen, pressed, shows, steps
+from browser.eyes.states.asked_places import PROBLEM
 from browser.eyes.states.chair_places import chair_page
 from browser.eyes.states.session_places import trial_stopped
 from playwright.sync_api import expect
@@ -31,80 +31,52 @@ TEST = {
 }  # fmt: skip
 
 
-def driven(state: State, **more: Any) -> Open:
+def showing(**fields: Any) -> Open:
+    """Return what lets the live picture have these fields."""
+    return lambda _, clinic: clinic.shown.update(fields)
+
+
+def in_state(state: State) -> Open:
+    """Return what lets the control process be in a state."""
+    return lambda _, clinic: setattr(clinic.process, "state", state)
+
+
+def driven(state: State) -> Open:
     """Return what opens the panel of a chair that is armed."""
-
-    def open_place(page: Any, clinic: EyesClinic) -> None:
-        chair_page(page, clinic)
-        clinic.process.state = state
-        clinic.shown |= {"drive": DRIVE, "chair": CHAIR, "v": 0.31, "omega": -0.2, **more}
-        expect(page.locator(".drive-panel")).to_be_visible()
-
-    return open_place
+    fields = {"drive": DRIVE, "chair": CHAIR, "v": 0.31, "omega": -0.2}
+    return steps(chair_page, in_state(state), showing(**fields), shows(".drive-panel"))
 
 
 def driven_and_stopped(fault: Fault) -> Open:
     """Return what opens the panel of a chair that was stopped."""
-
-    def open_place(page: Any, clinic: EyesClinic) -> None:
-        halted = {"drive": {**DRIVE, "waits": 271.0}, "chair": {**CHAIR, "state": "fault", "v": 0.0, "omega": 0.0}}
-        driven(State.ARMED)(page, clinic)
-        clinic.fault(fault)
-        clinic.shown |= halted
-        expect(page.get_by_role("button", name="Continue")).to_be_visible()
-
-    return open_place
+    halted = {"drive": {**DRIVE, "waits": 271.0}, "chair": {**CHAIR, "state": "fault", "v": 0.0, "omega": 0.0}}
+    return steps(
+        driven(State.ARMED),
+        lambda _, clinic: clinic.fault(fault),
+        *(showing(**halted), shows(named("button", "Continue"))),
+    )
 
 
-def to_the_patient(selector: str, *, state: State = State.DISARMED, wishes: Any = None, **shown: Any) -> Open:
+def telling_the_patient(**fields: Any) -> Open:
+    """Return what lets the patient's picture have these fields."""
+    return lambda _, clinic: clinic.shown_to_patient.update(fields)
+
+
+def to_the_patient(selector: str, *, state: State = State.DISARMED, large: bool = False, **shown: Any) -> Open:
     """Return what opens the patient's screen with these fields in its picture, and waits for an element."""
-
-    def open_place(page: Any, clinic: EyesClinic) -> None:
-        patient_screen(page, clinic)
-        asks = {"arrow": True, "sounds": True, "large": False, "plan": False, **(wishes or {})}
-        clinic.process.state = state
-        clinic.shown_to_patient |= {"asks": asks, **shown}
-        expect(page.locator(selector).first).to_be_visible()
-
-    return open_place
+    asks = {"arrow": True, "sounds": True, "large": large, "plan": large}
+    return steps(patient_screen, in_state(state), telling_the_patient(asks=asks, **shown), shows(selector))
 
 
-def goal_reached(page: Any, clinic: EyesClinic) -> None:
-    patient_screen(page, clinic)
-    clinic.shown_to_patient |= {"over": {"id": 7, "end": "goal"}}
-    expect(page.locator(".moment .word")).to_be_visible()
-
-
-def go_word(page: Any, clinic: EyesClinic) -> None:
-    to_the_patient(".moment .word", state=State.CHECKING, trial=TRIAL, drives=True)(page, clinic)
-    clinic.process.state = State.ARMED
-    expect(page.locator(".moment .go")).to_be_visible()
-
-
-def session_over(page: Any, clinic: EyesClinic) -> None:
-    patient_screen(page, clinic)
-    clinic.good("DELETE", "/session")
-    expect(page.locator(".code-form")).to_be_visible()
-
-
-def refused_code(page: Any, clinic: EyesClinic) -> None:
+def without_a_screen(page: Any, clinic: EyesClinic) -> None:
+    """Forget that the browser is a paired screen."""
     leave(page, clinic)
     page.context.clear_cookies(name="bodydrive_screen")
-    page.goto(f"{clinic.address}/patient.html")
-    page.get_by_role("textbox").fill("AAAA 1111")
-    page.keyboard.press("Enter")
-    expect(page.locator(".problem")).not_to_be_empty()
 
 
 def noticed(where: str, words: str, **shown: Any) -> Open:
     """Return what opens a page above which a notice stands."""
-
-    def open_place(page: Any, clinic: EyesClinic) -> None:
-        go(page, clinic, where)
-        clinic.shown |= shown
-        expect(page.locator(".note").filter(has_text=words)).to_be_visible()
-
-    return open_place
+    return steps(at(where), showing(**shown), shows(f".note:has-text('{words}')"))
 
 
 def without_consent(page: Any, clinic: EyesClinic) -> None:
@@ -113,38 +85,20 @@ def without_consent(page: Any, clinic: EyesClinic) -> None:
     noticed("controls", "consented", practice=None)(page, clinic)
 
 
-def changed(change: Callable[[Any], Any], words: str) -> Open:
-    """Return what opens the patients' list with another equipment, and waits for a notice."""
-
-    def open_place(page: Any, clinic: EyesClinic) -> None:
-        answered("/equipment", "patients", change)(page, clinic)
-        expect(page.locator(".note").filter(has_text=words)).to_be_visible()
-
-    return open_place
-
-
 def estimated_lamps(clinic: EyesClinic) -> None:
     """Let others stand in for three sensors of the shirt."""
     clinic.lamps |= {**dict.fromkeys(range(52), "good"), **dict.fromkeys((3, 20, 41), "estimated")}
 
 
-def estimated_sensors(page: Any, clinic: EyesClinic) -> None:
-    estimated_lamps(clinic)
-    go(page, clinic, "shirt")
-    expect(page.get_by_text("49 of 52 sensors are good")).to_be_visible()
+def open_legend(page: Any, _clinic: EyesClinic) -> None:
     page.locator(".bodies .sensor").nth(20).click()
     page.locator(".lamp-legend").evaluate("(legend) => { legend.open = true; }")
 
 
 def silent_shirt(where: str) -> Open:
     """Return what opens a page while no frame comes from the shirt."""
-
-    def open_place(page: Any, clinic: EyesClinic) -> None:
-        clinic.silence("No frames from a shirt on 127.0.0.1:5252 (the shirt sends 40 sensors, its layout has 52).")
-        go(page, clinic, where)
-        expect(page.locator(".lamp", has_text="Shirt silent")).to_be_visible()
-
-    return open_place
+    words = "No frames from a shirt on 127.0.0.1:5252 (the shirt sends 40 sensors, its layout has 52)."
+    return steps(lambda _, clinic: clinic.silence(words), at(where), shows(".lamp:has-text('Shirt silent')"))
 
 
 def screen_out_of_reach(page: Any, clinic: EyesClinic) -> None:
@@ -165,20 +119,37 @@ LIVE_PLACES: dict[str, Open] = {
     "chair, silent": driven_and_stopped(Fault.CHAIR_SILENT),
     "patient's screen, cue": to_the_patient(".cue-layer", cue=CUE),
     "patient's screen, rest": to_the_patient(".moment .word", state=State.CHECKING, trial=TRIAL, drives=True),
-    "patient's screen, go": go_word,
+    "patient's screen, go": steps(
+        to_the_patient(".moment .word", state=State.CHECKING, trial=TRIAL, drives=True),
+        *(in_state(State.ARMED), shows(".moment .go")),
+    ),
     "patient's screen, drives": to_the_patient(".arrow", state=State.ARMED, trial=TRIAL, drives=True, v=0.4),
     "patient's screen, large": to_the_patient(
-        ".arrow", state=State.ARMED, trial=TRIAL, drives=True, v=-0.2, wishes={"large": True, "plan": True}
+        ".arrow", state=State.ARMED, trial=TRIAL, drives=True, v=-0.2, large=True
     ),
-    "patient's screen, goal": goal_reached,
+    "patient's screen, goal": steps(
+        patient_screen, telling_the_patient(over={"id": 7, "end": "goal"}), shows(".moment .word")
+    ),
     "patient's screen, test": to_the_patient(".target-cross", test=TEST),
-    "patient's screen, over": session_over,
-    "patient's screen, refused": refused_code,
+    "patient's screen, over": steps(
+        patient_screen, lambda _, clinic: clinic.good("DELETE", "/session"), shows(".code-form")
+    ),
+    "patient's screen, refused": steps(
+        without_a_screen,
+        *(document("patient.html"), lambda page, _: page.get_by_role("textbox").fill("AAAA 1111")),
+        *(pressed("Enter"), shows(PROBLEM)),
+    ),
     "settings, driven elsewhere": noticed("settings", "being driven", drive=DRIVE),
     "patients, program lost": noticed("patients", "control process", control="lost"),
-    "patients, full disk": changed(lambda equipment: {**equipment, "disk": FULL_DISK}, "nearly full"),
+    "patients, full disk": steps(
+        answered("/equipment", "patients", lambda equipment: {**equipment, "disk": FULL_DISK}),
+        shows(".note:has-text('nearly full')"),
+    ),
     "controls, consent": without_consent,
-    "shirt, estimated": estimated_sensors,
+    "shirt, estimated": steps(
+        lambda _, clinic: estimated_lamps(clinic),
+        *(at("shirt"), shows("text=49 of 52 sensors are good"), open_legend),
+    ),
     "shirt, silent": silent_shirt("shirt"),
     "drive, silent": silent_shirt("drive"),
     "drive, screen out of reach": screen_out_of_reach,

@@ -4,10 +4,26 @@ from typing import Any
 
 from browser.driving import drive_by_plan
 from browser.eyes.eyes_clinic import EyesClinic
-from browser.eyes.opening import Open, answered, go, leave, opened, tap
+from browser.eyes.opening import (
+    Open,
+    answered,
+    at,
+    document,
+    filled,
+    go,
+    named,
+    opened,
+    pauses,
+    shows,
+    steps,
+    tap,
+    tapped,
+)
 from playwright.sync_api import expect
 
 from app.faults import Fault
+
+CHARTS_ARE_DRAWN = 1500  # ms
 
 
 def trial_runs(page: Any, clinic: EyesClinic) -> None:
@@ -20,29 +36,20 @@ def trial_runs(page: Any, clinic: EyesClinic) -> None:
 
 
 def interface_test_runs(page: Any, clinic: EyesClinic) -> None:
-    go(page, clinic, "interface_test")
-    tap(page, "Start the test")
-    expect(page.get_by_text("The first target comes in a moment")).to_be_visible()
+    steps(at("interface_test", "Start the test"), shows("text=The first target comes in a moment"))(page, clinic)
     clinic.process.run_t = 3.5
     expect(page.get_by_text("Bring the dot into the target")).to_be_visible()
 
 
-def interface_test_over(page: Any, clinic: EyesClinic) -> None:
-    clinic.add_tests()
-    opened("interface_test")(page, clinic)
-    expect(page.get_by_role("heading", name="How demanding was it?")).to_be_visible()
-    page.wait_for_timeout(1500)  # until the chart is drawn
-
-
-def trial_stopped(page: Any, clinic: EyesClinic) -> None:
-    trial_runs(page, clinic)
-    clinic.fault(Fault.STOP_TABLET)
-    expect(page.get_by_role("button", name="Continue")).to_be_visible()
+interface_test_over = steps(
+    *(lambda _, clinic: clinic.add_tests(), opened("interface_test")),
+    *(shows("text=How demanding was it?"), pauses(CHARTS_ARE_DRAWN)),
+)
+trial_stopped = steps(trial_runs, lambda _, clinic: clinic.fault(Fault.STOP_TABLET), shows(named("button", "Continue")))
 
 
 def trial_over(page: Any, clinic: EyesClinic) -> None:
-    go(page, clinic, f"drive/over/{clinic.trials[0]}")
-    expect(page.locator("main h2").first).to_be_visible()
+    steps(at(f"drive/over/{clinic.trials[0]}"), shows("main h2"))(page, clinic)
 
 
 def attention(page: Any, clinic: EyesClinic) -> None:
@@ -55,8 +62,7 @@ def review(where: str) -> Open:
 
     def open_place(page: Any, clinic: EyesClinic) -> None:
         first, second = clinic.trials
-        opened(f"review/1{where.format(first=first, second=second)}")(page, clinic)
-        page.wait_for_timeout(1500)
+        steps(opened(f"review/1{where.format(first=first, second=second)}"), pauses(CHARTS_ARE_DRAWN))(page, clinic)
 
     return open_place
 
@@ -70,16 +76,11 @@ def commented(page: Any, clinic: EyesClinic) -> None:
         comment = next(one["id"] for one in made if one["t"] == 12.0)
         clinic.good("PUT", f"/comments/{comment}", {"text": "A pause of three seconds: was it meant?"})
     clinic.add_comment(14.5, "He was asked to stop, so the stop is not his.")
-    opened(f"review/1/trial/{clinic.trials[0]}")(page, clinic)
-    tap(page, "Revise or withdraw your comment at 6.5 s")
-    tap(page, "Comment on this moment")
-    page.wait_for_timeout(1500)
-
-
-def unread(page: Any, clinic: EyesClinic) -> None:
-    clinic.add_comment(3.0, "Well turned.")
-    review("")(page, clinic)
-    expect(page.get_by_text("unread comment")).to_be_visible()
+    steps(
+        opened(f"review/1/trial/{clinic.trials[0]}"),
+        *(tapped("Revise or withdraw your comment at 6.5 s"), tapped("Comment on this moment")),
+        pauses(CHARTS_ARE_DRAWN),
+    )(page, clinic)
 
 
 def written_session(clinic: EyesClinic) -> int:
@@ -99,67 +100,37 @@ def written_session(clinic: EyesClinic) -> int:
 
 
 def session_record(page: Any, clinic: EyesClinic) -> None:
-    opened(f"session/{written_session(clinic)}")(page, clinic)
-    expect(page.get_by_role("button", name="Sign off")).to_be_visible()
+    steps(opened(f"session/{written_session(clinic)}"), shows(named("button", "Sign off")))(page, clinic)
 
 
 def signed_session(page: Any, clinic: EyesClinic) -> None:
     session = written_session(clinic)
     clinic.good("POST", f"/sessions/{session}/sign-off")
-    opened(f"session/{session}")(page, clinic)
-    tap(page, "Unlock")
-    expect(page.get_by_label("Why it is unlocked")).to_be_visible()
+    steps(opened(f"session/{session}"), tapped("Unlock"), shows("label:has-text('Why it is unlocked')"))(page, clinic)
 
 
-def signing_session(page: Any, clinic: EyesClinic) -> None:
-    session_record(page, clinic)
-    tap(page, "Sign off")
-    expect(page.get_by_role("button", name="Yes, sign off")).to_be_visible()
+def without_consents(found: Any) -> Any:
+    none: dict[str, Any] = {"given": None, "history": []}
+    return {**found, "consents": [{**one, **none} for one in found["consents"]]}
 
 
-def revised_note(page: Any, clinic: EyesClinic) -> None:
-    session_record(page, clinic)
-    tap(page, "Revise the note")
-    expect(page.get_by_label("Text of the note")).to_be_visible()
-
-
-def without_sharing(page: Any, clinic: EyesClinic) -> None:
-    def withdrawn(found: Any) -> Any:
-        none: dict[str, Any] = {"given": None, "history": []}
-        return {**found, "consents": [{**one, **none} for one in found["consents"]]}
-
-    answered("/patients/1/consents", "session/patient/1", withdrawn)(page, clinic)
-    expect(page.get_by_text("A share link needs the patient's consent")).to_be_visible()
-
-
-def archive_to_make(page: Any, clinic: EyesClinic) -> None:
-    written_session(clinic)  # with the consent
-    opened("session/patient/1")(page, clinic)
+def choose_archive_form(page: Any, _clinic: EyesClinic) -> None:
     page.get_by_label("Form").select_option("archive")
-    expect(
-        page.get_by_text("An owner of the other clinic imports").or_(page.get_by_text("end it first"))
-    ).to_be_visible()
+    ready, open_session = page.get_by_text("An owner of the other clinic imports"), page.get_by_text("end it first")
+    expect(ready.or_(open_session)).to_be_visible()
 
 
-def choose_archive(page: Any) -> None:
+def choose_archive(page: Any, _clinic: EyesClinic) -> None:
     file = {"name": "letter.zip", "mimeType": "application/zip", "buffer": b"Dear colleague"}
     page.locator("input[type=file][accept^='.zip']").set_input_files(file)
 
 
-def refused_archive(page: Any, clinic: EyesClinic) -> None:
-    opened("patients")(page, clinic)
-    choose_archive(page)
-    expect(page.get_by_text("This is no archive")).to_be_visible()
-
-
-def archive_under_way(page: Any, clinic: EyesClinic) -> None:
+def slow_import(page: Any, _clinic: EyesClinic) -> None:
+    """Let an import go on for ever."""
     course = {"step": "send", "done": 30_000_000, "total": 120_000_000}
-    waiting: list[Any] = []  # the import goes on
+    waiting: list[Any] = []
     answers = {"GET": lambda route: route.fulfill(json=course), "POST": waiting.append}
-    opened("patients")(page, clinic)
     page.route("**/api/v1/archives", lambda route: answers[route.request.method](route))
-    choose_archive(page)
-    expect(page.get_by_text("Sending: 30.0 MB of 120.0 MB")).to_be_visible()
 
 
 def share_link(page: Any, clinic: EyesClinic) -> None:
@@ -167,8 +138,7 @@ def share_link(page: Any, clinic: EyesClinic) -> None:
     session = written_session(clinic)
     revoke_links(clinic)
     clinic.good("POST", f"/sessions/{session}/shares", {"days": 3})
-    opened("session/patient/1")(page, clinic)
-    tap(page, "Make the link")
+    steps(opened("session/patient/1"), tapped("Make the link"))(page, clinic)
     expect(page.get_by_role("heading", name="shown this once")).to_be_focused()
 
 
@@ -177,17 +147,9 @@ def shared_records(page: Any, clinic: EyesClinic) -> None:
     written_session(clinic)  # with the consent
     revoke_links(clinic)
     made = clinic.good("POST", "/patients/1/shares", {"days": 1})
-    leave(page, clinic)
-    page.goto(f"{clinic.address}/share.html#{made['url'].partition('#')[2]}")
-    page.get_by_label("PIN of this link").fill(made["pin"])
-    tap(page, "Open")
+    address = document(f"share.html#{made['url'].partition('#')[2]}")
+    steps(address, filled("PIN of this link", made["pin"]), tapped("Open"))(page, clinic)
     expect(page.get_by_role("heading", name="Records of P-1")).to_be_focused()
-
-
-def shared_help(page: Any, clinic: EyesClinic) -> None:
-    shared_records(page, clinic)
-    tap(page, "What is this page for?")
-    expect(page.get_by_role("dialog")).to_be_visible()
 
 
 def revoke_links(clinic: EyesClinic) -> None:
@@ -204,17 +166,25 @@ def compared_sessions(page: Any, clinic: EyesClinic) -> None:
 
 SESSION_PLACES: dict[str, Open] = {
     "session": session_record,
-    "session, sign off": signing_session,
+    "session, sign off": steps(session_record, tapped("Sign off"), shows(named("button", "Yes, sign off"))),
     "session, signed": signed_session,
-    "session, note": revised_note,
+    "session, note": steps(session_record, tapped("Revise the note"), shows("label:has-text('Text of the note')")),
     "session patient": opened("session/patient/1"),
-    "session, no sharing": without_sharing,
+    "session, no sharing": steps(
+        answered("/patients/1/consents", "session/patient/1", without_consents),
+        shows("text=A share link needs the patient's consent"),
+    ),
     "session, share link": share_link,
     "session compare": compared_sessions,
     "session story": opened("session/story/1"),
 }
 ARCHIVE_PLACES: dict[str, Open] = {
-    "session, archive": archive_to_make,
-    "patients, archive refused": refused_archive,
-    "patients, archive under way": archive_under_way,
+    "session, archive": steps(
+        lambda _, clinic: written_session(clinic),  # with the consent
+        *(opened("session/patient/1"), choose_archive_form),
+    ),
+    "patients, archive refused": steps(opened("patients"), choose_archive, shows("text=This is no archive")),
+    "patients, archive under way": steps(
+        *(opened("patients"), slow_import, choose_archive, shows("text=Sending: 30.0 MB of 120.0 MB"))
+    ),
 }

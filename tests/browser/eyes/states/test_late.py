@@ -1,9 +1,10 @@
 """What comes late, be it news of a change made elsewhere or a picture, moves nothing that a person is about to use."""
 
 import pytest
-from browser.eyes.axe import SIZES, look_as
+from browser.eyes.axe import look_as
 from browser.eyes.opening import leave
-from browser.eyes.places import PLACES, put_back
+from browser.eyes.places import PLACES
+from browser.sizes import SIZES
 from playwright.sync_api import expect
 
 from app.api.live.live_picture import ClinicLive
@@ -58,7 +59,6 @@ def test_focus_and_what_is_open_stay(page, clinic, until, name):
             moved[before] = now
         if page.evaluate(COUNT_OPEN) < opened:
             moved["what was open"] = "closed"
-    put_back(clinic)
     assert moved == {}
 
 

@@ -31,7 +31,6 @@ def test_no_page_without_the_chair_in_view_lets_it_go_on(page, clinic):
     clinic.shown["drive"] = {**DRIVE, "waits": 271.0}
     go(page, clinic, "session/patient/2")
     expect(strip.get_by_role("link", name="Go to the drive")).to_have_attribute("href", "#/drive/chair")
-    put_back(clinic)
 
 
 def test_without_a_trial_the_stop_is_taken_back_and_nothing_is_continued(page, clinic):
@@ -41,7 +40,6 @@ def test_without_a_trial_the_stop_is_taken_back_and_nothing_is_continued(page, c
     expect(strip).to_contain_text("Check its battery and cable on the Shirt page. No trial and no drive runs")
     expect(strip).not_to_contain_text("Continue")
     expect(strip.get_by_role("button", name="Take the stop back")).to_be_enabled()
-    put_back(clinic)
 
 
 def test_a_trial_that_is_measured_offers_nothing_else(page, clinic):
@@ -54,7 +52,6 @@ def test_a_trial_that_is_measured_offers_nothing_else(page, clinic):
     expect(card.get_by_role("button")).to_have_count(0)
     expect(page.get_by_role("button", name="Measuring")).to_be_disabled()
     expect(page.get_by_role("button", name="End trial")).to_have_count(0)
-    put_back(clinic)
 
 
 @pytest.mark.parametrize(
@@ -81,7 +78,6 @@ def test_a_further_stop_is_said_with_its_time_beside_the_first_reason(page, clin
     clinic.fault(Fault.STOP_TABLET)
     expect(notice).to_contain_text("Stop was pressed on")
     expect(notice).not_to_contain_text("again")
-    put_back(clinic)
 
 
 def test_a_further_stop_is_still_said_to_somebody_who_comes_back_to_the_trial(page, clinic):
@@ -95,7 +91,6 @@ def test_a_further_stop_is_still_said_to_somebody_who_comes_back_to_the_trial(pa
     expect(strip).to_contain_text(words)
     strip.get_by_role("link", name="Go to the drive").click()
     expect(again).to_have_text(words)
-    put_back(clinic)
 
 
 def test_what_a_stop_forbids_is_offered_again_once_it_is_taken_back(page, clinic):
@@ -107,4 +102,3 @@ def test_what_a_stop_forbids_is_offered_again_once_it_is_taken_back(page, clinic
     clinic.clear()
     expect(look).to_be_enabled()
     expect(page.get_by_text("A stop is still in force")).to_have_count(0)
-    put_back(clinic)

@@ -4,7 +4,7 @@ import math
 
 import pytest
 from browser.eyes.opening import leave
-from browser.eyes.places import PLACES, put_back
+from browser.eyes.places import PLACES
 from browser.eyes.states.role_places import refused
 from playwright.sync_api import expect
 
@@ -36,7 +36,6 @@ def test_the_arrow_goes_from_where_a_sensor_lies_to_where_it_belongs(page, clini
     assert heights["front"] == min(heights.values())
     assert heights["back"] == max(heights.values())
     assert heights.keys() == {"front", "back", "outer side", "inner side"}
-    put_back(clinic)
 
 
 def test_the_sentence_on_a_failed_step_names_the_button_that_is_there(page, clinic):
@@ -44,7 +43,6 @@ def test_the_sentence_on_a_failed_step_names_the_button_that_is_there(page, clin
     expect(page.get_by_role("button", name="Repeat this step")).to_be_visible()
     expect(page.locator("main")).to_contain_text("tap Repeat this step.")
     expect(page.locator("main")).not_to_contain_text("tap Start")
-    put_back(clinic)
 
 
 def test_every_page_of_an_owner_leads_a_clinician_to_another(page, clinic):
@@ -54,4 +52,3 @@ def test_every_page_of_an_owner_leads_a_clinician_to_another(page, clinic):
         refused(name)(page, clinic)  # waits for the link
         assert page.get_by_role("button", name="Try again").count() == 0, name
         assert page.get_by_text("Only an owner").count() == 1, name
-    put_back(clinic)

@@ -1,31 +1,17 @@
-"""A clinic whose first person became better in four sessions; served in a thread of this process.
+"""The trials of a person who became better in four sessions, and of four others in whose area nothing changed."""
 
-python tests/browser/served/course_app.py --port 8132
-"""
-
-import argparse
-import sys
-import tempfile
-import threading
-from pathlib import Path
 from typing import Any
 
 import numpy as np
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # for its own start, outside of the tests
-
-from browser.served.copied_clinic import copied_clinic
-from browser.served.served_clinic import ServedClinic
+from browser.served.served_clinic import stored
 from store.course_of_sessions import store_course
 
 from app.settings import Settings
-from app.store.database import Database
 from app.store.patients import add_patient
 from app.store.people import add_clinic
 from app.world.floorplan import FloorPlan
 from app.world.scene import find_place
 
-CODE = "the-code-of-the-link"
 PLAN = "apartment"
 LENGTH = 13.6  # m
 LEVELS = (3.0, 2.4, 2.2, 1.0)  # m2, of the first person's area in each session
@@ -51,18 +37,13 @@ def measures(rng: np.random.Generator, level: float, *, reached: bool = True) ->
     }
 
 
-def furnish(settings: Settings) -> list[int]:
+def store_better_course(settings: Settings) -> list[int]:
     """Make the clinic with five people; return the ids of the first one's trials, the last of them unfinished."""
-    return copied_clinic(_store, settings)
-
-
-def _store(settings: Settings) -> list[int]:
     plan = find_place(PLAN)
     assert isinstance(plan, FloorPlan)
     rng = np.random.default_rng(3)
-    database = Database(settings.database)
     made: list[int] = []
-    with database.transaction() as db:
+    with stored(settings) as db:
         clinic = add_clinic(db, "Demonstration")
         for number in range(1, 6):
             patient = add_patient(db, f"P-{number}", "Heron", "")
@@ -72,25 +53,4 @@ def _store(settings: Settings) -> list[int]:
                 sessions[-1].append(measures(rng, 65.0, reached=False))
             ids = store_course(db, clinic.id, patient.id, plan, sessions)
             made = made or ids
-    database.close()
     return made
-
-
-class CourseApp(ServedClinic):
-    """The application with this clinic."""
-
-    def __init__(self, folder: Path, port: int = 0) -> None:
-        settings = Settings(state=folder, demo_code=CODE)
-        self.trials = furnish(settings)
-        super().__init__(settings, port)
-        self.link = f"{self.address}/#demo={CODE}"
-
-
-if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--port", type=int, default=8132)
-    running = CourseApp(Path(tempfile.mkdtemp()), parser.parse_args().port)
-    running.start()
-    sys.stdout.write(f"{running.link}\n")
-    sys.stdout.flush()
-    threading.Event().wait()

@@ -1,0 +1,27 @@
+"""What single modules of the pages do; each script runs some of them in node, without a page."""
+
+import pytest
+
+SCRIPTS = {
+    "charts/curve_marks": "sessions and versions of the map stand where they belong along a learning curve",
+    "charts/extent": "few values fill the axis of a chart",
+    "cue_motion": "where reduced motion is preferred, the cue changes in steps and does not glide",
+    "device": "the page that connects a device knows which one it is",
+    "editor_logic": "the floor plan editor changes documents by its tools, and takes changes back",
+    "formats": "times, days and sizes are written",
+    "moment_word": "the patient's screen has a large word for every end of a trial",
+    "page_help": "every page says what it is for in three sentences, and has a drawing",
+    "pages/first_path": "review begins with a task that can be compared, and says what counts",
+    "pages/obstacle_link": "a calibration that does not fit leads to a new one",
+    "patient/arrow_and_sounds": "the arrow and the sounds of the patient's screen mean what happens",
+    "results/source_group": "worn trials come first in review, otherwise what was driven last",
+    "results/verdict_words": "the verdict on a measure has its unit, and no arrow within noise",
+    "tablet_head": "a tablet tells where it looks, as the head tracker",
+    "view/picture_age": "a picture is too old to drive by after a second, unless the page itself is late (S24)",
+}
+
+
+@pytest.mark.parametrize("script", SCRIPTS)
+def test_it_holds(run_script, reference_file, monkeypatch, script):
+    monkeypatch.setenv("TZ", "America/New_York")
+    assert " hold" in run_script(f"{script}.mjs", reference_file), SCRIPTS[script]
