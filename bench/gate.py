@@ -4,7 +4,7 @@ from app.clock import stopwatch
 from app.faults import State
 from app.geometry import Twist
 from app.pipeline.safety_gate import BadGestures, Conditions, SafetyGate
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 from bench.datagram import against_datagram
 from bench.row import Row, reach_of
 

@@ -10,7 +10,7 @@ from app.calibration.linear_map import LinearMap
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import PAPER_VOCABULARY, ControlMode, DriveParameters, standard_parameters
 from app.layout import Channel, Joint, ShirtLayout
-from app.speeds import HIGHEST_SPEEDS
+from app.speed_limits import HIGHEST_SPEEDS
 from app.world.floorplan import FloorPlan
 
 CHANNELS = 52

@@ -14,7 +14,7 @@ from app.clock import utc_now
 from app.refusals import Conflict
 from app.settings import Settings
 from app.source import Source
-from app.speeds import HIGHEST_SPEEDS
+from app.speed_limits import HIGHEST_SPEEDS
 from app.store.access.person_tables import Person
 from app.store.access.sign_ins import sign_in
 from app.store.chairs import add_chair, chairs_of

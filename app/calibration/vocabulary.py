@@ -11,7 +11,7 @@ from app.messages import MAX_GESTURES
 from app.number_format import percent
 from app.quantities import Cutoff, Document, Gain, Name, Threshold
 from app.signals.smoothing import STANDARD_CUTOFF
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 
 Control = Literal["u1+", "u1-", "u2+", "u2-", "stop"]
 Feature = Literal["rate", "displacement"]

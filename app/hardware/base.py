@@ -14,7 +14,7 @@ from app.hardware.body.cursor_view import CursorView
 from app.hardware.shirt.sender_choice import SenderChoice
 from app.layout import ShirtLayout
 from app.messages import ChairState, HeadPose, SensorFrame, Tick
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 ORIGIN = Pose(0.0, 0.0, 0.0)

@@ -12,7 +12,7 @@ from app.hardware.chair.packet import PORT
 from app.hardware.shirt import replay, simulator, udp
 from app.hardware.shirt.kind import ShirtConfig, ShirtKind
 from app.quantities import Count, Document, Port, Title
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 
 KINDS: tuple[ShirtKind[Any], ...] = (
     simulator.KIND,

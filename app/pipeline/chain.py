@@ -25,7 +25,7 @@ from app.pipeline.safety_gate import (
     shirt_limits,
 )
 from app.pipeline.shaping import Shaper
-from app.speeds import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
+from app.speed_limits import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
 
 NONE_BAD = BadGestures()
 RATE_TOLERANCE: Final = 0.25  # of the rate: with less, a movement is taken for one up to a quarter faster or slower

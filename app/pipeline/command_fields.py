@@ -9,7 +9,7 @@ from app.cues import Cue
 from app.json_values import JsonDocument
 from app.pipeline.open_run import RunKind
 from app.quantities import Count, Document, Fraction, Name, Radians, Seconds
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 from app.world.cursor_task import CursorPlan
 from app.world.floorplan import FloorPlan
 

@@ -14,7 +14,7 @@ from typing import Final, NamedTuple
 from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist
 from app.pipeline.shaping import forward_ramp, turn_ramp
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 
 NEUTRAL_TIME: Final = 0.5  # s at rest before motion (ISO 7176-14, control signal at switch-on)
 NEUTRAL_PATIENCE: Final = 5.0  # s of the neutral check after which a fault is latched

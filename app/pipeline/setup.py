@@ -18,7 +18,7 @@ from app.messages import HeadPose, Tick
 from app.pipeline.chain import Chain
 from app.pipeline.opening import DeviceChange, close_quietly, one_line, open_device
 from app.source import UNKNOWN, Source
-from app.speeds import HIGHEST_SPEEDS, Speeds
+from app.speed_limits import HIGHEST_SPEEDS, Speeds
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.movers import Track
 from app.world.progress import leader_of

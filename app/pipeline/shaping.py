@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from app.calibration.vocabulary import DriveParameters
 from app.geometry import Twist
 from app.pipeline.ramp import Ramp
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 
 TURN_BUILD_UP: Final = 1.0  # s: full u2 in acceleration mode reaches the full turn rate after this time
 REST: Final = 0.3  # s with control 0 that count as a rest: people rest so long within 1.4 s while they drive

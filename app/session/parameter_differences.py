@@ -7,7 +7,7 @@ from pydantic import Field
 
 from app.calibration.vocabulary import Binding, Control, DriveParameters, Feature, Gesture
 from app.quantities import Document
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 
 CONTROLS: tuple[Control, ...] = ("u1+", "u1-", "u2+", "u2-", "stop")
 FIELDS = ("title", "profile", "mode_u1", "mode_u2", "cutoff", "cruise_time", "turn_cruise_time")

@@ -15,7 +15,7 @@ from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
 from app.session.open_session import SessionFlow
 from app.session.parameter_differences import Difference, differences
-from app.speeds import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
+from app.speed_limits import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
 from app.store.database import Database
 from app.store.parameters import as_document, current_parameters, newest_profile
 from app.store.patients import open_session

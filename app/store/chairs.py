@@ -8,7 +8,7 @@ from sqlalchemy.orm import Session
 from app.clock import utc_now
 from app.json_values import JsonDocument
 from app.refusals import Conflict, NotFound
-from app.speeds import HIGHEST_SPEEDS, Speeds
+from app.speed_limits import HIGHEST_SPEEDS, Speeds
 from app.store.access.visible_patients import own_clinic_id
 from app.store.own_rows import own_row
 from app.store.tables import Clinic, PairedChair

@@ -14,7 +14,7 @@ from app.api.parts import Parts, parts_of
 from app.clock import monotonic
 from app.session.open_session import SessionFlow
 from app.settings import Settings
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 from app.store.database import Database
 from app.store.tables import LogEntry, Patient
 

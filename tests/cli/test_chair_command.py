@@ -11,7 +11,7 @@ from app.cli.clinic_folder import lock_folder
 from app.hardware.chair.key import LARGEST_ID, read_key
 from app.hardware.chair.receive import _parser
 from app.session.equipment import pairing
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 from app.store.chairs import chairs_of
 from app.store.database import PRAGMAS, Database
 from app.store.people import add_clinic, add_person, the_clinic

@@ -21,7 +21,7 @@ from app.pipeline.chain import Chain
 from app.pipeline.compiled import IS_COMPILED
 from app.pipeline.replay.batch import decode_block
 from app.pipeline.safety_gate import ChairCondition, Conditions
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 from app.study.experiment import run_study
 from app.world.scene import find_place
 from building import make_parameters, make_signals

@@ -9,7 +9,7 @@ from app.pipeline.safety_gate import (
     Conditions,
     SafetyGate,
 )
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 
 DT = 0.01
 SPEEDS = Speeds()

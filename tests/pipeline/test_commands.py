@@ -19,7 +19,7 @@ from app.hardware.shirt.packet import encode
 from app.pipeline.runs import require_room
 from app.pipeline.setup import CommandRefused
 from app.session.equipment.pairing import pair_shirt, shirt_key_file
-from app.speeds import HIGHEST_SPEEDS, Speeds
+from app.speed_limits import HIGHEST_SPEEDS, Speeds
 from app.world.clearance import Clearance
 from app.world.floorplan import MAX_WALLS
 

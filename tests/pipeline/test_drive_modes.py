@@ -12,7 +12,7 @@ from app.hardware.chair.simulator import VirtualChair
 from app.messages import SensorFrame
 from app.pipeline.chain import Chain
 from app.pipeline.safety_gate import STOP_TIME, ChairCondition, Conditions
-from app.speeds import HIGHEST_SPEEDS, Speeds
+from app.speed_limits import HIGHEST_SPEEDS, Speeds
 from building import make_parameters, make_signals
 
 RATE = 100.0

@@ -18,7 +18,7 @@ from app.pipeline.safety_gate import (
     stop_rate,
     towards_zero,
 )
-from app.speeds import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
+from app.speed_limits import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
 
 SMALLEST = {"acceleration": 0.1, "deceleration": 0.1, "turn_acceleration": 0.1, "jerk": 0.5, "turn_jerk": 1.0}
 

@@ -10,7 +10,7 @@ from pipeline.commanded_loop import CommandedLoop
 from app.faults import Fault, State
 from app.pipeline.loop import PUNCTUAL, ScreenPause
 from app.pipeline.safety_gate import NEUTRAL_TIME, BadGestures, ChairCondition, Conditions, SafetyGate
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 
 LATE = [("slow", 0.0, Fault.SCREEN_SLOW), ("hidden", 0.0, Fault.SCREEN_HIDDEN), ("in view", None, Fault.SCREEN_LOST)]
 

@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 
 from app.geometry import STANDSTILL, Twist
 from app.pipeline.shaping import REST, TURN_BUILD_UP, Cruise, Shaper, forward_ramp, turn_ramp
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 from building import make_parameters
 
 control = st.floats(-1, 1)

@@ -8,7 +8,7 @@ import threading
 
 from app.clock import monotonic
 from app.hardware.chair.key import new_key, write_key
-from app.speeds import HIGHEST_SPEEDS
+from app.speed_limits import HIGHEST_SPEEDS
 
 PATIENCE = 60.0  # s
 

@@ -16,7 +16,7 @@ from app.api.app import create_app
 from app.computing_process import ComputingProcess
 from app.process.supervisor import ControlProcess
 from app.settings import Settings
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 from app.store.database import Database
 from app.store.people import add_clinic
 from app.visible_text import visible_line

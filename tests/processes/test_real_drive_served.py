@@ -11,7 +11,7 @@ from processes.served_demo import CONTINUES, Demo, InView, until
 from processes.udp_shirt import free_port
 
 from app.hardware.chair.key import Key, write_key
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 
 WORD = "the-screen-of-this-test"
 

@@ -17,7 +17,7 @@ from app.recording.format import LOST_AT_MOST
 from app.session import run_watch, screen_codes
 from app.store.access import sign_ins
 from app.store.files import replacements
-from app.store.keeping import record_time
+from app.store.keeping import erasure
 
 NUMBERS = [
     ("S2", "for 500 ms after every arming", safety_gate.NEUTRAL_TIME, 0.5),
@@ -58,7 +58,7 @@ NUMBERS = [
     ("D1", "at most 0.5 s", LOST_AT_MOST, 0.5),
     ("D4", "Below 2 GB it warns", disk_room.LITTLE_ROOM, 2_000_000_000),
     ("D4", "below 500 MB", disk_room.ROOM_TO_RECORD, 500_000_000),
-    ("D10", "for 30 days", record_time.UNDO_FOR, timedelta(days=30)),
+    ("D10", "for 30 days", erasure.UNDO_FOR, timedelta(days=30)),
     ("D14", "for 30 days", replacements.KEPT_FOR, timedelta(days=30)),
 ]
 WORDS = {promise.id: promise.words for promise in promises()}

@@ -9,7 +9,7 @@ from sqlalchemy.orm import Session
 from app.hardware.chair.key import read_key
 from app.refusals import Conflict, NotFound
 from app.session.equipment.pairing import key_file, pair_chair, unpair_chair
-from app.speeds import HIGHEST_SPEEDS, Speeds
+from app.speed_limits import HIGHEST_SPEEDS, Speeds
 from app.store import chairs
 from app.store.chairs import chairs_of, find_chair, limits_of
 from app.store.people import add_clinic

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from app.calibration.vocabulary import Binding, DriveParameters, standard_parameters
 from app.session.parameter_differences import CONTROLS, differences
-from app.speeds import HIGHEST_SPEEDS, Speeds
+from app.speed_limits import HIGHEST_SPEEDS, Speeds
 from small_profile import small_profile
 
 STANDARD = standard_parameters(small_profile())

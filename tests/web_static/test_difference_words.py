@@ -6,7 +6,7 @@ import pytest
 from session.test_parameter_differences import STANDARD, changed, gesture
 
 from app.session.parameter_differences import differences
-from app.speeds import HIGHEST_SPEEDS, Speeds
+from app.speed_limits import HIGHEST_SPEEDS, Speeds
 from small_profile import small_profile
 
 CASES = [

@@ -15,7 +15,7 @@ from app.hardware.configs import RECEIVER_PORT, ReceiverPort
 from app.quantities import Document, Title
 from app.session.equipment.chairs import Chairs, Dynamics
 from app.session.equipment.pairing import pair_chair, unpair_chair
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 from app.store.chairs import chairs_of, find_chair
 from app.store.database import Database
 from app.store.log import write_log

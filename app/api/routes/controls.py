@@ -22,7 +22,7 @@ from app.sentences import one_sentence
 from app.session.calibration.gesture_discovery import GestureDiscoveries
 from app.session.open_session import SessionFlow
 from app.session.real_arming import RealArming
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 from app.store.database import Database, Transaction
 from app.store.log import write_log
 from app.store.parameters import (

@@ -29,7 +29,7 @@ from app.quantities import Document
 from app.refusals import Conflict
 from app.session.parameter_differences import Difference
 from app.session.run_watch import Starter
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 from app.store.database import Database
 from app.store.drives import drives_of, find_drive
 from app.store.log import log_viewing

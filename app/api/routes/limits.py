@@ -4,7 +4,7 @@ from fastapi import APIRouter
 
 from app.api.deps import Anyone, LimitsPart, Owner
 from app.api.page_session import OF_CLINIC, any_session
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 
 router = APIRouter(prefix="/limits", tags=["limits"])
 

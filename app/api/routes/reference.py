@@ -3,8 +3,8 @@
 from fastapi import APIRouter, FastAPI, Request
 
 from app.api.deps import ForEveryone
+from app.api.field_limits import Limits, field_limits
 from app.api.live.screen_socket import TAKEN
-from app.api.request_limits import Limits, request_limits
 from app.api.routes.plan_files import LARGEST
 from app.api.sign_in.passwords import SHORTEST
 from app.api.sockets import SIGNED_OUT
@@ -26,10 +26,10 @@ from app.scoring.measures import (
 )
 from app.scoring.task_measures import LEADER_NEAR
 from app.scoring.verdict.measure_verdict import FEWEST
-from app.speeds import FIRST_SPEEDS, Speeds
+from app.speed_limits import FIRST_SPEEDS, Speeds
 from app.store.access.sign_ins import IDLE_FOR
 from app.store.files.replacements import KEPT_FOR
-from app.store.keeping.record_time import UNDO_FOR
+from app.store.keeping.erasure import UNDO_FOR
 from app.world.cursor_task import CursorPlan
 from app.world.floorplan import FloorPlan
 from app.world.kinematics import CHAIR_RADIUS
@@ -119,6 +119,6 @@ def reference_of(app: FastAPI) -> Reference:
             verdicts=VERDICT_WORDS,
             verdicts_of_tests=VERDICT_WORDS_OF_TESTS,
         ),
-        limits=request_limits(app),
+        limits=field_limits(app),
         numbers=Numbers(),
     )

@@ -7,7 +7,7 @@ multiply both by it, and other maps have no span: therefore the thresholds follo
 import math
 from typing import NamedTuple
 
-from app.calibration.fit.joint_fit import LEAST_RANGE, REST_NOISE_FACTOR, SMALLEST_DEAD_ZONE
+from app.calibration.dead_zone import LARGEST_ADAPTED_SHARE, LEAST_RANGE, REST_NOISE_FACTOR, SMALLEST_DEAD_ZONE
 from app.calibration.profile import JointMap
 from app.calibration.vocabulary import Gesture
 
@@ -17,7 +17,6 @@ DEAD_ZONE_RISE = 1.0
 DEAD_ZONE_FALL = 0.2
 FULL_UPDATE = 0.08  # the command of every movement changes by as much: felt
 LARGEST_FACTOR = 2.5  # between full and the calibration's full, either way: beyond it, calibrate again
-LARGEST_DEAD_ZONE = 0.5  # as a share of the calibration's full: half of the movement is left to drive with
 LEAST_CHANGE = 0.01  # relative: smaller changes are chance and make no new version
 OWN_SCALE = ("pca", "guided")  # maps whose rate is in FS/s of the joint's span, so that SMALLEST_DEAD_ZONE is theirs
 
@@ -37,7 +36,7 @@ def least_dead_zone(joint: JointMap) -> float:
 def dead_zone_for(joint: JointMap, noise: float) -> float:
     """Return the dead-zone (FS/s) for a noise of the rate at rest (FS/s); `joint` is as calibrated."""
     dead_zone, full = joint.thresholds
-    return min(max(REST_NOISE_FACTOR * noise, least_dead_zone(joint)), max(LARGEST_DEAD_ZONE * full, dead_zone))
+    return min(max(REST_NOISE_FACTOR * noise, least_dead_zone(joint)), max(LARGEST_ADAPTED_SHARE * full, dead_zone))
 
 
 def full_for(joint: JointMap, full: float, growth: float) -> float:

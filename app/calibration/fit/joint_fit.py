@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from app.calibration.dead_zone import LARGEST_DEAD_ZONE, dead_zone_over, full_over
 from app.calibration.fit.joint_evidence import (
     Direction,
     full_rate,
@@ -25,10 +26,6 @@ from app.calibration.gaps import Frames
 from app.calibration.grades import LARGEST_ANGLE
 from app.calibration.steps import STEEPNESS, steps_of
 
-REST_NOISE_FACTOR = 4.0
-SMALLEST_DEAD_ZONE = 0.15  # FS/s
-LARGEST_THRESHOLD = 99.0  # FS/s
-LEAST_RANGE = 0.1  # FS/s between dead-zone and full: less would make the gesture a switch
 SPAN_FACTOR = 1.25  # of the free movement's span: prompts that go further than this set the span
 LARGEST_STEP = 0.3  # FS
 QUIET_QUANTILE = 0.3  # quantile of the changes of a piece that is taken for its noise: people rest for that part of it
@@ -94,8 +91,8 @@ def fit_joint(
     sign = pointing.sign if pointing else (1 if direction.weights[np.abs(direction.weights).argmax()] > 0 else -1)
     scale = sign / span
     quiet = rate_along(place if rest is None else direction.place(rest), scale, sample_rate)
-    noise = min(rest_rate(quiet, sample_rate, at_rest=rest is not None), LARGEST_THRESHOLD)
-    dead_zone = round(min(max(REST_NOISE_FACTOR * noise, SMALLEST_DEAD_ZONE), LARGEST_THRESHOLD), 4)
+    noise = min(rest_rate(quiet, sample_rate, at_rest=rest is not None), LARGEST_DEAD_ZONE)
+    dead_zone = dead_zone_over(noise)
     if repetitions:
         rates = [
             rate_of(direction, repetition.values, scale, sample_rate)[with_lag(repetition, sample_rate)]
@@ -104,7 +101,7 @@ def fit_joint(
     else:
         rates = [np.abs(quiet if rest is None else rate_along(place, scale, sample_rate))]
     reached = full_rate(rates, dead_zone)
-    full = round(min(max(reached or 0.0, dead_zone + LEAST_RANGE), LARGEST_THRESHOLD + LEAST_RANGE), 4)
+    full = full_over(dead_zone, reached or 0.0)
     return FittedJoint(
         direction=direction,
         sign=sign,

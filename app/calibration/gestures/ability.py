@@ -7,8 +7,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from app.calibration.dead_zone import full_over
 from app.calibration.fit.joint_evidence import full_rate
-from app.calibration.fit.joint_fit import LARGEST_THRESHOLD, LEAST_RANGE
 from app.calibration.gaps import Frames
 from app.calibration.gestures.evidence import Evidence, RepetitionRates
 from app.calibration.profile import CalibrationProfile, JointMap
@@ -88,7 +88,7 @@ def _ability(
     dead_zone, full = joint.thresholds
     reached = (full_rate(strokes, dead_zone) if strokes else None) or 0.0
     if direction < 0:
-        full = round(min(max(reached, dead_zone + LEAST_RANGE), LARGEST_THRESHOLD + LEAST_RANGE), 4)
+        full = full_over(dead_zone, reached)
     answer = _Answer(column, direction, dead_zone, full, evidence.sample_rate)
     return Ability(
         joint=joint,

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from app.calibration.dead_zone import LEAST_RANGE
 from app.calibration.fit.joint_evidence import full_rate
-from app.calibration.fit.joint_fit import LEAST_RANGE
 from app.calibration.gestures.ability import Ability
 from app.calibration.gestures.evidence import Evidence
 from app.calibration.gestures.numbers import HitCheck, Prediction, RestCheck

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.clean_recording import CleanRecording
+from app.calibration.dead_zone import LARGEST_GUIDED_SHARE, dead_zone_over, full_over
 from app.calibration.features import features
-from app.calibration.fit.joint_fit import LARGEST_THRESHOLD, LEAST_RANGE, REST_NOISE_FACTOR, SMALLEST_DEAD_ZONE
 from app.calibration.fit.repetitions import Stretch
 from app.calibration.guided.check import SHORTEST_REST, check, dead_zone_of
 from app.calibration.guided.labels import CuedMovement, labels, lags_of
@@ -27,7 +27,6 @@ DELAY = 0.075  # s: delay of the low-pass at 3 Hz
 LEAD = 0.05  # s by which the labels are shifted ahead, so that the map makes up for a part of the delay
 RIDGE = 0.03  # ridge on the rates, relative to each channel's variance
 LEVEL_RIDGES = (np.inf, 30.0, 10.0, 3.0, 1.0, 0.3)  # ridges on the levels to choose from; inf leaves the levels out
-LARGEST_DEAD_ZONE = 0.3  # of full: movements much weaker than the prompted ones are still to drive
 LEVELS_MUST_GAIN = 0.02  # in-phase share that a smaller ridge must gain: levels contain drift
 
 Array = NDArray[np.float64]
@@ -231,9 +230,9 @@ def _candidate(
     held_out = held_out * scale
     resting = held_out[data.repetition < 0]
     noise = float(resting.std()) if len(resting) else 0.0
-    same_hits = min(dead_zone_of(held_out, data.label, pca.hit_rate), LARGEST_DEAD_ZONE * joint.pca.full)
-    dead_zone = round(min(max(same_hits, REST_NOISE_FACTOR * noise, SMALLEST_DEAD_ZONE), LARGEST_THRESHOLD), 4)
-    full = round(min(max(joint.pca.full, dead_zone + LEAST_RANGE), LARGEST_THRESHOLD + LEAST_RANGE), 4)
+    same_hits = min(dead_zone_of(held_out, data.label, pca.hit_rate), LARGEST_GUIDED_SHARE * joint.pca.full)
+    dead_zone = dead_zone_over(noise, same_hits)
+    full = full_over(dead_zone, joint.pca.full)
     return _Candidate(
         weights=weights * scale,
         dead_zone=dead_zone,

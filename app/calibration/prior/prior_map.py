@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.clean_recording import CleanRecording
+from app.calibration.dead_zone import LEAST_PRIOR_SHARE, LEAST_RANGE
 from app.calibration.features import features
-from app.calibration.fit.joint_fit import LEAST_RANGE
 from app.calibration.gestures.cross_check import hit_level
 from app.calibration.gestures.prediction import hit_probability
 from app.calibration.grades import UNPROMPTED
@@ -29,7 +29,6 @@ from app.calibration.script import REPETITIONS
 from app.layout import ShirtLayout
 
 DIRECTED = "It was not prompted: which way its movement counts is known from other people."
-LEAST_DEAD_ZONE = 0.05  # of full: with fewer people's strokes than usual the quantile could lie below 0
 LARGEST_WEIGHT = 1e12  # FS per signal unit, as `app.quantities.Finite`
 FREE_PERCENTILE = 97.0  # of the rate of free movement: its quick movements peak there
 LEAST_FULL = 1.2  # of the dead-zone: a movement that hardly leaves it is not full at once
@@ -242,7 +241,7 @@ def _joint(
     per_unit = _per_unit(weights * in_fs, used, joint)
     if np.abs(per_unit).max() > LARGEST_WEIGHT:
         raise PriorMapError("The signals are too small: give them in a smaller unit.")
-    lowest = max(dead_zone * in_fs, LEAST_DEAD_ZONE * full)
+    lowest = max(dead_zone * in_fs, LEAST_PRIOR_SHARE * full)
     fitted = LinearMap(
         **map_parts(per_unit.tolist()),
         dead_zone=round(min(lowest, full - LEAST_RANGE), 4),

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.features.exports.flat_table import channel_names
+from app.features.exports.csv_tables import channel_names
 from app.recording.format import Columns
 from app.recording.groups import RunGroups
 

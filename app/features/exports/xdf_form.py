@@ -13,7 +13,7 @@ from xml.etree import ElementTree as Xml
 import numpy as np
 from numpy.typing import NDArray
 
-from app.features.exports.flat_table import channel_names, gesture_names
+from app.features.exports.csv_tables import channel_names, gesture_names
 from app.recording.format import PER_CHANNEL, PER_GESTURE, Columns
 from app.recording.groups import RunGroups
 

@@ -30,7 +30,7 @@ from app.hardware.chair.simulator import FASTEST
 from app.hardware.chair.telemetry import SILENT, ChairTelemetry, telemetry_description
 from app.hardware.configs import RealChairConfig
 from app.messages import ChairState, Tick
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 
 PERIOD = 0.02  # s between two commands
 LEAST_GAP = 0.005  # s between two commands: after a hold-up the next deadline may be very near

@@ -7,7 +7,7 @@ from typing import Final, Literal, get_args
 
 from app.geometry import STANDSTILL, Pose, Twist
 from app.messages import ChairState
-from app.speeds import HIGHEST_SPEEDS
+from app.speed_limits import HIGHEST_SPEEDS
 from app.world import dynamics, kinematics
 from app.world.collision import Collision
 from app.world.dynamics import Motion, Wheelchair

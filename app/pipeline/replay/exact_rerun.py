@@ -25,7 +25,7 @@ from app.pipeline.safety_gate import BadGestures, Conditions, SafetyGate
 from app.recording.format import Columns
 from app.recording.reader import RunRecording
 from app.sentences import one_sentence
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 
 
 class RecordedGate(SafetyGate):

@@ -6,7 +6,7 @@ from contextlib import suppress
 from app.refusals import Refusal
 from app.session.control_link import ControlLink
 from app.session.equipment.choice import ClinicChoice
-from app.speeds import HIGHEST_SPEEDS, Speeds
+from app.speed_limits import HIGHEST_SPEEDS, Speeds
 from app.store.chairs import limits_of
 from app.store.database import Database, Transaction
 from app.store.log import write_log

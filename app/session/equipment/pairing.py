@@ -5,7 +5,7 @@ from pathlib import Path
 from app.hardware.chair.key import Key, new_key, write_key
 from app.hardware.shirt.newest_frame import newest_file, write_newest
 from app.refusals import Conflict
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 from app.store.chairs import LARGEST_KEY_ID, add_chair, free_key_ids, remove_chair
 from app.store.database import Transaction
 from app.store.tables import Clinic, PairedChair

@@ -4,8 +4,9 @@ import shutil
 import sqlite3
 from contextlib import closing
 from dataclasses import dataclass
-from datetime import datetime
+from datetime import datetime, timedelta
 from pathlib import Path
+from typing import Final
 
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session
@@ -29,13 +30,14 @@ from app.store.keeping.owned_rows import (
     tables_in,
 )
 from app.store.keeping.passed_time import passed_now
-from app.store.keeping.record_time import UNDO_FOR, must_be_kept_until
+from app.store.keeping.record_time import must_be_kept_until
 from app.store.keeping.tombstones import Tombstone, add_tombstones, tombstone
 from app.store.log import write_log
 from app.store.own_rows import own_row
 from app.store.schema import metadata
 from app.store.tables import Patient, PatientSession, Run
 
+UNDO_FOR: Final = timedelta(days=30)  # a deleted patient can be brought back, and is then erased
 AFTER_30_DAYS = "30 days after the deletion"
 
 

@@ -1,6 +1,6 @@
 """How long records must be kept: the owner's setting, and deletion before that."""
 
-from datetime import datetime, timedelta
+from datetime import datetime
 from typing import Final
 
 from sqlalchemy import func, select
@@ -12,7 +12,6 @@ from app.store.keeping.keeping_tables import RecordKeeping
 from app.store.keeping.passed_time import passed_now
 from app.store.tables import Patient, PatientSession
 
-UNDO_FOR: Final = timedelta(days=30)  # after this a deleted patient is erased
 MOST_YEARS: Final = 100
 
 

@@ -9,7 +9,7 @@ from api.fake_clinic import WHERE, WORD, Clinic, sentence_of
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.hardware.shirt.kind import NO_KEY
 from app.session.equipment.shirt import Equipment
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 from app.store.tables import ParameterSet
 
 ARMED, FAULT = 2, 3  # of a chair's telemetry

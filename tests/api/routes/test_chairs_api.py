@@ -11,7 +11,7 @@ from api.running_app import running
 
 from app.hardware.chair.key import read_key
 from app.settings import Settings
-from app.speeds import HIGHEST_SPEEDS, Speeds
+from app.speed_limits import HIGHEST_SPEEDS, Speeds
 
 SLOW = {**Speeds().model_dump(), "forward": 0.4, "turn": 0.6}
 CHAIR = {"name": "Blue chair", "host": "10.0.0.7", "port": 5354, "speeds": SLOW}

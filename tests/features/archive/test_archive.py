@@ -15,7 +15,7 @@ from app.csv_cells import SPREADSHEET_BEGIN
 from app.features.archive import archive_import, patient_rows
 from app.features.archive.archive_file import PATIENT
 from app.features.archive.archive_import import import_apart
-from app.features.exports.service import trial_csv
+from app.features.exports.csv_tables import trial_csv
 from app.features.log.service import read_log
 from app.features.records.service import add_note, add_scale, session_record
 from app.features.records.sign_off import sign_off

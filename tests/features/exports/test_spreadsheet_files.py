@@ -14,9 +14,8 @@ import pytest
 from exported_clinic import RUN, make_clinic
 
 from app.csv_cells import SPREADSHEET_BEGIN, csv_line
+from app.features.exports.csv_tables import trial_csv, write_csv
 from app.features.exports.export_material import exported_material
-from app.features.exports.flat_table import write_csv
-from app.features.exports.service import trial_csv
 from app.features.log.service import exported_lines
 from app.recording.groups import read_in_groups
 from app.store.database import Database

@@ -7,7 +7,7 @@ from hardware.chair.chair_stand_in import ARMED, DISARMED, StandInChair
 from app.faults import State
 from app.geometry import STANDSTILL, Twist
 from app.hardware.chair.link import ChairLink
-from app.speeds import Speeds
+from app.speed_limits import Speeds
 
 LIMITS = Speeds(forward=0.5, reverse=0.2, turn=1.0)
 

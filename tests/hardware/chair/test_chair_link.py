@@ -15,7 +15,7 @@ from app.hardware.chair.key import Key, write_key
 from app.hardware.chair.link import HELLO_EVERY, LAST_FRAMES, PERIOD, ChairLink
 from app.hardware.chair.packet import DRIVE, STOP
 from app.hardware.configs import RealChairConfig
-from app.speeds import HIGHEST_SPEEDS
+from app.speed_limits import HIGHEST_SPEEDS
 
 
 def test_disarmed_it_says_hello_at_5_hz_and_nothing_else_until_it_is_heard(pair):

@@ -10,7 +10,7 @@ from app.hardware.chair.packet import DRIVE, STOP
 from app.hardware.chair.reasons import Reason
 from app.hardware.chair.receiver import ReceiverState
 from app.pipeline import safety_gate
-from app.speeds import HIGHEST_SPEEDS
+from app.speed_limits import HIGHEST_SPEEDS
 
 ARMED, DISARMED = ReceiverState.ARMED, ReceiverState.DISARMED
 STANDS = (0.0, 0.0)

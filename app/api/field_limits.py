@@ -35,7 +35,7 @@ Limits = dict[str, dict[str, FieldLimits]]
 """Name of a model -> name of its field -> limits."""
 
 
-def request_limits(app: FastAPI) -> Limits:
+def field_limits(app: FastAPI) -> Limits:
     """Return the limits of every model that a request of the API can hold."""
     limits: Limits = {}
     for context in iter_route_contexts(app.routes):
