@@ -137,12 +137,7 @@ def test_a_map_that_mostly_acts_outside_of_the_movement_is_not_better_than_one_t
 
 @pytest.mark.parametrize(
     ("check", "better"),
-    [
-        ({}, True),
-        ({"in_phase": 0.905}, False),
-        ({"hit_rate": 0.76}, False),
-        ({"false_count": 3}, False),
-    ],
+    [({}, True), ({"in_phase": 0.905}, False), ({"hit_rate": 0.76}, False), ({"false_count": 3}, False)],
 )
 def test_a_guided_map_is_better_only_when_it_loses_nothing(check, better):
     fields = {"in_phase": 0.95, "hit_rate": 0.78, "false_per_minute": 2.0, "false_count": 2} | check

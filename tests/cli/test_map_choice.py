@@ -22,15 +22,7 @@ REASON = "Nothing is learnt from 1 prompted repetition: prompt at least 3."
 
 
 def guided(pca, own):
-    return LinearMap(
-        rates=((0.1, 0.1),),
-        dead_zone=0.3,
-        full=1.5,
-        lag=0.3,
-        repetitions=3,
-        pca_check=pca,
-        check=own,
-    )
+    return LinearMap(rates=((0.1, 0.1),), dead_zone=0.3, full=1.5, lag=0.3, repetitions=3, pca_check=pca, check=own)
 
 
 @pytest.fixture

@@ -98,10 +98,7 @@ def find_clinic(db):
         (["disable", "Ada"], "Ada is the last owner who can sign in"),
         (["disable", "Nobody"], "There is nobody called 'Nobody'"),
         (["invite", "Ben", "--role", "king"], "--role king is no role"),
-        (
-            ["invite", "Ben", "--role", "reviewer", "--patient", "P-9"],
-            "--patient P-9: there is no patient",
-        ),
+        (["invite", "Ben", "--role", "reviewer", "--patient", "P-9"], "--patient P-9: there is no patient"),
         (["invite", "Ben", "--patient", "P-1"], "Patients are chosen for reviewers only"),
         (["invite", "a\u202eb"], "This name cannot be used"),
     ],

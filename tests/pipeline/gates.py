@@ -4,11 +4,7 @@ import pytest
 
 from app.faults import State
 from app.geometry import Twist
-from app.pipeline.safety_gate import (
-    BadGestures,
-    Conditions,
-    SafetyGate,
-)
+from app.pipeline.safety_gate import BadGestures, Conditions, SafetyGate
 from app.speeds import Speeds
 
 DT = 0.01

@@ -11,13 +11,7 @@ from pipeline.gates import DT, SPEEDS, armed_gate, moving_gate
 
 from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist
-from app.pipeline.safety_gate import (
-    BadGestures,
-    Conditions,
-    shirt_limits,
-    stop_rate,
-    towards_zero,
-)
+from app.pipeline.safety_gate import BadGestures, Conditions, shirt_limits, stop_rate, towards_zero
 from app.speeds import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
 
 SMALLEST = {"acceleration": 0.1, "deceleration": 0.1, "turn_acceleration": 0.1, "jerk": 0.5, "turn_jerk": 1.0}

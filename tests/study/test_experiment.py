@@ -158,10 +158,7 @@ def test_the_command_prints_one_json_object(tmp_path, capsys) -> None:
 
 @pytest.mark.parametrize(
     ("given", "sentence"),
-    [
-        ({"floorplan": "nowhere"}, "no such floor plan"),
-        ({"floorplan": "clinic", "path": "roof"}, "has no path 'roof'"),
-    ],
+    [({"floorplan": "nowhere"}, "no such floor plan"), ({"floorplan": "clinic", "path": "roof"}, "has no path 'roof'")],
 )
 def test_the_command_refuses_in_one_sentence(tmp_path, given, sentence) -> None:
     with pytest.raises(InputError, match=sentence):

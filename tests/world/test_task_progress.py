@@ -61,9 +61,7 @@ def test_a_path_to_drive_backwards_is_done_backwards_only():
 def turned(degrees, hold=2.0, task=None, at=(0.0, 0.0), v=0.0, step=3.0):
     """Turn on the spot from looking along x, then stand for `hold` seconds."""
     progress = begun(
-        points=((0.0, 0.0), (0.0, 2.0)),
-        start_heading=0.0,
-        task=task or {"kind": "turn", "direction": "left"},
+        points=((0.0, 0.0), (0.0, 2.0)), start_heading=0.0, task=task or {"kind": "turn", "direction": "left"}
     )
     count = round(abs(degrees) / step)
     angles = [math.radians(math.copysign(step * i, degrees)) for i in range(count + 1)]

@@ -33,10 +33,7 @@ def test_every_place_on_a_piece_stays_on_a_line_and_nothing_is_added(pieces):
     lines = [(a, b) for line in join_pieces(pieces) for a, b in pairwise(line)]
 
     def near(place, segments):
-        return min(
-            (_distance(place, a, b) for a, b in segments),
-            default=math.inf,
-        )
+        return min((_distance(place, a, b) for a, b in segments), default=math.inf)
 
     for a, b in pieces:
         if a != b:

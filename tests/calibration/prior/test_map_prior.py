@@ -123,11 +123,7 @@ def test_a_file_is_read_as_it_was_written(ten, tmp_path):
 
 @pytest.mark.parametrize(
     ("content", "words"),
-    [
-        ("{}", "kind"),
-        ("nothing", "Invalid JSON|not a JSON"),
-        ('{"kind": "own", "layout": {}}', "name"),
-    ],
+    [("{}", "kind"), ("nothing", "Invalid JSON|not a JSON"), ('{"kind": "own", "layout": {}}', "name")],
 )
 def test_a_bad_file_is_one_sentence(tmp_path, content, words):
     (tmp_path / "prior.json").write_text(content)
