@@ -1,10 +1,13 @@
-"""A clinic that cannot start says why, in one sentence."""
+"""A clinic that cannot start says why, in one sentence; the help of every command is in plain words."""
 
 import subprocess
 import sys
 
 import pytest
+from cli.symbols import symbols_in
+from typer.testing import CliRunner
 
+from app.cli.main import COMMANDS, build
 from app.cli.server import why_not_started
 from app.process.command_channel import LinkLost
 from app.refusals import Refusal
@@ -43,3 +46,10 @@ def test_a_control_process_that_wrote_its_own_message_is_named(lost) -> None:
 
 def test_a_refusal_is_a_sentence_already() -> None:
     assert why_not_started(Refusal("The disk is full: make room.")) == "The disk is full: make room."
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_the_help_has_no_symbols(command):
+    shown = CliRunner().invoke(build(list(COMMANDS)), [command, "--help"])
+    assert shown.exit_code == 0, shown.output
+    assert symbols_in(shown.output) == []

@@ -1,6 +1,7 @@
-"""A module holds constants only: what changes belongs to an object that somebody made, and can make again."""
+"""A module of `app/` holds constants only, and a class name means one thing in all modules."""
 
 import ast
+from collections import defaultdict
 from collections.abc import Iterator
 
 from folders import ROOT
@@ -39,3 +40,12 @@ def test_no_module_holds_what_changes():
 
 def test_a_lock_at_the_top_of_a_module_is_found():
     assert list(changeable_names(ast.parse("_saving = Lock()\nLIMIT = 3\n"))) == ["_saving"]
+
+
+def test_a_class_name_has_one_meaning() -> None:
+    places: dict[str, list[str]] = defaultdict(list)
+    for file in (ROOT / "app").rglob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text())):
+            if isinstance(node, ast.ClassDef):
+                places[node.name].append(str(file.relative_to(ROOT)))
+    assert {name: files for name, files in places.items() if len(files) > 1} == {}

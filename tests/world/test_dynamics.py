@@ -1,3 +1,5 @@
+"""The motion of a chair: the unicycle, and the wheelchair with lags, castors and slip."""
+
 import math
 from dataclasses import replace
 
@@ -8,6 +10,7 @@ from hypothesis import strategies as st
 from app.geometry import STANDSTILL, Pose, Twist
 from app.world import kinematics
 from app.world.dynamics import BOUNDS, Motion, Wheelchair, step
+from app.world.kinematics import unicycle
 
 ORIGIN = Motion(Pose(0.0, 0.0, 0.0))
 CHAIR = Wheelchair()
@@ -191,3 +194,20 @@ def test_a_number_beyond_its_bounds_is_refused_by_name(name, side):
         with pytest.raises(ValueError, match=name):
             Wheelchair(**{name: bad})
     assert getattr(Wheelchair(**{name: low if side < 0 else high}), name) in (low, high)
+
+
+def test_one_step_uses_the_heading_before_it():
+    assert unicycle(1, 2, math.pi / 2, 0.5, 1.0, 0.1) == pytest.approx((1, 2.05, math.pi / 2 + 0.1))
+
+
+def test_forward_along_x_and_turning_left():
+    assert unicycle(0, 0, 0, 1, 0, 0.5) == (0.5, 0, 0)
+    assert unicycle(0, 0, 0, 0, 1, 0.5) == (0, 0, 0.5)
+
+
+@given(st.floats(-math.pi, math.pi), st.floats(-2, 2), st.floats(-3, 3), st.floats(0, 0.1))
+def test_the_way_is_as_long_as_speed_and_time_say(theta, v, omega, dt):
+    x, y, turned = unicycle(0, 0, theta, v, omega, dt)
+    assert math.hypot(x, y) == pytest.approx(abs(v) * dt)
+    assert -math.pi <= turned <= math.pi
+    assert math.cos(turned) == pytest.approx(math.cos(theta + omega * dt))

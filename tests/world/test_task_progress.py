@@ -1,3 +1,5 @@
+"""The progress along a line, and of each kind of task."""
+
 import math
 
 import pytest
@@ -6,6 +8,7 @@ from hypothesis import strategies as st
 
 from app.geometry import Pose
 from app.world.floorplan import FloorPlan, PrescribedPath
+from app.world.path import Path
 from app.world.progress import LineProgress, progress_of
 
 LINE = ((0.0, 0.0), (4.0, 0.0))
@@ -158,3 +161,51 @@ def test_what_was_reached_stays_reached_and_shares_are_shares(steps, task):
         assert progress.stage >= stage
         assert 0.0 <= progress.covered <= 1.0
         reached, stage = progress.reached, progress.stage
+
+
+ROUND = [(0, 0), (10, 0), (10, 10), (0, 10), (0, 0)]
+
+
+def follow_line(progress, line, spacing=0.1):
+    path = Path(line)
+    for number in range(int(path.length / spacing) + 1):
+        progress.update(*path.point_at(number * spacing))
+    progress.update(*path.points[-1])
+
+
+def test_the_end_is_reached_after_the_path():
+    progress = LineProgress(Path([(0, 0), (10, 0)]), 0.5)
+    follow_line(progress, [(0, 1), (9, 1)])
+    assert progress.s == pytest.approx(9)
+    assert progress.cross_track == pytest.approx(1)
+    assert not progress.reached
+    follow_line(progress, [(9, 1), (9.6, 0)])
+    assert progress.reached
+
+
+def test_a_round_course_is_not_done_at_its_start():
+    progress = LineProgress(Path(ROUND), 0.5)
+    follow_line(progress, [(0, 0), (-1.5, 0), (0.3, 0)])  # back and forth at the start
+    assert not progress.reached
+    follow_line(progress, [(0.3, 0), *ROUND[1:]])
+    assert progress.reached
+
+
+def test_a_short_cut_to_the_end_does_not_reach_it():
+    progress = LineProgress(Path([(0, 0), (10, 0), (10, 3), (0, 3)]), 0.5)
+    follow_line(progress, [(0, 0), (0, 3)])
+    assert not progress.reached
+
+
+def test_a_chair_that_left_the_path_is_found_on_another_part_of_it():
+    progress = LineProgress(Path(ROUND), 0.5)
+    follow_line(progress, [(0, 0), (6, 0), (6, 5), (9, 5), (9, 9)])
+    assert progress.s == pytest.approx(19, abs=1.1)
+    assert abs(progress.cross_track) < 1.1
+
+
+def test_waiting_covers_nothing():
+    progress = LineProgress(Path(ROUND), 0.5)
+    for _ in range(1000):
+        progress.update(0, 0)
+    assert progress.covered < 0.02

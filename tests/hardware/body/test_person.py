@@ -1,4 +1,4 @@
-"""The simulated person: strokes, estimates, steering and learning."""
+"""The simulated person: strokes, estimates, steering, learning, and parameters within their ranges."""
 
 import dataclasses
 import itertools
@@ -16,8 +16,9 @@ from app.cues import Cue
 from app.geometry import Pose
 from app.hardware.base import BodyView
 from app.hardware.body.driver import Driver
+from app.hardware.body.parameter_ranges import RANGES, numbers_of, out_of_range
 from app.hardware.body.person import SimulatedPerson
-from app.hardware.body.person_parameters import NOVICE, PRACTISED, PracticeEffect
+from app.hardware.body.person_parameters import NOVICE, PARAMETERS, PRACTISED, PersonParameters, PracticeEffect
 from app.hardware.body.steering import DrivingLine, Steering
 from app.hardware.body.stroke_estimate import StrokeEstimate
 from app.hardware.body.stroke_maker import Limb
@@ -256,3 +257,33 @@ def test_the_person_needs_no_scientific_library() -> None:
     code = "import sys, app.hardware.body.person; print([m for m in ('scipy', 'sklearn') if m in sys.modules])"
     seen = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert seen.stdout.strip() == "[]"
+
+
+NOT_MEASURED = {"learns", "practice"}  # a switch, and where the person stands in his learning
+
+
+def test_every_parameter_has_a_range_and_every_range_a_parameter() -> None:
+    names = {field.name for field in dataclasses.fields(PersonParameters)} - NOT_MEASURED
+    assert {name.partition(".")[0] for name in RANGES} == names
+    assert list(numbers_of(NOVICE)) == list(RANGES)
+
+
+def test_ranges_are_finite_and_say_their_unit_and_source() -> None:
+    for name, known in RANGES.items():
+        assert math.isfinite(known.low), name
+        assert math.isfinite(known.high), name
+        assert known.low < known.high, name
+        assert known.unit, name
+        assert known.source, name
+
+
+@pytest.mark.parametrize("name", PARAMETERS)
+def test_every_named_person_lies_within(name) -> None:
+    assert out_of_range(PARAMETERS[name]) == ()
+
+
+def test_a_number_outside_is_named_with_its_range() -> None:
+    odd = dataclasses.replace(NOVICE, reaction_time=0.05, wrong_limb=PracticeEffect(0.9, 0.01, math.nan))
+    said = out_of_range(odd)
+    assert said[0] == "reaction_time is 0.05 s: choose 0.18 to 0.5"
+    assert [sentence.split(" is ")[0] for sentence in said[1:]] == ["wrong_limb.first", "wrong_limb.strokes"]
