@@ -15,9 +15,14 @@ def decide(gate, t, *, pause=DT, neutral=True, bad=BadGestures(), age=0.0, **con
     return gate.decide(t, pause, neutral, bad, age, Conditions(**conditions))
 
 
-def armed_gate(speeds=SPEEDS):
+def checking_gate(speeds=SPEEDS):
     gate = SafetyGate(speeds, 100.0)
     assert gate.arm()
+    return gate
+
+
+def armed_gate(speeds=SPEEDS):
+    gate = checking_gate(speeds)
     for i in range(60):
         decide(gate, i * DT)
     assert gate.state is State.ARMED

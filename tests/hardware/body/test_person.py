@@ -145,6 +145,13 @@ def test_who_is_stuck_backs_away_and_then_drives_on() -> None:
     assert wished(steering.want(4.5, Pose(0.25, 0.0, 0.0), -0.15, False, 0.0)) == "faster"
 
 
+def at_corner(person: PersonParameters, seed: int) -> Driver:
+    """Return a driver who is asked to drive round the corner."""
+    driver = Driver(person, seed)
+    driver.show_task(*along(CORNER))
+    return driver
+
+
 def drive(driver: Driver, seconds: float, t: float = 0.0) -> list[dict[str, float]]:
     """Let a driver make strokes for a chair that never moves."""
     levels = []
@@ -156,8 +163,7 @@ def drive(driver: Driver, seconds: float, t: float = 0.0) -> list[dict[str, floa
 
 
 def test_nothing_moves_before_the_reaction_time() -> None:
-    driver = Driver(NOVICE, 1)
-    driver.show_task(*along(CORNER))
+    driver = at_corner(NOVICE, 1)
     levels = drive(driver, 10.0)
     moving = [i for i, level in enumerate(levels) if any(level.values())]
     assert moving[0] / 100 >= NOVICE.reaction_time
@@ -165,29 +171,24 @@ def test_nothing_moves_before_the_reaction_time() -> None:
 
 def test_both_elbows_are_never_away_from_rest_together() -> None:
     for seed in range(5):
-        driver = Driver(NOVICE, seed)
-        driver.show_task(*along(CORNER))
+        driver = at_corner(NOVICE, seed)
         for level in drive(driver, 120.0):
             assert not (level["right_elbow"] > 0 and level["left_elbow"] > 0)
 
 
 def test_one_seed_moves_one_way() -> None:
-    first, second, other = (Driver(NOVICE, seed) for seed in (3, 3, 4))
-    for driver in (first, second, other):
-        driver.show_task(*along(CORNER))
+    first, second, other = (at_corner(NOVICE, seed) for seed in (3, 3, 4))
     assert drive(first, 20.0) == drive(second, 20.0)
     assert drive(Driver(NOVICE, 3), 1.0) != drive(other, 20.0)
 
 
 def test_who_does_not_learn_gains_no_practice() -> None:
-    driver = Driver(dataclasses.replace(NOVICE, learns=False), 1)
-    driver.show_task(*along(CORNER))
+    driver = at_corner(dataclasses.replace(NOVICE, learns=False), 1)
     before = [(estimate.gain, estimate.lost) for estimate in driver.estimates.values()]
     drive(driver, 60.0)
     assert driver.strokes.practice == 0
     assert [(estimate.gain, estimate.lost) for estimate in driver.estimates.values()] == before
-    keen = Driver(NOVICE, 1)
-    keen.show_task(*along(CORNER))
+    keen = at_corner(NOVICE, 1)
     drive(keen, 60.0)
     assert keen.strokes.practice > 10
 

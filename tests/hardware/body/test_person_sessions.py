@@ -4,7 +4,7 @@ import dataclasses
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from app.calibration.vocabulary import standard_parameters
@@ -30,12 +30,8 @@ from app.study.simulated_calibration import SAMPLE_RATE, calibrate
 from app.world.cursor_task import CursorPlan
 from app.world.floorplan import FloorPlan
 
-PLAN = FloorPlan(
-    name="p",
-    title="P",
-    walls=(),
-    paths=({"name": "c", "title": "C", "points": ((0.0, 0.0), (6.0, 0.0)), "instruction": "Go."},),
-)
+LINE = {"name": "c", "title": "C", "points": ((0.0, 0.0), (6.0, 0.0)), "instruction": "Go."}
+PLAN = FloorPlan(name="p", title="P", walls=(), paths=(LINE,))
 CUE = Cue(start=0.0, end=1.0, kind="move", joint="right_elbow", repetition=1)
 
 
@@ -85,7 +81,6 @@ def test_who_improves_wins_range() -> None:
 
 
 @given(st.integers(1, 1000), st.floats(-0.03, 0.03), st.floats(-0.01, 0.01))
-@settings(max_examples=60)
 def test_range_and_tremor_stay_human_in_any_session(session: int, change: float, growth: float) -> None:
     person = PersonParameters(range_per_session=change, tremor=0.01, tremor_per_session=growth)
     assert SMALLEST_RANGE <= person.range_in(session) <= LARGEST_RANGE

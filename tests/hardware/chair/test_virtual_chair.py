@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from app.geometry import Pose, Twist
@@ -14,14 +14,9 @@ from app.world.dynamics import step as dynamics_step
 from app.world.floorplan import FloorPlan
 from app.world.kinematics import unicycle
 
-PLAN = FloorPlan.model_validate(
-    {
-        "name": "test",
-        "title": "Test",
-        "walls": [[(0, -10), (0, 10)]],
-        "paths": [{"name": "main", "title": "Main", "points": [(50, 0), (60, 0)], "instruction": "Go."}],
-    }
-)
+PATH = {"name": "main", "title": "Main", "points": [(50, 0), (60, 0)], "instruction": "Go."}
+WALL = [(0, -10), (0, 10)]
+PLAN = FloorPlan.model_validate({"name": "test", "title": "Test", "walls": [WALL], "paths": [PATH]})
 FORWARD = Twist(0.8, 0.0)
 
 
@@ -100,7 +95,6 @@ TWISTS = st.lists(st.builds(Twist, st.floats(-1.5, 1.5), st.floats(-2.5, 2.5)), 
 DYNAMICS = pytest.mark.parametrize("dynamics", ["unicycle", "wheelchair"])
 
 
-@settings(max_examples=60, deadline=None)
 @given(TWISTS, st.floats(0.001, 0.1))
 def test_by_default_it_is_the_unicycle_exactly(twists, dt):
     chair, pose = VirtualChair(None, Pose(1, 2, 3)), Pose(1, 2, 3)
@@ -109,7 +103,6 @@ def test_by_default_it_is_the_unicycle_exactly(twists, dt):
         assert (state.x, state.y, state.theta, state.v, state.omega) == (*pose, *twist)
 
 
-@settings(max_examples=60, deadline=None)
 @given(TWISTS)
 def test_as_a_wheelchair_it_tells_what_it_does_and_not_what_it_was_told(twists):
     chair, motion = VirtualChair(None, Pose(1, 2, 3), dynamics="wheelchair"), Motion(Pose(1, 2, 3))
@@ -140,7 +133,6 @@ def test_a_wall_holds_the_wheels_of_a_wheelchair_too():
 
 
 @DYNAMICS
-@settings(max_examples=60, deadline=None)
 @given(st.lists(st.builds(Twist, st.floats(), st.floats()), max_size=30), st.floats())
 def test_nothing_that_it_is_told_breaks_it(dynamics, twists, dt):
     chair = VirtualChair(PLAN, Pose(-2, 0, 0), dynamics=dynamics)

@@ -47,20 +47,20 @@ def test_before_any_frame_the_words_say_what_is_wrong_with_what_comes(source):
     assert "sends 52 sensors" in source.shirt.description()
 
 
-def test_gaps_are_counted_late_frames_dropped(source):
-    for seq in (10, 11, 15, 13, 15, 16):
+@pytest.mark.parametrize(
+    ("sent", "read", "lost", "words"),
+    [
+        ((10, 11, 15, 13, 15, 16), [10, 11, 15, 16], 3, ", 3 frames lost"),
+        ((2**32 - 2, 2**32 - 1, 0, 1), [2**32 - 2, 2**32 - 1, 0, 1], 0, ""),
+    ],
+)
+def test_gaps_are_counted_late_frames_dropped_and_the_counter_may_wrap(source, sent, read, lost, words):
+    for seq in sent:
         source.send(seq)
-    assert [source.shirt.read(WAIT).seq for _ in range(4)] == [10, 11, 15, 16]
+    assert [source.shirt.read(WAIT).seq for _ in read] == read
     assert source.shirt.read(0.0) is None
-    assert source.shirt.lost == 3
-    assert "3 frames lost" in source.shirt.description()
-
-
-def test_the_counter_may_wrap(source):
-    for seq in (2**32 - 2, 2**32 - 1, 0, 1):
-        source.send(seq)
-    assert [source.shirt.read(WAIT).seq for _ in range(4)] == [2**32 - 2, 2**32 - 1, 0, 1]
-    assert source.shirt.lost == 0
+    assert source.shirt.lost == lost
+    assert words in source.shirt.description()
 
 
 def test_a_second_sender_is_not_mixed_in(source, stranger):
