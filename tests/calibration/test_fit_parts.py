@@ -67,8 +67,9 @@ def with_step(size, rise, n=1000):
     return frames
 
 
-def test_a_quiet_fabric_has_the_smallest_steps():
+def test_a_quiet_fabric_has_the_smallest_steps_and_no_calibration_permits_steps_of_any_size():
     assert least_steps((0, 1, 2), 1.0, noisy(), noisy(300), [], RATE) == SMALLEST_STEPS
+    assert least_steps((0, 1, 2), 1.0, with_step(2.0, 0.01), None, [], RATE).sudden == LARGEST_STEP
 
 
 def test_noise_makes_sudden_steps_larger_and_tremor_at_rest_filtered_ones():
@@ -85,7 +86,3 @@ def test_a_step_that_the_calibration_had_is_none(rise, kind, where):
     own = [Repetition("elbow", step, slice(400, 600))] if where == "prompts" else []
     found = least_steps((0, 1, 2), 1.0, noisy() if own else step, noisy(300), own, RATE)
     assert getattr(found, kind) == pytest.approx(STEP_MARGIN * 0.2, rel=0.05)
-
-
-def test_no_calibration_permits_steps_of_any_size():
-    assert least_steps((0, 1, 2), 1.0, with_step(2.0, 0.01), None, [], RATE).sudden == LARGEST_STEP

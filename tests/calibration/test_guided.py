@@ -51,11 +51,13 @@ def recorded(person, count=3, lag=0.3, **how):
 
 
 def fitted(person, rest=True, **how):
-    t, values, prompts = recorded(person, **how)
-    resting = person.rest() if rest else None
+    return guided(cleaned(person, *recorded(person, **how), person.rest() if rest else None))
+
+
+def cleaned(person, t, values, prompts, resting):
     repetitions = repetitions_of_prompts(t, values, prompts, person.sample_rate)
     stretches = stretches_of_prompts(t, values, prompts, person.sample_rate)
-    return guided(CleanRecording.of(LAYOUT, person.sample_rate, person.free(), resting, repetitions, stretches))
+    return CleanRecording.of(LAYOUT, person.sample_rate, person.free(), resting, repetitions, stretches)
 
 
 def guided(recording):
@@ -122,14 +124,11 @@ def test_missing_samples_are_bridged():
 
 
 @pytest.mark.parametrize(
-    ("how", "words"),
-    [
-        ({"count": 1}, "from 1 prompted repetition: prompt at least 3"),
-        ({"count": 2}, "from 2 prompted repetitions: prompt at least 3"),
-    ],
+    ("count", "words"),
+    [(1, "from 1 prompted repetition: prompt at least 3"), (2, "from 2 prompted repetitions: prompt at least 3")],
 )
-def test_too_few_repetitions_are_a_reason(how, words):
-    guided = fitted(misleading_limb(), **how)
+def test_too_few_repetitions_are_a_reason(count, words):
+    guided = fitted(misleading_limb(), count=count)
     assert guided.profile.joints[0].guided is None
     assert words in guided.reasons["right_elbow"]
 
@@ -159,9 +158,7 @@ def test_tremor_at_rest_raises_the_dead_zone():
     t, values, prompts = recorded(person)
     resting = person.rest()
     resting += 0.3 * np.sin(2 * np.pi * 2.0 * np.arange(len(resting)) / 100)[:, np.newaxis] * person.gains[0]
-    repetitions = repetitions_of_prompts(t, values, prompts, 100.0)
-    stretches = stretches_of_prompts(t, values, prompts, 100.0)
-    shaky = guided(CleanRecording.of(LAYOUT, 100.0, person.free(), resting, repetitions, stretches)).profile.joints[0]
+    shaky = guided(cleaned(person, t, values, prompts, resting)).profile.joints[0]
     assert shaky.guided.dead_zone > 2 * calm.guided.dead_zone
 
 
@@ -274,25 +271,20 @@ def measures(rate, dead_zone=0.2, full=1.0, label=LABEL, repetition=ONE):
     return check(rate, label, repetition, dead_zone, full, RATE)
 
 
-def test_a_perfect_map():
-    found = measures(np.where(LABEL > 0, 1.0, 0.0))
-    assert (found.in_phase, found.hit_rate, found.false_per_minute, found.false_count) == (1.0, 1.0, 0.0, 0)
-
-
-def test_half_of_the_activation_on_the_way_back_is_half_in_phase():
-    rate = np.where(LABEL != 0, 0.6, 0.0)
-    assert measures(rate).in_phase == pytest.approx(0.5)
-
-
-def test_activation_counts_by_its_size_and_not_above_full():
-    rate = np.where(LABEL > 0, 9.0, 0.0) + np.where(LABEL < 0, 0.6, 0.0)
-    assert measures(rate).in_phase == pytest.approx(1.0 / 1.5)
-
-
-def test_hits_are_counted_in_time():
-    rate = np.zeros(600)
-    rate[200:225] = 1.0
-    assert measures(rate).hit_rate == 0.25
+@pytest.mark.parametrize(
+    ("rate", "expected"),
+    [
+        (np.where(LABEL > 0, 1.0, 0.0), {"in_phase": 1.0, "hit_rate": 1.0, "false_per_minute": 0.0, "false_count": 0}),
+        (np.where(LABEL != 0, 0.6, 0.0), {"in_phase": 0.5}),
+        (np.where(LABEL > 0, 9.0, 0.0) + np.where(LABEL < 0, 0.6, 0.0), {"in_phase": 1.0 / 1.5}),
+        (np.where(np.arange(600) // 25 == 8, 1.0, 0.0), {"hit_rate": 0.25}),
+        (np.zeros(600), {"in_phase": 0.0, "hit_rate": 0.0}),
+    ],
+    ids=["a perfect map", "half on the way back", "not above full", "hits in time", "no activation"],
+)
+def test_the_measures_of_a_known_rate(rate, expected):
+    found = measures(rate)
+    assert {name: getattr(found, name) for name in expected} == pytest.approx(expected)
 
 
 def test_false_activations_are_counted_once_each_and_not_beside_a_movement():
@@ -310,11 +302,6 @@ def test_the_edge_of_a_movement_is_neither_in_phase_nor_outside():
     assert measures(rate).in_phase == 1.0
     rate[100:110] = 1.0
     assert measures(rate).in_phase == pytest.approx(100 / 110)
-
-
-def test_without_any_activation_nothing_is_in_phase():
-    found = measures(np.zeros(600))
-    assert (found.in_phase, found.hit_rate) == (0.0, 0.0)
 
 
 def test_the_end_of_one_repetition_is_not_the_beginning_of_the_next():

@@ -33,20 +33,27 @@ def signals():
 
 @pytest.fixture(scope="module")
 def angle_rates(signals):
-    """The measured angles' rates in span/s, smoothed like the signals so that both lag by the same."""
-    rates = {}
+    return {joint: rate for joint, rate, _ in measured_angles(signals.sample_rate)}
+
+
+def measured_angles(sample_rate):
+    """Yield each joint with its rate (n,) in span/s and its place (n,) in spans, smoothed as the signals are."""
     for joint, angle in read_columns(FOLDER / "joint_angles.csv", only=JOINTS).items():
-        smoothed = smooth(angle, CUTOFF, signals.sample_rate)
-        rates[joint] = np.diff(smoothed, prepend=smoothed[0]) * signals.sample_rate / np.ptp(angle)
-    return rates
+        place = smooth(angle, CUTOFF, sample_rate) / np.ptp(angle)
+        yield joint, np.diff(place, prepend=place[0]) * sample_rate, place
+
+
+def rising_phases(rate):
+    """Return the first row of each phase in which an angle rises, and the row after its last."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([0], rate > RISING, [0]))))
+    return zip(edges[::2], edges[1::2], strict=True)
 
 
 def prompts(signals, angle_rates, lead=0.0, longer=0.0):
     """Rising phases of the measured angle within the calibration, badly cut by `lead` and `longer` (s)."""
     found = []
     for joint in JOINTS:
-        edges = np.flatnonzero(np.diff(np.concatenate(([0], angle_rates[joint] > RISING, [0]))))
-        for first, last in zip(edges[::2], edges[1::2], strict=True):
+        for first, last in rising_phases(angle_rates[joint]):
             start, end = first / signals.sample_rate, last / signals.sample_rate
             if end - start > 0.1 and start < CALIBRATION - 0.5:
                 found.append(Prompt(max(0.0, start - lead), min(CALIBRATION, end - lead + longer), joint))
@@ -100,12 +107,9 @@ LARGE = 0.2  # of the angle's range: smaller rises are no repetitions of the mov
 def rises(sample_rate):
     """All large rising phases of the measured angles."""
     found = []
-    for joint, angle in read_columns(FOLDER / "joint_angles.csv", only=JOINTS).items():
-        smoothed = smooth(angle, 3.0, sample_rate)
-        rate = np.diff(smoothed, prepend=smoothed[0]) * sample_rate / np.ptp(angle)
-        edges = np.flatnonzero(np.diff(np.concatenate(([0], rate > RISING, [0]))))
-        for first, last in zip(edges[::2], edges[1::2], strict=True):
-            if smoothed[last - 1] - smoothed[first] > LARGE * np.ptp(angle):
+    for joint, rate, place in measured_angles(sample_rate):
+        for first, last in rising_phases(rate):
+            if place[last - 1] - place[first] > LARGE:
                 found.append(Prompt(first / sample_rate, last / sample_rate, joint))
     return found
 

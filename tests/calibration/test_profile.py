@@ -9,35 +9,21 @@ from pydantic import ValidationError
 from app.calibration.linear_map import KINDS, LinearMap, MapCheck, map_parts
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import standard_parameters
-from building import make_profile
+from building import guided_map, make_profile
 
 PCA = MapCheck(in_phase=0.9, hit_rate=0.8, false_per_minute=1.0, false_count=1)
 
 
 def guided(count, **changes):
-    fields = {
-        "rates": ((0.1,) * count,),
-        "short": (0.0,) * count,
-        "long": (0.0,) * count,
-        "dead_zone": 0.3,
-        "full": 1.5,
-        "lag": 0.3,
-        "repetitions": 3,
-        "pca_check": PCA,
-        "check": MapCheck(in_phase=0.99, hit_rate=0.8, false_per_minute=1.0, false_count=1),
-    }
-    return LinearMap(**{**fields, **changes})
+    still = (0.0,) * count
+    good = MapCheck(in_phase=0.99, hit_rate=0.8, false_per_minute=1.0, false_count=1)
+    known = {"short": still, "long": still, "pca_check": PCA, "check": good}
+    return guided_map(((0.1,) * count,), 0.3, 1.5, **known | changes)
 
 
 def prior(count):
-    return LinearMap(
-        rates=((0.1,) * count, *((0.05,) * count,) * 4),
-        short=(0.0,) * count,
-        long=(0.0,) * count,
-        dead_zone=0.25,
-        full=1.2,
-        people=8,
-    )
+    still, rates = (0.0,) * count, ((0.1,) * count, *((0.05,) * count,) * 4)
+    return LinearMap(rates=rates, short=still, long=still, dead_zone=0.25, full=1.2, people=8)
 
 
 def with_prior():

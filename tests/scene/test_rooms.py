@@ -20,12 +20,11 @@ from app.scene.meshes.paint import painted
 from app.scene.meshes.wall_shade import Pieces
 from app.scene.meshes.walls import EDGE, LEAF_CLEARANCE, LEAF_OFF_WALL, LEAF_THICKNESS, leaves_part, walls_part
 from app.world.clearance import Clearance
-from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
-from app.world.scene import bundled_scenes, load_scene
+from app.world.floorplan import FloorPlan
+from app.world.scene import bundled_places
 from app.world.scenery import Lights
 
-PLANS = [load_floorplan(file) for file in bundled_floorplans().values()]
-PLANS += [plan for file in bundled_scenes().values() for plan in load_scene(file).plans.values()]
+PLANS = [place.plan for place in bundled_places().values()]
 PATH = {"name": "way", "title": "Way", "points": [[1.0, 2.0], [3.0, 2.0]], "instruction": "Drive."}
 SQUARE = [[[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]]]
 FIT = 1e-9

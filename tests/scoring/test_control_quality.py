@@ -50,7 +50,6 @@ def test_the_share_of_the_null_space_is_exact():
     assert (quality.map_angle_deg, quality.evr) == (quality.joints[0].map_angle_deg, quality.joints[0].evr)
 
 
-@settings(max_examples=60, deadline=None)
 @given(
     seed=st.integers(0, 2**32 - 1),
     count=st.integers(2, 7),

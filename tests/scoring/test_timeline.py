@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from recorded_trial import record_trial
 
@@ -98,7 +98,6 @@ lengths = st.integers(min_value=1, max_value=700)
 limits = st.integers(min_value=1, max_value=50).map(lambda half: 2 * half)
 
 
-@settings(max_examples=60, deadline=None)
 @given(lengths, limits, st.integers(0, 1000))
 def test_columns_are_short_and_keep_peaks_and_order(n, most, seed):
     rng = np.random.default_rng(seed)

@@ -4,7 +4,7 @@ import math
 from itertools import pairwise
 
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 from world.storey import storey
 
@@ -210,7 +210,6 @@ def test_beside_a_mover_the_movement_along_it_is_kept():
     assert math.hypot(x - 2.0, y) >= REACH - 1e-3
 
 
-@settings(max_examples=60, deadline=None)
 @given(NUMBERS, NUMBERS, NUMBERS, NUMBERS)
 def test_moving_away_is_free_and_no_movement_leads_nearer_than_before(x, y, new_x, new_y):
     came_x, came_y, touching = Encounters([STANDS]).slide(x, y, new_x, new_y, 1.0)
@@ -226,7 +225,6 @@ def test_moving_away_is_free_and_no_movement_leads_nearer_than_before(x, y, new_
 PACES = st.lists(st.tuples(st.floats(0.1, 10), st.floats(0, 2)), min_size=0, max_size=5)
 
 
-@settings(max_examples=60, deadline=None)
 @given(PACES, st.booleans(), st.floats(0, 60), st.floats(0, 0.5))
 def test_a_mover_goes_its_line_at_its_pace_and_never_jumps(steps, returns, t, dt):
     pace, at = [(0.0, 0.5)], 0.0

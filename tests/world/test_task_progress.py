@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from app.geometry import Pose
@@ -27,7 +27,6 @@ def begun(**changes):
     return progress_of(plan, plan.paths[0])
 
 
-@settings(max_examples=60, deadline=None)
 @given(PLACES)
 def test_the_progress_on_a_path_is_that_along_its_line(places):
     task, plain = begun(), LineProgress(plan_with().paths[0].line, 0.5)
@@ -147,7 +146,6 @@ def test_a_course_goes_from_stage_to_stage():
     assert seen[-1][1] > 0.9
 
 
-@settings(max_examples=60, deadline=None)
 @given(
     st.lists(st.tuples(st.floats(-5, 5), st.floats(-5, 5), st.floats(-4, 4), st.floats(-1, 1)), max_size=60),
     st.sampled_from([None, {"kind": "back"}, {"kind": "turn", "direction": "right"}, COURSE]),

@@ -189,7 +189,6 @@ def test_a_measure_that_a_test_does_not_have_is_left_out():
     assert [one.verdicts for one in interface_verdicts(tests)] == [{}, {}]
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.lists(st.floats(0.1, 5.0), min_size=5, max_size=12), st.floats(0.1, 10.0))
 def test_the_unit_of_throughput_does_not_matter(values, scale):
     assert words(values) == words([scale * value for value in values])
