@@ -5,6 +5,7 @@ import json
 import ezdxf
 import numpy as np
 import pytest
+from cli.answers import assert_refused, output_of
 from cli.symbols import symbols_in
 from PIL import Image
 
@@ -96,10 +97,7 @@ def test_columns_of_controls_and_contacts_give_more(bodydrive, tables):
     ],
 )
 def test_score_refuses_in_one_sentence(bodydrive, tables, words, sentence):
-    code, out, err = bodydrive("score", *words)
-    assert (code, out) == (2, "")
-    assert sentence in err
-    assert err.count("\n") == 1
+    assert_refused(bodydrive("score", *words), sentence)
 
 
 def test_a_map_becomes_a_plan(bodydrive, tmp_path, map_file):
@@ -126,8 +124,7 @@ def test_a_drawing_and_a_picture_become_plans(bodydrive, tmp_path):
         ("room.png --metres-per-pixel 0.05", 9),
         ("room.png --width 10", 9),
     ):
-        code, out, err = bodydrive("floorplan", "import", *words.split(), "--out", "room.json", "--json")
-        assert (code, err) == (0, "")
+        out = output_of(bodydrive("floorplan", "import", *words.split(), "--out", "room.json", "--json"))
         summary = json.loads(out)
         assert summary["walls"] == 4
         plan = load_floorplan(tmp_path / "room.json")
@@ -140,9 +137,7 @@ def test_a_drawing_and_a_picture_become_plans(bodydrive, tmp_path):
         ("room.png --width nan", "the options, width"),
         ("room.txt", "room.txt: this is no .yaml"),
     ):
-        code, out, err = bodydrive("floorplan", "import", *words.split(), "--out", "other.json")
-        assert (code, out) == (2, "")
-        assert sentence in err
+        assert_refused(bodydrive("floorplan", "import", *words.split(), "--out", "other.json"), sentence)
     assert not (tmp_path / "other.json").exists()
 
 
@@ -158,10 +153,7 @@ def test_a_drawing_and_a_picture_become_plans(bodydrive, tmp_path):
 )
 def test_import_refuses_in_one_sentence_and_writes_nothing(bodydrive, tmp_path, map_file, words, sentence):
     before = sorted(tmp_path.iterdir())
-    code, out, err = bodydrive("floorplan", "import", *words)
-    assert (code, out) == (2, "")
-    assert sentence in err
-    assert err.count("\n") == 1
+    assert_refused(bodydrive("floorplan", "import", *words), sentence)
     assert sorted(tmp_path.iterdir()) == before
 
 
@@ -215,11 +207,10 @@ def test_the_right_way_has_them_whether_or_not_it_reaches_the_goal(scored, end):
     assert measures["e_diff"] == pytest.approx(0, abs=1e-6)
 
 
-def test_times_in_milliseconds_are_refused(scored):
-    with pytest.raises(InputError, match="give t in seconds, not in milliseconds"):
-        scored(T * 1000, X)
-
-
-def test_places_in_millimetres_are_refused(scored):
-    with pytest.raises(InputError, match="give x and y in metres"):
-        scored(T, X * 1000)
+@pytest.mark.parametrize(
+    ("t", "x", "words"),
+    [(T * 1000, X, "give t in seconds, not in milliseconds"), (T, X * 1000, "give x and y in metres")],
+)
+def test_times_in_milliseconds_and_places_in_millimetres_are_refused(scored, t, x, words):
+    with pytest.raises(InputError, match=words):
+        scored(t, x)

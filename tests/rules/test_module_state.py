@@ -1,9 +1,14 @@
-"""A module of `app/` holds constants only, and a class name means one thing in all modules."""
+"""Modules of `app/` hold constants only, class names mean one thing, and files have more than one importer."""
 
 import ast
 from collections import defaultdict
 from collections.abc import Iterator
+from functools import cache
 
+from rules.test_folders import MOST_LINES, OF_A_FEATURE
+from rules.test_imports import FILES, MODULES, imports_of_all, module_of
+
+from app.features.registration import features
 from folders import ROOT
 
 # Made by a call and never changed afterwards.
@@ -49,3 +54,80 @@ def test_a_class_name_has_one_meaning() -> None:
             if isinstance(node, ast.ClassDef):
                 places[node.name].append(str(file.relative_to(ROOT)))
     assert {name: files for name, files in places.items() if len(files) > 1} == {}
+
+
+# A file whose only importer stands beside it belongs into that importer: five scraps are one subject cut up. Features
+# are read by the names of their parts, commands, drivers and child processes by a name in a text: such modules are
+# imported from elsewhere, and count as that.
+TOO_LONG = "with its importer it would be longer than a file may be"
+# Files that stay beside their only importer, by the reason.
+EXCEPTIONS: dict[str, tuple[str, ...]] = {
+    TOO_LONG: (
+        *("app.cli.calibration.prior_files", "app.cli.server", "app.features.reports.drawings"),
+        *("app.features.reports.measure_reports", "app.hardware.body.driver", "app.hardware.body.steering"),
+        *("app.hardware.chair.telemetry", "app.host.authority", "app.pipeline.commands"),
+        *("app.pipeline.movement_check", "app.pipeline.runs", "app.scene.meshes.furniture"),
+        *("app.scene.meshes.walls", "app.scene.models.glb_geometry", "app.scene.plots", "app.scoring.decimation"),
+        *("app.session.adaptation_reading", "app.world.imports.dxf_lines"),
+    ),
+    "the application puts its parts together; what a proxy says, and the answers to exceptions, are read apart": (
+        "app.api.proxy",
+        "app.api.refusals",
+    ),
+    "a file for each format of other programs": (
+        *("app.features.exports.bids_form", "app.features.exports.fhir_form"),
+        *("app.features.exports.xdf_form", "app.world.imports.dxf", "app.world.imports.image"),
+    ),
+    "what a device's counter and clock say of its frames is judged without the socket that they come by": (
+        "app.hardware.shirt.frame_order",
+    ),
+    "the help of a command loads no library; what the command runs loads many": ("app.cli.study.study_runs",),
+    "the arithmetic of every frame is measured and compiled apart from the decoder": ("app.pipeline.map_readings",),
+    "what a receiver sends, when and where, is read apart from the loop that keeps its limits of time": (
+        "app.hardware.chair.telemetry_sender",
+    ),
+}
+
+
+def named_in_texts() -> set[str]:
+    """Return the modules that some code names in a text: commands, child processes, drivers, routes of features."""
+    found = {f"app.features.{name}.{routes}" for name, one in features().items() for routes in one.routes}
+    for file in FILES:
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Constant) and node.value in MODULES:
+                found.add(node.value)
+    return found
+
+
+@cache
+def beside_their_only_importer() -> dict[str, str]:
+    """Return the modules whose only importer stands in their folder, each with that importer."""
+    importers = defaultdict(set)
+    for module, imports in imports_of_all().items():
+        for imported in imports & MODULES:
+            importers[imported].add(module)
+    packages = {module_of(file) for file in FILES if file.stem == "__init__"}
+    parts = {module_of(file) for file in FILES if file.match("app/features/*/*.py") and file.stem in OF_A_FEATURE}
+    return {
+        module: importer
+        for module in sorted(MODULES - packages - parts - named_in_texts())
+        if len(importers[module]) == 1
+        for importer in importers[module]
+        if importer.rpartition(".")[0] == module.rpartition(".")[0]
+    }
+
+
+def lines_of(module: str) -> int:
+    return len((ROOT / module.replace(".", "/")).with_suffix(".py").read_text(encoding="utf-8").splitlines())
+
+
+def test_a_file_whose_only_importer_stands_beside_it_is_in_that_importer() -> None:
+    found, excepted = beside_their_only_importer(), {module for modules in EXCEPTIONS.values() for module in modules}
+    assert {module: importer for module, importer in found.items() if module not in excepted} == {}
+    assert excepted - found.keys() == set()  # no exception without need
+
+
+def test_what_would_be_too_long_with_its_importer_is_excepted_for_that() -> None:
+    importers = beside_their_only_importer()
+    lines = {module: lines_of(module) + lines_of(importer) for module, importer in importers.items()}
+    assert {module for module, count in lines.items() if count > MOST_LINES} == set(EXCEPTIONS[TOO_LONG])
