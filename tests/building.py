@@ -1,11 +1,14 @@
 """Makes small layouts, profiles, parameters and signals for tests, which fit together."""
 
+import uuid
+
 import numpy as np
 
 from app.calibration.linear_map import RATE_LAGS, LinearMap, MapCheck
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.layout import Channel, Joint, ShirtLayout
+from app.process.ring import TickRing
 from app.world.floorplan import FloorPlan
 
 PAPER_JOINTS = ("right_elbow", "left_elbow", "right_shoulder", "left_shoulder")
@@ -90,6 +93,19 @@ def taught_by_others(profile, repetitions=0, joints=None, **of_prior):
     return profile.model_copy(update={"joints": tuple(maps)})
 
 
+def with_gesture(parameters, index, **fields):
+    """Return parameters of whose gestures one has other fields."""
+    document = parameters.model_dump(mode="json")
+    document["gestures"][index] |= fields
+    return DriveParameters.model_validate(document)
+
+
+def guided_map(rates, dead_zone=0.2, full=1.0, **changes):
+    """Return a map that is learnt from three own repetitions, with both of its checks."""
+    learnt = {"lag": 0.3, "repetitions": 3, "pca_check": AGREES, "check": AGREES}
+    return LinearMap(rates=rates, dead_zone=dead_zone, full=full, **learnt | changes)
+
+
 def make_parameters(**changes) -> DriveParameters:
     """Return the paper's vocabulary on `make_profile(**changes)`."""
     return standard_parameters(make_profile(**changes))
@@ -127,3 +143,10 @@ def plan_of(walls=(), **more):
             **more,
         }
     )
+
+
+def make_ring():
+    """Return an empty ring that no other process can attach to, and whose memory goes with it."""
+    ring = TickRing.create(f"bodydrive-test-{uuid.uuid4().hex}")
+    ring.unlink()
+    return ring

@@ -14,7 +14,9 @@ from sqlalchemy.orm import Session
 from store.shared_statements import share_statements
 
 from app.calibration.profile import CalibrationProfile
+from app.process.ring import TickRing
 from app.store.database import Database
+from building import make_ring
 from small_profile import small_profile
 
 settings.register_profile("bodydrive", deadline=None, derandomize=os.environ.get("CI") == "true")
@@ -71,6 +73,13 @@ def db(database: Database) -> Iterator[Session]:
 def rows(db: Session) -> ClinicRows:
     """Return the builder of a clinic's rows."""
     return ClinicRows(db)
+
+
+@pytest.fixture
+def ring() -> Iterator[TickRing]:
+    made = make_ring()
+    yield made
+    made.close()
 
 
 @pytest.fixture

@@ -1,4 +1,4 @@
-"""The gestures of a simulated body are found from its calibration."""
+"""The gestures of a simulated body are found from its calibration, and what is predicted of them is right."""
 
 import numpy as np
 import pytest
@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 from app.calibration.cued_runs import CuedRun
 from app.calibration.gestures.discovery import discover, discovery_from_profile
 from app.calibration.gestures.numbers import ratios, score_of
-from app.calibration.linear_map import LinearMap, MapCheck
 from app.layout import ShirtLayout
+from building import guided_map
 
 CHANNELS = simulated_participant().layout.channels_of_joint
 PAPER = {"u1+": "right_elbow", "u1-": "left_elbow", "u2+": "right_shoulder", "u2-": "left_shoulder"}
@@ -186,19 +186,10 @@ def test_a_guided_map_is_judged_by_what_it_decodes(participant, steps, found):
     profile = profile_of(participant.layout, steps)
 
     def guided(faster):
-        check = MapCheck(in_phase=0.9, hit_rate=0.9, false_per_minute=0.0, false_count=0)
         joints = []
         for joint in profile.joints:
             rate = tuple(faster * weight for weight in joint.pca.rates[0])
-            candidate = LinearMap(
-                rates=(rate,),
-                dead_zone=faster * joint.pca.dead_zone,
-                full=faster * joint.pca.full,
-                lag=0.0,
-                repetitions=3,
-                pca_check=check,
-                check=check,
-            )
+            candidate = guided_map((rate,), faster * joint.pca.dead_zone, faster * joint.pca.full, lag=0.0)
             joints.append(joint.model_copy(update={"map": "guided", "guided": candidate}))
         return profile.model_copy(update={"joints": tuple(joints)})
 

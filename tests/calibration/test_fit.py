@@ -19,6 +19,12 @@ def scores(joint, values):
     return (values[:, joint.channels] - np.array(joint.mean)) @ np.array(joint.pca.rates[0])
 
 
+def assert_rises_with(profile, person):
+    angles = np.linspace(0, 1, 11)[:, np.newaxis] * np.ones(4)
+    for joint in profile.joints:
+        assert (np.diff(scores(joint, angles @ person.gains)) > 0).all()
+
+
 @pytest.fixture
 def person():
     return SimulatedPerson(LAYOUT)
@@ -65,9 +71,7 @@ def test_the_prompted_movement_is_the_rising_direction(seed, flipped, shift):
     person = SimulatedPerson(LAYOUT, seed=seed)
     person.gains *= -1 if flipped else 1
     profile = calibrate(person, repetitions=person.repetitions(shift=shift))
-    angles = np.linspace(0, 1, 11)[:, np.newaxis] * np.ones(4)
-    for joint in profile.joints:
-        assert (np.diff(scores(joint, angles @ person.gains)) > 0).all()
+    assert_rises_with(profile, person)
 
 
 @settings(max_examples=10, deadline=None)
@@ -79,9 +83,7 @@ def test_prompts_with_the_way_back_in_them_still_fix_the_sign(seed):
         for one in person.repetitions()
     ]
     profile = calibrate(person, repetitions=whole)
-    angles = np.linspace(0, 1, 11)[:, np.newaxis] * np.ones(4)
-    for joint in profile.joints:
-        assert (np.diff(scores(joint, angles @ person.gains)) > 0).all()
+    assert_rises_with(profile, person)
 
 
 @settings(max_examples=10, deadline=None)
@@ -91,16 +93,9 @@ def test_the_order_of_channels_does_not_matter(seed):
     free, rest, repetitions = person.free(), person.rest(), person.repetitions()
     order = np.random.default_rng(seed).permutation(len(LAYOUT.channels))
     shuffled = ShirtLayout(name="shuffled", channels=tuple(LAYOUT.channels[i] for i in order), joints=LAYOUT.joints)
-    one = fit_profile(CleanRecording.of(LAYOUT, 100.0, free=free, rest=rest, repetitions=repetitions))
-    other = fit_profile(
-        CleanRecording.of(
-            shuffled,
-            100.0,
-            free=free[:, order],
-            rest=rest[:, order],
-            repetitions=[Repetition(r.joint, r.values[:, order], r.moving) for r in repetitions],
-        )
-    )
+    one = calibrate(person, free=free, rest=rest, repetitions=repetitions)
+    moved = [Repetition(one.joint, one.values[:, order], one.moving) for one in repetitions]
+    other = fit_profile(CleanRecording.of(shuffled, 100.0, free[:, order], rest[:, order], moved))
     for before, after in zip(one.joints, other.joints, strict=True):
         assert scores(after, free[:, order]) == pytest.approx(scores(before, free), abs=1e-6)
         assert after.pca.dead_zone == pytest.approx(before.pca.dead_zone, abs=1e-3)
@@ -112,16 +107,9 @@ def test_the_order_of_channels_does_not_matter(seed):
 def test_the_unit_of_the_signals_does_not_matter(scale):
     person = SimulatedPerson(LAYOUT, seed=4)
     free, rest, repetitions = person.free(), person.rest(), person.repetitions()
-    one = fit_profile(CleanRecording.of(LAYOUT, 100.0, free=free, rest=rest, repetitions=repetitions))
-    other = fit_profile(
-        CleanRecording.of(
-            LAYOUT,
-            100.0,
-            free=free * scale,
-            rest=rest * scale,
-            repetitions=[Repetition(r.joint, r.values * scale, r.moving) for r in repetitions],
-        )
-    )
+    one = calibrate(person, free=free, rest=rest, repetitions=repetitions)
+    scaled = [Repetition(one.joint, one.values * scale, one.moving) for one in repetitions]
+    other = calibrate(person, free=free * scale, rest=rest * scale, repetitions=scaled)
     for before, after in zip(one.joints, other.joints, strict=True):
         assert after.span == pytest.approx(before.span * scale)
         assert scores(after, free * scale) == pytest.approx(scores(before, free), abs=1e-6)
@@ -180,25 +168,14 @@ def test_cross_talk_is_measured_and_reported(person):
     assert profile.joints[3].grade == "good"
 
 
-def test_uneven_repetitions_are_reported(person):
-    sizes = (1.0, 0.3, 0.15)
-    repetitions = [person.repetition("left_elbow", size=size) for size in sizes]
-    joint = calibrate(person, repetitions=repetitions).joints[1]
-    assert joint.repeatability == pytest.approx(np.std(sizes) / np.mean(sizes), rel=0.1)
+@pytest.mark.parametrize(
+    ("sizes", "reason"), [((1.0, 0.3, 0.15), "differ"), ((1.0, -1.0, 1.0, -0.9), "both ways"), ((0.02,) * 3, "")]
+)
+def test_uneven_opposite_and_tiny_prompted_movements_are_to_be_repeated(person, sizes, reason):
+    joint = calibrate(person, repetitions=[person.repetition("left_elbow", size=size) for size in sizes]).joints[1]
     assert joint.grade == "repeat"
-    assert "differ" in joint.reason
-
-
-def test_prompts_that_point_both_ways_are_to_be_repeated(person):
-    ways = (1.0, -1.0, 1.0, -0.9)
-    joint = calibrate(person, repetitions=[person.repetition("left_elbow", size=way) for way in ways]).joints[1]
-    assert joint.grade == "repeat"
-    assert "both ways" in joint.reason
-
-
-def test_tiny_prompted_movements_are_to_be_repeated(person):
-    joint = calibrate(person, repetitions=[person.repetition("left_elbow", size=0.02) for _ in range(3)]).joints[1]
-    assert joint.grade == "repeat"
+    assert reason in joint.reason
+    assert reason != "differ" or joint.repeatability == pytest.approx(np.std(sizes) / np.mean(sizes), rel=0.1)
 
 
 def test_a_joint_that_moves_in_many_ways_has_a_low_evr_which_is_reported():
@@ -237,15 +214,9 @@ def test_drift_between_the_recordings_does_no_harm(person):
 
 def test_channels_in_other_units_do_no_harm(person):
     units = np.tile([1.0, 1000.0, 0.01, 50.0, 1e-3], 4)
-    profile = fit_profile(
-        CleanRecording.of(
-            LAYOUT,
-            100.0,
-            free=person.free() * units,
-            rest=person.rest() * units,
-            repetitions=[Repetition(r.joint, r.values * units, r.moving) for r in person.repetitions()],
-        )
-    )
+    free, rest = person.free() * units, person.rest() * units
+    repetitions = [Repetition(one.joint, one.values * units, one.moving) for one in person.repetitions()]
+    profile = calibrate(person, free=free, rest=rest, repetitions=repetitions)
     assert profile.left_out == {}
     assert {joint.grade for joint in profile.joints} == {"good"}
 

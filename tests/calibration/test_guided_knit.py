@@ -31,18 +31,19 @@ def test_with_leading_cues_the_guided_map_beats_the_pca_map(knit, seed):
         assert change >= -LOSS
 
 
-@pytest.mark.parametrize(("start", "end"), [(20.0, 40.0), (70.0, 90.0), (98.0, 118.0)])
-def test_the_guided_map_is_better_on_other_parts_of_the_recording(knit, start, end):
-    fitted = knit.fit(knit.prompts(1, start, end), start, end)
-    (gain, change), _ = better(knit, fitted.profile, start=start, end=end)
-    assert gain >= GAIN
-    assert change >= -LOSS
-
-
-@pytest.mark.parametrize("lead", [0.0, 0.6])
-def test_the_guided_map_is_better_with_another_lag(knit, lead):
-    fitted = knit.fit(knit.prompts(2, lead=lead))
-    (gain, change), _ = better(knit, fitted.profile)
+@pytest.mark.parametrize(
+    ("seed", "lag", "part"),
+    [
+        (1, {}, {"start": 20.0, "end": 40.0}),
+        (1, {}, {"start": 70.0, "end": 90.0}),
+        (1, {}, {"start": 98.0, "end": 118.0}),
+        (2, {"lead": 0.0}, {}),
+        (2, {"lead": 0.6}, {}),
+    ],
+)
+def test_the_guided_map_is_better_on_other_parts_of_the_recording_and_with_another_lag(knit, seed, lag, part):
+    fitted = knit.fit(knit.prompts(seed, **part, **lag), **part)
+    (gain, change), _ = better(knit, fitted.profile, **part)
     assert gain >= GAIN
     assert change >= -LOSS
 

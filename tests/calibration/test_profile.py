@@ -1,4 +1,4 @@
-"""The profile as a document: its maps, and what decides which of them decodes."""
+"""The profile and its maps as documents, and what decides which map decodes."""
 
 import json
 
@@ -8,35 +8,21 @@ from pydantic import ValidationError
 from app.calibration.linear_map import LinearMap, MapCheck
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import standard_parameters
-from building import make_profile
+from building import guided_map, make_profile
 
 PCA = MapCheck(in_phase=0.9, hit_rate=0.8, false_per_minute=1.0, false_count=1)
 
 
 def guided(count, **changes):
-    fields = {
-        "rates": ((0.1,) * count,),
-        "short": (0.0,) * count,
-        "long": (0.0,) * count,
-        "dead_zone": 0.3,
-        "full": 1.5,
-        "lag": 0.3,
-        "repetitions": 3,
-        "pca_check": PCA,
-        "check": MapCheck(in_phase=0.99, hit_rate=0.8, false_per_minute=1.0, false_count=1),
-    }
-    return LinearMap(**{**fields, **changes})
+    still = (0.0,) * count
+    good = MapCheck(in_phase=0.99, hit_rate=0.8, false_per_minute=1.0, false_count=1)
+    known = {"short": still, "long": still, "pca_check": PCA, "check": good}
+    return guided_map(((0.1,) * count,), 0.3, 1.5, **known | changes)
 
 
 def prior(count):
-    return LinearMap(
-        rates=((0.1,) * count, *((0.05,) * count,) * 4),
-        short=(0.0,) * count,
-        long=(0.0,) * count,
-        dead_zone=0.25,
-        full=1.2,
-        people=8,
-    )
+    still, rates = (0.0,) * count, ((0.1,) * count, *((0.05,) * count,) * 4)
+    return LinearMap(rates=rates, short=still, long=still, dead_zone=0.25, full=1.2, people=8)
 
 
 def with_prior():
@@ -137,12 +123,7 @@ def test_a_map_that_mostly_acts_outside_of_the_movement_is_not_better_than_one_t
 
 @pytest.mark.parametrize(
     ("check", "better"),
-    [
-        ({}, True),
-        ({"in_phase": 0.905}, False),
-        ({"hit_rate": 0.76}, False),
-        ({"false_count": 3}, False),
-    ],
+    [({}, True), ({"in_phase": 0.905}, False), ({"hit_rate": 0.76}, False), ({"false_count": 3}, False)],
 )
 def test_a_guided_map_is_better_only_when_it_loses_nothing(check, better):
     fields = {"in_phase": 0.95, "hit_rate": 0.78, "false_per_minute": 2.0, "false_count": 2} | check

@@ -1,3 +1,5 @@
+"""The script of the calibration, and the repetitions that are cut from what was recorded."""
+
 import pytest
 from calibration.simulated_person import layout_of
 

@@ -1,7 +1,5 @@
-from calibration.simulated_person import JOINTS, SimulatedPerson, layout_of
+from calibration.simulated_person import JOINTS, SimulatedPerson, calibrate, layout_of
 
-from app.calibration.clean_recording import CleanRecording
-from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.gestures.discovery import discovery_from_profile
 from app.calibration.vocabulary import PAPER_VOCABULARY, standard_parameters
 
@@ -13,9 +11,7 @@ def calibrated(joints, along=None):
         for joint in person.layout.joint_names
         for _ in range(3)
     ]
-    return fit_profile(
-        CleanRecording.of(person.layout, 100.0, free=person.free(), rest=person.rest(), repetitions=repetitions)
-    )
+    return calibrate(person, repetitions=repetitions)
 
 
 def suggested(profile):
@@ -90,8 +86,7 @@ def test_fewer_joints_give_fewer_bindings_that_are_still_valid():
 
 
 def test_without_prompts_nothing_is_claimed_about_cross_talk():
-    person = SimulatedPerson(layout_of())
-    suggestion = suggested(fit_profile(CleanRecording.of(person.layout, 100.0, free=person.free(), rest=person.rest())))
+    suggestion = suggested(calibrate(SimulatedPerson(layout_of()), repetitions=()))
     assert len(suggestion.bindings) == 5
     assert "not known" in suggestion.reason
 
@@ -99,10 +94,7 @@ def test_without_prompts_nothing_is_claimed_about_cross_talk():
 def test_a_joint_that_was_not_prompted_while_others_were_is_left_to_the_clinician():
     person = SimulatedPerson(layout_of())
     repetitions = [person.repetition(joint) for joint in ("right_elbow", "left_elbow") for _ in range(3)]
-    profile = fit_profile(
-        CleanRecording.of(person.layout, 100.0, free=person.free(), rest=person.rest(), repetitions=repetitions)
-    )
-    assert bound(suggested(profile)) == {
+    assert bound(suggested(calibrate(person, repetitions=repetitions))) == {
         "u1+": ("right_elbow",),
         "u1-": ("left_elbow",),
         "stop": ("right_elbow", "left_elbow"),

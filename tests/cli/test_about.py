@@ -8,6 +8,7 @@ from importlib.metadata import version
 from types import SimpleNamespace
 
 import pytest
+from cli.answers import assert_refused, output_of
 
 from app import __version__
 from app.cli import about
@@ -18,9 +19,7 @@ FULL_TEXT = "Permission is hereby granted, free of charge, to any person\n" * 9
 
 
 def listed(bodydrive, *more):
-    code, out, err = bodydrive("about", *more)
-    assert (code, err) == (0, "")
-    return out
+    return output_of(bodydrive("about", *more))
 
 
 def test_it_says_version_build_and_python(bodydrive):
@@ -114,9 +113,7 @@ def test_extras_and_markers_are_followed_and_what_is_missing_is_said(monkeypatch
 
 def test_without_an_installation_it_is_a_sentence(bodydrive, monkeypatch):
     monkeypatch.setattr(about, "_installed", {}.get)
-    code, out, err = bodydrive("about", "--licences")
-    assert (code, out, err.count("\n")) == (2, "", 1)
-    assert "not installed for this Python" in err
+    assert_refused(bodydrive("about", "--licences"), "not installed for this Python")
 
 
 HELP = """

@@ -7,6 +7,7 @@ import subprocess
 import sys
 
 import pytest
+from cli.answers import output_of
 from typer.main import get_command
 
 from app.cli.main import COMMANDS, build
@@ -90,8 +91,7 @@ def test_what_only_reads_is_run(words, bodydrive, tmp_path):
     given = [str(tmp_path) if word == "/var/lib/bodydrive" else word for word in words]
     if words[0] == "log" and "--state" not in words:
         given += ["--state", str(tmp_path)]
-    code, out, err = bodydrive(*given)
-    assert (code, err) == (0, "")
+    out = output_of(bodydrive(*given))
     assert out
 
 

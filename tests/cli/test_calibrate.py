@@ -2,13 +2,12 @@ import json
 
 import numpy as np
 import pytest
+from cli.answers import invoke
 from cli.symbols import symbols_in
-from typer.testing import CliRunner
 
 from app.calibration.profile import CalibrationProfile
 from app.cli.calibration.calibrate import calibrate
 from app.cli.errors import InputError
-from app.cli.main import build
 from app.layout import Channel, Joint, ShirtLayout
 
 JOINTS = ("right_elbow", "left_elbow")
@@ -39,9 +38,8 @@ def files(tmp_path):
 
 
 def run(files, *more):
-    words = ["calibrate", str(files / "signals.csv"), "--layout", str(files / "layout.json")]
-    words += ["--out", str(files / "profile.json"), *more]
-    return CliRunner().invoke(build(["calibrate"]), words)
+    words = ("--layout", files / "layout.json", "--out", files / "profile.json", *more)
+    return invoke("calibrate", files / "signals.csv", *words)
 
 
 def test_json_is_one_object_with_the_names_that_others_rely_on(files):

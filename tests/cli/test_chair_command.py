@@ -6,6 +6,7 @@ import sqlite3
 import stat
 
 import pytest
+from cli.answers import assert_refused, output_of
 
 from app.cli.clinic_folder import lock_folder
 from app.hardware.chair.key import LARGEST_ID, read_key
@@ -37,18 +38,8 @@ def kept_keys(tmp_path):
     return sorted(file.name for file in (tmp_path / "clinic" / "keys").glob("*"))
 
 
-def refused(said, *words):
-    code, out, err = said
-    assert code == 2
-    assert out == ""
-    assert err.count("\n") == 1
-    for word in words:
-        assert word in err
-
-
 def test_pairing_keeps_the_chair_and_its_key_and_says_what_to_start_there(bodydrive, tmp_path):
-    code, out, err = bodydrive(*BLUE, "--port", 6000, "--forward", 0.5, "--turn", 0.9)
-    assert (code, err) == (0, "")
+    out = output_of(bodydrive(*BLUE, "--port", 6000, "--forward", 0.5, "--turn", 0.9))
     (chair,) = paired(tmp_path)
     assert (chair.name, chair.host, chair.port) == ("Blue", "10.0.0.7", 6000)
     assert Speeds.model_validate(chair.speeds) == Speeds(forward=0.5, turn=0.9)
@@ -139,22 +130,29 @@ def test_a_clinic_that_is_served_meanwhile_gets_the_chair(bodydrive, tmp_path):
     ],
 )
 def test_bad_input_is_one_sentence_and_changes_nothing(bodydrive, tmp_path, options, word):
-    refused(bodydrive(*BLUE, *options), word)
+    assert_refused(bodydrive(*BLUE, *options), word)
     assert not (tmp_path / "clinic").exists()
 
 
 def test_a_name_is_given_once(bodydrive, tmp_path):
     bodydrive(*BLUE)
-    refused(bodydrive(*BLUE), "Blue")
+    assert_refused(bodydrive(*BLUE), "Blue")
     assert len(paired(tmp_path)) == 1
     assert kept_keys(tmp_path) == ["1.key"]
 
 
-def test_a_key_that_cannot_be_written_leaves_no_chair(bodydrive, tmp_path):
+@pytest.mark.parametrize(
+    ("file", "content", "word", "left"),
+    [
+        ("keys", "no folder", "key", paired),
+        ("bodydrive.sqlite", "this is no database at all" * 100, "damaged", kept_keys),
+    ],
+)
+def test_where_key_or_database_cannot_be_written_nothing_is_paired(bodydrive, tmp_path, file, content, word, left):
     (tmp_path / "clinic").mkdir()
-    (tmp_path / "clinic" / "keys").write_text("no folder")
-    refused(bodydrive(*BLUE), "key")
-    assert paired(tmp_path) == []
+    (tmp_path / "clinic" / file).write_text(content)
+    assert_refused(bodydrive(*BLUE), word)
+    assert left(tmp_path) == []
 
 
 def test_a_database_that_keeps_nothing_leaves_no_key(bodydrive, tmp_path, monkeypatch):
@@ -173,16 +171,9 @@ def test_a_database_that_another_program_holds_is_said_so(bodydrive, tmp_path, m
     monkeypatch.setattr("app.store.database.PRAGMAS", (*PRAGMAS, "busy_timeout=50"))
     holding = sqlite3.connect(tmp_path / "clinic" / "bodydrive.sqlite", isolation_level=None)
     holding.execute("BEGIN EXCLUSIVE")
-    refused(bodydrive(*BLUE[:3], "Red", *BLUE[4:]), "Another program")
+    assert_refused(bodydrive(*BLUE[:3], "Red", *BLUE[4:]), "Another program")
     holding.close()
     assert kept_keys(tmp_path) == ["1.key"]
-
-
-def test_a_damaged_database_is_said_so(bodydrive, tmp_path):
-    (tmp_path / "clinic").mkdir()
-    (tmp_path / "clinic" / "bodydrive.sqlite").write_text("this is no database at all" * 100)
-    refused(bodydrive(*BLUE), "damaged")
-    assert kept_keys(tmp_path) == []
 
 
 def test_a_key_file_that_was_left_behind_is_not_used_again(bodydrive, tmp_path):
@@ -196,10 +187,9 @@ def test_a_key_file_that_was_left_behind_is_not_used_again(bodydrive, tmp_path):
 
 
 def test_receive_is_the_receiver_itself(bodydrive, tmp_path):
-    code, out, err = bodydrive("chair", "receive", "--help")
-    assert (code, err) == (0, "")
+    out = output_of(bodydrive("chair", "receive", "--help"))
     assert out.startswith("usage: bodydrive chair receive")
     assert "--omega-max" in out
-    refused(bodydrive("chair", "receive"), "--key-file")
-    refused(bodydrive("chair", "receive", "--key-file", "none", "--output", "sim", "--port", 0), "none")
-    refused(bodydrive("chair", "receive", "--key-file", "none", "--output", "trumpet"), "trumpet")
+    assert_refused(bodydrive("chair", "receive"), "--key-file")
+    assert_refused(bodydrive("chair", "receive", "--key-file", "none", "--output", "sim", "--port", 0), "none")
+    assert_refused(bodydrive("chair", "receive", "--key-file", "none", "--output", "trumpet"), "trumpet")

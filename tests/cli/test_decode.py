@@ -6,23 +6,15 @@ import numpy as np
 import pyarrow.csv
 import pyarrow.parquet
 import pytest
+from calibration import test_knit_shirt as knit
 from recorded_trial import record_trial
 
-from app.calibration.clean_recording import CleanRecording
-from app.calibration.fit.profile_fit import fit_profile
-from app.calibration.fit.repetitions import Prompt, repetitions_of_prompts
 from app.cli.decode import decode
 from app.cli.errors import InputError
-from app.layout import Channel, Joint, ShirtLayout
 from app.pipeline.replay.batch import decode_block
 from app.signals.signals import read_signals
-from app.signals.smoothing import smooth
+from bench.learning.guided_map import FOLDER, LAYOUT, RISING
 from building import make_parameters, make_profile, make_signals
-from folders import SHARED
-
-KNIT = SHARED / "data" / "knit_shirt"
-# Share of the activation's integral in the rising phase, the least that each joint of the knit must give.
-KNIT_RISING = {"right_elbow": 0.85, "left_elbow": 0.97, "right_shoulder": 0.86, "left_shoulder": 0.96}
 
 
 def write_signals(file, profile, values):
@@ -100,34 +92,19 @@ def test_bad_input_is_one_sentence_and_writes_nothing(tmp_path, profile, out, de
     assert sorted(tmp_path.iterdir()) == before
 
 
-@pytest.mark.skipif(not KNIT.is_dir(), reason="the knit recordings are not beside the project")
+@pytest.mark.skipif(not FOLDER.is_dir(), reason="the knit recordings are not beside the project")
 def test_a_real_knit_drives_on_the_way_to_the_gesture_and_nowhere_else(tmp_path):
-    joints = list(KNIT_RISING)
-    layout = ShirtLayout(
-        name="knit",
-        channels=tuple(Channel(name=f"{joint}_{i}", joint=joint) for joint in joints for i in range(5)),
-        joints=tuple(Joint(name=joint, label=joint) for joint in joints),
-    )
-    signals = read_signals(KNIT / "signals.csv", layout)
-    angles = read_signals(KNIT / "joint_angles.csv")
+    signals = read_signals(FOLDER / "signals.csv", LAYOUT)
     # The measured angle goes through the same low-pass, so that what is judged is the map and not the filter's delay.
-    smoothed = smooth(angles.values.astype(float), 3.0, signals.sample_rate)
-    speed = np.diff(smoothed, axis=0, prepend=smoothed[:1]) * signals.sample_rate / np.ptp(angles.values, axis=0)
-    first = signals.t < 10.0
-    prompts = []
-    for i, joint in enumerate(joints):
-        edges = np.flatnonzero(np.diff(np.concatenate(([0], (speed[first, i] > 0.1).astype(int), [0]))))
-        for start, end in zip(edges[::2], edges[1::2], strict=True):
-            if end - start > 20:
-                prompts.append(Prompt(float(signals.t[start]), float(signals.t[end - 1]), joint))
-    values = signals.values[first]
-    repetitions = repetitions_of_prompts(signals.t[first], values, prompts, signals.sample_rate)
-    profile = fit_profile(CleanRecording.of(layout, signals.sample_rate, values, repetitions=repetitions))
+    rates = {joint: rate for joint, rate, _ in knit.measured_angles(signals.sample_rate)}
+    profile = knit.calibrated(signals, knit.prompts(signals, rates))
     assert all(joint.evr >= 0.98 for joint in profile.joints)
     (tmp_path / "profile.json").write_text(profile.model_dump_json())
-    decode(KNIT / "signals.csv", tmp_path / "profile.json", tmp_path / "out.parquet", 0.2, 3.0, False)
+    decode(
+        FOLDER / "signals.csv", tmp_path / "profile.json", tmp_path / "out.parquet", knit.DEAD_ZONE, knit.CUTOFF, False
+    )
     table = pyarrow.parquet.read_table(tmp_path / "out.parquet")
-    for i, joint in enumerate(joints):
+    for joint, rate in rates.items():
         drive = table[f"{joint}_drive"].to_numpy()
-        assert drive[speed[:, i] > 0.1].sum() >= KNIT_RISING[joint] * drive.sum(), joint
-        assert drive[np.abs(speed[:, i]) < 0.03].sum() <= 0.002 * drive.sum(), joint
+        assert drive[rate > RISING].sum() >= knit.RISING_SHARE[joint] * drive.sum(), joint
+        assert drive[np.abs(rate) < knit.STILL].sum() <= knit.REST_SHARE * drive.sum(), joint

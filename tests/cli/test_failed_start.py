@@ -1,4 +1,4 @@
-"""A clinic that cannot start says why, in one sentence."""
+"""A clinic that cannot start says why, in one sentence; the help of every command is in plain words."""
 
 import subprocess
 import sys

@@ -4,9 +4,8 @@ import json
 
 import numpy as np
 import pytest
-from typer.testing import CliRunner
+from cli.answers import invoke
 
-from app.cli.main import build
 from app.hardware.base import HardwareError
 from app.hardware.shirt.playback import read_frames
 from folders import SHARED
@@ -37,15 +36,11 @@ def write(folder, t):
     return file
 
 
-def run(*words):
-    return CliRunner().invoke(build([words[0]]), [str(word) for word in words])
-
-
 def commands(folder, file):
     layout, profile = folder / "layout.json", folder / "profile.json"
     person = ("--layout", layout, "--prompts", folder / "prompts.csv", "--person", "P1")
     write(folder, ROWS / 50).rename(folder / "even.csv")
-    assert run("calibrate", folder / "even.csv", "--layout", layout, "--out", profile).exit_code == 0
+    assert invoke("calibrate", folder / "even.csv", "--layout", layout, "--out", profile).exit_code == 0
     return [
         ("calibrate", file, "--layout", layout, "--out", folder / "new.json"),
         ("decode", file, "--profile", profile, "--out", folder / "commands.csv"),
@@ -66,13 +61,13 @@ def commands(folder, file):
 def test_every_command_and_a_replayed_shirt_refuse_in_one_sentence(folder, t, words):
     for command in commands(folder, file := write(folder, t)):
         write(folder, t)
-        refused = run(*command)
+        refused = invoke(*command)
         assert refused.exception is not None
         assert words in str(refused.exception), command
     assert not (folder / "new.json").exists()
     assert not (folder / "commands.csv").exists()
     assert not (folder / "prior.json").exists()
-    refused = run("replay", file)
+    refused = invoke("replay", file)
     assert words in str(refused.exception)
     with pytest.raises(HardwareError) as refusal:
         read_frames(file)
@@ -84,14 +79,15 @@ def test_bursts_and_whole_seconds_are_decoded_as_even_samples_and_said(folder, t
     file = write(folder, t)
     for command in commands(folder, file):
         write(folder, t)
-        done = run(*command)
+        done = invoke(*command)
         assert done.exit_code == 0, done.output
         assert words in done.stderr
         assert "at 50 Hz" in done.stderr
     active = [np.genfromtxt(folder / "commands.csv", delimiter=",", names=True)["elbow_activation"] > 0]
     profile = folder / "profile.json"
     assert (
-        run("decode", folder / "even.csv", "--profile", profile, "--out", folder / "even_commands.csv").exit_code == 0
+        invoke("decode", folder / "even.csv", "--profile", profile, "--out", folder / "even_commands.csv").exit_code
+        == 0
     )
     active.append(np.genfromtxt(folder / "even_commands.csv", delimiter=",", names=True)["elbow_activation"] > 0)
     assert active[0].sum() == pytest.approx(active[1].sum(), abs=2)
@@ -116,8 +112,8 @@ def test_bursts_and_whole_seconds_are_decoded_as_even_samples_and_said(folder, t
 )
 def test_the_files_that_were_seen(name, words, sample_rate, folder):
     profile, file, layout = folder / "profile.json", CASES / f"signals-{name}.csv", CASES / "signals.layout.json"
-    assert run("calibrate", CASES / "signals-control.csv", "--layout", layout, "--out", profile).exit_code == 0
-    decoded = run("decode", file, "--profile", profile, "--out", folder / "commands.csv", "--json")
+    assert invoke("calibrate", CASES / "signals-control.csv", "--layout", layout, "--out", profile).exit_code == 0
+    decoded = invoke("decode", file, "--profile", profile, "--out", folder / "commands.csv", "--json")
     if sample_rate is None:
         assert words in str(decoded.exception)
         return

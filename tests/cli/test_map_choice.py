@@ -4,15 +4,14 @@ import json
 
 import numpy as np
 import pytest
+from cli.answers import invoke
 from cli.symbols import symbols_in
-from typer.testing import CliRunner
 
 from app.calibration.linear_map import LinearMap, MapCheck
 from app.calibration.profile import CalibrationProfile
 from app.cli.calibration.calibrate import checks, choose, comparison
 from app.cli.decode import read_parameters
 from app.cli.errors import InputError
-from app.cli.main import build
 from app.layout import Channel, Joint, ShirtLayout
 from building import make_profile
 
@@ -22,15 +21,7 @@ REASON = "Nothing is learnt from 1 prompted repetition: prompt at least 3."
 
 
 def guided(pca, own):
-    return LinearMap(
-        rates=((0.1, 0.1),),
-        dead_zone=0.3,
-        full=1.5,
-        lag=0.3,
-        repetitions=3,
-        pca_check=pca,
-        check=own,
-    )
+    return LinearMap(rates=((0.1, 0.1),), dead_zone=0.3, full=1.5, lag=0.3, repetitions=3, pca_check=pca, check=own)
 
 
 @pytest.fixture
@@ -101,7 +92,7 @@ def files(tmp_path):
 
 
 def run(files, command, *words):
-    return CliRunner().invoke(build([command]), [command, str(files / "signals.csv"), *map(str, words)])
+    return invoke(command, files / "signals.csv", *words)
 
 
 def calibrated(files, *words):

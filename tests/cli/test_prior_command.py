@@ -5,19 +5,14 @@ import json
 import numpy as np
 import pytest
 from calibration.prior.simulated_wearers import Wearer, sleeve
+from cli.answers import invoke
 from cli.symbols import symbols_in
-from typer.testing import CliRunner
 
 from app.calibration.prior.documents import ReleasedPrior
 from app.calibration.prior.prior_file import read_prior
 from app.calibration.profile import CalibrationProfile
 from app.cli.errors import InputError
-from app.cli.main import build
 from app.number_format import percent
-
-
-def run(command, *words):
-    return CliRunner().invoke(build([command]), [command, *map(str, words)])
 
 
 def refusal(result):
@@ -50,14 +45,14 @@ def folder(tmp_path_factory):
 
 
 def add(folder, name, person=None, prior="prior.json", more=()):
-    return run(
+    return invoke(
         "prior", "add", folder / prior, folder / f"{name}.csv", "--layout", folder / "layout.json",
         "--prompts", folder / f"{name}-prompts.csv", "--person", person or name, *more,
     )  # fmt: skip
 
 
 def calibrate(folder, *words, signals="new"):
-    return run(
+    return invoke(
         "calibrate", folder / f"{signals}.csv", "--layout", folder / "layout.json", "--out", folder / "profile.json",
         "--from", 0, "--to", 10, "--prior", folder / "prior.json", *words,
     )  # fmt: skip
@@ -65,7 +60,7 @@ def calibrate(folder, *words, signals="new"):
 
 def decoded_share(folder):
     """Return the share of the activation that lies in the true strokes, as `decode` writes it."""
-    result = run("decode", folder / "new.csv", "--profile", folder / "profile.json", "--out", folder / "out.csv")
+    result = invoke("decode", folder / "new.csv", "--profile", folder / "profile.json", "--out", folder / "out.csv")
     assert result.exit_code == 0, result.output
     activation = np.genfromtxt(folder / "out.csv", delimiter=",", names=True)["right_elbow_activation"]
     moving = np.roll(Wearer(102).moving, 5)
@@ -81,13 +76,13 @@ def test_a_person_is_added_replaced_and_removed(folder):
         assert answer["people"] == 1
     before = (folder / "few.json").read_bytes()
     assert add(folder, "w2", "another", "few.json").exit_code == 0
-    assert run("prior", "remove", folder / "few.json", "--person", "another").exit_code == 0
+    assert invoke("prior", "remove", folder / "few.json", "--person", "another").exit_code == 0
     assert (folder / "few.json").read_bytes() == before
-    assert "no person 'another'" in refusal(run("prior", "remove", folder / "few.json", "--person", "another"))
+    assert "no person 'another'" in refusal(invoke("prior", "remove", folder / "few.json", "--person", "another"))
 
 
 def test_all_recordings_of_a_person_are_given_at_once(folder):
-    result = run(
+    result = invoke(
         "prior", "add", folder / "both.json", folder / "w1.csv", folder / "w2.csv", "--layout", folder / "layout.json",
         "--prompts", folder / "w1-prompts.csv", "--prompts", folder / "w2-prompts.csv", "--person", "p1", "--json",
     )  # fmt: skip
@@ -96,7 +91,7 @@ def test_all_recordings_of_a_person_are_given_at_once(folder):
 
 
 def test_what_a_prior_knows_is_shown(folder):
-    answer = json.loads(run("prior", "show", folder / "prior.json", "--json").stdout)
+    answer = json.loads(invoke("prior", "show", folder / "prior.json", "--json").stdout)
     joint = answer["joints"]["right_elbow"]
     assert (answer["kind"], joint["people"], answer["rings"]) == ("own", 8, {"cuff": 8})
     assert set(joint["ranges"]) == {f"e{i}" for i in range(5)}
@@ -104,27 +99,27 @@ def test_what_a_prior_knows_is_shown(folder):
     rates = joint["stroke_rates"]
     assert 0.2 < rates["counts_from"] < rates["mean"] < 1.0
     assert rates["deviation"] > 0.05
-    table = run("prior", "show", folder / "prior.json").stdout
+    table = invoke("prior", "show", folder / "prior.json").stdout
     assert f"{percent(rates['mean'])} ± {percent(rates['deviation'])}" in table
     assert "8 people in 'sleeve'" in table
     assert symbols_in(table) == []
 
 
 def test_a_release_is_a_sum_over_eight(folder):
-    result = run("prior", "merge", folder / "prior.json", "--out", folder / "release.json")
+    result = invoke("prior", "merge", folder / "prior.json", "--out", folder / "release.json")
     assert result.exit_code == 0, result.output
     assert isinstance(read_prior(folder / "release.json"), ReleasedPrior)
-    again = run("prior", "merge", folder / "prior.json", "--out", folder / "no.json")
+    again = invoke("prior", "merge", folder / "prior.json", "--out", folder / "no.json")
     assert "use the earlier release" in refusal(again)  # nobody is in two
     assert not (folder / "no.json").exists()
     assert add(folder, "w1", "p1", "seven.json").exit_code == 0
-    words = refusal(run("prior", "merge", folder / "seven.json", "--out", folder / "no.json"))
+    words = refusal(invoke("prior", "merge", folder / "seven.json", "--out", folder / "no.json"))
     assert "at least 8 may leave a clinic" in words
     assert not (folder / "no.json").exists()
-    own = run("prior", "merge", folder / "seven.json", folder / "prior.json", "--own", "--out", folder / "own.json")
+    own = invoke("prior", "merge", folder / "seven.json", folder / "prior.json", "--own", "--out", folder / "own.json")
     assert own.exit_code == 0, own.output
     assert len(read_prior(folder / "own.json").people) == 9
-    twice = run("prior", "merge", folder / "prior.json", folder / "prior.json", "--out", folder / "no.json")
+    twice = invoke("prior", "merge", folder / "prior.json", folder / "prior.json", "--out", folder / "no.json")
     assert "stands there twice" in refusal(twice)
     assert "is a release" in refusal(add(folder, "w1", "p1", "release.json"))
 
@@ -172,22 +167,22 @@ def test_the_best_map_is_other_people_s_until_own_repetitions_say_that_it_answer
 
 def test_bad_input_is_one_sentence(folder, tmp_path):
     layout = folder / "layout.json"
-    calibrated = run("calibrate", folder / "new.csv", "--layout", layout, "--out", tmp_path / "p", "--map", "prior")
+    calibrated = invoke("calibrate", folder / "new.csv", "--layout", layout, "--out", tmp_path / "p", "--map", "prior")
     assert "give it with --prior" in refusal(calibrated)
     (tmp_path / "bad.json").write_text("{}")
-    assert "bad.json" in refusal(run("prior", "show", tmp_path / "bad.json"))
-    assert "no such prior" in refusal(run("prior", "show", tmp_path / "none.json"))
+    assert "bad.json" in refusal(invoke("prior", "show", tmp_path / "bad.json"))
+    assert "no such prior" in refusal(invoke("prior", "show", tmp_path / "none.json"))
     assert "letters, digits" in refusal(add(folder, "w1", "two words", "x.json"))
     assert "1 recordings and 2 tables" in refusal(
         add(folder, "w1", "p", "x.json", ["--prompts", folder / "w2-prompts.csv"])
     )
-    few = run(
+    few = invoke(
         "calibrate", folder / "new.csv", "--layout", layout, "--out", tmp_path / "p", "--map", "prior",
         "--prior", folder / "few.json",
     )  # fmt: skip
     assert "1 of them is known for this joint, and 4 are needed" in refusal(few)
     (tmp_path / "other.json").write_text(sleeve().model_dump_json().replace("right_elbow", "left_elbow"))
-    other = run(
+    other = invoke(
         "calibrate", folder / "new.csv", "--layout", tmp_path / "other.json", "--out", tmp_path / "p",
         "--prior", folder / "prior.json",
     )  # fmt: skip

@@ -3,11 +3,10 @@ import socket
 
 import numpy as np
 import pytest
+from cli.answers import invoke
 from fake_clock import FakeClock
-from typer.testing import CliRunner
 
 from app.cli.errors import InputError
-from app.cli.main import build
 from app.cli.replay import parse_address, play
 from app.hardware.shirt.packet import decode
 from app.hardware.shirt.playback import read_frames
@@ -19,10 +18,6 @@ def signals(tmp_path):
     rows = ["t,right_elbow_1,right_elbow_2"] + [f"{i / 100},{i},{-i}" for i in range(20)]
     file.write_text("\n".join(rows) + "\n")
     return file
-
-
-def run(*words):
-    return CliRunner().invoke(build(["replay"]), ["replay", *map(str, words)])
 
 
 def test_what_is_played_are_the_frames_at_their_own_times(signals):
@@ -53,7 +48,7 @@ def test_the_command_sends_datagrams_and_says_what_it_does(signals):
         shirt.bind(("127.0.0.1", 0))
         shirt.settimeout(5)
         to = f"127.0.0.1:{shirt.getsockname()[1]}"
-        result = run(signals, "--to", to, "--speed", "50")
+        result = invoke("replay", signals, "--to", to, "--speed", "50")
         seqs = [decode(packet, len(packet), 2)[0] for packet in (shirt.recv(1000) for _ in range(20))]
     assert result.exit_code == 0
     assert seqs == list(range(20))
@@ -62,7 +57,7 @@ def test_the_command_sends_datagrams_and_says_what_it_does(signals):
 
 
 def test_json_is_one_object_and_nothing_else(signals):
-    result = run(signals, "--to", "127.0.0.1:9", "--speed", "100", "--json")
+    result = invoke("replay", signals, "--to", "127.0.0.1:9", "--speed", "100", "--json")
     assert json.loads(result.stdout) == {"frames": 20, "to": "127.0.0.1:9", "stopped": False}
 
 
@@ -79,7 +74,7 @@ def test_json_is_one_object_and_nothing_else(signals):
     ],
 )
 def test_bad_input_is_one_sentence(signals, words, sentence):
-    result = run(*[signals if word == "SIGNALS" else word for word in words])
+    result = invoke("replay", *[signals if word == "SIGNALS" else word for word in words])
     assert isinstance(result.exception, InputError)
     assert sentence in str(result.exception)
     assert "\n" not in str(result.exception)

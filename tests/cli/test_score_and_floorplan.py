@@ -1,11 +1,16 @@
+"""The commands `score` and `floorplan import`; other units and the wrong way are refused or said."""
+
 import json
 
 import ezdxf
 import numpy as np
 import pytest
+from cli.answers import assert_refused, output_of
 from cli.symbols import symbols_in
 from PIL import Image
 
+from app.cli.errors import InputError
+from app.cli.score import FOLLOWING, score_files
 from app.world.floorplan import load_floorplan
 
 
@@ -92,10 +97,7 @@ def test_columns_of_controls_and_contacts_give_more(bodydrive, tables):
     ],
 )
 def test_score_refuses_in_one_sentence(bodydrive, tables, words, sentence):
-    code, out, err = bodydrive("score", *words)
-    assert (code, out) == (2, "")
-    assert sentence in err
-    assert err.count("\n") == 1
+    assert_refused(bodydrive("score", *words), sentence)
 
 
 def test_a_map_becomes_a_plan(bodydrive, tmp_path, map_file):
@@ -122,8 +124,7 @@ def test_a_drawing_and_a_picture_become_plans(bodydrive, tmp_path):
         ("room.png --metres-per-pixel 0.05", 9),
         ("room.png --width 10", 9),
     ):
-        code, out, err = bodydrive("floorplan", "import", *words.split(), "--out", "room.json", "--json")
-        assert (code, err) == (0, "")
+        out = output_of(bodydrive("floorplan", "import", *words.split(), "--out", "room.json", "--json"))
         summary = json.loads(out)
         assert summary["walls"] == 4
         plan = load_floorplan(tmp_path / "room.json")
@@ -136,9 +137,7 @@ def test_a_drawing_and_a_picture_become_plans(bodydrive, tmp_path):
         ("room.png --width nan", "the options, width"),
         ("room.txt", "room.txt: this is no .yaml"),
     ):
-        code, out, err = bodydrive("floorplan", "import", *words.split(), "--out", "other.json")
-        assert (code, out) == (2, "")
-        assert sentence in err
+        assert_refused(bodydrive("floorplan", "import", *words.split(), "--out", "other.json"), sentence)
     assert not (tmp_path / "other.json").exists()
 
 
@@ -154,10 +153,7 @@ def test_a_drawing_and_a_picture_become_plans(bodydrive, tmp_path):
 )
 def test_import_refuses_in_one_sentence_and_writes_nothing(bodydrive, tmp_path, map_file, words, sentence):
     before = sorted(tmp_path.iterdir())
-    code, out, err = bodydrive("floorplan", "import", *words)
-    assert (code, out) == (2, "")
-    assert sentence in err
-    assert err.count("\n") == 1
+    assert_refused(bodydrive("floorplan", "import", *words), sentence)
     assert sorted(tmp_path.iterdir()) == before
 
 
@@ -181,3 +177,40 @@ def test_a_plan_or_scene_is_checked(bodydrive, tmp_path):
     code, _, words = bodydrive("floorplan", "check", str(file))
     assert code != 0
     assert f"{file}, level easy, paths[0].points[1][0]: " in words
+
+
+@pytest.fixture
+def scored(tmp_path):
+    def measures(t, x):
+        rows = "\n".join(f"{a},{b},0" for a, b in zip(t, x, strict=True))
+        (tmp_path / "driven.csv").write_text(f"t,x,y\n{rows}\n")
+        (tmp_path / "path.csv").write_text("x,y\n0,0\n10,0\n")
+        return score_files(tmp_path / "driven.csv", tmp_path / "path.csv", 0.5)
+
+    return measures
+
+
+T, X = np.linspace(0, 20, 401), np.linspace(0, 10, 401)
+
+
+def test_the_wrong_way_has_no_measures_of_following(scored):
+    measures = scored(T, X[::-1])
+    assert not measures["reached"]
+    assert [measures[name] for name in FOLLOWING] == [None] * len(FOLLOWING)
+    assert measures["dist"] == pytest.approx(10)
+
+
+@pytest.mark.parametrize("end", [1.0, 0.6])
+def test_the_right_way_has_them_whether_or_not_it_reaches_the_goal(scored, end):
+    measures = scored(T, X * end)
+    assert measures["reached"] == (end == 1.0)
+    assert measures["e_diff"] == pytest.approx(0, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("t", "x", "words"),
+    [(T * 1000, X, "give t in seconds, not in milliseconds"), (T, X * 1000, "give x and y in metres")],
+)
+def test_times_in_milliseconds_and_places_in_millimetres_are_refused(scored, t, x, words):
+    with pytest.raises(InputError, match=words):
+        scored(t, x)

@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from cli.answers import assert_refused, output_of
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -37,8 +38,7 @@ def systemctl(tmp_path, monkeypatch):
 
 
 def test_print_changes_nothing(bodydrive, systemctl, tmp_path):
-    code, out, errors = bodydrive("service", "install", "--print", "--state", tmp_path / "my clinic")
-    assert (code, errors) == (0, "")
+    out = output_of(bodydrive("service", "install", "--print", "--state", tmp_path / "my clinic"))
     service = parsed(out)["Service"]
     assert service["LimitNOFILE"] == "16384"
     assert shlex.split(service["ExecStart"]) == [
@@ -64,9 +64,7 @@ def test_a_unit_of_ones_own_is_installed_and_started(bodydrive, systemctl, tmp_p
 
 def test_a_refusal_of_systemd_is_one_sentence(bodydrive, systemctl, tmp_path):
     (tmp_path / "fail").touch()
-    code, out, errors = bodydrive("service", "install", "--state", tmp_path)
-    assert (code, out, errors.count("\n")) == (2, "", 1)
-    assert "did not take it (no bus)" in errors
+    assert_refused(bodydrive("service", "install", "--state", tmp_path), "did not take it (no bus)")
 
 
 def test_a_machine_without_systemd_is_told(bodydrive, monkeypatch, tmp_path):

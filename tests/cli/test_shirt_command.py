@@ -9,6 +9,7 @@ import subprocess
 import sys
 
 import pytest
+from cli.answers import assert_refused, output_of
 
 from app.file_modes import NOT_OWNER
 from app.hardware.chair.key import read_key
@@ -36,17 +37,8 @@ def listening():
         yield made, f"127.0.0.1:{made.getsockname()[1]}"
 
 
-def refused(said, *words):
-    code, out, err = said
-    assert (code, out) == (2, "")
-    assert err.count("\n") == 1
-    for word in words:
-        assert word in err
-
-
 def test_pairing_keeps_a_key_and_says_what_to_do_with_it(bodydrive, tmp_path):
-    code, out, err = bodydrive(*PAIR)
-    assert (code, err) == (0, "")
+    out = output_of(bodydrive(*PAIR))
     file = tmp_path / "clinic" / "keys" / "shirt-1.key"
     key = read_key(file)
     assert stat.S_IMODE(file.stat().st_mode) == 0o600
@@ -154,4 +146,4 @@ def test_bad_input_is_one_sentence(bodydrive, key_file, tmp_path, options, word)
     (tmp_path / "huge.csv").write_text("t,a\n0,1\n1,1e300\n")
     (tmp_path / "falls.csv").write_text("t,a\n1,1\n0,1\n")
     (tmp_path / "short.csv").write_text("t,a\n1,1\n")
-    refused(bodydrive("shirt", "send", "--key-file", key_file, "--frames", 1, *options), word)
+    assert_refused(bodydrive("shirt", "send", "--key-file", key_file, "--frames", 1, *options), word)

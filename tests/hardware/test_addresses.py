@@ -9,31 +9,12 @@ from pydantic import TypeAdapter
 from app.hardware.addresses import FilePlace, checked_host, checked_line
 
 HOSTS = [
-    "localhost",
-    "chair.local",
-    "a_b",
-    "xn--mnchen-3ya.de",
-    "a" * 63,
-    "10.0.0.7",
-    "::1",
-    "fe80::1",
-    "::ffff:10.0.0.7",
+    *("localhost", "chair.local", "a_b", "xn--mnchen-3ya.de", "a" * 63, "10.0.0.7"),
+    *("::1", "fe80::1", "::ffff:10.0.0.7"),
 ]
 NO_HOSTS = [
-    "",
-    ".",
-    "a..b",
-    "a" * 64,
-    "a.",
-    "-a",
-    "a-",
-    "a b",
-    "127.1",
-    "1",
-    "0x7f000001",
-    "300.0.0.1",
-    "[::1]",
-    "1::2::3",
+    *("", ".", "a..b", "a" * 64, "a.", "-a", "a-", "a b", "127.1", "1", "0x7f000001"),
+    *("300.0.0.1", "[::1]", "1::2::3"),
 ]
 
 

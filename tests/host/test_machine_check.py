@@ -64,7 +64,7 @@ def test_room_clock_and_rights_in_words(tmp_path: Path) -> None:
     assert free_room(tmp_path / "not" / "yet") > 0
     assert clock_finding(NOW, NOW + dt.timedelta(days=1), is_kept=True).verdict == "bad"
     assert [clock_finding(NOW, NOW, is_kept=kept).verdict for kept in (True, None, False)] == [
-        *("good", "good", "attention"),
+        *("good", "good", "attention")
     ]
     sentences = ["The control loop has real-time scheduling.", "Memory is not locked: a machine short of memory ..."]
     assert [finding.verdict for finding in real_time_findings(sentences)] == ["good", "attention"]

@@ -3,7 +3,6 @@
 import json
 import select
 import socket
-import uuid
 
 from fake_clock import FakeClock
 from pipeline.scripted_shirt import ScriptedShirt
@@ -12,8 +11,7 @@ from app.pipeline.commands import Commands
 from app.pipeline.loop import ControlLoop
 from app.pipeline.setup import Setup
 from app.process.command_channel import NO_ANSWER, CommandServer
-from app.process.ring import TickRing
-from building import make_parameters, make_signals
+from building import make_parameters, make_ring, make_signals
 
 
 class CommandedLoop:
@@ -23,8 +21,7 @@ class CommandedLoop:
         self.parameters = make_parameters()
         signals = make_signals(self.parameters, 2000, strokes=False)
         self.clock = FakeClock()
-        self.ring = TickRing.create(f"bodydrive-test-{uuid.uuid4().hex}")
-        self.ring.unlink()
+        self.ring = make_ring()
         self.setup = Setup(self.clock)
         layout = self.parameters.profile.layout
         self.setup.shirt = ScriptedShirt(self.clock, [i / 100 for i in range(2000)], signals, layout=layout)

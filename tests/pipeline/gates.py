@@ -4,11 +4,7 @@ import pytest
 
 from app.faults import State
 from app.geometry import Twist
-from app.pipeline.safety_gate import (
-    BadGestures,
-    Conditions,
-    SafetyGate,
-)
+from app.pipeline.safety_gate import BadGestures, Conditions, SafetyGate
 from app.speed_limits import Speeds
 
 DT = 0.01
@@ -19,9 +15,14 @@ def decide(gate, t, *, pause=DT, neutral=True, bad=BadGestures(), age=0.0, **con
     return gate.decide(t, pause, neutral, bad, age, Conditions(**conditions))
 
 
-def armed_gate(speeds=SPEEDS):
+def checking_gate(speeds=SPEEDS):
     gate = SafetyGate(speeds, 100.0)
     assert gate.arm()
+    return gate
+
+
+def armed_gate(speeds=SPEEDS):
+    gate = checking_gate(speeds)
     for i in range(60):
         decide(gate, i * DT)
     assert gate.state is State.ARMED

@@ -1,18 +1,24 @@
-"""Decoding frame by frame equals decoding at once."""
+"""Decoding frame by frame equals decoding at once; a rerun of a recorded drive equals the recording to the last bit."""
+
+from dataclasses import fields
 
 import numpy as np
 import pytest
+from recorded_trial import record_trial
 
-from app.calibration.vocabulary import DriveParameters
+from app.calibration.vocabulary import standard_parameters
 from app.faults import State
 from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
 from app.messages import SensorFrame
 from app.pipeline.chain import Chain
 from app.pipeline.replay.batch import decode_block
+from app.pipeline.replay.exact_rerun import Rerun, replay_run
 from app.pipeline.safety_gate import Conditions
-from building import make_parameters, make_signals
+from app.recording.reader import read_run
+from building import make_parameters, make_signals, plan_of, taught_by_others, with_gesture
 
+HELD = {"feature": "displacement", "dead_zone": 0.1, "full": 0.5}
 FIELDS = ("score", "rate", "drive", "activation", "u1", "u2", "v", "omega", "x", "y", "theta")
 
 
@@ -68,9 +74,7 @@ def test_missing_frames_late_arrivals_and_bad_channels_change_nothing_of_that():
 
 
 def test_a_held_posture_that_is_stuck_drives_until_the_time_out_and_decodes_alike():
-    document = make_parameters().model_dump(mode="json") | {"cruise_time": 4.0}
-    document["gestures"][0] |= {"feature": "displacement", "dead_zone": 0.1, "full": 0.5}
-    parameters = DriveParameters.model_validate(document)
+    parameters = with_gesture(make_parameters().model_copy(update={"cruise_time": 4.0}), 0, **HELD)
     values = make_signals(parameters, 2500, seed=4)
     t = np.arange(2500) / 100
     held = int(decode_block(parameters, 100.0, t, values).activation[:, 0].argmax())
@@ -83,10 +87,7 @@ def test_a_held_posture_that_is_stuck_drives_until_the_time_out_and_decodes_alik
 
 
 def test_a_held_posture_decodes_alike_too():
-    parameters = make_parameters()
-    document = parameters.model_dump(mode="json")
-    document["gestures"][0] |= {"feature": "displacement", "dead_zone": 0.1, "full": 0.5}
-    parameters = DriveParameters.model_validate(document)
+    parameters = with_gesture(make_parameters(), 0, **HELD)
     values = make_signals(parameters, 2500, seed=4)
     t = np.arange(2500) / 100
     streamed, _ = assert_equal(parameters, t, t, values)
@@ -101,3 +102,77 @@ def test_without_a_chair_the_floor_is_endless_and_the_numbers_are_the_same():
     driven = decode_block(parameters, 100.0, t, values, chair=VirtualChair(None, Pose(0.0, 0.0, 0.0)))
     np.testing.assert_allclose(free.x, driven.x, atol=1e-9)
     np.testing.assert_allclose(free.y, driven.y, atol=1e-9)
+
+
+NAMES = tuple(field.name for field in fields(Rerun))
+
+
+def assert_same(run, again):
+    for name in NAMES:
+        np.testing.assert_array_equal(getattr(again, name), run.columns[name], err_msg=name)
+
+
+@pytest.mark.parametrize("dynamics", ["unicycle", "wheelchair"])
+@pytest.mark.parametrize("mode", ["acceleration", "velocity"])
+def test_a_drive_comes_out_bit_for_bit(tmp_path, mode, dynamics):
+    parameters = make_parameters().model_copy(update={"mode_u1": mode})
+    record_trial(tmp_path / "run", parameters, seconds=8.0, dynamics=dynamics, plan=plan_of([((1.0, 0.8), (8.0, 0.8))]))
+    run = read_run(tmp_path / "run")
+    assert run.columns["x"].max() > 0.2
+    assert np.abs(run.columns["omega"]).max() > 0.1
+    assert_same(run, replay_run(run, parameters))
+
+
+def test_so_do_the_dial_the_stop_lost_frames_and_turns_without_one(tmp_path):
+    parameters = with_gesture(make_parameters(), 1, **HELD)
+    record_trial(
+        tmp_path / "run",
+        parameters,
+        dials=[(0.0, 0.7), (6.0, 0.35)],
+        missing={300, 301, 570},
+        without_frame={210, 400, 401, 402, 403, 404, 405, 406, 407},
+        stop_at=4.0,
+    )
+    run = read_run(tmp_path / "run")
+    assert {State.CHECKING, State.ARMED, State.FAULT} <= {State(int(state)) for state in set(run.columns["state"])}
+    assert set(np.round(run.columns["dial"], 3)) == {np.float32(0.7), np.float32(0.35)}
+    assert_same(run, replay_run(run, parameters))
+
+
+@pytest.mark.parametrize("joints", [None, ["right_shoulder"]], ids=["all joints", "one of them"])
+def test_so_do_maps_from_other_people_with_lost_frames_and_a_channel_that_fails(tmp_path, joints):
+    standard = make_parameters()
+    parameters = standard_parameters(taught_by_others(standard.profile, joints=joints))
+    values = make_signals(parameters, 1000)
+    values[300:500, standard.profile.joints[0].channels[0]] = np.nan
+    record_trial(tmp_path / "run", parameters, missing={200, 201, 420}, values=values)
+    run = read_run(tmp_path / "run")
+    assert run.columns["activation"][:300, 0].max() > 0.0
+    assert run.columns["activation"][310:490, 0].max() == 0.0
+    assert_same(run, replay_run(run, parameters))
+
+
+def test_other_parameters_and_another_clinic_drive_otherwise(tmp_path):
+    parameters = make_parameters()
+    record_trial(tmp_path / "run", parameters)
+    run = read_run(tmp_path / "run")
+    other = replay_run(run, make_parameters(seed=2))
+    assert not np.array_equal(other.u1, run.columns["u1"])
+    assert not np.array_equal(other.v, run.columns["v"])
+    run.meta["clinic"] = run.meta["clinic"] | {"forward": 0.1}
+    slower = replay_run(run, parameters)
+    np.testing.assert_array_equal(slower.u1, run.columns["u1"])
+    assert slower.v.max() <= 0.1 < run.columns["v"].max()
+
+
+def test_bad_input_is_a_sentence(tmp_path):
+    record_trial(tmp_path / "run", make_parameters(), seconds=2.0)
+    run = read_run(tmp_path / "run")
+    with pytest.raises(ValueError, match="52 channels and the profile 8"):
+        replay_run(run, make_parameters(n_channels=8))
+    run.meta["clinic"] = {"forward": "fast"}
+    with pytest.raises(ValueError, match=r"run\.json, clinic"):
+        replay_run(run, make_parameters())
+    run.columns = {name: column[:0] for name, column in run.columns.items()}
+    with pytest.raises(ValueError, match="holds nothing"):
+        replay_run(run, make_parameters())

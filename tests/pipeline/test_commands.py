@@ -7,8 +7,6 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from hardware.chair.chair_stand_in import StandInChair
-from pipeline.commanded_loop import CommandedLoop
 
 from app.calibration.vocabulary import Binding
 from app.disk_room import ROOM_TO_RECORD
@@ -24,20 +22,6 @@ from app.world.clearance import Clearance
 from app.world.floorplan import MAX_WALLS
 
 ONE_WAY = (Binding(control="u2+", gestures=("left_shoulder",)),)
-
-
-@pytest.fixture
-def control():
-    made = CommandedLoop()
-    yield made
-    made.close()
-
-
-@pytest.fixture
-def chair(tmp_path):
-    made = StandInChair(tmp_path)
-    yield made
-    made.close()
 
 
 def limits(**changes):

@@ -137,8 +137,9 @@ def test_a_stop_from_outside_beats_the_strongest_movement(ride, fault):
 
 def test_the_stop_gesture_stops(ride):
     ride.armed()
-    faults = {ride.feed(frame).fault for frame in ride.bend("right_elbow", "left_elbow")}
-    assert Fault.STOP_GESTURE in faults
+    ticks = [(tick.state, tick.fault) for tick in map(ride.feed, ride.bend("right_elbow", "left_elbow"))]
+    assert ticks[-1] == (State.FAULT, Fault.STOP_GESTURE)
+    assert ride.gate.last == (0.0, 0.0)
 
 
 def test_a_stop_gesture_counts_once_each_time_it_is_made(ride):

@@ -11,13 +11,7 @@ from pipeline.gates import DT, SPEEDS, armed_gate, moving_gate
 
 from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist
-from app.pipeline.safety_gate import (
-    BadGestures,
-    Conditions,
-    shirt_limits,
-    stop_rate,
-    towards_zero,
-)
+from app.pipeline.safety_gate import BadGestures, Conditions, shirt_limits, stop_rate, towards_zero
 from app.speed_limits import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
 
 SMALLEST = {"acceleration": 0.1, "deceleration": 0.1, "turn_acceleration": 0.1, "jerk": 0.5, "turn_jerk": 1.0}
@@ -116,7 +110,8 @@ def test_the_rates_are_what_the_speeds_did():
 
 
 @pytest.mark.parametrize(
-    ("rate", "limits"), [(59.999, (3 / 59.999, 12 / 59.999)), (60.0, (0.05, 0.2)), (10, (0.3, 1.2))]
+    ("rate", "limits"),
+    [(59.999, (3 / 59.999, 12 / 59.999)), (60.0, (0.05, 0.2)), (100, (0.05, 0.2)), (20, (0.15, 0.6)), (10, (0.3, 1.2))],
 )
 def test_the_shirt_s_limits_change_over_at_60_hz(rate, limits):
     assert shirt_limits(rate) == pytest.approx(limits)
@@ -131,11 +126,7 @@ def test_the_way_to_standstill():
 
 
 STEPS = int(os.environ.get("BODYDRIVE_GATE_STEPS", "100000"))  # `make safety` takes a million
-
-
 NOT_NUMBERS = (math.nan, math.inf, -math.inf)
-
-
 ODD = (0.0, -0.0, 1e308, -1e308, 5e-324, 9.0, -9.0)
 
 

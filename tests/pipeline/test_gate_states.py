@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from pipeline.gates import DT, SPEEDS, armed_gate, decide, moving_gate
+from pipeline.gates import DT, SPEEDS, armed_gate, checking_gate, decide, moving_gate
 
 from app.faults import EXPLANATIONS, Fault, State
 from app.geometry import STANDSTILL, Twist
@@ -31,16 +31,14 @@ def test_ten_thousand_boots_and_not_one_command_but_zero():
 
 
 def test_the_neutral_check_begins_when_it_is_first_looked_at():
-    gate = SafetyGate(SPEEDS, 100.0)
-    gate.arm()
+    gate = checking_gate()
     assert decide(gate, 1000.0) is State.CHECKING
     assert decide(gate, 1000.0 + NEUTRAL_TIME - 1e-9) is State.CHECKING
     assert decide(gate, 1000.0 + NEUTRAL_TIME) is State.ARMED
 
 
 def test_arming_again_does_not_shorten_the_check_nor_interrupt_a_drive():
-    gate = SafetyGate(SPEEDS, 100.0)
-    gate.arm()
+    gate = checking_gate()
     decide(gate, 0.0)
     assert gate.arm()
     assert decide(gate, 0.3) is State.CHECKING
@@ -65,8 +63,7 @@ def test_after_any_way_out_the_whole_check_comes_again(leave):
 @pytest.mark.parametrize("begin", [0.0, 1024.0])
 @pytest.mark.parametrize(("chair", "fault"), [(READY, Fault.NOT_NEUTRAL), (WAITING, Fault.CHAIR_NOT_READY)])
 def test_the_patience_is_five_seconds_and_not_a_tick_less(begin, chair, fault):
-    gate = SafetyGate(SPEEDS, 100.0)
-    gate.arm()
+    gate = checking_gate()
     neutral = chair is WAITING
     decide(gate, begin, neutral=neutral, chair=chair)
     assert decide(gate, begin + NEUTRAL_PATIENCE, neutral=neutral, chair=chair) is State.CHECKING
@@ -75,8 +72,7 @@ def test_the_patience_is_five_seconds_and_not_a_tick_less(begin, chair, fault):
 
 
 def test_a_chair_that_is_not_ready_is_waited_for():
-    gate = SafetyGate(SPEEDS, 100.0)
-    gate.arm()
+    gate = checking_gate()
     for i in range(200):
         assert decide(gate, i * DT, chair=WAITING) is State.CHECKING
     assert decide(gate, 2.0) is State.ARMED
@@ -108,24 +104,22 @@ def test_at_the_border_itself_it_drives_on():
     assert decide(moving_gate(), 1.0, chair_age=CHAIR_SILENT, screen_age=SCREEN_SILENT) is State.ARMED
 
 
-@pytest.mark.parametrize("fault", [Fault.SCREEN_HIDDEN, Fault.SCREEN_SLOW])
-def test_a_screen_that_does_not_count_forbids_the_check_too(fault):
-    gate = SafetyGate(SPEEDS, 100.0)
-    gate.arm()
-    assert decide(gate, 0.0, screen=fault) is State.FAULT
+@pytest.mark.parametrize(
+    ("conditions", "fault"),
+    [
+        ({"screen": Fault.SCREEN_HIDDEN}, Fault.SCREEN_HIDDEN),
+        ({"screen": Fault.SCREEN_SLOW}, Fault.SCREEN_SLOW),
+        ({"chair": INHIBITED}, Fault.STOP_CHAIR),
+    ],
+)
+def test_a_screen_that_does_not_count_and_a_pressed_switch_forbid_the_check_too(conditions, fault):
+    gate = checking_gate()
+    assert decide(gate, 0.0, **conditions) is State.FAULT
     assert gate.fault is fault
 
 
-def test_a_pressed_switch_forbids_the_check_too():
-    gate = SafetyGate(SPEEDS, 100.0)
-    gate.arm()
-    assert decide(gate, 0.0, chair=INHIBITED) is State.FAULT
-    assert gate.fault is Fault.STOP_CHAIR
-
-
 def test_one_bad_gesture_is_not_at_rest():
-    gate = SafetyGate(SPEEDS, 100.0)
-    gate.arm()
+    gate = checking_gate()
     for i in range(501):
         assert decide(gate, i * DT, bad=BadGestures(1)) is State.CHECKING
     decide(gate, 5.02, bad=BadGestures(1))
@@ -144,8 +138,7 @@ def test_signals_that_no_movement_makes_stop_at_once_and_are_not_at_rest():
     assert decide(gate, 1.0, bad=BadGestures(doubts=True)) is State.ARMED
     assert decide(gate, 1.0, bad=BadGestures(doubts=True, disbelieves=True)) is State.FAULT
     assert gate.fault is Fault.NO_MOVEMENT
-    gate = SafetyGate(SPEEDS, 100.0)
-    gate.arm()
+    gate = checking_gate()
     for i in range(501):
         assert decide(gate, i * DT, bad=BadGestures(doubts=True, disbelieves=i % 2 == 0)) is State.CHECKING
     decide(gate, 5.02, bad=BadGestures(doubts=True))

@@ -1,7 +1,6 @@
 """The loop with a real chair on a fake clock: ticks equal to those with the virtual chair, commands in time."""
 
 import itertools
-import uuid
 
 import numpy as np
 import pytest
@@ -15,8 +14,7 @@ from app.hardware.configs import VirtualChairConfig
 from app.pipeline.loop import ControlLoop
 from app.pipeline.open_run import OpenRun
 from app.pipeline.setup import Setup
-from app.process.ring import TickRing
-from building import make_parameters, make_signals
+from building import make_parameters, make_ring, make_signals
 
 NEUTRAL = 0.5  # s
 
@@ -95,8 +93,7 @@ def make_drive():
     made = []
 
     def make(*arguments, **keywords):
-        ring = TickRing.create(f"bodydrive-test-{uuid.uuid4().hex}")
-        ring.unlink()
+        ring = make_ring()
         made.append(Drive(ring, *arguments, **keywords))
         return made[-1]
 

@@ -9,13 +9,11 @@ from hypothesis import strategies as st
 from scipy.signal import butter, lfilter
 
 from app.calibration.features import features
-from app.calibration.linear_map import AVERAGING_TIMES, LinearMap, MapCheck
+from app.calibration.linear_map import AVERAGING_TIMES, LinearMap
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.decoder import Decoder, periods_between
 from app.pipeline.replay.batch import decode_block
-from building import make_parameters, make_signals
-
-CHECK = MapCheck(in_phase=0.9, hit_rate=0.8, false_per_minute=0.0, false_count=0)
+from building import guided_map, make_parameters, make_signals, with_gesture
 
 
 def guided_parameters(guided=(0, 2), levels=True, **changes):
@@ -26,16 +24,10 @@ def guided_parameters(guided=(0, 2), levels=True, **changes):
         joint = document["profile"]["joints"][i]
         k = len(joint["channels"])
         joint["map"] = "guided"
-        joint["guided"] = LinearMap(
-            rates=(tuple((rng.normal(size=k) / 6).tolist()),),
+        joint["guided"] = guided_map(
+            (tuple((rng.normal(size=k) / 6).tolist()),),
             short=tuple((levels * rng.normal(size=k) / 3).tolist()),
             long=tuple((levels * rng.normal(size=k) / 3).tolist()),
-            dead_zone=0.2,
-            full=1.0,
-            lag=0.3,
-            repetitions=3,
-            pca_check=CHECK,
-            check=CHECK,
         ).model_dump(mode="json")
     return DriveParameters.model_validate(document)
 
@@ -57,12 +49,6 @@ def prior_parameters(joints=(0, 1, 2, 3), guided=(), **changes):
             full=1.0,
             people=8,
         ).model_dump(mode="json")
-    return DriveParameters.model_validate(document)
-
-
-def changed(parameters, gesture, **fields):
-    document = parameters.model_dump(mode="json")
-    document["gestures"][gesture] |= fields
     return DriveParameters.model_validate(document)
 
 
@@ -162,7 +148,7 @@ def test_a_guided_map_that_is_only_offered_does_not_decode():
 
 def test_against_the_prompted_direction_the_way_back_counts():
     forwards = guided_parameters((0,))
-    backwards = changed(forwards, 0, direction=-1)
+    backwards = with_gesture(forwards, 0, direction=-1)
     values = make_signals(forwards, 2000)
     t = np.arange(2000) / 100
     one, _ = assert_alike(forwards, t, values)
@@ -173,7 +159,7 @@ def test_against_the_prompted_direction_the_way_back_counts():
 
 def test_a_held_posture_keeps_the_map_of_the_paper():
     held = {"feature": "displacement", "dead_zone": 0.1, "full": 0.5}
-    plain, guided = changed(make_parameters(), 0, **held), changed(guided_parameters((0,)), 0, **held)
+    plain, guided = with_gesture(make_parameters(), 0, **held), with_gesture(guided_parameters((0,)), 0, **held)
     values = make_signals(plain, 1500)
     t = np.arange(1500) / 100
     rate, _ = assert_alike(guided, t, values)

@@ -9,6 +9,7 @@ from bench.artefacts import DISPLACEMENT, LASTS, Artefact, Subject, outcome, pas
 from building import make_parameters, make_signals
 
 RATE = 100.0
+PARAMETERS = make_parameters()
 
 
 def looked_at(parameters, frames, rate=RATE):
@@ -50,94 +51,75 @@ def stroke(t, begin, rise, size):
 
 
 def test_strokes_are_believed_also_quick_ones_one_after_another():
-    parameters = make_parameters()
     t = np.arange(1200) / RATE
-    course = sum(
-        stroke(t, begin, rise, size)
-        for begin, rise, size in (
-            (1.0, 0.3, 0.8),
-            (1.9, 0.35, 0.9),
-            (2.8, 0.28, 0.7),
-            (4.2, 0.3, 0.85),
-            (6.0, 0.6, 1.0),
-            (9.0, 0.25, 1.0),
-        )
-    )
-    assert not looked_at(parameters, shifted(parameters, course)).any()
-    assert not looked_at(parameters, make_signals(parameters, 3000)).any()
+    strokes = [(1.0, 0.3, 0.8), (1.9, 0.35, 0.9), (2.8, 0.28, 0.7), (4.2, 0.3, 0.85), (6.0, 0.6, 1.0), (9.0, 0.25, 1.0)]
+    course = sum(stroke(t, *one) for one in strokes)
+    assert not looked_at(PARAMETERS, shifted(PARAMETERS, course)).any()
+    assert not looked_at(PARAMETERS, make_signals(PARAMETERS, 3000)).any()
 
 
 def test_a_first_small_step_is_doubted_and_a_second_one_is_not_believed():
-    parameters = make_parameters()
-    once = looked_at(parameters, shifted(parameters, at(3.0, size=0.07)))
+    once = looked_at(PARAMETERS, shifted(PARAMETERS, at(3.0, size=0.07)))
     assert not once[:, 1].any()
     assert np.flatnonzero(once[:, 0])[0] / RATE == pytest.approx(3.08, abs=0.03)
     assert once[:, 0].sum() / RATE == pytest.approx(2.1, abs=0.15)
-    twice = looked_at(parameters, shifted(parameters, at(3.0, 6.0, size=0.07)))
+    twice = looked_at(PARAMETERS, shifted(PARAMETERS, at(3.0, 6.0, size=0.07)))
     assert np.flatnonzero(twice[:, 1])[0] / RATE == pytest.approx(6.08, abs=0.03)
-    apart = looked_at(parameters, shifted(parameters, at(3.0, 9.0, size=0.07)))
+    apart = looked_at(PARAMETERS, shifted(PARAMETERS, at(3.0, 9.0, size=0.07)))
     assert not apart[:, 1].any()
 
 
 def test_a_large_step_is_not_believed_the_first_time():
-    parameters = make_parameters()
-    seen = looked_at(parameters, shifted(parameters, at(3.0, size=0.2)))
+    seen = looked_at(PARAMETERS, shifted(PARAMETERS, at(3.0, size=0.2)))
     assert np.flatnonzero(seen[:, 1])[0] / RATE == pytest.approx(3.08, abs=0.03)
 
 
 @pytest.mark.parametrize(("seconds", "until"), [(0.003, 3.2), (0.01, 4.3), (0.02, 5.6)])
 def test_steps_behind_a_filter_are_steps_too(seconds, until):
-    parameters = make_parameters()
-    seen = looked_at(parameters, shifted(parameters, behind_filter(at(3.0, 4.1, 5.3, size=0.2), seconds)))
+    seen = looked_at(PARAMETERS, shifted(PARAMETERS, behind_filter(at(3.0, 4.1, 5.3, size=0.2), seconds)))
     assert np.flatnonzero(seen[:, 1])[0] / RATE < until
 
 
 def test_one_jerk_is_doubted_and_believed():
-    parameters = make_parameters()
-    seen = looked_at(parameters, shifted(parameters, behind_filter(at(3.0, size=0.2), 0.02)))
+    seen = looked_at(PARAMETERS, shifted(PARAMETERS, behind_filter(at(3.0, size=0.2), 0.02)))
     assert seen[:, 0].any()
     assert not seen[:, 1].any()
 
 
 def test_steps_behind_a_slow_filter_are_found_by_their_equal_heights():
-    parameters = make_parameters()
     course = behind_filter(at(3.0, 4.7, 5.5, 7.6, 8.3, 9.9, size=0.2), 0.05)
-    seen = looked_at(parameters, shifted(parameters, course))[:, 1]
+    seen = looked_at(PARAMETERS, shifted(PARAMETERS, course))[:, 1]
     assert seen.any()
     assert np.flatnonzero(seen)[0] / RATE < 9.0
 
 
 def test_what_the_calibration_saw_is_no_step():
-    parameters = make_parameters()
     both = {"step": 0.3, "filtered_step": 0.3}
-    joints = tuple(joint.model_copy(update=both) for joint in parameters.profile.joints)
-    profile = parameters.profile.model_copy(update={"joints": joints})
-    used_to_it = parameters.model_copy(update={"profile": profile})
-    assert not looked_at(used_to_it, shifted(parameters, at(3.0, 5.0, 7.0, size=0.25))).any()
+    joints = tuple(joint.model_copy(update=both) for joint in PARAMETERS.profile.joints)
+    profile = PARAMETERS.profile.model_copy(update={"joints": joints})
+    used_to_it = PARAMETERS.model_copy(update={"profile": profile})
+    assert not looked_at(used_to_it, shifted(PARAMETERS, at(3.0, 5.0, 7.0, size=0.25))).any()
 
 
 def test_spikes_of_one_frame_count_as_steps_do():
-    parameters = make_parameters()
     course = np.zeros(1000)
     course[[400, 600]] = 0.2
-    seen = looked_at(parameters, shifted(parameters, course))
+    seen = looked_at(PARAMETERS, shifted(PARAMETERS, course))
     assert np.flatnonzero(seen[:, 1])[0] / RATE == pytest.approx(6.1, abs=0.05)
 
 
 def test_the_step_of_a_channel_that_breaks_or_comes_back_is_none():
-    parameters = make_parameters()
-    frames = make_signals(parameters, 1000, strokes=False)
-    channel = parameters.profile.joints[0].channels[0]
+    frames = make_signals(PARAMETERS, 1000, strokes=False)
+    channel = PARAMETERS.profile.joints[0].channels[0]
     frames[300:600, channel] = np.nan
     frames[700:720, channel] = np.inf
-    assert not looked_at(parameters, frames).any()
+    assert not looked_at(PARAMETERS, frames).any()
 
 
 def test_a_bad_channel_of_one_joint_hides_no_step_of_another():
-    parameters = make_parameters()
-    frames = shifted(parameters, at(3.0, size=0.2))
-    frames[:, parameters.profile.joints[2].channels[0]] = np.nan
-    assert looked_at(parameters, frames)[:, 1].any()
+    frames = shifted(PARAMETERS, at(3.0, size=0.2))
+    frames[:, PARAMETERS.profile.joints[2].channels[0]] = np.nan
+    assert looked_at(PARAMETERS, frames)[:, 1].any()
 
 
 @pytest.mark.parametrize("along", [True, False])
@@ -159,30 +141,23 @@ def test_all_joints_alike_are_no_movement_and_two_are_one(along):
     assert np.flatnonzero(seen)[0] / RATE < 1.3
 
 
-@pytest.mark.parametrize("frequency", [0.3, 0.5, 1.0, 2.0, 3.0, 5.0])
-def test_an_even_oscillation_is_not_believed_after_five_half_waves(frequency):
+@pytest.mark.parametrize(
+    ("feature", "size", "frequency"),
+    [({}, 0.15, f) for f in (0.3, 0.5, 1.0, 2.0, 3.0, 5.0)] + [(DISPLACEMENT, 0.3, f) for f in (0.3, 0.5, 1.0)],
+)
+def test_an_even_oscillation_is_not_believed_after_five_half_waves(feature, size, frequency):
     parameters = make_parameters(dead_zone=0.15, full=2.5)
+    gestures = tuple(gesture.model_copy(update=feature) for gesture in parameters.gestures)
+    parameters = parameters.model_copy(update={"gestures": gestures})
     t = np.arange(2000) / RATE
-    seen = looked_at(parameters, shifted(parameters, 0.15 * np.sin(2 * np.pi * frequency * t)))[:, 1]
-    assert seen.any()
-    assert np.flatnonzero(seen)[0] / RATE < 3.0 / frequency + 0.2
-
-
-@pytest.mark.parametrize("frequency", [0.3, 0.5, 1.0])
-def test_an_even_oscillation_of_a_held_posture_is_not_believed_either(frequency):
-    parameters = make_parameters(dead_zone=0.15, full=2.5)
-    held = tuple(gesture.model_copy(update=DISPLACEMENT) for gesture in parameters.gestures)
-    parameters = parameters.model_copy(update={"gestures": held})
-    t = np.arange(2000) / RATE
-    seen = looked_at(parameters, shifted(parameters, 0.3 * np.sin(2 * np.pi * frequency * t)))[:, 1]
+    seen = looked_at(parameters, shifted(parameters, size * np.sin(2 * np.pi * frequency * t)))[:, 1]
     assert seen.any()
     assert np.flatnonzero(seen)[0] / RATE < 3.0 / frequency + 0.2
 
 
 def test_an_oscillation_that_ended_is_believed_again_after_the_doubt():
-    parameters = make_parameters()
     course = behind_filter(at(2.0, 3.0, 4.0, 5.0, 6.0, 7.0, size=0.2), 0.05)
-    doubts = looked_at(parameters, shifted(parameters, course))[:, 0]
+    doubts = looked_at(PARAMETERS, shifted(PARAMETERS, course))[:, 0]
     assert doubts[750]
     assert not doubts[1000:].any()
 
@@ -198,16 +173,15 @@ def test_half_waves_that_differ_are_not_counted():
 
 
 def test_a_pause_without_frames_forgets_and_losses_do_not():
-    parameters = make_parameters()
-    frames = shifted(parameters, at(3.0, size=0.2))
-    decoder, check = Decoder(parameters, RATE), MovementCheck(parameters, RATE)
+    frames = shifted(PARAMETERS, at(3.0, size=0.2))
+    decoder, check = Decoder(PARAMETERS, RATE), MovementCheck(PARAMETERS, RATE)
     for i, frame in enumerate(frames):
         periods = 50.0 if i == 300 else 1.0
         decoder.step(frame, periods)
         check.look(frame, decoder.bad, decoder.estimated, decoder.rate, decoder.is_active, periods)
         assert not check.disbelieves
     kept = [frame for i, frame in enumerate(frames) if i % 20]
-    assert looked_at(parameters, kept)[:, 1].any()
+    assert looked_at(PARAMETERS, kept)[:, 1].any()
 
 
 def rested(rate=RATE):

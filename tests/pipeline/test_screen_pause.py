@@ -5,7 +5,6 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from pipeline.commanded_loop import CommandedLoop
 
 from app.faults import Fault, State
 from app.pipeline.loop import PUNCTUAL, ScreenPause
@@ -13,13 +12,6 @@ from app.pipeline.safety_gate import NEUTRAL_TIME, BadGestures, ChairCondition, 
 from app.speed_limits import Speeds
 
 LATE = [("slow", 0.0, Fault.SCREEN_SLOW), ("hidden", 0.0, Fault.SCREEN_HIDDEN), ("in view", None, Fault.SCREEN_LOST)]
-
-
-@pytest.fixture
-def control():
-    control = CommandedLoop()
-    yield control
-    control.close()
 
 
 @pytest.fixture

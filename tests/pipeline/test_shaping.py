@@ -64,18 +64,21 @@ def test_a_cruise_that_nobody_asks_for_runs_out():
     assert seen[-1] == 0.0
 
 
+@pytest.mark.parametrize("axis", [0, 1])
 @pytest.mark.parametrize("sign", [1, -1])
-def test_any_intention_lets_it_go_on(sign):
-    shape = shaper(cruise_time=2.0)
-    rest, wish = [(0.0, 0.0)] * 150, [(sign * 1e-6, 0.0)]
-    assert driven(shape, (rest + wish) * 4, Twist(0.6, 0.0))[-1].v == pytest.approx(0.6, abs=1e-5)
+def test_any_intention_lets_the_speed_or_the_turn_go_on(sign, axis):
+    shape = shaper(mode_u2="acceleration", cruise_time=2.0, turn_cruise_time=2.0)
+    wish = (sign * 1e-6, 0.0) if axis == 0 else (0.0, sign * 1e-6)
+    begin = Twist(0.6, 0.0) if axis == 0 else Twist(0.0, 0.5)
+    rest_and_wish = [(0.0, 0.0)] * 150 + [wish]
+    assert driven(shape, rest_and_wish * 4, begin)[-1][axis] == pytest.approx(begin[axis], abs=1e-5)
 
 
-def test_a_new_permission_begins_the_cruise_anew():
-    shape = shaper(cruise_time=2.0)
-    driven(shape, [(0.0, 0.0)] * 150, Twist(0.6, 0.0))
+def test_a_new_permission_begins_both_time_outs_anew():
+    shape = shaper(mode_u2="acceleration", cruise_time=2.0, turn_cruise_time=2.0)
+    driven(shape, [(0.0, 0.0)] * 150, Twist(0.6, 0.5))
     shape.reset()
-    assert driven(shape, [(0.0, 0.0)] * 190, Twist(0.6, 0.0))[-1].v == 0.6
+    assert driven(shape, [(0.0, 0.0)] * 190, Twist(0.6, 0.5))[-1] == Twist(0.6, 0.5)
 
 
 def test_in_velocity_mode_nothing_runs_out():
@@ -90,20 +93,6 @@ def test_turning_that_nobody_asks_for_runs_out_by_itself_and_at_its_own_time():
     assert [twist.omega for twist in seen[:199]] == [-0.5] * 199
     assert -0.5 < seen[202].omega < 0.0
     assert seen[-1] == Twist(0.6, 0.0)
-
-
-@pytest.mark.parametrize("sign", [1, -1])
-def test_any_intention_to_turn_lets_the_turning_go_on(sign):
-    shape = shaper(mode_u2="acceleration", turn_cruise_time=2.0)
-    rest, wish = [(0.0, 0.0)] * 150, [(0.0, sign * 1e-6)]
-    assert driven(shape, (rest + wish) * 4, Twist(0.0, 0.5))[-1].omega == pytest.approx(0.5, abs=1e-5)
-
-
-def test_a_new_permission_begins_the_time_out_of_turning_anew():
-    shape = shaper(mode_u2="acceleration", turn_cruise_time=2.0)
-    driven(shape, [(0.0, 0.0)] * 150, Twist(0.0, 0.5))
-    shape.reset()
-    assert driven(shape, [(0.0, 0.0)] * 190, Twist(0.0, 0.5))[-1].omega == 0.5
 
 
 @pytest.mark.parametrize("name", ["u1", "u2"])

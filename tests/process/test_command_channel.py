@@ -114,6 +114,8 @@ def test_commands_with_id_0_are_not_answered(pair):
 
 
 def with_client(story):
+    """Make a test of a story about a client and its server."""
+
     async def told():
         ours, theirs = socket.socketpair()
         server = CommandServer(theirs)
@@ -124,7 +126,7 @@ def with_client(story):
             await client.close()
             server.close()
 
-    asyncio.run(told())
+    return lambda: asyncio.run(told())
 
 
 async def polled(server):
@@ -135,66 +137,56 @@ async def polled(server):
     raise AssertionError("no command came")
 
 
-def test_answers_find_their_calls_in_any_order():
-    async def story(client, server):
-        calls = [asyncio.create_task(client.call("double", number=n)) for n in (1, 2, 3)]
-        commands = []
-        while len(commands) < 3:
-            commands += await polled(server)
-        for command in reversed(commands):
-            server.answer(command["id"], result=2 * command["number"])
-        assert [(await call)["result"] for call in calls] == [2, 4, 6]
-
-    with_client(story)
+@with_client
+async def test_answers_find_their_calls_in_any_order(client, server):
+    calls = [asyncio.create_task(client.call("double", number=n)) for n in (1, 2, 3)]
+    commands = []
+    while len(commands) < 3:
+        commands += await polled(server)
+    for command in reversed(commands):
+        server.answer(command["id"], result=2 * command["number"])
+    assert [(await call)["result"] for call in calls] == [2, 4, 6]
 
 
-def test_a_refusal_is_raised_with_its_sentence():
-    async def story(client, server):
-        call = asyncio.create_task(client.call("arm", hash="x"))
-        (command,) = await polled(server)
-        assert command == {"id": command["id"], "do": "arm", "hash": "x"}
-        server.refuse(command["id"], "There is nothing to drive with: calibrate first.")
-        with pytest.raises(LinkRefused, match=r"^There is nothing to drive with: calibrate first\.$"):
-            await call
-
-    with_client(story)
+@with_client
+async def test_a_refusal_is_raised_with_its_sentence(client, server):
+    call = asyncio.create_task(client.call("arm", hash="x"))
+    (command,) = await polled(server)
+    assert command == {"id": command["id"], "do": "arm", "hash": "x"}
+    server.refuse(command["id"], "There is nothing to drive with: calibrate first.")
+    with pytest.raises(LinkRefused, match=r"^There is nothing to drive with: calibrate first\.$"):
+        await call
 
 
-def test_a_missing_answer_is_a_lost_link_and_a_late_answer_does_no_harm():
-    async def story(client, server):
-        with pytest.raises(LinkLost, match="did not answer 'status'"):
-            await client.call("status", limit=0.02)
-        (command,) = await polled(server)
-        server.answer(command["id"])
-        call = asyncio.create_task(client.call("status"))
-        (command,) = await polled(server)
-        server.answer(command["id"], late=0)
-        assert (await call)["late"] == 0
-
-    with_client(story)
+@with_client
+async def test_a_missing_answer_is_a_lost_link_and_a_late_answer_does_no_harm(client, server):
+    with pytest.raises(LinkLost, match="did not answer 'status'"):
+        await client.call("status", limit=0.02)
+    (command,) = await polled(server)
+    server.answer(command["id"])
+    call = asyncio.create_task(client.call("status"))
+    (command,) = await polled(server)
+    server.answer(command["id"], late=0)
+    assert (await call)["late"] == 0
 
 
-def test_a_closed_channel_fails_waiting_and_later_calls():
-    async def story(client, server):
-        call = asyncio.create_task(client.call("status"))
-        await polled(server)
-        assert not client.closed
-        server.close()
-        with pytest.raises(LinkLost):
-            await call
-        await client.wait_closed()
-        assert client.closed
-        with pytest.raises(LinkLost):
-            client.send("heartbeat", screen_age=0.0)
-        with pytest.raises(LinkLost):
-            await client.call("status")
-
-    with_client(story)
+@with_client
+async def test_a_closed_channel_fails_waiting_and_later_calls(client, server):
+    call = asyncio.create_task(client.call("status"))
+    await polled(server)
+    assert not client.closed
+    server.close()
+    with pytest.raises(LinkLost):
+        await call
+    await client.wait_closed()
+    assert client.closed
+    with pytest.raises(LinkLost):
+        client.send("heartbeat", screen_age=0.0)
+    with pytest.raises(LinkLost):
+        await client.call("status")
 
 
-def test_values_that_json_does_not_know_are_not_sent():
-    async def story(client, server):
-        with pytest.raises(ValueError, match="not JSON compliant"):
-            client.send("move", joints={"elbow": float("nan")})
-
-    with_client(story)
+@with_client
+async def test_values_that_json_does_not_know_are_not_sent(client, server):
+    with pytest.raises(ValueError, match="not JSON compliant"):
+        client.send("move", joints={"elbow": float("nan")})

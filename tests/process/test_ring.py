@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from app.faults import Fault, State
 from app.messages import MAX_GESTURES, TICK, Tick
 from app.process.ring import RING_SLOTS, TickRing, ring_file
+from building import make_ring
 
 WRITER = """
 import sys
@@ -50,70 +51,27 @@ def ring(name):
     made.close()
 
 
+SCALARS = (
+    {"t": 1.5, "frame_seq": 7, "t_device": 2.5, "u1": -1.0, "u2": 0.25, "v": 0.8, "omega": -1.2}
+    | {"x": 3.0, "y": 4.0, "theta": -3.0, "state": State.FAULT, "fault": Fault.STOP_KEY, "stops": 9, "dial": 0.5}
+    | {"chair_kind": 1, "chair_state": 2, "chair_fault": 8, "stop_input": 1, "chair_age": 0.125, "battery": 0.75}
+    | {"driven_v": 0.25, "driven_omega": -0.5, "scene_t": 1.5, "contacts": 3}
+    | {"head_yaw": 0.25, "head_pitch": -0.125, "head_roll": 0.5, "head_age": 0.0625}
+)
+OF_THE_LOOP = {"run": 2, "run_t": 0.75, "cue": 4, "lost": 5, "late": 6}
+
+
 def test_what_is_written_is_read(ring, name):
-    tick = Tick(
-        t=1.5,
-        frame_seq=7,
-        t_device=2.5,
-        values=np.arange(52, dtype=np.float32),
-        score=[0.1, 0.2],
-        rate=[0.3, 0.4],
-        activation=[0.5, 0.6],
-        u1=-1.0,
-        u2=0.25,
-        v=0.8,
-        omega=-1.2,
-        x=3.0,
-        y=4.0,
-        theta=-3.0,
-        state=State.FAULT,
-        fault=Fault.STOP_KEY,
-        in_contact=True,
-        contacts=3,
-        stops=9,
-        dial=0.5,
-        chair_kind=1,
-        chair_state=2,
-        chair_fault=8,
-        stop_input=1,
-        chair_age=0.125,
-        battery=0.75,
-        driven_v=0.25,
-        driven_omega=-0.5,
-        scene_t=1.5,
-        head_yaw=0.25,
-        head_pitch=-0.125,
-        head_roll=0.5,
-        head_age=0.0625,
-    )
-    ring.write(tick, 2, 0.75, 4, 5, 6)
+    values = np.arange(52, dtype=np.float32)
+    lists = {"score": [0.1, 0.2], "rate": [0.3, 0.4], "activation": [0.5, 0.6]}
+    tick = Tick(values=values, in_contact=True, **lists, **SCALARS)
+    ring.write(tick, *OF_THE_LOOP.values())
     reader = TickRing.attach(name)
     read = reader.newest()
-    chair = (
-        "chair_kind",
-        "chair_state",
-        "chair_fault",
-        "stop_input",
-        "chair_age",
-        "battery",
-        "driven_v",
-        "driven_omega",
-    )
-    scalars = ("t", "frame_seq", "t_device", "u1", "u2", "v", "omega", "x", "y", "theta", "state", "fault")
-    head = ("head_yaw", "head_pitch", "head_roll", "head_age")
-    for field in (*scalars, "scene_t", "stops", "dial", *chair, *head):
-        assert read[field] == getattr(tick, field), field
-    assert (read["number"], read["run"], read["run_t"], read["cue"], read["lost"], read["late"]) == (
-        1,
-        2,
-        0.75,
-        4,
-        5,
-        6,
-    )
-    assert (read["n_channels"], read["n_gestures"], read["has_frame"], read["in_contact"]) == (52, 2, 1, 1)
-    assert read["contacts"] == 3
-    assert read["values"][:52].tolist() == tick.values.tolist()
+    counted = {"number": 1, "n_channels": 52, "n_gestures": 2, "has_frame": 1, "in_contact": 1}
+    for field, value in (SCALARS | OF_THE_LOOP | counted).items():
+        assert read[field] == value, field
+    assert read["values"][:52].tolist() == values.tolist()
     assert read["score"].tolist() == [0.1, 0.2] + [0.0] * (MAX_GESTURES - 2)
     assert read["rate"][:2].tolist() == [0.3, 0.4]
     assert read["activation"][:2].tolist() == [0.5, 0.6]
@@ -141,8 +99,7 @@ def test_a_tick_without_frame_shows_no_old_values(ring):
 @given(written=st.integers(0, 2 * RING_SLOTS + 5), asked=st.integers(0, 2 * RING_SLOTS + 10))
 @settings(max_examples=15, deadline=None)
 def test_read_and_missed_add_up(written, asked):
-    ring = TickRing.create(f"bodydrive-test-{uuid.uuid4().hex}")
-    ring.unlink()
+    ring = make_ring()
     tick = Tick()
     for _ in range(written):
         ring.write(tick, 0, math.nan, -1, 0, 0)

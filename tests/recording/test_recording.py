@@ -5,7 +5,6 @@ import os
 import subprocess
 import sys
 import threading
-import uuid
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +13,7 @@ import pytest
 import app.recording.writer as recording_module
 from app.faults import State
 from app.messages import Tick
-from app.process.ring import RING_SLOTS, TickRing
+from app.process.ring import RING_SLOTS
 from app.recording.format import SCALARS
 from app.recording.reader import read_run
 from app.recording.writer import RunWriter
@@ -22,14 +21,6 @@ from building import make_layout
 
 CHANNELS, GESTURES = 6, 2
 META = {"run_id": "r1", "kind": "rest", "layout": make_layout(CHANNELS).model_dump(mode="json"), "gestures": ["a", "b"]}
-
-
-@pytest.fixture
-def ring():
-    made = TickRing.create(f"bodydrive-test-{uuid.uuid4().hex}")
-    made.unlink()
-    yield made
-    made.close()
 
 
 @pytest.fixture(autouse=True)

@@ -1,13 +1,11 @@
 """A recording that is cut at each byte, and one of which each bit is changed: the long forms of `test_recording.py`."""
 
-import uuid
-
 import pytest
 from recording.test_recording import META, assert_rows_begin, record
 
 import app.recording.writer as recording_module
-from app.process.ring import TickRing
 from app.recording.reader import read_run
+from building import make_ring
 
 pytestmark = [pytest.mark.long]
 
@@ -18,8 +16,7 @@ CLOSED, CUT = ("run.json", "run.parquet", "end.json"), ("run.json", "segment-000
 @pytest.fixture(params=["closed", "cut"])
 def folder(request, tmp_path, monkeypatch):
     """Return the folder of a closed run, and of one whose recorder was killed before it made the compact form."""
-    ring = TickRing.create(f"bodydrive-test-{uuid.uuid4().hex}")
-    ring.unlink()
+    ring = make_ring()
     if request.param == "cut":
         monkeypatch.setattr(recording_module, "compact", lambda *_: (_ for _ in ()).throw(OSError("no room")))
     made = record(ring, tmp_path / request.param, ROWS, batches=2)

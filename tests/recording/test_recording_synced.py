@@ -2,7 +2,6 @@
 
 import os
 import shutil
-import uuid
 from pathlib import Path
 
 import pytest
@@ -36,9 +35,9 @@ class Turns:
         """Do nothing: it does not sleep."""
 
 
-def test_no_row_waits_longer_than_half_a_second_for_the_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    ring = TickRing.create(f"bodydrive-test-{uuid.uuid4().hex}")
-    ring.unlink()
+def test_no_row_waits_longer_than_half_a_second_for_the_disk(
+    ring: TickRing, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     writer = RunWriter(tmp_path / "run", META, CHANNELS, GESTURES)
     turns = Turns(ring, writer)
     on_disk: list[float] = []  # when each row was brought to the disk
@@ -50,17 +49,14 @@ def test_no_row_waits_longer_than_half_a_second_for_the_disk(tmp_path: Path, mon
     monkeypatch.setattr(os, "fsync", sync)
     monkeypatch.setattr(writer, "_wake", turns)
     writer._record(ring, 0, 1, real_time=False)
-    ring.close()
     waited = [synced - came for came, synced in zip(turns.came, on_disk, strict=True)]
     assert LOST_AT_MOST - 0.1 < max(waited) <= LOST_AT_MOST
 
 
 def test_the_rows_that_are_said_are_on_the_disk_whenever_the_power_fails(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ring: TickRing, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Of each file, what was there at its last fsync is all that a cut of the power is sure to leave."""
-    ring = TickRing.create(f"bodydrive-test-{uuid.uuid4().hex}")
-    ring.unlink()
     folder, left = tmp_path / "run", tmp_path / "left"
     writer = RunWriter(folder, META, CHANNELS, GESTURES)
     turns = Turns(ring, writer)
@@ -88,5 +84,4 @@ def test_the_rows_that_are_said_are_on_the_disk_whenever_the_power_fails(
     monkeypatch.setattr(turns, "wait", cut_and_wait)
     monkeypatch.setattr(writer, "_wake", turns)
     writer._record(ring, 0, 1, real_time=False)
-    ring.close()
     assert (too_few, writer.rows) == ([], TURNS)

@@ -28,13 +28,7 @@ PURE_CHAIN = tuple(
 WEB_KERNEL = tuple(
     f"api.{name}"
     for name in (
-        "answers",
-        "deps",
-        "driving.clinic_places",
-        "page_session",
-        "parts",
-        "own_address",
-        "sign_in",
+        *("answers", "deps", "driving.clinic_places", "page_session", "parts", "own_address", "sign_in"),
         "replay.trajectories",
         *("package_download", "foreign_files", "interface_test_view", "routes.source_view", "live.screen_socket"),
     )
@@ -79,11 +73,8 @@ MAY_IMPORT = {
     ),
 }
 FITTING = (
-    "calibration.fit",
-    "calibration.guided",
-    "calibration.gestures",
-    "calibration.adaptation",
-    "calibration.prior",
+    *("calibration.fit", "calibration.guided", "calibration.gestures"),
+    *("calibration.adaptation", "calibration.prior"),
 )
 
 HOME = {

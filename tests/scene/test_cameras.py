@@ -125,11 +125,7 @@ def test_the_chair_is_in_the_lower_half_of_the_chasing_picture_and_inside_it(pos
     assert -math.tan(FIELD_OF_VIEW["chase"] / 2) < seen[2] / seen[0] < 0
 
 
-@given(
-    st.tuples(metres, metres, st.floats(1, 60), st.floats(1, 60)),
-    st.floats(0.4, 2.5),
-    st.floats(0, 3),
-)
+@given(st.tuples(metres, metres, st.floats(1, 60), st.floats(1, 60)), st.floats(0.4, 2.5), st.floats(0, 3))
 def test_the_whole_plan_fits_from_above_and_fills_one_side(size, aspect, wall_height):
     x, y, width, depth = size
     bounds = (x, y, x + width, y + depth)

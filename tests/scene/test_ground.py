@@ -1,3 +1,5 @@
+"""The ground of open country, and the marks of tasks on it."""
+
 import numpy as np
 import pytest
 

@@ -19,7 +19,6 @@ def follow(view, angles, seconds, age=0.0):
     return view.shown
 
 
-@settings(max_examples=60)
 @given(steps, st.floats(0, 1), st.one_of(anything, st.floats(0, 0.2)))
 def test_nothing_ever_jumps_or_leaves_the_limits(inputs, share, dt):
     view = HeadView(share)
@@ -43,7 +42,6 @@ def test_a_lost_head_is_back_straight_ahead_after_about_a_second(inputs, loss):
     assert view.shown == pytest.approx(AHEAD, abs=1e-12)
 
 
-@settings(max_examples=60)
 @given(steps)
 def test_left_and_right_are_treated_alike(inputs):
     one, other = HeadView(0.7), HeadView(0.7)

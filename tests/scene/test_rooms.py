@@ -1,4 +1,4 @@
-"""Walls, floor, ceiling and lamps: what lets a person judge a distance."""
+"""Walls, floor, ceiling, lamps and open doors: what lets a person judge a distance."""
 
 import numpy as np
 import pytest
@@ -19,12 +19,11 @@ from app.scene.meshes.building import (
 from app.scene.meshes.paint import painted
 from app.scene.meshes.wall_shade import Pieces
 from app.scene.meshes.walls import EDGE, walls_part
-from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
-from app.world.scene import bundled_scenes, load_scene
+from app.world.floorplan import FloorPlan
+from app.world.scene import bundled_places
 from app.world.scenery import Lights
 
-PLANS = [load_floorplan(file) for file in bundled_floorplans().values()]
-PLANS += [plan for file in bundled_scenes().values() for plan in load_scene(file).plans.values()]
+PLANS = [place.plan for place in bundled_places().values()]
 PATH = {"name": "way", "title": "Way", "points": [[1.0, 2.0], [3.0, 2.0]], "instruction": "Drive."}
 SQUARE = [[[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]]]
 FIT = 1e-9
@@ -153,3 +152,6 @@ def test_very_many_walls_are_drawn_all_the_same():
     parts = building_parts(room(walls=walls))
     assert sum(len(part.mesh.faces) for part in parts.values()) < 100_000
     assert all(np.isfinite(part.mesh.vertices).all() for part in parts.values())
+
+
+WAY = {"name": "way", "title": "Way", "points": [[1.0, 0.0], [9.0, 0.0]], "instruction": "Drive."}

@@ -16,9 +16,14 @@ from app.world.obstacles import Box
 PLAN = load_floorplan(bundled_floorplans()["corridors"])
 
 
-def test_the_world_is_moved_and_the_camera_is_not(servers):
-    scene = LiveScene(servers)
-    scene.set_floorplan(PLAN, "main")
+@pytest.fixture
+def scene(servers):
+    made = LiveScene(servers)
+    made.set_floorplan(PLAN, "main")
+    return made
+
+
+def test_the_world_is_moved_and_the_camera_is_not(servers, scene):
     scene.set_view("patient", "chase")
     scene.follow(tick(0, 1.0, 2.0, 0.0))
     scene.follow(tick(1, 3.0, 2.0, 0.5))
@@ -89,9 +94,7 @@ def test_another_plan_replaces_the_first_and_none_leaves_nothing(servers):
     assert all(name.startswith("/world/chair/") for name in names)
 
 
-def test_an_unknown_path_changes_nothing(servers):
-    scene = LiveScene(servers)
-    scene.set_floorplan(PLAN, "main")
+def test_an_unknown_path_changes_nothing(servers, scene):
     with pytest.raises(ValueError, match="has no path 'nowhere'"):
         scene.set_floorplan(load_floorplan(bundled_floorplans()["clinic"]), "nowhere")
     found = everything(servers.port("patient"))
@@ -99,9 +102,7 @@ def test_an_unknown_path_changes_nothing(servers):
     assert of_node(found, "MeshMessage", "/world/path")
 
 
-def test_the_driven_line_is_drawn_and_taken_away_at_a_new_trial(servers):
-    scene = LiveScene(servers)
-    scene.set_floorplan(PLAN, "main")
+def test_the_driven_line_is_drawn_and_taken_away_at_a_new_trial(servers, scene):
     for number in range(100):
         scene.follow(tick(number, 1.0 + 0.06 * number, 2.0, 0.0, t=0.25 * number))
     found = everything(servers.port("patient"))
@@ -121,6 +122,11 @@ def test_a_pose_that_is_not_finite_is_left_out(servers, bad):
     assert of_node(found, "SetPositionMessage", "/world/chair")[-1]["position"] == pytest.approx((1.0, 2.0, 0.0))
 
 
+STAGES = [
+    {"title": "A", "instruction": "Ahead.", "points": [[0, 0], [2, 0]]},
+    {"title": "B", "instruction": "Back.", "points": [[2, 0], [0, 0]], "task": {"kind": "back"}},
+]
+COURSE = {"name": "course", "title": "Course", "points": [[0, 0], [6, 0]], "instruction": "Do all."}
 OPEN = FloorPlan.model_validate(
     {
         "name": "open",
@@ -130,21 +136,7 @@ OPEN = FloorPlan.model_validate(
         "cones": [{"position": [3.0, 0.0]}],
         "movers": [{"name": "ann", "kind": "person", "points": [[0, 3], [10, 3]], "pace": [[0, 0.5]]}],
         "lights": {"sun": 0.5, "azimuth": 0.0, "elevation": 0.0, "colour": [1, 2, 3]},
-        "paths": [
-            {
-                "name": "course",
-                "title": "Course",
-                "points": [[0, 0], [6, 0]],
-                "instruction": "Do all.",
-                "task": {
-                    "kind": "course",
-                    "stages": [
-                        {"title": "A", "instruction": "Ahead.", "points": [[0, 0], [2, 0]]},
-                        {"title": "B", "instruction": "Back.", "points": [[2, 0], [0, 0]], "task": {"kind": "back"}},
-                    ],
-                },
-            }
-        ],
+        "paths": [COURSE | {"task": {"kind": "course", "stages": STAGES}}],
     }
 )
 
@@ -195,9 +187,7 @@ def test_the_sun_stands_where_the_plan_says(servers):
     assert (y, z) == pytest.approx((0.0, 0.0), abs=1e-3)
 
 
-def test_head_and_chair_of_one_tick_come_together_and_each_role_has_its_own_eye(servers):
-    scene = LiveScene(servers)
-    scene.set_floorplan(PLAN, "main")
+def test_head_and_chair_of_one_tick_come_together_and_each_role_has_its_own_eye(servers, scene):
     scene.set_view("clinician", "eye", EyeSettings(head=False))
     scene.set_view("patient", "eye", EyeSettings(eye_height=1.4))
     pose, head = Pose(3.0, 2.0, 0.5), Angles(0.6, 0.1, 0.3)
@@ -217,9 +207,7 @@ def test_head_and_chair_of_one_tick_come_together_and_each_role_has_its_own_eye(
         )
 
 
-def test_the_free_camera_is_moved_by_the_server(servers):
-    scene = LiveScene(servers)
-    scene.set_floorplan(PLAN, "main")
+def test_the_free_camera_is_moved_by_the_server(servers, scene):
     orbit = Orbit(1.0, 0.5, 7.0, 2.0, 3.0)
     scene.set_view("clinician", "free")
     scene.set_orbit("clinician", orbit)

@@ -1,3 +1,5 @@
+"""The driven line and the plots of the error: points are kept every few centimetres, sizes stay bounded."""
+
 import math
 
 import msgspec
@@ -41,18 +43,12 @@ def test_pieces_are_closed_at_their_length_and_join_without_a_gap():
         assert before[-1] == after[0]
 
 
-def test_a_chair_that_is_put_elsewhere_has_not_driven_there():
+@pytest.mark.parametrize(("pause", "points"), [(0.1, [[(0, 0)], [(2 * JUMP, 0)]]), (1.5, [[(0, 0), (2 * JUMP, 0)]])])
+def test_a_chair_that_is_put_elsewhere_has_not_driven_there_and_one_without_poses_for_a_while_has(pause, points):
     pieces = TrajectoryPieces()
     pieces.add(Pose(0, 0, 0), 0.0)
-    pieces.add(Pose(2 * JUMP, 0, 0), 0.1)
-    assert pieces.points == [[(0, 0)], [(2 * JUMP, 0)]]
-
-
-def test_a_chair_without_poses_for_a_while_has_driven():
-    pieces = TrajectoryPieces()
-    pieces.add(Pose(0, 0, 0), 0.0)
-    pieces.add(Pose(2 * JUMP, 0, 0), 1.5)
-    assert pieces.points == [[(0, 0), (2 * JUMP, 0)]]
+    pieces.add(Pose(2 * JUMP, 0, 0), pause)
+    assert pieces.points == points
 
 
 @given(st.lists(st.tuples(st.floats(-0.4, 0.4), st.floats(-0.4, 0.4)), max_size=200))

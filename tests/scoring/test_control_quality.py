@@ -1,5 +1,6 @@
-"""The quality of control, for signals with known figures."""
+"""The quality of control, for signals with known figures and for a recording on disk."""
 
+import json
 import math
 from typing import Any
 
@@ -7,10 +8,13 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from recorded_trial import record_trial
 from session.known_strokes import COUNT, JOINTS, RATE, SECONDS, along, frames, parameters, strokes, turned
 
+from app.recording.format import META_FILE
 from app.scoring.control_quality import control_quality, cross_talk
 from app.scoring.joint_quality import map_fit, rest_noise, stretches
+from app.session.recordings import quality_of_recording
 
 
 def quality_of(values: np.ndarray, activation: np.ndarray | None = None, **more: Any):
@@ -46,7 +50,6 @@ def test_the_share_of_the_null_space_is_exact():
     assert (quality.map_angle_deg, quality.evr) == (quality.joints[0].map_angle_deg, quality.joints[0].evr)
 
 
-@settings(max_examples=60, deadline=None)
 @given(
     seed=st.integers(0, 2**32 - 1),
     count=st.integers(2, 7),
@@ -219,3 +222,25 @@ def test_a_joint_without_a_channel_left_has_no_figures():
 def test_what_does_not_fit_is_refused_in_a_sentence(values, armed, activation, words):
     with pytest.raises(ValueError, match=words):
         control_quality(parameters(), RATE, values, armed, activation, 5.0)
+
+
+def test_the_quality_of_a_recorded_trial_uses_its_own_parameters(tmp_path):
+    values = frames(along(turned(20), strokes(seconds=30.0)))
+    record_trial(tmp_path / "run", parameters(), values=values)
+    quality = quality_of_recording(tmp_path / "run")
+    joint = quality.joints[0]
+    assert joint.map_angle_deg == pytest.approx(20.0, abs=0.1)
+    assert joint.activations == len(values) / RATE / 2 - 1  # one stroke every two seconds; at the first it is not armed
+    assert quality.activations == joint.activations
+    assert quality.cross_talk == 0.0
+    assert quality.bad_channels == ()
+
+
+def test_a_recording_without_parameters_is_refused(tmp_path):
+    run = tmp_path / "run"
+    run.mkdir()
+    (run / META_FILE).write_text(json.dumps({"sample_rate": RATE}))
+    with pytest.raises(ValueError, match="with what parameters"):
+        quality_of_recording(run)
+    with pytest.raises(ValueError, match="no recording"):
+        quality_of_recording(tmp_path / "nowhere")

@@ -17,36 +17,17 @@ CHANNELS = ("e1", "e2", "e3")
 
 def joint(turn_deg: float = 0.0, **more: Any) -> JointQuality:
     direction = (math.cos(math.radians(turn_deg)), math.sin(math.radians(turn_deg)), 0.0)
-    known: dict[str, Any] = {
-        "name": "right_elbow",
-        "label": "Right elbow",
-        "channels": CHANNELS,
-        "dead_zone": 0.15,
-        "map_angle_deg": 5.0,
-        "evr": 0.95,
-        "null_space_share": 0.05,
-        "span": 2.0,
-        "span_share": 1.0,
-        "rest_rate": 0.02,
-        "moved": 20.0,
-        "activations": 20,
-        "direction": dict(zip(CHANNELS, direction, strict=True)),
-    }
+    known: dict[str, Any] = {"name": "right_elbow", "label": "Right elbow", "channels": CHANNELS, "dead_zone": 0.15}
+    known |= {"map_angle_deg": 5.0, "evr": 0.95, "null_space_share": 0.05, "span": 2.0, "span_share": 1.0}
+    known |= {"rest_rate": 0.02, "moved": 20.0, "activations": 20}
+    known["direction"] = dict(zip(CHANNELS, direction, strict=True))
     return JointQuality.model_validate({**known, **more})
 
 
 def trial(number: int, *joints: JointQuality, session: int = 1, per_metre: float = 2.0, **more: Any) -> TrialAssessment:
-    known = joints or (joint(),)
-    quality = ControlQuality(
-        map_angle_deg=5.0,
-        evr=0.95,
-        null_space_share=0.05,
-        cross_talk=0.0,
-        activations=20,
-        activations_per_metre=per_metre,
-        joints=known,
-        bad_channels=more.pop("bad", ()),
-    )
+    figures: dict[str, Any] = {"map_angle_deg": 5.0, "evr": 0.95, "null_space_share": 0.05, "cross_talk": 0.0}
+    seen = {"joints": joints or (joint(),), "bad_channels": more.pop("bad", ())}
+    quality = ControlQuality(activations=20, activations_per_metre=per_metre, **figures, **seen)
     return TrialAssessment(
         number, number, session, more.pop("map_version", 1), more.pop("task", "clinic/main"), quality
     )

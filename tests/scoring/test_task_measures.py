@@ -1,3 +1,5 @@
+"""The measures of each kind of task, and the catalogue that names every one of them."""
+
 import math
 from itertools import pairwise
 
@@ -104,8 +106,7 @@ def test_a_leader_who_is_followed_exactly():
 
 @settings(max_examples=30, deadline=None)
 @given(
-    st.lists(st.tuples(st.floats(-3, 8), st.floats(-3, 3)), min_size=2, max_size=12, unique=True),
-    st.floats(0.5, 3.0),
+    st.lists(st.tuples(st.floats(-3, 8), st.floats(-3, 3)), min_size=2, max_size=12, unique=True), st.floats(0.5, 3.0)
 )
 def test_distances_are_those_of_a_direct_computation(places, asked):
     x, y = np.array(places).T

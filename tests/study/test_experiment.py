@@ -4,20 +4,27 @@ import csv
 import dataclasses
 import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pyarrow.parquet
 import pytest
 
+from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.cli.errors import InputError
 from app.cli.study.study_command import find_floorplan, study
 from app.figures.study_figures import draw_study
+from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import NOVICE, PRACTISED
 from app.study import study_files
-from app.study.experiment import run_study
+from app.study.experiment import run_study, shirt_layout
+from app.study.participant import Participant
 from app.study.second_process import second_process
+from app.study.simulated_calibration import SAMPLE_RATE, calibrate
+from app.study.simulated_trial import drive_trial, score_trial
 from app.study.study_files import TRIAL_COLUMNS, trials_csv, write_study
 from app.world.floorplan import bundled_floorplans, load_floorplan
+from app.world.scene import bundled_scenes, load_scene
 
 CLINIC = load_floorplan(bundled_floorplans()["clinic"])
 
@@ -158,10 +165,7 @@ def test_the_command_prints_one_json_object(tmp_path, capsys) -> None:
 
 @pytest.mark.parametrize(
     ("given", "sentence"),
-    [
-        ({"floorplan": "nowhere"}, "no such floor plan"),
-        ({"floorplan": "clinic", "path": "roof"}, "has no path 'roof'"),
-    ],
+    [({"floorplan": "nowhere"}, "no such floor plan"), ({"floorplan": "clinic", "path": "roof"}, "has no path 'roof'")],
 )
 def test_the_command_refuses_in_one_sentence(tmp_path, given, sentence) -> None:
     with pytest.raises(InputError, match=sentence):
@@ -185,3 +189,40 @@ def test_the_same_seed_without_learning_drives_another_way() -> None:
     same = run_study(2, 3, CLINIC, "corridor", person=still)
     assert keen.parameters.gestures == same.parameters.gestures
     assert keen.trials[1].measures != same.trials[1].measures
+
+
+@pytest.fixture(scope="module")
+def calibrated_participant() -> tuple[Participant, DriveParameters]:
+    """A participant, and the standard parameters of its calibration."""
+    participant = Participant(SimulatedPerson(PRACTISED, 1), shirt_layout(), SAMPLE_RATE, 2)
+    return participant, standard_parameters(calibrate(participant))
+
+
+@pytest.fixture
+def drive(calibrated_participant):
+    """Return a function that drives a task of a bundled scene and returns the trial."""
+    participant, parameters = calibrated_participant
+
+    def measured(scene: str, level: Any, task: str):
+        plan = load_scene(bundled_scenes()[scene]).plans[level]
+        path = plan.path_named(task)
+        return score_trial(plan, path, drive_trial(1, participant, parameters, plan, path))
+
+    return measured
+
+
+@pytest.mark.parametrize(
+    ("scene", "level", "task", "bounds"),
+    [
+        ("backing", "medium", "back", {"collisions": (0, 0)}),
+        ("turning", "hard", "about", {"turn_drift": (0.0, 0.3)}),
+        ("door", "medium", "aside", {}),
+        ("follow_me", "easy", "person", {"follow_error_rms": (0.0, 0.5), "follow_near": (0.8, 1.0)}),
+        ("skills", "easy", "course", {"stages": (7, 7), "stages_done": (7, 7)}),
+    ],
+)
+def test_each_kind_of_task_is_driven_to_its_end(drive, scene, level, task, bounds) -> None:
+    trial = drive(scene, level, task)
+    assert trial.measures["reached"] is True
+    assert {name for name, (low, high) in bounds.items() if not low <= trial.measures[name] <= high} == set()
+    assert task != "back" or trial.v.min() < -0.1

@@ -7,25 +7,10 @@ from app.study.sessions import StudySessionTrial
 
 
 def trial(seed, mode, session, e_diff, reached=True, felt=0.0, flips=0):
-    return StudySessionTrial(
-        seed=seed,
-        mode=mode,
-        session=session,
-        trial=1,
-        e_diff=e_diff,
-        dist=10.0,
-        time=30.0,
-        reached=reached,
-        faults=0,
-        proposed=int(felt > 0.0),
-        felt_change=felt,
-        angle_deg=2.0 if felt else 0.0,
-        flips=flips,
-        refused=0,
-        dead_zone=0.15,
-        full=2.0,
-        from_calibration_deg=0.0,
-    )
+    figures = {"e_diff": e_diff, "dist": 10.0, "time": 30.0, "reached": reached, "faults": 0}
+    adapted = {"proposed": int(felt > 0.0), "felt_change": felt, "angle_deg": 2.0 if felt else 0.0, "flips": flips}
+    known = {"trial": 1, "refused": 0, "dead_zone": 0.15, "full": 2.0, "from_calibration_deg": 0.0}
+    return StudySessionTrial(seed=seed, mode=mode, session=session, **figures, **adapted, **known)
 
 
 def study(ratio, seeds=8, **how):

@@ -24,20 +24,10 @@ QUICK = dataclasses.replace(
     correction=RANGES["correction"].high,
     **{name: getattr(NOVICE, name)._replace(strokes=RANGES[f"{name}.strokes"].low) for name in PRACTISED_QUANTITIES},
 )
-PLAN = FloorPlan(
-    name="open",
-    title="Open floor",
-    walls=(),
-    paths=(
-        {
-            "name": "bends",
-            "title": "Two bends",
-            "points": ((0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (8.0, 4.0)),
-            "instruction": "Go.",
-            "time_limit": 60.0,  # s: who is lost by then does not find back, and such a trial does not count
-        },
-    ),
-)
+BENDS = {"name": "bends", "title": "Two bends", "points": ((0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (8.0, 4.0))}
+LIMIT = 60.0  # s: who is lost by then does not find back, and such a trial does not count
+PATH = BENDS | {"instruction": "Go.", "time_limit": LIMIT}
+PLAN = FloorPlan(name="open", title="Open floor", walls=(), paths=(PATH,))
 
 
 @pytest.fixture(scope="module")

@@ -1,11 +1,18 @@
-"""Sessions of a study: both conditions begin with equal participants, and applied steps keep their limits."""
+"""Sessions of a study, with fixed and adapted maps and with interface tests: equal beginnings, steps within limits."""
 
+import csv
 import json
 from dataclasses import replace
 
+import pytest
+
+from app.calibration.vocabulary import standard_parameters
+from app.cli.errors import InputError
 from app.cli.study.study_command import study
 from app.hardware.body.person_parameters import PRACTISED
+from app.study.interface_sessions import InterfaceSession, do_interface_test, interface_summary, interface_table
 from app.study.sessions import calibrated_participant, run_participants, run_sessions
+from app.world.cursor_task import CursorPlan
 from app.world.floorplan import bundled_floorplans, load_floorplan
 
 CLINIC = load_floorplan(bundled_floorplans()["clinic"])
@@ -26,24 +33,15 @@ def test_both_conditions_begin_alike_and_nothing_turns_that_loses_nothing() -> N
     assert [row.from_calibration_deg for row in (*fixed, *auto)] == [0.0] * 4
 
 
-def test_a_map_learnt_from_cues_is_followed_as_any_other() -> None:
-    guided = calibrated_participant("steady", 5, "guided")
-    assert {joint.map for joint in guided.profile.joints if joint.prompted} == {"guided"}
-    guided.participant.person.parameters = replace(PRACTISED, tremor=0.015)
-    rows = run_sessions("auto", guided, 4, 1, CLINIC, CORRIDOR)
+@pytest.mark.parametrize(("kind", "tremor", "sessions"), [("guided", 0.015, 4), ("prior", 0.08, 5)])
+def test_a_map_learnt_from_cues_or_from_other_people_is_followed_as_any_other(kind, tremor, sessions) -> None:
+    learnt = calibrated_participant("steady", 5, kind)
+    assert {joint.map for joint in learnt.profile.joints if joint.prompted or kind == "prior"} == {kind}
+    learnt.participant.person.parameters = replace(PRACTISED, tremor=tremor)
+    rows = run_sessions("auto", learnt, sessions, 1, CLINIC, CORRIDOR)
     assert sum(row.proposed for row in rows) > 0
     assert rows[-1].dead_zone > rows[0].dead_zone
-    assert [row.from_calibration_deg for row in rows] == [0.0] * 4
-
-
-def test_a_map_learnt_from_other_people_is_followed_as_any_other() -> None:
-    by_others = calibrated_participant("steady", 5, "prior")
-    assert {joint.map for joint in by_others.profile.joints} == {"prior"}
-    by_others.participant.person.parameters = replace(PRACTISED, tremor=0.08)
-    rows = run_sessions("auto", by_others, 5, 1, CLINIC, CORRIDOR)
-    assert sum(row.proposed for row in rows) > 0
-    assert rows[-1].dead_zone > rows[0].dead_zone
-    assert [row.from_calibration_deg for row in rows] == [0.0] * 5
+    assert [row.from_calibration_deg for row in rows] == [0.0] * sessions
 
 
 def test_an_outgrown_dead_zone_follows_by_itself_and_a_suggestion_changes_nothing() -> None:
@@ -79,3 +77,44 @@ def test_the_command_writes_rows_table_and_summary(tmp_path, capsys) -> None:
     assert answer["sessions"][0]["relative"] == 0.0  # nothing can be applied before the first trial
     assert len((tmp_path / "sessions.csv").read_text().splitlines()) == 1 + 2
     assert "session 1" in (tmp_path / "table.txt").read_text()
+
+
+def test_the_command_writes_rows_table_and_summary_of_interface_tests(tmp_path, capsys):
+    asked = {"person": "redonned", "sessions": 2, "trials": 1, "seed": 5, "path": "corridor", "as_json": True}
+    study(out=tmp_path, interface_test=True, **asked)
+    answer = json.loads(capsys.readouterr().out)
+    assert [one["session"] for one in answer["sessions"]] == [1, 2]
+    assert answer["rank_correlation"] == {"between": None, "within": None}  # one person, two sessions
+    rows = list(csv.DictReader((tmp_path / "interface_tests.csv").read_text().splitlines()))
+    first = calibrated_participant("redonned", 5)
+    test = do_interface_test(first.participant, standard_parameters(first.profile), CursorPlan(seed=1))
+    assert float(rows[0]["throughput"]) == test.throughput > 0.5
+    assert int(rows[0]["acquired"]) == test.acquired > 20
+    assert rows[1]["reached"] == "1.0"
+    assert "targets/min" in (tmp_path / "interface_table.txt").read_text()
+
+
+def test_the_options_that_exclude_each_other_are_named(tmp_path):
+    with pytest.raises(InputError, match="--interface-test goes without --adapt"):
+        study(out=tmp_path / "one", interface_test=True, adapt="auto")
+    with pytest.raises(InputError, match="--no-learning"):
+        study(out=tmp_path / "two", interface_test=True, no_learning=True)
+
+
+def test_the_correlation_is_that_of_the_ranks():
+    first = calibrated_participant("improving", 1)
+    plan = CursorPlan(seed=1, duration=5.0)
+    one = do_interface_test(first.participant, standard_parameters(first.profile), plan)
+    assert one.throughput is None  # too few targets in five seconds
+    rows = [
+        InterfaceSession(seed, session, one.model_copy(update={"throughput": 1.0 + seed + session}), 9.0 - seed, 1.0)
+        for seed in range(8)
+        for session in (1, 2)
+    ]
+    summary = interface_summary(rows)
+    assert summary["rank_correlation"]["between"] == pytest.approx(-1.0)
+    assert summary["rank_correlation"]["within"] is None
+    assert "between people -1.00, within people -." in interface_table(summary)
+    nothing = interface_summary([InterfaceSession(1, 1, one, 2.0, 0.0)])
+    assert nothing["sessions"][0]["throughput_p90"] is None
+    assert "-" in interface_table(nothing)

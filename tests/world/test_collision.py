@@ -1,3 +1,5 @@
+"""Walls and obstacles stop the chair, and so does what moves by itself."""
+
 import math
 from itertools import pairwise
 

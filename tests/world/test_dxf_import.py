@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from world.drawings import drawing, room
+from world.drawings import drawing, room, room_drawing
 
 from app.world.imports.draft import plan_of
 from app.world.imports.dxf import import_dxf
@@ -26,8 +26,7 @@ def test_a_room_in_each_unit_is_as_large_as_it_is(save, code, scale):
 
 
 def test_without_a_unit_it_must_be_given(save):
-    document, space = drawing(0)
-    room(space)
+    document, _ = room_drawing(0)
     file = save(document)
     with pytest.raises(ValueError, match="does not say in which unit"):
         import_dxf(file)
@@ -39,8 +38,7 @@ def test_without_a_unit_it_must_be_given(save):
 
 
 def test_what_the_drawing_says_can_be_overruled(save):
-    document, space = drawing(4)
-    room(space)
+    document, _ = room_drawing(4)
     assert plan_of(import_dxf(save(document), unit="m"), "x").bounds == pytest.approx((0, 0, 8, 6))
 
 
@@ -91,8 +89,7 @@ def test_blocks_in_rows_and_columns(save):
 
 
 def test_layers_for_words_and_hidden_ones_are_left_out(save):
-    document, space = drawing()
-    room(space)
+    document, space = room_drawing()
     document.layers.add("HIDDEN").off()
     document.layers.add("COLD").freeze()
     for layer in ("DIM-1", "Text", "HIDDEN", "COLD"):

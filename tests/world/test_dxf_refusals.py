@@ -7,7 +7,7 @@ import re
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from world.drawings import drawing, room
+from world.drawings import drawing, room, room_drawing
 
 from app.world.imports import dxf_lines
 from app.world.imports.dxf import import_dxf
@@ -52,16 +52,14 @@ def test_a_block_in_itself_is_refused(save):
 
 @pytest.mark.parametrize("x", [1e9, 1e30, -1e300])
 def test_places_far_away_are_refused(save, x):
-    document, space = drawing()
-    room(space)
+    document, space = room_drawing()
     space.add_line((0, 0), (x, 0))
     with pytest.raises(ValueError, match="far away"):
         import_dxf(save(document))
 
 
 def test_places_that_are_no_numbers_are_refused(save):
-    document, space = drawing()
-    room(space)
+    document, space = room_drawing()
     space.add_line((0, 0), (123.25, 0))
     file = save(document)
     file.write_text(file.read_text().replace("123.25", "nan"))
@@ -110,8 +108,7 @@ def test_too_many_wall_pieces_are_refused_and_collinear_ones_do_not_count(save):
 
 
 def as_bytes():
-    document, space = drawing()
-    room(space)
+    document, space = room_drawing()
     block = document.blocks.new("B")
     block.add_lwpolyline([(0, 0, 1), (1, 1, 0)], format="xyb")
     space.add_blockref("B", (2, 2), {"row_count": 2, "row_spacing": 1})
@@ -122,11 +119,7 @@ def as_bytes():
 
 
 WHOLE = as_bytes()
-
-
 START = WHOLE.rindex(b"ENTITIES")
-
-
 mutations = st.lists(
     st.tuples(
         st.integers(START - 3000, len(WHOLE) - 1) | st.integers(0, len(WHOLE) - 1),

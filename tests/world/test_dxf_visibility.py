@@ -4,7 +4,7 @@ import math
 
 import ezdxf.xclip
 import pytest
-from world.drawings import drawing, room
+from world.drawings import drawing, room, room_drawing
 
 from app.world.imports.dxf import import_dxf
 
@@ -18,8 +18,7 @@ def said(draft):
 
 
 def test_invisible_lines_and_blocks_are_left_out_and_counted(save):
-    document, space = drawing()
-    room(space)
+    document, space = room_drawing()
     space.add_line((1, 1), (2, 2), dxfattribs={"layer": "WALLS", "invisible": 1})
     block = document.blocks.new("DOOR")
     block.add_line((0, 0), (1, 0))
@@ -38,33 +37,20 @@ def block_with_two_layers(document):
     block.add_line((0, 0), (0, 1), dxfattribs={"layer": "BEDS"})
 
 
-def test_of_a_block_on_a_layer_that_is_off_the_other_layers_are_shown(save):
-    document, space = drawing()
-    room(space)
-    document.layers.add("THINGS").off()
+@pytest.mark.parametrize(("hide", "shown"), [("off", {(3, 4)}), ("freeze", set())])
+def test_of_a_block_on_a_layer_that_is_off_the_other_layers_are_shown_and_of_a_frozen_one_nothing(save, hide, shown):
+    document, space = room_drawing()
+    getattr(document.layers.add("THINGS"), hide)()
     block_with_two_layers(document)
     space.add_blockref("BED", (3, 3), {"layer": "THINGS"})
     draft = import_dxf(save(document))
-    assert (3, 4) in corners(draft)
-    assert (4, 3) not in corners(draft)
-    assert "1 THINGS" in said(draft)
-
-
-def test_of_a_block_on_a_frozen_layer_nothing_is_shown(save):
-    document, space = drawing()
-    room(space)
-    document.layers.add("THINGS").freeze()
-    block_with_two_layers(document)
-    space.add_blockref("BED", (3, 3), {"layer": "THINGS"})
-    draft = import_dxf(save(document))
-    assert not corners(draft) & {(3, 4), (4, 3)}
+    assert corners(draft) & {(3, 4), (4, 3)} == shown
     assert "off or frozen: 1 THINGS" in said(draft)
 
 
 @pytest.mark.parametrize("layer", ["massivwand", "framed-wall", "Trockenbau_Massiv", "GRIDWALL", "textured", "CONTEXT"])
 def test_a_layer_is_no_layer_of_words_because_of_a_part_of_a_word(save, layer):
-    document, space = drawing()
-    room(space)
+    document, space = room_drawing()
     space.add_line((4, 0), (4, 4), dxfattribs={"layer": layer})
     assert (4, 4) in corners(import_dxf(save(document)))
 
@@ -73,8 +59,7 @@ def test_a_layer_is_no_layer_of_words_because_of_a_part_of_a_word(save, layer):
     "layer", ["Text", "DIM-1", "A-ANNO-DIMS", "Bemaßung", "VERMASSUNG_1", "Defpoints", "Grid", "title block"]
 )
 def test_a_layer_that_is_left_out_by_its_name_is_named_with_its_lines(save, layer):
-    document, space = drawing()
-    room(space)
+    document, space = room_drawing()
     for x in (2, 3):
         space.add_line((x, 1), (x, 4), dxfattribs={"layer": layer})
     draft = import_dxf(save(document))
@@ -86,8 +71,7 @@ def test_a_layer_that_is_left_out_by_its_name_is_named_with_its_lines(save, laye
 
 
 def test_other_files_and_missing_blocks_are_named(save):
-    document, space = drawing()
-    room(space)
+    document, space = room_drawing()
     document.add_xref_def("ground.dwg", "WALLS_EG")
     for _ in range(2):
         space.add_blockref("WALLS_EG", (0, 0))
@@ -98,8 +82,7 @@ def test_other_files_and_missing_blocks_are_named(save):
 
 
 def test_a_clipped_block_is_named(save):
-    document, space = drawing()
-    room(space)
+    document, space = room_drawing()
     block_with_two_layers(document)
     clip = ezdxf.xclip.XClip(space.add_blockref("BED", (3, 3)))
     clip.set_block_clipping_path([(0, 0), (0.5, 0.5)])
@@ -129,23 +112,20 @@ def test_an_array_counts_in_the_axes_of_its_block_reference(save, rotation, scal
 
 
 def test_walls_that_are_drawn_as_multiple_lines_are_read(save):
-    document, space = drawing()
-    room(space)
+    document, space = room_drawing()
     space.add_mline([(3, 0), (3, 4)], dxfattribs={"layer": "WALLS", "scale_factor": 0.2})
     assert {(3, 4), (3.2, 4)} <= corners(import_dxf(save(document)))
 
 
 def test_texts_are_counted(save):
-    document, space = drawing()
-    room(space)
+    document, space = room_drawing()
     space.add_text("HALL").set_placement((3, 3))
     space.add_mtext("KITCHEN")
     assert "2 texts and dimensions" in said(import_dxf(save(document)))
 
 
 def test_the_size_and_where_its_unit_comes_from_are_said(save):
-    document, space = drawing(6)
-    room(space)
+    document, _ = room_drawing()
     assert "The drawing is 8.0 x 6.0 m large, in m as it says." in said(import_dxf(save(document)))
     assert "as given, in m." in said(import_dxf(save(document), unit="m"))
 

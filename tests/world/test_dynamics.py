@@ -1,3 +1,5 @@
+"""The motion of a chair: the unicycle, and the wheelchair with lags, castors and slip."""
+
 import math
 from dataclasses import replace
 
@@ -29,7 +31,6 @@ def driven(motion, twist, seconds, dt=0.01, chair=CHAIR):
     return motions
 
 
-@settings(max_examples=60, deadline=None)
 @given(MOTIONS, st.lists(TWISTS, min_size=1, max_size=20), st.floats(1e-4, 0.1))
 def test_without_any_effect_the_model_is_exactly_the_unicycle(motion, twists, dt):
     pose = motion.pose
@@ -39,7 +40,6 @@ def test_without_any_effect_the_model_is_exactly_the_unicycle(motion, twists, dt
         assert (motion.pose, motion.v, motion.omega) == (pose, *twist)
 
 
-@settings(max_examples=60, deadline=None)
 @given(MOTIONS, CHAIRS)
 def test_without_a_command_the_chair_comes_to_rest_and_stays(motion, chair):
     longest = max(chair.speed_lag, chair.turn_lag)
@@ -53,7 +53,6 @@ def test_at_rest_nothing_turns_its_castors():
     assert driven(motion, STANDSTILL, 10.0)[-1] == motion
 
 
-@settings(max_examples=60, deadline=None)
 @given(
     st.lists(st.builds(Twist, st.floats(-1e3, 1e3), st.floats(-1e3, 1e3)), max_size=60), CHAIRS, st.floats(1e-3, 0.1)
 )
@@ -67,7 +66,6 @@ def test_no_command_makes_the_chair_much_faster_than_commanded(twists, chair, dt
         assert max(map(abs, (motion.pose.theta, motion.left, motion.right))) <= math.pi
 
 
-@settings(max_examples=60, deadline=None)
 @given(MOTIONS, SPEEDS, CHAIRS)
 def test_driving_straight_with_castors_in_line_goes_straight(motion, v, chair):
     ahead = math.pi if v < 0 else 0.0
@@ -78,7 +76,6 @@ def test_driving_straight_with_castors_in_line_goes_straight(motion, v, chair):
     assert moved.v == pytest.approx(v * (1.0 - math.exp(-1.0 / chair.speed_lag)) if chair.speed_lag else v, abs=1e-9)
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.lists(TWISTS, min_size=1, max_size=6), CHAIRS)
 def test_a_mirrored_command_drives_the_mirrored_way(twists, chair):
     # Not from a perfect reversal: there each castor must choose a side.
@@ -146,7 +143,6 @@ def test_from_turning_in_place_the_castors_push_on_to_the_side_that_it_turned_to
     assert ahead[-1].pose.theta * side > in_line.pose.theta
 
 
-@settings(max_examples=60, deadline=None)
 @given(TWISTS, CHAIRS)
 def test_castors_that_keep_their_angle_do_not_push(twist, chair):
     steady = driven(ORIGIN, twist, 10.0 + 10 * max(chair.speed_lag, chair.turn_lag), 0.05, chair)[-1]

@@ -41,9 +41,7 @@ def test_a_plan_in_numbers(tmp_path):
 
 
 def test_a_turned_box():
-    plan = storey(
-        obstacles=[{"kind": "box", "label": "b", "position": (0, 0), "size": (2, 1), "angle": math.pi / 2}],
-    )
+    plan = storey(obstacles=[{"kind": "box", "label": "b", "position": (0, 0), "size": (2, 1), "angle": math.pi / 2}])
     box = plan.obstacles[0]
     for corner, expected in zip(box.corners(), [(0.5, -1), (0.5, 1), (-0.5, 1), (-0.5, -1)], strict=True):
         assert corner == pytest.approx(expected)

@@ -1,11 +1,14 @@
+"""The progress along a line, and of each kind of task."""
+
 import math
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from app.geometry import Pose
 from app.world.floorplan import FloorPlan, PrescribedPath
+from app.world.path import Path
 from app.world.progress import LineProgress, progress_of
 
 LINE = ((0.0, 0.0), (4.0, 0.0))
@@ -24,7 +27,6 @@ def begun(**changes):
     return progress_of(plan, plan.paths[0])
 
 
-@settings(max_examples=60, deadline=None)
 @given(PLACES)
 def test_the_progress_on_a_path_is_that_along_its_line(places):
     task, plain = begun(), LineProgress(plan_with().paths[0].line, 0.5)
@@ -61,9 +63,7 @@ def test_a_path_to_drive_backwards_is_done_backwards_only():
 def turned(degrees, hold=2.0, task=None, at=(0.0, 0.0), v=0.0, step=3.0):
     """Turn on the spot from looking along x, then stand for `hold` seconds."""
     progress = begun(
-        points=((0.0, 0.0), (0.0, 2.0)),
-        start_heading=0.0,
-        task=task or {"kind": "turn", "direction": "left"},
+        points=((0.0, 0.0), (0.0, 2.0)), start_heading=0.0, task=task or {"kind": "turn", "direction": "left"}
     )
     count = round(abs(degrees) / step)
     angles = [math.radians(math.copysign(step * i, degrees)) for i in range(count + 1)]
@@ -146,7 +146,6 @@ def test_a_course_goes_from_stage_to_stage():
     assert seen[-1][1] > 0.9
 
 
-@settings(max_examples=60, deadline=None)
 @given(
     st.lists(st.tuples(st.floats(-5, 5), st.floats(-5, 5), st.floats(-4, 4), st.floats(-1, 1)), max_size=60),
     st.sampled_from([None, {"kind": "back"}, {"kind": "turn", "direction": "right"}, COURSE]),
@@ -160,3 +159,51 @@ def test_what_was_reached_stays_reached_and_shares_are_shares(steps, task):
         assert progress.stage >= stage
         assert 0.0 <= progress.covered <= 1.0
         reached, stage = progress.reached, progress.stage
+
+
+ROUND = [(0, 0), (10, 0), (10, 10), (0, 10), (0, 0)]
+
+
+def follow_line(progress, line, spacing=0.1):
+    path = Path(line)
+    for number in range(int(path.length / spacing) + 1):
+        progress.update(*path.point_at(number * spacing))
+    progress.update(*path.points[-1])
+
+
+def test_the_end_is_reached_after_the_path():
+    progress = LineProgress(Path([(0, 0), (10, 0)]), 0.5)
+    follow_line(progress, [(0, 1), (9, 1)])
+    assert progress.s == pytest.approx(9)
+    assert progress.cross_track == pytest.approx(1)
+    assert not progress.reached
+    follow_line(progress, [(9, 1), (9.6, 0)])
+    assert progress.reached
+
+
+def test_a_round_course_is_not_done_at_its_start():
+    progress = LineProgress(Path(ROUND), 0.5)
+    follow_line(progress, [(0, 0), (-1.5, 0), (0.3, 0)])  # back and forth at the start
+    assert not progress.reached
+    follow_line(progress, [(0.3, 0), *ROUND[1:]])
+    assert progress.reached
+
+
+def test_a_short_cut_to_the_end_does_not_reach_it():
+    progress = LineProgress(Path([(0, 0), (10, 0), (10, 3), (0, 3)]), 0.5)
+    follow_line(progress, [(0, 0), (0, 3)])
+    assert not progress.reached
+
+
+def test_a_chair_that_left_the_path_is_found_on_another_part_of_it():
+    progress = LineProgress(Path(ROUND), 0.5)
+    follow_line(progress, [(0, 0), (6, 0), (6, 5), (9, 5), (9, 9)])
+    assert progress.s == pytest.approx(19, abs=1.1)
+    assert abs(progress.cross_track) < 1.1
+
+
+def test_waiting_covers_nothing():
+    progress = LineProgress(Path(ROUND), 0.5)
+    for _ in range(1000):
+        progress.update(0, 0)
+    assert progress.covered < 0.02

@@ -2,7 +2,7 @@ import math
 from itertools import pairwise
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from app.world.imports.wall_pieces import chain_pieces, join_pieces
@@ -27,16 +27,12 @@ def test_pieces_without_length_are_left_out():
     assert join_pieces([((1, 1), (1, 1)), ((2, 2), (2.0001, 2))]) == []
 
 
-@settings(max_examples=60)
 @given(st.lists(st.tuples(places, places), max_size=12))
 def test_every_place_on_a_piece_stays_on_a_line_and_nothing_is_added(pieces):
     lines = [(a, b) for line in join_pieces(pieces) for a, b in pairwise(line)]
 
     def near(place, segments):
-        return min(
-            (_distance(place, a, b) for a, b in segments),
-            default=math.inf,
-        )
+        return min((_distance(place, a, b) for a, b in segments), default=math.inf)
 
     for a, b in pieces:
         if a != b:
@@ -48,7 +44,6 @@ def test_every_place_on_a_piece_stays_on_a_line_and_nothing_is_added(pieces):
             assert near((a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])), pieces) < 2e-3
 
 
-@settings(max_examples=60)
 @given(st.lists(st.tuples(places, places), max_size=12))
 def test_a_chain_uses_every_piece_once(pieces):
     found = [tuple(sorted(pair)) for line in chain_pieces(pieces) for pair in pairwise(line)]

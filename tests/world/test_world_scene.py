@@ -109,7 +109,6 @@ def test_what_is_wrong_is_said_with_its_place(tmp_path, changes, words):
     assert words in str(error.value)
 
 
-@settings(max_examples=60, deadline=None)
 @given(
     st.recursive(
         st.none() | st.booleans() | st.floats() | st.text(max_size=5),

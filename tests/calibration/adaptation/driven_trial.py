@@ -4,7 +4,8 @@ import numpy as np
 from calibration.simulated_person import JOINTS
 
 from app.calibration.adaptation.movement import Movement
-from app.calibration.linear_map import LinearMap, MapCheck
+from app.calibration.linear_map import LinearMap
+from building import guided_map
 
 
 def trial(person, size=1.0, noise=1.0, repetitions=4, joints=JOINTS):
@@ -33,16 +34,7 @@ def with_map_of(joint, kind):
             people=8,
         )
         return joint.model_copy(update={"map": kind, "prior": prior})
-    checked = MapCheck(in_phase=0.9, hit_rate=0.8, false_per_minute=0.0, false_count=0)
-    guided = LinearMap(
-        rates=joint.pca.rates,
-        dead_zone=joint.pca.dead_zone,
-        full=joint.pca.full,
-        lag=0.3,
-        repetitions=3,
-        pca_check=checked,
-        check=checked,
-    )
+    guided = guided_map(joint.pca.rates, joint.pca.dead_zone, joint.pca.full)
     return joint.model_copy(update={"map": kind, "guided": guided})
 
 

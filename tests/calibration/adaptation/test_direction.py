@@ -46,7 +46,6 @@ def covariances(draw, k):
 
 
 @given(st.data(), st.integers(2, 9), st.floats(0.1, 5.0))
-@settings(max_examples=60, deadline=None)
 def test_over_any_updates_no_step_is_too_long_and_no_sign_flips(data, k, most) -> None:
     weights = data.draw(directions(k))
     for covariance in data.draw(st.lists(covariances(k), min_size=1, max_size=6)):

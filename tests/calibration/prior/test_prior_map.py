@@ -1,7 +1,4 @@
-"""A map from other people: it drives somebody new, follows turned rings and other gains, and says what it cannot.
-
-Its full and expected hits are by the peaks of this person's own movements.
-"""
+"""A map from other people: it drives somebody new, follows turned rings and other gains, and says what it cannot."""
 
 import numpy as np
 import pytest
@@ -10,7 +7,8 @@ from calibration.prior.simulated_wearers import RATE, SENSORS, Wearer, prior_of,
 from app.calibration.clean_recording import CleanRecording
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import Repetition
-from app.calibration.linear_map import Arrangement
+from app.calibration.linear_map import Arrangement, Forecast
+from app.calibration.prior.hit_uncertainty import deviation_of_hits, hits_with_prompts
 from app.calibration.prior.map_prior import MapPrior, PriorError
 from app.calibration.prior.prior_map import LEAST_FULL, expected_hits, own_full, own_peaks, with_prior_maps
 from app.calibration.prior.solving import OwnFrames
@@ -242,3 +240,10 @@ def test_more_repetitions_make_the_forecast_surer():
     uncertainties = [expected_hits([1.0], 0.3, 1.0, count).uncertainty for count in range(4)]
     assert uncertainties == sorted(uncertainties, reverse=True)
     assert len(set(uncertainties)) == 4
+
+
+def test_hits_with_prompts_are_as_many_and_surer() -> None:
+    without = Forecast(value=70.0, uncertainty=deviation_of_hits(0))
+    prompted = hits_with_prompts(without)
+    assert (prompted.value, prompted.uncertainty) == (70.0, deviation_of_hits(3))
+    assert prompted.uncertainty < 0.75 * without.uncertainty

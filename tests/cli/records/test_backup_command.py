@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from cli.answers import assert_refused, output_of
 from store.keeping.filled_clinic import two_patients
 
 from app import realtime
@@ -37,8 +38,7 @@ def test_a_disk_died_and_the_clinic_is_there_again(bodydrive: Any, settings: Set
     assert "without the keys" in out
     code, checked, _ = bodydrive("backup", "clinic.backup", "--check", "--json")
     assert (code, json.loads(checked)["hash"] in out) == (0, True)
-    code, out, err = bodydrive("restore", "clinic.backup", "--state", "new", "--json")
-    assert (code, err) == (0, "")
+    out = output_of(bodydrive("restore", "clinic.backup", "--state", "new", "--json"))
     assert json.loads(out)["hash"] == json.loads(checked)["hash"]
     database = Database(settings.database)
     with database.transaction() as db:
@@ -93,15 +93,14 @@ def test_a_folder_with_a_passphrase(
     ],
 )
 def test_bad_input_is_one_sentence(bodydrive: Any, settings: Settings, words: tuple[str, ...], sentence: str) -> None:
-    code, out, err = bodydrive(*words)
-    assert (code, out, err.count("\n")) == (2, "", 1)
-    assert sentence in err
+    assert_refused(bodydrive(*words), sentence)
 
 
 def test_the_folder_of_another_clinic_is_one_sentence(bodydrive: Any, settings: Settings, tmp_path: Path) -> None:
     two_patients(Settings(state=tmp_path / "neighbour"), "Zebra")
     (tmp_path / "stick").mkdir()
     assert bodydrive("backup", "stick", "--state", "neighbour")[0] == 0
-    code, out, err = bodydrive("backup", "stick", "--state", "clinic")
-    assert (code, out, err.count("\n")) == (2, "", 1)
-    assert "stick holds the backups of another clinic: choose a folder of its own for this one." in err
+    assert_refused(
+        bodydrive("backup", "stick", "--state", "clinic"),
+        "stick holds the backups of another clinic: choose a folder of its own for this one.",
+    )

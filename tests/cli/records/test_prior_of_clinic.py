@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 from calibration.prior.simulated_wearers import prior_of, sleeve
+from cli.answers import assert_refused, output_of
 from sqlalchemy import event
 from sqlalchemy.orm import Session
 
@@ -83,8 +84,7 @@ def export(bodydrive: Any, out: str, *more: str) -> tuple[int, str, str]:
 def test_the_own_prior_goes_out_of_one_folder_and_into_another(
     clinic: Folder, bodydrive: Any, tmp_path: Path, own: OwnPrior
 ) -> None:
-    code, out, err = export(bodydrive, "own.json")
-    assert (code, err) == (0, "")
+    out = output_of(export(bodydrive, "own.json"))
     assert out == "9 people in own.json, with an entry each: it must not leave the clinic.\n"
     written = read_prior(tmp_path / "own.json")
     assert isinstance(written, OwnPrior)
@@ -107,8 +107,7 @@ def test_who_withdrew_the_consent_is_not_in_it(clinic: Folder, bodydrive: Any, t
 
 def test_a_release_holds_sums_over_eight_who_consent_to_sharing(clinic: Folder, bodydrive: Any, tmp_path: Path) -> None:
     clinic.share(*codes(1, 8))
-    code, out, err = export(bodydrive, "release.json", "--release")
-    assert (code, err) == (0, "")
+    out = output_of(export(bodydrive, "release.json", "--release"))
     assert out == "8 people in release.json: sums only, which may leave the clinic.\n"
     released = read_prior(tmp_path / "release.json")
     assert isinstance(released, ReleasedPrior)
@@ -118,10 +117,11 @@ def test_a_release_holds_sums_over_eight_who_consent_to_sharing(clinic: Folder, 
 
 def test_seven_who_consent_to_sharing_are_refused(clinic: Folder, bodydrive: Any, tmp_path: Path) -> None:
     clinic.share(*codes(1, 7))
-    code, out, err = export(bodydrive, "release.json", "--release")
-    assert (code, out) == (2, "")
-    assert "Sharing outside" in err
-    assert "together they hold 7 people, and only sums over at least 8 may leave a clinic" in err
+    assert_refused(
+        export(bodydrive, "release.json", "--release"),
+        "Sharing outside",
+        "together they hold 7 people, and only sums over at least 8 may leave a clinic",
+    )
     assert not (tmp_path / "release.json").exists()
 
 

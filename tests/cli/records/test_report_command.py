@@ -3,6 +3,7 @@
 from datetime import date
 
 import pytest
+from cli.answers import assert_refused
 from features.reports.reported_clinic import CODE, store_reported_course
 from features.reports.words_of import html_page, pdf_pages
 
@@ -55,9 +56,7 @@ def test_bad_input_is_a_sentence(bodydrive, clinic, tmp_path, words, sentence):
         (tmp_path / "none").write_text("a file")
         sentence = "is a file and not a folder, choose another place"
     before = log_of(clinic)
-    code, out, err = bodydrive("report", *words, "--state", "clinic")
-    assert (code, out) == (2, "")
-    assert sentence in err
+    assert_refused(bodydrive("report", *words, "--state", "clinic"), sentence)
     assert list(tmp_path.glob("a.*")) == []
     assert log_of(clinic) == before
 
@@ -68,10 +67,11 @@ def test_without_consent_to_sharing_only_a_copy_for_the_patient_is_written(bodyd
         withdraw_consent(db, 1, "sharing", "Ana")
     database.close()
     words = ("report", CODE, "--out", "all.html", "--state", "clinic")
-    code, out, err = bodydrive(*words)
-    assert (code, out) == (2, "")
-    assert "has not consented to sharing outside the clinic" in err
-    assert "A copy for the patient needs no consent: add --for-patient." in err
+    assert_refused(
+        bodydrive(*words),
+        "has not consented to sharing outside the clinic",
+        "A copy for the patient needs no consent: add --for-patient.",
+    )
     assert not (tmp_path / "all.html").exists()
     assert bodydrive(*words, "--for-patient")[0] == 0
     assert "Copy for the patient" in html_page((tmp_path / "all.html").read_bytes())[0].replace("\n", " ")

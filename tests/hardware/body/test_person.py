@@ -1,4 +1,4 @@
-"""The simulated person: strokes, estimates, steering and learning."""
+"""The simulated person: strokes, estimates, steering, learning, and parameters within their ranges."""
 
 import dataclasses
 import itertools
@@ -16,8 +16,9 @@ from app.cues import Cue
 from app.geometry import Pose
 from app.hardware.base import BodyView
 from app.hardware.body.driver import Driver
+from app.hardware.body.parameter_ranges import RANGES, numbers_of, out_of_range
 from app.hardware.body.person import SimulatedPerson
-from app.hardware.body.person_parameters import NOVICE, PRACTISED, PracticeEffect
+from app.hardware.body.person_parameters import NOVICE, PARAMETERS, PRACTISED, PersonParameters, PracticeEffect
 from app.hardware.body.steering import DrivingLine, Steering
 from app.hardware.body.stroke_estimate import StrokeEstimate
 from app.hardware.body.stroke_maker import Limb
@@ -144,6 +145,13 @@ def test_who_is_stuck_backs_away_and_then_drives_on() -> None:
     assert wished(steering.want(4.5, Pose(0.25, 0.0, 0.0), -0.15, False, 0.0)) == "faster"
 
 
+def at_corner(person: PersonParameters, seed: int) -> Driver:
+    """Return a driver who is asked to drive round the corner."""
+    driver = Driver(person, seed)
+    driver.show_task(*along(CORNER))
+    return driver
+
+
 def drive(driver: Driver, seconds: float, t: float = 0.0) -> list[dict[str, float]]:
     """Let a driver make strokes for a chair that never moves."""
     levels = []
@@ -155,8 +163,7 @@ def drive(driver: Driver, seconds: float, t: float = 0.0) -> list[dict[str, floa
 
 
 def test_nothing_moves_before_the_reaction_time() -> None:
-    driver = Driver(NOVICE, 1)
-    driver.show_task(*along(CORNER))
+    driver = at_corner(NOVICE, 1)
     levels = drive(driver, 10.0)
     moving = [i for i, level in enumerate(levels) if any(level.values())]
     assert moving[0] / 100 >= NOVICE.reaction_time
@@ -164,29 +171,24 @@ def test_nothing_moves_before_the_reaction_time() -> None:
 
 def test_both_elbows_are_never_away_from_rest_together() -> None:
     for seed in range(5):
-        driver = Driver(NOVICE, seed)
-        driver.show_task(*along(CORNER))
+        driver = at_corner(NOVICE, seed)
         for level in drive(driver, 120.0):
             assert not (level["right_elbow"] > 0 and level["left_elbow"] > 0)
 
 
 def test_one_seed_moves_one_way() -> None:
-    first, second, other = (Driver(NOVICE, seed) for seed in (3, 3, 4))
-    for driver in (first, second, other):
-        driver.show_task(*along(CORNER))
+    first, second, other = (at_corner(NOVICE, seed) for seed in (3, 3, 4))
     assert drive(first, 20.0) == drive(second, 20.0)
     assert drive(Driver(NOVICE, 3), 1.0) != drive(other, 20.0)
 
 
 def test_who_does_not_learn_gains_no_practice() -> None:
-    driver = Driver(dataclasses.replace(NOVICE, learns=False), 1)
-    driver.show_task(*along(CORNER))
+    driver = at_corner(dataclasses.replace(NOVICE, learns=False), 1)
     before = [(estimate.gain, estimate.lost) for estimate in driver.estimates.values()]
     drive(driver, 60.0)
     assert driver.strokes.practice == 0
     assert [(estimate.gain, estimate.lost) for estimate in driver.estimates.values()] == before
-    keen = Driver(NOVICE, 1)
-    keen.show_task(*along(CORNER))
+    keen = at_corner(NOVICE, 1)
     drive(keen, 60.0)
     assert keen.strokes.practice > 10
 
@@ -256,3 +258,33 @@ def test_the_person_needs_no_scientific_library() -> None:
     code = "import sys, app.hardware.body.person; print([m for m in ('scipy', 'sklearn') if m in sys.modules])"
     seen = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert seen.stdout.strip() == "[]"
+
+
+NOT_MEASURED = {"learns", "practice"}  # a switch, and where the person stands in his learning
+
+
+def test_every_parameter_has_a_range_and_every_range_a_parameter() -> None:
+    names = {field.name for field in dataclasses.fields(PersonParameters)} - NOT_MEASURED
+    assert {name.partition(".")[0] for name in RANGES} == names
+    assert list(numbers_of(NOVICE)) == list(RANGES)
+
+
+def test_ranges_are_finite_and_say_their_unit_and_source() -> None:
+    for name, known in RANGES.items():
+        assert math.isfinite(known.low), name
+        assert math.isfinite(known.high), name
+        assert known.low < known.high, name
+        assert known.unit, name
+        assert known.source, name
+
+
+@pytest.mark.parametrize("name", PARAMETERS)
+def test_every_named_person_lies_within(name) -> None:
+    assert out_of_range(PARAMETERS[name]) == ()
+
+
+def test_a_number_outside_is_named_with_its_range() -> None:
+    odd = dataclasses.replace(NOVICE, reaction_time=0.05, wrong_limb=PracticeEffect(0.9, 0.01, math.nan))
+    said = out_of_range(odd)
+    assert said[0] == "reaction_time is 0.05 s: choose 0.18 to 0.5"
+    assert [sentence.split(" is ")[0] for sentence in said[1:]] == ["wrong_limb.first", "wrong_limb.strokes"]

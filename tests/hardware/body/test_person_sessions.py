@@ -4,9 +4,10 @@ import dataclasses
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from app.calibration.vocabulary import standard_parameters
 from app.cues import Cue
 from app.geometry import Pose
 from app.hardware.base import BodyView
@@ -22,14 +23,15 @@ from app.hardware.body.person_parameters import (
     SMALLEST_RANGE,
     PersonParameters,
 )
+from app.study.experiment import shirt_layout
+from app.study.interface_sessions import do_interface_test
+from app.study.participant import Participant
+from app.study.simulated_calibration import SAMPLE_RATE, calibrate
+from app.world.cursor_task import CursorPlan
 from app.world.floorplan import FloorPlan
 
-PLAN = FloorPlan(
-    name="p",
-    title="P",
-    walls=(),
-    paths=({"name": "c", "title": "C", "points": ((0.0, 0.0), (6.0, 0.0)), "instruction": "Go."},),
-)
+LINE = {"name": "c", "title": "C", "points": ((0.0, 0.0), (6.0, 0.0)), "instruction": "Go."}
+PLAN = FloorPlan(name="p", title="P", walls=(), paths=(LINE,))
 CUE = Cue(start=0.0, end=1.0, kind="move", joint="right_elbow", repetition=1)
 
 
@@ -79,7 +81,6 @@ def test_who_improves_wins_range() -> None:
 
 
 @given(st.integers(1, 1000), st.floats(-0.03, 0.03), st.floats(-0.01, 0.01))
-@settings(max_examples=60)
 def test_range_and_tremor_stay_human_in_any_session(session: int, change: float, growth: float) -> None:
     person = PersonParameters(range_per_session=change, tremor=0.01, tremor_per_session=growth)
     assert SMALLEST_RANGE <= person.range_in(session) <= LARGEST_RANGE
@@ -153,3 +154,37 @@ def test_a_session_below_the_first_is_refused() -> None:
 def test_every_named_person_can_be_asked_for_by_name() -> None:
     for name, parameters in PARAMETERS.items():
         assert SimulatedPerson(name, 1).parameters is parameters
+
+
+CURSOR_PLAN = CursorPlan(seed=1, duration=60.0)
+
+
+@pytest.fixture(scope="module")
+def figures():
+    def tested(skill, seed=3):
+        participant = Participant(SimulatedPerson(skill, seed), shirt_layout(), SAMPLE_RATE, seed)
+        return do_interface_test(participant, standard_parameters(calibrate(participant)), CURSOR_PLAN)
+
+    return {"practised": tested("practised"), "again": tested("practised"), "novice": tested("novice")}
+
+
+def test_practice_shows_in_the_measures(figures):
+    practised, novice = figures["practised"], figures["novice"]
+    assert practised.complete
+    assert practised.acquisitions_per_minute > 1.2 * novice.acquisitions_per_minute > 6.0
+    assert practised.throughput > novice.throughput
+    assert practised.path_efficiency > novice.path_efficiency
+    assert all(one.acquired for one in practised.directions.values())
+
+
+def test_equal_seeds_give_equal_measures(figures):
+    assert figures["practised"] == figures["again"]
+
+
+def test_nobody_points_without_a_cursor():
+    person = SimulatedPerson("practised", 1)
+    for _ in range(300):
+        posture = person.step(0.01, BodyView())
+    assert person.pointer._open is None
+    assert np.abs(posture).max() < 0.05
+    assert person.driver.strokes.session_strokes == 0

@@ -7,16 +7,11 @@ from app.hardware.chair.packet import Telemetry, decode_command, encode_telemetr
 from app.hardware.configs import RealChairConfig
 
 DISARMED, CHECKING, ARMED, FAULT = range(4)
-SPEEDS = {
-    "forward": 0.8,
-    "reverse": 0.3,
-    "turn": 1.2,
-    "acceleration": 0.8,
-    "deceleration": 1.2,
-    "turn_acceleration": 6.0,
-    "jerk": 8.0,
-    "turn_jerk": 60.0,
-}
+SPEEDS = (
+    {"forward": 0.8, "reverse": 0.3, "turn": 1.2}
+    | {"acceleration": 0.8, "deceleration": 1.2, "turn_acceleration": 6.0}
+    | {"jerk": 8.0, "turn_jerk": 60.0}
+)
 
 
 class StandInChair:

@@ -10,8 +10,6 @@ from app.hardware.chair.link import ChairLink
 from app.speed_limits import Speeds
 
 LIMITS = Speeds(forward=0.5, reverse=0.2, turn=1.0)
-
-
 AHEAD = Twist(0.25, -0.5)
 
 

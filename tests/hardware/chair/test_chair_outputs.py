@@ -1,14 +1,20 @@
-"""The outputs of a receiver without a chair: lines for another program, and a simulated drive."""
+"""The outputs of a receiver without a chair, and the virtual chair's report, byte by byte."""
 
 import json
 import math
 import os
+import socket
+import struct
 from itertools import pairwise
 
 import pytest
 
+from app.faults import State
 from app.geometry import STANDSTILL, Twist
+from app.hardware.base import HardwareError
 from app.hardware.chair.outputs import Lines, SimulatedDrive, open_output
+from app.hardware.chair.report import ChairReport, encode_report
+from app.messages import Tick
 
 
 @pytest.fixture
@@ -75,3 +81,31 @@ def test_the_simulated_drive_goes_where_its_wheels_lead(pipe):
     assert [line.partition(":")[0] for line in said] == ["armed"] * 4 + ["disarmed"]
     assert said[-1].endswith("Why.")
     assert not open_output("sim").is_real
+
+
+TICK = Tick(t=12.5, frame_seq=77, x=1.5, y=-2.0, theta=0.25, v=0.5, omega=-0.75, state=State.ARMED)
+
+
+def test_the_bytes_are_those_of_the_protocol():
+    datagram = encode_report(TICK)
+    assert len(datagram) == 44
+    assert datagram[:8] == b"BMIP" + bytes([1, 2, 0, 0])
+    assert struct.unpack("<IQ", datagram[8:20]) == (77, 12_500_000_000)
+    assert struct.unpack("<6f", datagram[20:]) == (1.5, -2.0, 0.25, 0.5, -0.75, 0.0)
+
+
+def test_a_report_arrives_and_nobody_there_is_no_trouble():
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listening:
+        listening.bind(("127.0.0.1", 0))
+        listening.settimeout(5.0)
+        report = ChairReport(*listening.getsockname())
+        report.send(TICK)
+        assert listening.recv(100) == encode_report(TICK)
+    for _ in range(5):
+        report.send(TICK)
+    report.close()
+
+
+def test_an_address_that_is_none_is_one_sentence():
+    with pytest.raises(HardwareError, match=r"reports cannot be sent to .*: give a host and port"):
+        ChairReport("not a host", 5000)

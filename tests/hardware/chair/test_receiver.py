@@ -42,12 +42,7 @@ def test_it_drives_what_it_is_told_after_half_a_second_of_zeros(chair):
     chair.command(0.6, 0.5, -0.7, DRIVE)
     assert chair.receiver.driven == pytest.approx((0.5, -0.7))
     told = chair.told
-    assert (told.state, told.epoch, told.sequence, told.nonce) == (
-        2,
-        chair.epoch,
-        chair.sequence,
-        chair.receiver.nonce,
-    )
+    assert (told.state, told.epoch, told.sequence, told.nonce) == (2, chair.epoch, chair.sequence, chair.receiver.nonce)
     assert (told.v, told.omega, told.fault, told.stop_input) == (pytest.approx(0.5), pytest.approx(-0.7), 0, 0)
     assert told.t_ns == pytest.approx(chair.t * 1e9)
     assert math.isnan(told.battery)

@@ -2,7 +2,7 @@
 
 import pytest
 from hardware.chair.commanded_receiver import PERIOD, STEP, CommandedReceiver
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from app.hardware.chair import receiver as receiver_module
@@ -42,14 +42,6 @@ def test_a_command_after_a_short_silence_drives_on(chair):
     assert chair.receiver.driven.v == pytest.approx(slowest + 3.0 * 0.1), "as gently as ever, not as it slowed"
     chair.command(0.4, 1.5, 0.0, DRIVE)
     assert chair.receiver.driven.v == pytest.approx(1.5)
-
-
-def test_disarmed_no_later_than_300_ms_after_the_last_command_and_a_step(chair):
-    chair.drive()
-    heard = chair.t - PERIOD
-    while chair.state is ARMED:
-        chair.step()
-    assert 0.3 <= chair.t - heard <= 0.31 + 1e-9
 
 
 def test_a_stall_of_its_own_is_a_hundred_ms(chair):
@@ -107,7 +99,6 @@ def test_the_smaller_cap_holds(own, promised, wanted, driven):
     assert chair.state is ARMED
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.lists(st.tuples(st.floats(width=32), st.floats(width=32), st.integers(0, 5)), min_size=1, max_size=40))
 def test_no_commands_whatever_get_past_caps_and_ramps(commands):
     chair = CommandedReceiver(v_max=0.8, omega_max=1.2)

@@ -1,24 +1,22 @@
+"""The virtual chair, and dead reckoning of any chair."""
+
 import math
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from app.geometry import Pose, Twist
+from app.hardware.chair.odometry import arc
 from app.hardware.chair.simulator import VirtualChair
 from app.world.dynamics import Motion, Wheelchair
 from app.world.dynamics import step as dynamics_step
 from app.world.floorplan import FloorPlan
 from app.world.kinematics import unicycle
 
-PLAN = FloorPlan.model_validate(
-    {
-        "name": "test",
-        "title": "Test",
-        "walls": [[(0, -10), (0, 10)]],
-        "paths": [{"name": "main", "title": "Main", "points": [(50, 0), (60, 0)], "instruction": "Go."}],
-    }
-)
+PATH = {"name": "main", "title": "Main", "points": [(50, 0), (60, 0)], "instruction": "Go."}
+WALL = [(0, -10), (0, 10)]
+PLAN = FloorPlan.model_validate({"name": "test", "title": "Test", "walls": [WALL], "paths": [PATH]})
 FORWARD = Twist(0.8, 0.0)
 
 
@@ -97,7 +95,6 @@ TWISTS = st.lists(st.builds(Twist, st.floats(-1.5, 1.5), st.floats(-2.5, 2.5)), 
 DYNAMICS = pytest.mark.parametrize("dynamics", ["unicycle", "wheelchair"])
 
 
-@settings(max_examples=60, deadline=None)
 @given(TWISTS, st.floats(0.001, 0.1))
 def test_by_default_it_is_the_unicycle_exactly(twists, dt):
     chair, pose = VirtualChair(None, Pose(1, 2, 3)), Pose(1, 2, 3)
@@ -106,7 +103,6 @@ def test_by_default_it_is_the_unicycle_exactly(twists, dt):
         assert (state.x, state.y, state.theta, state.v, state.omega) == (*pose, *twist)
 
 
-@settings(max_examples=60, deadline=None)
 @given(TWISTS)
 def test_as_a_wheelchair_it_tells_what_it_does_and_not_what_it_was_told(twists):
     chair, motion = VirtualChair(None, Pose(1, 2, 3), dynamics="wheelchair"), Motion(Pose(1, 2, 3))
@@ -137,7 +133,6 @@ def test_a_wall_holds_the_wheels_of_a_wheelchair_too():
 
 
 @DYNAMICS
-@settings(max_examples=60, deadline=None)
 @given(st.lists(st.builds(Twist, st.floats(), st.floats()), max_size=30), st.floats())
 def test_nothing_that_it_is_told_breaks_it(dynamics, twists, dt):
     chair = VirtualChair(PLAN, Pose(-2, 0, 0), dynamics=dynamics)
@@ -178,3 +173,33 @@ def test_what_moves_by_itself_moves_while_motion_is_permitted_and_holds_the_chai
     assert not state.in_contact, "he has gone on"
     chair.place(Pose(0.5, 3, 0))
     assert chair.state.scene_t == 0.0
+
+
+poses = st.builds(Pose, st.floats(-10, 10), st.floats(-10, 10), st.floats(-3.1, 3.1))
+twists = st.builds(Twist, st.floats(-1.5, 1.5), st.floats(-2.5, 2.5))
+
+
+def test_a_quarter_of_a_circle():
+    there = arc(Pose(0.0, 0.0, 0.0), Twist(math.pi / 2, math.pi / 2), 1.0)  # radius 1 m
+    assert there == pytest.approx((1.0, 1.0, math.pi / 2))
+
+
+def test_straight_ahead_and_on_the_spot():
+    assert arc(Pose(1.0, 2.0, math.pi / 2), Twist(0.5, 0.0), 2.0) == pytest.approx((1.0, 3.0, math.pi / 2))
+    assert arc(Pose(1.0, 2.0, 0.0), Twist(0.0, 1.0), 0.5) == pytest.approx((1.0, 2.0, 0.5))
+
+
+@given(poses, twists, st.floats(0, 2), st.integers(1, 20))
+def test_one_step_is_many(pose, twist, dt, count):
+    there = pose
+    for _ in range(count):
+        there = arc(there, twist, dt / count)
+    at_once = arc(pose, twist, dt)
+    assert there[:2] == pytest.approx(at_once[:2], abs=1e-9)
+    assert math.cos(there.theta - at_once.theta) == pytest.approx(1.0)
+
+
+@given(poses, st.floats(-1.5, 1.5), st.floats(-1e-5, 1e-5))
+def test_nearly_straight_is_nearly_straight(pose, v, omega):
+    there, straight = arc(pose, Twist(v, omega), 1.0), arc(pose, Twist(v, 0.0), 1.0)
+    assert there[:2] == pytest.approx(straight[:2], abs=1e-4)

@@ -9,7 +9,7 @@ import pytest
 from fake_clock import FakeClock
 from hardware.head.flock_unit import FlockUnit, encode
 from hardware.head.heads import FreepieCase, OpentrackCase, wait_for
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from app.clock import MonotonicClock
@@ -49,7 +49,6 @@ def test_freepie_keeps_its_angles_where_its_flags_say():
     assert freepie.decode(struct.pack("<BB12f", 0, 2, math.nan, *numbers[1:]), 1.0) is None
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.tuples(*[WORD] * 6), st.none() | st.integers(1, 14))
 def test_a_flock_record_comes_back(words, address):
     record = encode(words, address)
@@ -62,7 +61,6 @@ def test_a_flock_record_comes_back(words, address):
     assert pose[1:4] == pytest.approx(tuple(a * math.pi / 32768 for a in (-azimuth, elevation, roll)))
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.lists(st.tuples(*[WORD] * 6), min_size=1, max_size=6), st.binary(max_size=20), st.integers(0, 11), st.data())
 def test_records_are_found_again_after_a_cut_and_after_noise(records, noise, cut, data):
     wanted = [encode(words) for words in records]

@@ -5,7 +5,6 @@ import pty
 import re
 import sys
 import tty
-import uuid
 from collections.abc import Iterator
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
@@ -56,14 +55,6 @@ def line() -> Iterator[tuple[int, int]]:
     yield ours, theirs
     os.close(ours)
     os.close(theirs)
-
-
-@pytest.fixture
-def ring() -> Iterator[TickRing]:
-    made = TickRing.create(f"bodydrive-test-{uuid.uuid4().hex}")
-    made.unlink()
-    yield made
-    made.close()
 
 
 def test_the_loop_reads_a_minute_of_frames(lines: ModuleType, line: tuple[int, int], ring: TickRing) -> None:

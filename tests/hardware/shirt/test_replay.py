@@ -1,5 +1,4 @@
 import json
-import uuid
 
 import numpy as np
 import pytest
@@ -10,8 +9,8 @@ from app.hardware.base import HardwareError
 from app.hardware.shirt.playback import FramePlayer, read_frames
 from app.hardware.shirt.replay import ReplayConfig, ReplayedShirt
 from app.messages import Tick
-from app.process.ring import TickRing
 from app.recording.writer import RunWriter
+from building import make_ring
 from folders import SHARED
 
 KNIT = SHARED / "data" / "knit_shirt" / "signals.csv"
@@ -124,8 +123,7 @@ def test_a_player_hands_out_what_was_read(tmp_path):
 
 def write_run(folder, seqs, layout):
     """Record ticks whose frames carry `seqs`, and a last turn of the loop without a frame."""
-    ring = TickRing.create(f"bodydrive-test-{uuid.uuid4().hex}")
-    ring.unlink()
+    ring = make_ring()
     meta = {"run_id": "r", "kind": "drive", "layout": layout, "sample_rate": RATE, "gestures": []}
     writer = RunWriter(folder, meta, 3, 0)
     writer.start(ring, 0, 1)

@@ -1,3 +1,5 @@
+"""The shirt over UDP, and which sender it listens to."""
+
 import socket
 
 import numpy as np
@@ -8,6 +10,7 @@ from hardware.shirt.shirts import RATE, UdpCase, small_layout
 from app.clock import MonotonicClock
 from app.hardware.base import HardwareError
 from app.hardware.shirt.packet import encode
+from app.hardware.shirt.sender_choice import MOST, SenderChoice, address_text
 from app.hardware.shirt.udp import UdpConfig, UdpShirt
 
 WAIT = 2.0  # s
@@ -44,20 +47,20 @@ def test_before_any_frame_the_words_say_what_is_wrong_with_what_comes(source):
     assert "sends 52 sensors" in source.shirt.description()
 
 
-def test_gaps_are_counted_late_frames_dropped(source):
-    for seq in (10, 11, 15, 13, 15, 16):
+@pytest.mark.parametrize(
+    ("sent", "read", "lost", "words"),
+    [
+        ((10, 11, 15, 13, 15, 16), [10, 11, 15, 16], 3, ", 3 frames lost"),
+        ((2**32 - 2, 2**32 - 1, 0, 1), [2**32 - 2, 2**32 - 1, 0, 1], 0, ""),
+    ],
+)
+def test_gaps_are_counted_late_frames_dropped_and_the_counter_may_wrap(source, sent, read, lost, words):
+    for seq in sent:
         source.send(seq)
-    assert [source.shirt.read(WAIT).seq for _ in range(4)] == [10, 11, 15, 16]
+    assert [source.shirt.read(WAIT).seq for _ in read] == read
     assert source.shirt.read(0.0) is None
-    assert source.shirt.lost == 3
-    assert "3 frames lost" in source.shirt.description()
-
-
-def test_the_counter_may_wrap(source):
-    for seq in (2**32 - 2, 2**32 - 1, 0, 1):
-        source.send(seq)
-    assert [source.shirt.read(WAIT).seq for _ in range(4)] == [2**32 - 2, 2**32 - 1, 0, 1]
-    assert source.shirt.lost == 0
+    assert source.shirt.lost == lost
+    assert words in source.shirt.description()
 
 
 def test_a_second_sender_is_not_mixed_in(source, stranger):
@@ -121,3 +124,51 @@ def test_waits_that_differ_each_time_are_kept_and_cut_short_by_a_frame(source):
     for seq, wait in enumerate((WAIT, WAIT, WAIT, WAIT / 2, WAIT / 3)):
         source.send(seq)
         assert source.shirt.read(wait).seq == seq
+
+
+SHIRT, FORGER = ("10.0.0.2", 4000), ("10.0.0.3", 4000)
+
+
+def test_the_first_sender_is_the_shirt_however_long_it_is_silent():
+    choice = SenderChoice()
+    assert choice.name == choice.other == ""
+    assert choice.accept(SHIRT, 0, silent=True)
+    assert not choice.accept(FORGER, 0, silent=True)
+    assert not choice.accept((SHIRT[0], 4001), 0, silent=True)
+    assert choice.accept(SHIRT, 0, silent=True)
+    assert (choice.name, choice.other_frames) == ("10.0.0.2:4000", 2)
+
+
+def test_another_sender_is_named_and_a_person_may_take_it():
+    choice = SenderChoice()
+    choice.accept(SHIRT, 0, silent=False)
+    for _ in range(3):
+        choice.accept(FORGER, 0, silent=False)
+    assert choice.other == "10.0.0.3:4000"
+    assert not choice.use("10.0.0.9:4000")
+    assert choice.accept(SHIRT, 0, silent=False)
+    assert choice.use("10.0.0.3:4000")
+    assert (choice.name, choice.other, choice.other_frames) == ("10.0.0.3:4000", "", 0)
+    assert not choice.accept(SHIRT, 0, silent=False)
+
+
+def test_a_device_that_was_started_again_may_come_from_elsewhere_only_after_silence():
+    choice = SenderChoice()
+    assert choice.accept(SHIRT, 7, silent=True)
+    assert not choice.accept(FORGER, 8, silent=False)
+    assert not choice.accept(FORGER, 7, silent=True)
+    assert choice.accept(FORGER, 8, silent=True)
+    assert not choice.accept(SHIRT, 7, silent=True)
+
+
+def test_a_thousand_senders_fill_no_memory():
+    choice = SenderChoice()
+    choice.accept(SHIRT, 0, silent=False)
+    for port in range(1, 1001):
+        choice.accept(("10.0.0.9", port), 0, silent=False)
+    assert choice.other_frames == 1000
+    assert len(choice._frames) == MOST
+
+
+def test_addresses_are_written_as_people_write_them():
+    assert address_text(("::1", 5252, 0, 0)) == "[::1]:5252"

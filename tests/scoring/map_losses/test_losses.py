@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from calibration.adaptation.driven_trial import known, put_on_again, trial, with_map_of
 from calibration.simulated_person import JOINTS, SimulatedPerson, calibrate, layout_of
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from app.calibration.adaptation.movement import Movement
@@ -129,7 +129,6 @@ def test_a_channel_that_drifts_out_of_its_range_now_and_then_is_no_loss() -> Non
     st.lists(st.floats(-3.0, 3.0), min_size=1, max_size=12),
     st.lists(st.booleans(), min_size=12, max_size=12),
 )
-@settings(max_examples=60, deadline=None)
 def test_whatever_the_figures_are_a_loss_has_words_and_something_to_do(figure, values, seen) -> None:
     trials = of(figure, [value if there else None for value, there in zip(values, seen, strict=False)])
     loss = losses(trials)

@@ -1,19 +1,22 @@
-"""Verdicts on a person's trials: which trials count, what they are compared with, and the word."""
+"""Verdicts on a person's trials: which of them count, what they are compared with, the word, how often it is right."""
 
 import math
 from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.stats import t
 
 from app.scoring.measures import TRIAL_MEASURES
+from app.scoring.verdict.cusum import ALLOWANCE, LIMIT, MOST_OF_ONE, cumulative_sum, next_sum, normal_score
+from app.scoring.verdict.leading_measures import leading_measures, leading_of_task
 from app.scoring.verdict.measure_comparison import from_scale, to_scale, value_of
 from app.scoring.verdict.measure_verdict import clinic_spreads, noise_of, people_variances
 from app.scoring.verdict.spread import OwnSpread, Variance
 from app.scoring.verdict.verdicts import task_verdicts, trial_verdicts
+from bench.learning.verdicts import learners, outcomes
 
 RNG = np.random.default_rng(4)
 OTHERS = [
@@ -120,13 +123,9 @@ def test_the_best_so_far_is_of_the_trials_before_that_are_compared() -> None:
     assert trial_verdicts(fast, CLINIC, fast[-1]["id"], None).best == {}  # neither way is better
 
 
-def test_the_order_in_which_two_trials_are_named_does_not_matter() -> None:
-    rows = rows_of([3.0, 3.2, 2.8, 3.1], [3.0, 1.0])
-    assert trial_verdicts(rows, CLINIC, 106, 104) == trial_verdicts(rows, CLINIC, 104, 106)
-
-
-def test_what_is_driven_later_does_not_change_a_verdict() -> None:
+def test_neither_the_order_of_the_two_trials_nor_what_is_driven_later_changes_a_verdict() -> None:
     rows = rows_of([3.0, 3.2, 2.8], [3.1, 2.9, 3.3], [2.0, 2.1], [9.0, 0.1, 4.0])
+    assert trial_verdicts(rows, CLINIC, 107, 106) == trial_verdicts(rows, CLINIC, 106, 107)
     assert trial_verdicts(rows, CLINIC, 107, 106) == trial_verdicts(rows[:8], CLINIC, 107, 106)
 
 
@@ -183,7 +182,6 @@ def test_a_value_comes_back_from_its_scale(name: str, value: float) -> None:
     assert from_scale(name, float(to_scale(name, np.array([signed]))[0])) == pytest.approx(signed, rel=1e-6, abs=1e-9)
 
 
-@settings(max_examples=60, deadline=None)
 @given(
     st.sampled_from([name for name, measure in TRIAL_MEASURES.items() if measure.better]),
     st.lists(st.lists(st.floats(-1e99, 1e99), min_size=1, max_size=4), min_size=1, max_size=5),
@@ -197,3 +195,111 @@ def test_any_numbers_have_a_finite_verdict(name: str, sessions: list[list[float]
             assert all(math.isfinite(one) for one in given_numbers if one is not None)
             if verdict.low is not None and verdict.high is not None:
                 assert verdict.low <= verdict.high
+
+
+surprises = st.lists(st.floats(-6.0, 6.0), max_size=30)
+
+
+@given(surprises)
+def test_the_sum_is_the_largest_of_all_stretches_up_to_now(values) -> None:
+    counted = [min(value, MOST_OF_ONE) - ALLOWANCE for value in values]
+    largest = max((sum(counted[start:]) for start in range(len(counted) + 1)), default=0.0)
+    assert cumulative_sum(values) == pytest.approx(max(0.0, largest), abs=1e-9)
+
+
+@given(surprises, st.floats(0.0, 2.0))
+def test_larger_deviations_never_give_a_smaller_sum(values, more) -> None:
+    assert cumulative_sum([value + more for value in values]) >= cumulative_sum(values) - 1e-9
+
+
+@given(st.lists(st.floats(-6.0, ALLOWANCE), max_size=30))
+def test_deviations_within_the_allowance_add_up_to_nothing(values) -> None:
+    assert cumulative_sum(values) == 0.0
+
+
+@given(surprises)
+def test_a_long_calm_forgets_everything(values) -> None:
+    assert cumulative_sum([*values, *[-3.0] * 30]) == 0.0
+
+
+@given(st.floats(-1e6, 1e6), st.floats(0.0, 6.0))
+def test_one_value_adds_a_bounded_part_and_nothing_is_negative(surprise, total) -> None:
+    assert 0.0 <= next_sum(total, surprise) <= total + MOST_OF_ONE - ALLOWANCE
+
+
+def test_one_outlier_is_no_change_and_two_are() -> None:
+    assert cumulative_sum([math.inf]) <= LIMIT
+    assert cumulative_sum([math.inf, math.inf]) > LIMIT
+    assert cumulative_sum([-math.inf, 3.0]) == 2.5
+
+
+@given(st.floats(-5.0, 5.0), st.floats(1.0, 100.0), st.floats(1.0, 1e4))
+def test_a_score_grows_with_the_difference_and_shrinks_with_doubt(difference, variance, df) -> None:
+    score = normal_score(difference, Variance(variance, df))
+    opposite = normal_score(-difference, Variance(variance, df))
+    assert score is not None
+    assert opposite is not None
+    assert score == pytest.approx(-opposite, rel=1e-3, abs=1e-9)
+    assert abs(score) <= abs(difference) / math.sqrt(variance) + 1e-6
+
+
+def test_where_nothing_is_known_of_the_noise_there_is_no_score() -> None:
+    assert normal_score(1.0, Variance(1.0, 0.0)) is None
+    assert normal_score(1.0, Variance(0.0, 5.0)) is None
+
+
+def test_the_measures_of_a_task_are_chosen_by_what_it_has():
+    trial = {"e_diff": 1, "dist": 2, "time": 3, "sparc": -4, "collisions": 0}
+    assert leading_measures(trial) == ("e_diff", "dist", "time")
+    turn = {"heading_error_deg": 3, "turn_drift": 0.1, "time": 9, "collisions": 1}
+    assert leading_measures(turn) == ("heading_error_deg", "turn_drift", "time")
+    assert leading_measures({"sparc": -4, "mean_speed": 0.3}) == ("sparc",)
+    assert leading_measures({}) == ()
+    missed = {"gaps": 2, "gap_clearance": None, "e_diff": 1, "time": 3}
+    assert leading_of_task([missed, missed | {"gap_clearance": 0.1}]) == ("gap_clearance", "e_diff", "time")
+
+
+SESSIONS = 14
+TRIALS = 6  # of each session, of which the first three are for getting used to the task
+WORSE_FROM = 8
+
+
+def rows() -> list[dict[str, object]]:
+    """Return the trials of a person whose time and area double in session 8."""
+    rng = np.random.default_rng(4)
+    made: list[dict[str, object]] = []
+    for session in range(1, SESSIONS + 1):
+        level = 2.0 if session >= WORSE_FROM else 1.0
+        for place in range(TRIALS):
+            number = len(made) + 1
+            values = {name: level * float(np.exp(rng.normal(0, 0.1))) for name in ("time", "e_diff")}
+            facts = {"id": number, "number": number, "session": session, "reached": True, "familiarisation": place < 3}
+            made.append({**facts, **values})
+    return made
+
+
+def test_a_deterioration_is_looked_for_in_the_named_measures_only() -> None:
+    every = task_verdicts(rows(), {})
+    assert set(every.deterioration) == {"time", "e_diff"}
+    assert every.deterioration["time"].startswith(f"Worse than this person's own noise since session {WORSE_FROM}.")
+    for names in ((), ("time",), ("time", "sparc")):
+        found = task_verdicts(rows(), {}, names)
+        assert found.sessions == every.sessions
+        assert found.deterioration == {name: every.deterioration[name] for name in names if name == "time"}
+
+
+PEOPLE = 500
+
+
+@pytest.mark.parametrize("layout", [(3, 2), (5, 5), (5, 5, 5, 5), (10,)], ids=str)
+def test_noise_is_not_called_a_change_and_twice_the_mdc_is(layout: tuple[int, ...]) -> None:
+    share = outcomes(layout, PEOPLE)
+    assert share.false <= 0.05
+    assert share.found >= 0.9
+    assert share.found_true >= 0.9
+
+
+def test_an_improving_person_is_called_better_than_at_first_and_never_worse() -> None:
+    shares = dict(learners(100, seed=15))
+    assert shares["the last session against the first: better"] >= 0.6
+    assert max(share for words, share in shares.items() if "worse" in words) <= 0.05

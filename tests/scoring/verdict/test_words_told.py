@@ -13,12 +13,7 @@ from scipy.stats import binom
 from app.scoring.measures import REACHED
 from app.scoring.verdict.change_over_sessions import LEVEL, course_change, course_differences
 from app.scoring.verdict.measure_verdict import holm_levels, series_of
-from app.scoring.verdict.reaching import (
-    Counts,
-    counts_of,
-    fewer_than_foretold,
-    reaching_difference,
-)
+from app.scoring.verdict.reaching import Counts, counts_of, fewer_than_foretold, reaching_difference
 from app.scoring.verdict.spread import Spread, Variance
 from app.scoring.verdict.verdicts import task_verdicts, trial_verdicts
 from bench.learning.simulated_trials import LEADING, Course, Row

@@ -1,5 +1,10 @@
-"""The check of the forecasts: it counts the gestures of simulated people and prints the counts."""
+"""The benches of forecasts and of a shirt that is put on again count the gestures of simulated people."""
 
+import re
+
+import pytest
+
+from bench.learning.donning import main
 from bench.learning.forecasts import KINDS, Kind, Tally, compare, row
 
 
@@ -20,3 +25,12 @@ def test_people_differ_in_what_they_are_asked_to() -> None:
     compare(Kind("even", 0.0, 0.0), 2, even, rest=1.0, repetitions=6)
     compare(Kind("uneven", 0.0, 1.0), 2, uneven, rest=1.0, repetitions=6)
     assert uneven.counted_hits < even.counted_hits
+
+
+def test_it_counts_what_s5_silences_with_each_kind_of_range(capsys: pytest.CaptureFixture[str]) -> None:
+    main(people=1)
+    text = capsys.readouterr().out
+    counts = [int(found) for found in re.findall(r"silences (\d+) of 16", text)]
+    assert len(counts) == 3
+    assert counts[0] > counts[1] >= counts[2]
+    assert "standard deviation of" in text

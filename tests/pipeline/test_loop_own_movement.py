@@ -1,27 +1,11 @@
 """The control process arms a real chair only with maps that the person's own movement has confirmed."""
 
 import pytest
-from hardware.chair.chair_stand_in import StandInChair
-from pipeline.commanded_loop import CommandedLoop
 
 from app.faults import State
 from building import AGREES, taught_by_others
 
 WRONG_WAY = AGREES.model_copy(update={"in_phase": 0.1})
-
-
-@pytest.fixture
-def control():
-    made = CommandedLoop()
-    yield made
-    made.close()
-
-
-@pytest.fixture
-def chair(tmp_path):
-    made = StandInChair(tmp_path)
-    yield made
-    made.close()
 
 
 def use(control, **taught):
