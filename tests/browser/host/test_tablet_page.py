@@ -236,6 +236,6 @@ def test_the_page_knows_the_device(stranger: BrowserContext, lan: ServedLan) -> 
             "async (browser) => (await import('/js/tablet/steps.js')).deviceOf(browser)",
             {"userAgent": agent, "platform": platform, "maxTouchPoints": touches},
         )
-        texts = page.evaluate("async () => (await import('/js/texts/en/tablet.js')).default")
-        assert texts[found] == name
+        shown = page.evaluate("async (id) => (await import('/js/tablet/texts.js')).t(id)", f"tablet-{found}")
+        assert shown == name
     page.close()
