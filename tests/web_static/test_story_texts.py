@@ -1,4 +1,4 @@
-"""Each kind of event in a session's story has its text; without one, the page would show the key."""
+"""Each kind of event in a session's story has its text; without one, the page would show the id."""
 
 from typing import get_args
 

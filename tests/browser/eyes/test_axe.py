@@ -11,7 +11,7 @@ from urllib.parse import urlsplit
 import pytest
 from browser.eyes.axe import cells_of, findings, look_as
 from browser.eyes.places import PLACES, put_back
-from browser.eyes.sweep import keyboard_faults, lost_when_enlarged, moving_parts, small_targets
+from browser.eyes.sweep import keyboard_faults, lost_when_enlarged, moving_parts, shown_ids, small_targets
 
 from folders import ROOT
 
@@ -57,6 +57,7 @@ def test_one_size_and_theme_of_every_page(page, clinic):
         open_place(page, clinic)
         page.wait_for_timeout(200)
         found[name, *cell] = [str(one) for one in findings(page)] + small_targets(page) + keyboard_faults(page)
+        found[name, "ids"] = shown_ids(page)
         found[name, "200 %"] = lost_when_enlarged(page)
         found[name, "motion"] = moving_parts(page)
         address = address_of(page.url)
@@ -77,6 +78,7 @@ def test_every_size_and_theme(page, clinic, name):
     for cell in cells_of(name):
         look_as(page, cell)
         found[cell] = [str(one) for one in findings(page)] + small_targets(page)
+    found["ids"] = shown_ids(page)
     found["keyboard"] = keyboard_faults(page)
     found["200 %"] = lost_when_enlarged(page)
     put_back(clinic)

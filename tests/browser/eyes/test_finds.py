@@ -2,6 +2,7 @@
 
 import pytest
 from browser.eyes.axe import findings
+from browser.eyes.sweep import shown_ids
 
 pytestmark = [pytest.mark.browser]
 
@@ -24,4 +25,13 @@ def test_what_is_wrong_is_found_and_what_is_right_is_not(browser):
         ("violation", "button-name", "button"),
         ("violation", "color-contrast", "#faint"),
     }
+    page.context.close()
+
+
+def test_an_id_that_is_shown_for_its_words_is_found(browser):
+    page = browser.new_page()
+    page.set_content(
+        "<p>Left-hand <b>review-end-nothing</b></p><p>A lamp-shirt there</p><p aria-label='lamp-shirt'>x-y</p>"
+    )
+    assert shown_ids(page) == ["review-end-nothing", "lamp-shirt"]
     page.context.close()

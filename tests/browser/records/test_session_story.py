@@ -55,7 +55,7 @@ def test_a_reviewer_reads_a_session_as_a_story_and_opens_a_replay(browser, page_
     days = [line.inner_text() for line in story.locator("li").all() if re.search(r"\d, 20\d\d", line.inner_text())]
     assert len(days) == 1  # the day stands where it begins
     assert "Session began" in days[0]
-    assert "share." not in story.inner_text()  # a key that has no text
+    assert "share-event" not in story.inner_text()  # an id that has no text
     page.screenshot(path=SCREENSHOTS / f"story-{size}-{theme}.png")
     assert not page.evaluate(TOO_WIDE)
     assert page.evaluate(SMALL) == []
