@@ -18,6 +18,7 @@ from typing import Any, Final, NamedTuple
 VENDOR: Final = "web_static/vendor"
 RECORD: Final = "packages.json"  # in the folder: what it was made of, and the digest of each file
 LICENCE: Final = "LICENSE.txt"
+LICENCES: Final = "licences"  # the texts of those that a package only names, by their SPDX identifiers
 NPM: Final = ("ci", "--omit=dev", "--ignore-scripts", "--no-audit", "--no-fund", "--no-update-notifier")
 PATIENCE: Final = ("--fetch-retries=2", "--fetch-retry-mintimeout=1000", "--fetch-retry-maxtimeout=5000")  # ms
 ASKED: Final = ("package.json", "package-lock.json", ".npmrc")
@@ -55,7 +56,11 @@ class CopiedFile(NamedTuple):
         return f"{self.package}/{self.name}"
 
 
+FLUENT: Final = "@fluent/bundle"
+FLUENT_PARTS: Final = ("builtins", "bundle", "memoizer", "resolver", "resource", "scope", "types")
 FILES: Final = (
+    CopiedFile(FLUENT, "esm/index.js", "index.js", FLUENT),
+    *(CopiedFile(FLUENT, f"esm/{name}.js", f"{name}.js") for name in FLUENT_PARTS),
     CopiedFile("preact", "dist/preact.mjs", "preact.js", "preact"),
     CopiedFile("preact", "hooks/dist/hooks.mjs", "hooks.js", "preact/hooks"),
     CopiedFile("@preact/signals", "dist/signals.mjs", "signals.js", "@preact/signals"),
@@ -101,7 +106,7 @@ def ensure_packages(root: Path) -> bool:
         fetched, made = Path(work, "fetched"), Path(work, "made")
         fetched.mkdir()
         _fetch(root, fetched)
-        _copy(fetched / "node_modules", made, packages(root))
+        _copy(root, fetched / "node_modules", made)
         digests = {file.relative_to(made).as_posix(): _digest(file) for file in made.rglob("*") if file.is_file()}
         (made / RECORD).write_text(json.dumps({"origin": origin, "files": digests}, indent=1))
         if (root / VENDOR).exists():
@@ -147,20 +152,29 @@ def _fetch(root: Path, folder: Path) -> None:
         raise FetchError(NOT_FETCHED.format(why[1] if why else f"it ended with {ended.returncode}"))
 
 
-def _copy(node_modules: Path, folder: Path, named: list[LockedPackage]) -> None:
+def _copy(root: Path, node_modules: Path, folder: Path) -> None:
     """Copy the files and the licences of the packages into `folder`."""
+    named = packages(root)
     unused = {package.name for package in named} - {file.package for file in FILES}
     if unused:
         raise FetchError(f"front_end_packages.py copies no file of {', '.join(sorted(unused))}: name some in FILES.")
     for package in named:
         (folder / package.name).mkdir(parents=True)
-        (folder / package.name / LICENCE).write_text(_text(node_modules, package.name, "LICENSE"), "utf-8")
+        (folder / package.name / LICENCE).write_text(_licence(root, node_modules, package), "utf-8")
     for file in FILES:
         text = _text(node_modules, file.package, file.source)
         copy = folder / file.place
         copy.write_text(_linked(text, file) if file.module else text, "utf-8")
         if file.module:
             copy.with_suffix(".d.ts").write_text(_types(file), "utf-8")
+
+
+def _licence(root: Path, node_modules: Path, package: LockedPackage) -> str:
+    """Return the words of a package's licence: its own file, or the text of the licence that it names."""
+    text = root / LICENCES / f"{package.licence}.txt"
+    if text.exists() and not (node_modules / package.name / "LICENSE").exists():
+        return text.read_text("utf-8")
+    return _text(node_modules, package.name, "LICENSE")
 
 
 def _text(node_modules: Path, package: str, source: str) -> str:

@@ -5,8 +5,10 @@ The pages of the folder docs/ stand under /docs/, where the "?" of a page leads.
 
 import gzip
 import html
+import json
 import posixpath
 import re
+from collections import defaultdict
 from collections.abc import Iterable
 from functools import lru_cache
 from hashlib import sha256
@@ -38,6 +40,10 @@ FIRST: Final = {"index.html": ["js/pages/drive/drive.js"]}  # modules that an en
 FOREIGN: Final = "vendor/"  # scripts of others: large, so that one is compressed when a page first asks for it
 FOR_EVER: Final = "public, max-age=31536000, immutable"
 ASK_AGAIN: Final = "no-cache"  # a browser asks each time whether its copy is still good
+
+WORDS: Final = "words"  # the folder of the messages in Fluent: words/LANGUAGE/*.ftl
+ALONE: Final = frozenset({"help", "tablet"})  # files of messages that are loaded only where they are shown
+SHARED: Final = "pages"  # the module with the messages of all other files
 
 DOCS_LIST: Final = "README"  # of docs/, the page that lists all others
 MARKDOWN: Final = ".md"
@@ -74,6 +80,7 @@ class Pages:
     def __init__(self, folder: Path) -> None:
         files = sorted(file for file in folder.rglob("*") if file.suffix in KINDS)
         contents = {file.relative_to(folder).as_posix(): file.read_bytes() for file in files}
+        contents |= word_modules(folder)
         digest = sha256(__version__.encode())
         for name, content in contents.items():
             digest.update(f"{name} {len(content)} ".encode() + content)
@@ -168,15 +175,30 @@ def read_entry(folder: Path, entry: str) -> dict[str, PageFile]:
     """Return an entry (an HTML file) and the files that it needs, by their names, as they are."""
     text = (folder / entry).read_text()
     styles = [name for kind, name in LINK.findall(text) if kind == "href"]
-    scripts: dict[str, bytes] = {}
+    words, scripts = word_modules(folder), dict[str, bytes]()
     waiting = ENTRY.findall(text)
     while waiting:
         name = waiting.pop()
         if name not in scripts:
-            scripts[name] = (folder / name).read_bytes()
+            scripts[name] = words[name] if name in words else (folder / name).read_bytes()
             waiting += _imported(name, scripts[name])
     contents = {entry: text.encode()} | {name: (folder / name).read_bytes() for name in styles} | scripts
     return {name: _page_file(name, content) for name, content in contents.items()}
+
+
+def word_modules(folder: Path) -> dict[str, bytes]:
+    """Return the modules with the messages of the pages, by their names (`words/en/pages.ftl.js`).
+
+    Each exports messages as one text, without the comments that are for translators. As a module they are imported,
+    have the pages' version and are loaded at once with the others, as nothing else would be.
+    """
+    parts: dict[str, list[str]] = defaultdict(list)
+    for file in sorted((folder / WORDS).glob("*/*.ftl")):
+        module = file.stem if file.stem in ALONE else SHARED
+        lines = file.read_text(encoding="utf-8").splitlines()
+        parts[f"{WORDS}/{file.parent.name}/{module}.ftl.js"] += [line for line in lines if not line.startswith("#")]
+    texts = {name: json.dumps("\n".join(lines), ensure_ascii=False) for name, lines in parts.items()}
+    return {name: f"export default {text};\n".encode() for name, text in texts.items()}
 
 
 def _page_file(name: str, content: bytes) -> PageFile:

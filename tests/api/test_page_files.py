@@ -1,5 +1,6 @@
 """The files of the pages: kept by a browser under the address of their version, asked for again under any other."""
 
+import json
 import re
 from pathlib import Path
 from typing import Any
@@ -8,7 +9,7 @@ import pytest
 from starlette.applications import Starlette
 from starlette.testclient import TestClient
 
-from app.api.pages import Pages, PagesFirst
+from app.api.pages import Pages, PagesFirst, read_entry, word_modules
 from app.settings import static_folder
 
 ENTRY = """<!doctype html>
@@ -139,6 +140,40 @@ def test_every_module_that_a_page_imports_is_preloaded_and_there() -> None:
             links = re.findall(r'(?:href|src)="([^"]+)"', client.get(f"/{entry}.html").text)
             assert len(links) > 20
             assert {client.get(link).status_code for link in links} == {200}
+
+
+MESSAGES = {
+    "words/en/a.ftl": '### For translators\n\n# why\none = "One" – {" "}\n    # two\n',
+    "words/en/b.ftl": "two = Two\n",
+    "words/en/help.ftl": "help-one = Help\n",
+    "words/es/b.ftl": "two = Dos\n",
+    "js/main.js": 'import messages from "../words/en/pages.ftl.js";\n',
+}
+
+
+def test_messages_are_modules_of_a_language_without_comments(tmp_path: Path) -> None:
+    made = word_modules(put(tmp_path, **MESSAGES))
+    texts = {name: json.loads(content.decode().removeprefix("export default ")[:-2]) for name, content in made.items()}
+    assert texts == {
+        "words/en/pages.ftl.js": '\none = "One" – {" "}\n    # two\ntwo = Two',
+        "words/en/help.ftl.js": "help-one = Help",
+        "words/es/pages.ftl.js": "two = Dos",
+    }
+
+
+def test_messages_are_loaded_with_what_imports_them_and_have_its_version(tmp_path: Path) -> None:
+    pages = Pages(put(tmp_path, **MESSAGES))
+    module = word_modules(tmp_path)["words/en/pages.ftl.js"]
+    assert f'"/v-{pages.version}/words/en/pages.ftl.js">' in pages.text("index.html")
+    assert "help.ftl" not in pages.text("index.html")
+    assert pages.text("words/en/pages.ftl.js") == module.decode()
+    assert read_entry(tmp_path, "index.html")["words/en/pages.ftl.js"].content == module
+    assert Pages(put(tmp_path, **{"words/es/b.ftl": "two = Deux\n"})).version != pages.version
+    app = Starlette()
+    app.mount("/", pages)
+    with TestClient(app) as client:
+        assert client.get("/words/en/pages.ftl.js").headers["content-type"] == "text/javascript; charset=utf-8"
+        assert client.get("/words/en/b.ftl").status_code == 404
 
 
 def test_no_route_is_looked_through_for_a_file_of_a_version(pages: Pages) -> None:

@@ -7,7 +7,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from shutil import copy
+from shutil import copy, copytree
 from types import SimpleNamespace
 from typing import Any
 
@@ -16,22 +16,37 @@ import pytest
 import front_end_packages
 from api_types import NODE
 from folders import ROOT
-from front_end_packages import FILES, LICENCE, MODULES, RECORD, VENDOR, FetchError, ensure_packages, is_complete
+from front_end_packages import (
+    FILES,
+    LICENCE,
+    LICENCES,
+    MODULES,
+    RECORD,
+    VENDOR,
+    FetchError,
+    ensure_packages,
+    is_complete,
+)
 
 NAMED = ("package.json", "package-lock.json")
 HOW = "web_static/vendor is not that of package-lock.json: run `python front_end_packages.py`."
-SCRIPT = """
+SCRIPT = r"""
 import * as preact from "./preact/preact.js";
 import * as hooks from "./preact/hooks.js";
 import * as signals from "./@preact/signals/signals.js";
 import * as core from "./@preact/signals-core/signals-core.js";
 import uPlot from "./uplot/uplot.js";
+import { FluentBundle, FluentNumber, FluentResource } from "./@fluent/bundle/index.js";
 const count = signals.signal(1);
 const seen = [];
 core.effect(() => void seen.push(count.value));
 count.value = 2;
+const bundle = new FluentBundle("en", { useIsolating: false });
+bundle.addResource(new FluentResource("sum = { NUMBER($n) } { DATETIME($d, year: \"numeric\") }"));
+const given = { n: new FluentNumber(1234), d: new Date("2000-06-01") };
+const sum = bundle.formatPattern(bundle.getMessage("sum").value, given);
 const names = [preact.h, preact.render, hooks.useEffect, signals.useSignal, uPlot].map((each) => typeof each);
-process.stdout.write(JSON.stringify([seen, signals.Signal === core.Signal, ...new Set(names)]));
+process.stdout.write(JSON.stringify([seen, sum, signals.Signal === core.Signal, ...new Set(names)]));
 """
 
 
@@ -78,9 +93,10 @@ def test_modules_import_each_other_and_are_typed_by_their_packages(tmp_path: Pat
     script.write_text(SCRIPT.replace('from "./', f'from "{(ROOT / VENDOR).as_uri()}/'))
     done = subprocess.run([NODE, script], capture_output=True, text=True, timeout=60, check=False)
     assert done.returncode == 0, done.stderr
-    assert json.loads(done.stdout) == [[1, 2], True, "function"]
+    assert json.loads(done.stdout) == [[1, 2], "1,234 2000", True, "function"]
 
 
+WITHOUT_LICENCE = "@fluent/bundle"  # it names its licence, and has no file with its words
 FAILING = """
 from types import SimpleNamespace
 def npm(*_, **__):
@@ -95,7 +111,7 @@ def npm_of_a_folder(arguments: list[str], cwd: Path, **_: Any) -> Any:
     assert arguments[:3] == ["ci", "--omit=dev", "--ignore-scripts"]
     for file in FILES:
         text = f'import{{a}}from"preact";export{{b}}from"{file.module}";//# sourceMappingURL=x.map\n'
-        for name in (file.source, "LICENSE"):
+        for name in (file.source, "LICENSE") if file.package != WITHOUT_LICENCE else (file.source,):
             place = cwd / "node_modules" / file.package / name
             place.parent.mkdir(parents=True, exist_ok=True)
             place.write_text(text if name == file.source else f"MIT License of {file.package}")
@@ -117,6 +133,7 @@ def tree(tmp_path: Path, use: Callable[[Npm], None]) -> Path:
     """A source tree with pages, whose packages are fetched."""
     for name in NAMED:
         copy(ROOT / name, tmp_path)
+    copytree(ROOT / LICENCES, tmp_path / LICENCES)
     (tmp_path / "web_static").mkdir()
     use(npm_of_a_folder)
     assert ensure_packages(tmp_path)
@@ -136,6 +153,9 @@ def test_a_build_copies_modules_and_licences_and_nothing_else(tree: Path) -> Non
     assert hooks == 'import{a}from"./preact.js";\nexport{b}from"./hooks.js";'
     core = (tree / VENDOR / "@preact" / "signals-core" / "signals-core.js").read_text()
     assert core.startswith('import{a}from"../../preact/preact.js";\n')
+    own = (tree / VENDOR / "preact" / LICENCE).read_text()
+    named = (tree / VENDOR / WITHOUT_LICENCE / LICENCE).read_text()
+    assert (own, named) == ("MIT License of preact", (ROOT / LICENCES / "Apache-2.0.txt").read_text())
     assert list((tree / "build").iterdir()) == []
 
 
@@ -203,15 +223,22 @@ def killed(*_: Any, **__: Any) -> Any:
     raise KeyboardInterrupt
 
 
+def without_licence(arguments: list[str], cwd: Path, **_: Any) -> Any:
+    ended = npm_of_a_folder(arguments, cwd)
+    (cwd / "node_modules" / "uplot" / "LICENSE").unlink()
+    return ended
+
+
 @pytest.mark.parametrize(
     ("npm", "why"),
     [
         (without_network, r"^npm could not fetch .* \(network request failed\)\. A build needs the network"),
         (lambda *_, **__: SimpleNamespace(returncode=3, stderr=""), r"\(it ended with 3\)"),
         (half, r"^uplot has no dist/uPlot\.min\.css,"),
+        (without_licence, r"^uplot has no LICENSE,"),
         (with_another_import, r"^preact imports other, and front_end_packages\.py does not copy it\.$"),
     ],
-    ids=["no network", "no reason", "half a package", "another import"],
+    ids=["no network", "no reason", "half a package", "no licence", "another import"],
 )
 def test_a_folder_stays_as_it_was_when_the_packages_cannot_be_had(
     tree: Path, use: Callable[[Npm], None], npm: Npm, why: str

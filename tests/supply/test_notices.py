@@ -21,6 +21,7 @@ FOREIGN = [*hatch_build.front_end_works(ROOT), *(hatch_build.Foreign(**one) for 
 # What people write into a file that they give away, in its first lines; and kinds of files without lines.
 MARKS = re.compile(rb"copyright|\(c\) \d|licen[cs]ed under|@licen[cs]e|spdx-licen[cs]e-identifier", re.IGNORECASE)
 HEAD = 2000  # bytes
+LICENCES = {"MIT": "MIT License", "OFL-1.1": "SIL OPEN FONT LICENSE Version 1.1", "Apache-2.0": "Apache License"}
 FONTS = {".ttf", ".otf", ".woff", ".woff2"}
 
 
@@ -43,7 +44,7 @@ def test_a_notice_has_the_whole_text_of_the_licence(one: hatch_build.Foreign) ->
     text = notices(ROOT, [one])
     assert (ROOT / one.text).read_text() in text
     assert f"Name: {one.name}\nVersion: {one.version}\nLicence: {one.licence}\nFiles: " in text
-    assert {"MIT": "MIT License", "OFL-1.1": "SIL OPEN FONT LICENSE Version 1.1"}[one.licence] in text
+    assert LICENCES[one.licence] in text
 
 
 def test_the_versions_are_those_of_the_files() -> None:

@@ -11,6 +11,7 @@ import pytest
 
 from api_types import NODE
 from app.api.app import create_app
+from app.api.pages import word_modules
 from app.api.routes.reference import reference_of
 from app.computing_process import ComputingProcess
 from app.process.supervisor import ControlProcess
@@ -19,10 +20,13 @@ from app.settings import Settings, static_folder
 
 @pytest.fixture(scope="session")
 def modules(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Copies of web_static/js and of what it imports, beside a package.json, so that node reads them as modules."""
+    """Copies of web_static/js, of what it imports and the modules of messages, beside a package.json for node."""
     folder = tmp_path_factory.mktemp("modules")
     (folder / "package.json").write_text('{"type": "module"}')
     shutil.copytree(static_folder() / "vendor", folder / "vendor")
+    for name, content in word_modules(static_folder()).items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_bytes(content)
     return Path(shutil.copytree(static_folder() / "js", folder / "js"))
 
 

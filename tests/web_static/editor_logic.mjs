@@ -151,7 +151,7 @@ const tests = {
     const moved = placeChosen({ ...fresh("move", made.plan), chosen: made.ref }, [3, 3], 0.3);
     near(moved.plan.doors[0].position, [3, 3]);
     assert.equal(moved.plan.walls.length, 3);
-    assert.ok(tap(fresh("door", plan), [9, 9], HOW).words.startsWith("editor.door."));
+    assert.ok(tap(fresh("door", plan), [9, 9], HOW).words.startsWith("editor-door-"));
   },
   "boxes, round things and cones"() {
     const box = taps(fresh("box"), [1, 1], [3, 2]).plan.obstacles[0];
@@ -196,9 +196,9 @@ const tests = {
         [5, 5],
       ]),
     ).plan;
-    assert.equal(tap(fresh("heading", two), [9, 9], HOW).words, "editor.heading.choose");
+    assert.equal(tap(fresh("heading", two), [9, 9], HOW).words, "editor-heading-choose");
     const chosen = tap(fresh("heading", two), [2, 5], HOW);
-    assert.equal(chosen.words, "editor.heading.now");
+    assert.equal(chosen.words, "editor-heading-now");
     assert.equal(tap(chosen, [0, 4], HOW).plan.paths[1].start_heading, -1.5708);
     assert.equal(
       change(turned.plan, { list: "paths", index: 0 }, { start_heading: undefined }).paths[0].start_heading,

@@ -8,7 +8,7 @@ const { hasDrawing } = await import(`${folder}/help/drawings.js`);
 
 const below = ["tasks", "chairs", "screen", "chair", "over"].map((name) => `drive.${name}`);
 for (const page of [...PAGES, ...below]) {
-  assert.equal(pageWords(page)?.sentences.length, 3, `${page}: three sentences are missing in texts/en/help.js`);
+  assert.equal(pageWords(page)?.sentences.length, 3, `${page}: three sentences are missing in words/en/help.ftl`);
   assert.ok(hasDrawing(page), `${page}: its drawing is missing in help/drawings.js`);
   for (const sentence of pageWords(page)?.sentences ?? []) assert.match(sentence, /^\P{Ll}.*\.$/u);
 }

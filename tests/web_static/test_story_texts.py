@@ -1,14 +1,12 @@
-"""Each kind of event in a session's story has its text; without one, the page would show the key."""
+"""Each kind of event in a session's story has its text; without one, the page would show the id."""
 
-import re
 from typing import get_args
 
-from app.features.registration import EventKind
-from folders import ROOT
+from web_static.messages import WORDS, id_of, ids_of
 
-TEXTS = ROOT / "web_static" / "js" / "texts" / "en" / "sharing" / "share.js"
+from app.features.registration import EventKind
 
 
 def test_each_kind_of_event_has_its_text() -> None:
-    found = set(re.findall(r'"share\.event\.([\w-]+)":', TEXTS.read_text(encoding="utf-8")))
-    assert found == set(get_args(EventKind))
+    found = {name for name in ids_of(WORDS / "en" / "share.ftl") if name.startswith("share-event-")}
+    assert found == {f"share-event-{id_of(kind)}" for kind in get_args(EventKind)}

@@ -4,11 +4,12 @@ import ast
 import json
 
 from cli.symbols import symbols_in
+from web_static.messages import WORDS
 
 from folders import ROOT
 
 # Texts about the picture of a floor plan that a robot has drawn: a ROS map.
-FLOOR_PLANS = ("editor.js: import", "uploads.js")
+FLOOR_PLANS = ("editor.ftl: import", "uploads.ftl")
 # Sentences for people come from these; messages on fields of a document name the field as the document does.
 SENTENCES = ("app/faults.py", "app/scoring", "app/calibration", "app/session", "app/store", "app/api", "app/source.py")
 ROWS_OF_THE_LOG = {"map adapted", "map taken back"}  # they are never changed, so that older rows have the same names
@@ -16,17 +17,23 @@ ONLY_IN_EXPORTS = {"Smoothness: logarithmic dimensionless jerk"}
 DOCUMENTS = {"profile.py", "vocabulary.py", "prompts_file.py", "plan_files.py"}
 
 
+def read_texts(run_script):
+    """Return every text of the pages by its file and id."""
+    read = json.loads(run_script("texts.mjs", WORDS / "en"))
+    return {f"{file}: {name}": text for file, texts in read.items() for name, text in texts.items()}
+
+
 def test_no_text_of_the_pages_has_a_symbol(run_script):
-    texts = json.loads(run_script("texts.mjs"))
-    assert len(texts) > 800
+    texts = read_texts(run_script)
+    assert len(texts) > 2000
     shown = {key: text for key, text in texts.items() if "details" not in key and not key.startswith(FLOOR_PLANS)}
     assert {key: text for key, text in shown.items() if symbols_in(text)} == {}
 
 
 def test_a_label_holds_the_words_that_it_replaces(run_script):
     """Who presses a button by voice says what is written on it."""
-    texts = json.loads(run_script("texts.mjs"))
-    labels = {key.removesuffix(".label"): text for key, text in texts.items() if key.endswith(".label")}
+    texts = read_texts(run_script)
+    labels = {key.removesuffix("-label"): text for key, text in texts.items() if key.endswith("-label")}
     replaced = {key: (texts[key], label) for key, label in labels.items() if key in texts}
     assert len(replaced) > 20
     assert {key: both for key, both in replaced.items() if both[0].lower() not in both[1].lower()} == {}

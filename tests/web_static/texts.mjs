@@ -1,12 +1,20 @@
-/** Print every text of the pages by its key, those of the page for tablets too, as JSON. */
-import { readdirSync } from "node:fs";
+/** Print the texts of a language by file and id as JSON: of each message all its variants, with {names} of its values. */
+import { readdirSync, readFileSync } from "node:fs";
 
-const [folder] = process.argv.slice(2);
+const [modules, language] = process.argv.slice(2);
+const { FluentResource } = await import(`${modules}/../vendor/@fluent/bundle/index.js`);
+
+/** The words of a pattern, or of a part of one. */
+function words(part) {
+  if (typeof part === "string") return part;
+  if (Array.isArray(part)) return part.map(words).join("");
+  if (part.type === "select") return part.variants.map(({ value }) => words(value)).join(" ");
+  return part.type === "var" ? `{${part.name}}` : part.value;
+}
+
 const texts = {};
-for (const file of readdirSync(`${folder}/texts/en`, { recursive: true })) {
-  if (!file.endsWith(".js")) continue; // a folder
-  const { default: own } = await import(`${folder}/texts/en/${file}`);
-  for (const [key, text] of Object.entries(own))
-    texts[`${file}: ${key}`] = typeof text === "string" ? text : Object.values(text).join(" ");
+for (const file of readdirSync(language)) {
+  const { body } = new FluentResource(readFileSync(`${language}/${file}`, "utf8"));
+  texts[file] = Object.fromEntries(body.map(({ id, value }) => [id, words(value)]));
 }
 console.log(JSON.stringify(texts));

@@ -136,7 +136,7 @@ export class Api {
 
   /** @param {string} method @param {string} path @param {unknown} body */
   async #call(method, path, body) {
-    if (this.isOver && method !== "GET" && !ALWAYS.has(path)) throw new ApiError(t("session.over"), CONFLICT);
+    if (this.isOver && method !== "GET" && !ALWAYS.has(path)) throw new ApiError(t("session-over"), CONFLICT);
     const isFile = body instanceof FormData || body instanceof Blob;
     /** @type {Record<string, string>} */
     const headers = method === "GET" ? {} : { "Patient-Session": String(this.session ?? "none") };
@@ -151,7 +151,7 @@ export class Api {
         keepalive: path.startsWith(STOP),
       });
     } catch {
-      throw new ApiError(t("error.no-answer"), 0);
+      throw new ApiError(t("error-no-answer"), 0);
     }
     const content = await answer.json().catch(() => null);
     if (answer.ok) return content;
@@ -170,5 +170,5 @@ function sentence(content, status) {
     const where = (detail[0].loc ?? []).filter((part) => part !== "body").join(", ");
     return where ? `${where}: ${detail[0].msg}.` : `${detail[0].msg}.`;
   }
-  return t("error.status", { status });
+  return t("error-status", { status });
 }

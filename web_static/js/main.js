@@ -139,7 +139,7 @@ export class App extends TypedEvents {
   }
 
   /** Nobody is signed in any more: remove at once what may name a patient. @param {string} [words] what to say then */
-  signedOut(words = t("note.signed-out")) {
+  signedOut(words = t("note-signed-out")) {
     if (!this.me?.signed_in) return;
     this.lock.lift();
     this.live.close();
@@ -180,7 +180,7 @@ export class App extends TypedEvents {
   requestTrial(where) {
     if (this.live.latest?.fault) {
       // A stop is taken back by Continue and by nothing else.
-      this.toasts.show(t("note.fault.first"));
+      this.toasts.show(t("note-fault-first"));
       /** @type {HTMLElement | null} */ (this.frame.querySelector(".note .btn"))?.focus();
       return;
     }
@@ -268,12 +268,12 @@ export class App extends TypedEvents {
       ? h(
           "a",
           { class: "btn go", href: `#/${this.#next()}` },
-          t("error.other-page", { page: t(`rail.${this.#next()}`) }),
+          t("error-other-page", { page: t(`rail-${this.#next()}`) }),
         )
       : h("button", { type: "button", class: "btn go", onclick: () => this.show() }, t("try-again"));
     put(
       this.root,
-      h("h1", { tabindex: "-1" }, t("error.page")),
+      h("h1", { tabindex: "-1" }, t("error-page")),
       h("p", { class: "lead" }, failureWords(error)),
       h("div", {}, way),
     );

@@ -26,7 +26,7 @@ class PatientPage {
   #timer = 0;
 
   async start() {
-    document.title = t("patient.title");
+    document.title = t("patient-title");
     document.body.replaceChildren(this.#root, this.#practice.element);
     stayAwake();
     // After either event the pairing may have ended: ask the server for its state.
@@ -70,7 +70,7 @@ class PatientPage {
     } catch (error) {
       // While the screen is shown, its socket reconnects by itself.
       if (this.#isShowing) return;
-      this.#say(t("patient.lost"), failureWords(error), t("patient.lost.why"));
+      this.#say(t("patient-lost"), failureWords(error), t("patient-lost-why"));
       this.#timer = setTimeout(() => this.#ask(), this.#pause);
       this.#pause = Math.min(2 * this.#pause, LONGEST_PAUSE);
     }
@@ -89,7 +89,7 @@ class PatientPage {
     this.#isShowing = false;
     this.#screen.abort();
     this.#live.close();
-    this.#say(t(`patient.${state}.title`), words || t(`patient.${state}.lead`), t(`patient.${state}.next`));
+    this.#say(t(`patient-${state}-title`), words || t(`patient-${state}-lead`), t(`patient-${state}-next`));
     this.#root.append(
       codeForm(
         (code) => this.#pair(code),
@@ -132,8 +132,8 @@ function codeForm(pair, onPaired) {
       write(problem, failureWords(error));
     }
   };
-  const go = h("button", { class: "btn go large" }, t("patient.code.go"));
-  return h("form", { class: "code-form", onsubmit: submit }, field(t("patient.code"), code), go, problem);
+  const go = h("button", { class: "btn go large" }, t("patient-code-go"));
+  return h("form", { class: "code-form", onsubmit: submit }, field(t("patient-code"), code), go, problem);
 }
 
 followSystem();

@@ -28,14 +28,14 @@ async function show() {
   if (answer?.ok) {
     await readReference();
     showShared(await answer.json());
-  } else askPin(answer ? "" : t("share.failed"));
+  } else askPin(answer ? "" : t("share-failed"));
 }
 
 /** @param {string} words of a refusal, or empty */
 function askPin(words) {
   const token = location.hash.slice(1);
   if (!token) {
-    put(main, h("h1", {}, t("share.heading")), h("p", { role: "alert" }, t("share.no_link")));
+    put(main, h("h1", {}, t("share-heading")), h("p", { role: "alert" }, t("share-no-link")));
     return;
   }
   let isBusy = false; // a second tap would count as another try
@@ -53,21 +53,21 @@ function askPin(words) {
       await show();
       return;
     }
-    askPin(answer ? (await answer.json()).detail : t("share.failed"));
+    askPin(answer ? (await answer.json()).detail : t("share-failed"));
   };
   put(
     main,
     h(
       "section",
       {},
-      h("h1", {}, t("share.heading")),
+      h("h1", {}, t("share-heading")),
       h(
         "form",
         { onsubmit: open },
-        h("label", {}, t("share.pin"), pin),
-        h("p", { class: "quiet" }, t("share.pin.words")),
+        h("label", {}, t("share-pin"), pin),
+        h("p", { class: "quiet" }, t("share-pin-words")),
         h("p", { class: "problem", role: "alert" }, words),
-        h("button", { class: "btn go large" }, t("share.open")),
+        h("button", { class: "btn go large" }, t("share-open")),
       ),
     ),
   );
@@ -76,12 +76,12 @@ function askPin(words) {
 
 /** @param {SharedView} shared */
 function showShared({ code, expires, stories, tasks }) {
-  document.title = t("share.title", { code });
-  const heading = h("h1", { tabindex: "-1" }, t("share.title", { code }));
+  document.title = t("share-title", { code });
+  const heading = h("h1", { tabindex: "-1" }, t("share-title", { code }));
   put(
     main,
     heading,
-    h("p", { class: "quiet" }, t("share.until", { day: day(expires) })),
+    h("p", { class: "quiet" }, t("share-until", { day: day(expires) })),
     tasks.map(taskCard),
     stories.map(storyCard),
   );
@@ -97,8 +97,8 @@ function helpButton() {
     {
       type: "button",
       class: "btn small",
-      title: t("help.open"),
-      "aria-label": t("help.open"),
+      title: t("help-open"),
+      "aria-label": t("help-open"),
       "aria-expanded": "false",
       onclick: async () => (await import("./help/page_help.js")).openPageHelp(page, button),
     },
@@ -119,27 +119,27 @@ function taskCard(task) {
     h(
       "h2",
       {},
-      t("share.task", { plan: task.floorplan_title, path: task.path_title }),
-      task.source === "simulated" ? ` (${t("share.simulated")})` : "",
+      t("share-task", { plan: task.floorplan_title, path: task.path_title }),
+      task.source === "simulated" ? ` (${t("share-simulated")})` : "",
     ),
-    h("p", {}, t("share.trajectories", { count: task.trajectories.length })),
+    h("p", {}, t("share-trajectories", { count: task.trajectories.length })),
     lines([task.path, ...task.trajectories.map(({ x, y }) => x.map((one, i) => [one, y[i]]))], "path"),
-    h("p", {}, t("share.curve")),
-    areaCurve(areas) ?? h("p", { class: "quiet" }, t("share.no_area")),
+    h("p", {}, t("share-curve")),
+    areaCurve(areas) ?? h("p", { class: "quiet" }, t("share-no-area")),
     areas.length > 0 &&
       h(
         "p",
         {},
-        t("share.values", { first: number(areas[0].value, 2), newest: number(areas[areas.length - 1].value, 2) }),
+        t("share-values", { first: number(areas[0].value, 2), newest: number(areas[areas.length - 1].value, 2) }),
       ),
-    h("p", {}, t("share.verdicts")),
+    h("p", {}, t("share-verdicts")),
     words.length
       ? h(
           "dl",
           {},
           words.map((name) => [h("dt", {}, nameOf(name)), h("dd", {}, REFERENCE.measures.verdicts[task.words[name]])]),
         )
-      : h("p", { class: "quiet" }, t("share.no_verdict")),
+      : h("p", { class: "quiet" }, t("share-no-verdict")),
   );
 }
 
@@ -165,10 +165,10 @@ function lines(all, first) {
 
 /** @param {StoryView} story */
 function storyCard(story) {
-  return h("section", {}, h("h2", {}, t("share.session", { number: story.number })), storyParts(story));
+  return h("section", {}, h("h2", {}, t("share-session", { number: story.number })), storyParts(story));
 }
 
 document.documentElement.lang = LANGUAGE;
 followSystem();
-main.before(h("header", {}, h("span", {}, t("app.name")), helpButton()));
+main.before(h("header", {}, h("span", {}, t("app-name")), helpButton()));
 show();

@@ -27,7 +27,7 @@ class StereoPage {
   #isLost = false;
 
   start() {
-    document.title = t("stereo.title");
+    document.title = t("stereo-title");
     document.body.replaceChildren(this.#root, this.#practice.element);
     stayAwake();
     this.#check();
@@ -82,9 +82,9 @@ class StereoPage {
       h(
         "section",
         { class: "refused", role: "status" },
-        h("h1", {}, t("stereo.refused.title")),
-        h("p", {}, t("stereo.refused.clinician"), " ", h("a", { href: "./" }, t("stereo.refused.sign-in"))),
-        h("p", {}, t("stereo.refused.patient")),
+        h("h1", {}, t("stereo-refused-title")),
+        h("p", {}, t("stereo-refused-clinician"), " ", h("a", { href: "./" }, t("stereo-refused-sign-in"))),
+        h("p", {}, t("stereo-refused-patient")),
       ),
     );
   }
@@ -92,7 +92,7 @@ class StereoPage {
   /** @param {"" | "lost" | "waiting"} what */
   #say(what) {
     if (!this.#words.isConnected) put(this.#root, this.#words);
-    write(this.#words, what && t(`stereo.${what}`));
+    write(this.#words, what && t(`stereo-${what}`));
     this.#words.hidden = !what;
   }
 }

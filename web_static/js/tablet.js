@@ -3,8 +3,9 @@ import { h, put } from "./widgets/dom.js";
 import { dayAndTime } from "./widgets/format.js";
 import { followSystem } from "./shell/theme.js";
 import { check } from "./tablet/check.js";
-import { DEVICES, deviceOf, stepList, text } from "./tablet/steps.js";
+import { DEVICES, deviceOf, stepList } from "./tablet/steps.js";
 import { signPicture } from "./tablet/pictures.js";
+import { t } from "./tablet/texts.js";
 
 /** @typedef {import("./tablet/check.js").Finding} Finding */
 
@@ -13,7 +14,12 @@ const APART = 120_000; // ms by which clocks may disagree without a word
 
 let device = deviceOf(navigator);
 let shown = "";
-const result = h("section", { class: "check", role: "status" }, signPicture("waiting"), h("h2", {}, text("checking")));
+const result = h(
+  "section",
+  { class: "check", role: "status" },
+  signPicture("waiting"),
+  h("h2", {}, t("tablet-checking")),
+);
 const steps = h("section", {});
 const fingerprint = h("p", { class: "fingerprint" });
 
@@ -21,7 +27,7 @@ const fingerprint = h("p", { class: "fingerprint" });
 function showSteps() {
   put(
     steps,
-    h("h2", {}, text("device")),
+    h("h2", {}, t("tablet-device")),
     h(
       "div",
       { class: "devices" },
@@ -29,7 +35,7 @@ function showSteps() {
         h(
           "button",
           { type: "button", "aria-pressed": String(each === device), onclick: () => choose(each) },
-          text(each),
+          t(`tablet-${each}`),
         ),
       ),
     ),
@@ -51,7 +57,7 @@ function showResult({ state, facts, apart }) {
     facts &&
     state !== "clock" &&
     Math.abs(apart) > APART &&
-    text("clock.apart", { minutes: String(Math.round(Math.abs(apart) / 60_000)) });
+    t("tablet-clock-apart", { minutes: String(Math.round(Math.abs(apart) / 60_000)) });
   const key = `${state} ${facts?.link} ${apartWords}`;
   if (key === shown) return; // a screen reader would read it again
   shown = key;
@@ -59,18 +65,24 @@ function showResult({ state, facts, apart }) {
   put(
     result,
     signPicture(state === "trusted" || state === "clock" ? state : "waiting"),
-    h("div", {}, h("h2", {}, text(state)), h("p", {}, leadOf(state, facts)), apartWords && h("p", {}, apartWords)),
-    state === "trusted" && facts && h("a", { class: "go", href: facts.link }, text("go")),
+    h(
+      "div",
+      {},
+      h("h2", {}, t(`tablet-${state}`)),
+      h("p", {}, leadOf(state, facts)),
+      apartWords && h("p", {}, apartWords),
+    ),
+    state === "trusted" && facts && h("a", { class: "go", href: facts.link }, t("tablet-go")),
   );
   steps.hidden = state === "trusted";
-  put(fingerprint, facts?.installs && [text("fingerprint"), " ", (facts.fingerprint.match(/../g) ?? []).join(":")]);
+  put(fingerprint, facts?.installs && [t("tablet-fingerprint"), " ", (facts.fingerprint.match(/../g) ?? []).join(":")]);
 }
 
 /** @param {Finding["state"]} state @param {Finding["facts"]} facts */
 function leadOf(state, facts) {
-  if (!facts) return text("lost.lead");
-  if (state === "not-yet" && !facts.installs) return text("not-yet.own", { link: facts.link });
-  return text(`${state}.lead`, {
+  if (!facts) return t("tablet-lost-lead");
+  if (state === "not-yet" && !facts.installs) return t("tablet-not-yet-own", { link: facts.link });
+  return t(`tablet-${state}-lead`, {
     here: dayAndTime(Date.now()),
     there: dayAndTime(facts.now),
     start: dayAndTime(facts.start),
@@ -89,8 +101,8 @@ followSystem();
 showSteps();
 put(
   /** @type {HTMLElement} */ (document.getElementById("main")),
-  h("h1", {}, text("title")),
-  h("p", { class: "lead" }, text("lead")),
+  h("h1", {}, t("tablet-title")),
+  h("p", { class: "lead" }, t("tablet-lead")),
   result,
   steps,
   fingerprint,

@@ -1,8 +1,10 @@
 """What a person without a mouse, with a finger or with an enlarged page cannot use, on the page as it is now."""
 
+import re
 from typing import Any
 
 from browser.script import script
+from web_static.messages import ids_of_language
 
 # A link within a sentence is a part of the text; a box beside words is touched by its words too.
 SMALL = script("small_targets")
@@ -20,6 +22,25 @@ LOST = script("lost")
 
 # What moves after everything that opens was turned over, and every switch was pressed.
 MOVES = script("moving_parts")
+
+# Every text of the page, shown or not, and what stands for one.
+TEXTS = """() => {
+  const texts = new Set();
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  while (walker.nextNode()) texts.add(walker.currentNode.data.trim());
+  for (const name of ["aria-label", "title", "placeholder", "alt"])
+    for (const one of document.querySelectorAll(`[${name}]`)) texts.add(one.getAttribute(name).trim());
+  return [document.title, ...texts];
+}"""
+ID = re.compile(r"([a-z]\w*)-\w[\w+-]*")
+WORDS_OF_THE_LOG = {"sign-in"}
+
+
+def shown_ids(page: Any) -> list[str]:
+    """Return the texts that are the id of a message instead of its words."""
+    beginnings = {name.split("-")[0] for names in ids_of_language().values() for name in names}
+    alike = ((text, ID.fullmatch(text)) for text in page.evaluate(TEXTS))
+    return [text for text, found in alike if found and found[1] in beginnings and text not in WORDS_OF_THE_LOG]
 
 
 def small_targets(page: Any, within: str = "body") -> list[str]:

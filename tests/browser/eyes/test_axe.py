@@ -11,7 +11,7 @@ from urllib.parse import urlsplit
 import pytest
 from browser.eyes.axe import cells_of, findings, look_as
 from browser.eyes.places import PLACES, put_back
-from browser.eyes.sweep import keyboard_faults, lost_when_enlarged, moving_parts, small_targets
+from browser.eyes.sweep import keyboard_faults, lost_when_enlarged, moving_parts, shown_ids, small_targets
 
 from folders import ROOT
 
@@ -66,6 +66,15 @@ def test_what_is_wrong_is_found_and_what_is_right_is_not(browser):
     }
 
 
+def test_an_id_that_is_shown_for_its_words_is_found(browser):
+    page = browser.new_page()
+    page.set_content(
+        "<p>Left-hand <b>review-end-nothing</b></p><p>A lamp-shirt there</p><p aria-label='lamp-shirt'>x-y</p>"
+    )
+    assert shown_ids(page) == ["review-end-nothing", "lamp-shirt"]
+    page.context.close()
+
+
 def test_what_moves_is_found(page, clinic):
     page.emulate_media(reduced_motion="no-preference")
     PLACES["shirt"](page, clinic)
@@ -84,6 +93,7 @@ def test_one_size_and_theme_of_every_page(page, clinic):
         open_place(page, clinic)
         page.wait_for_timeout(200)
         found[name, *cell] = [str(one) for one in findings(page)] + small_targets(page) + keyboard_faults(page)
+        found[name, "ids"] = shown_ids(page)
         found[name, "200 %"] = lost_when_enlarged(page)
         found[name, "motion"] = moving_parts(page)
         address = address_of(page.url)
@@ -104,6 +114,7 @@ def test_every_size_and_theme(page, clinic, name):
     for cell in cells_of(name):
         look_as(page, cell)
         found[cell] = [str(one) for one in findings(page)] + small_targets(page)
+    found["ids"] = shown_ids(page)
     found["keyboard"] = keyboard_faults(page)
     found["200 %"] = lost_when_enlarged(page)
     assert {cell: words for cell, words in found.items() if words} == {}

@@ -29,7 +29,7 @@ def test_a_reviewer_reads_a_session_as_a_story_and_opens_a_replay(recorded, open
     days = [line.inner_text() for line in story.locator("li").all() if re.search(r"\d, 20\d\d", line.inner_text())]
     assert len(days) == 1  # the day stands where it begins
     assert "Session began" in days[0]
-    assert "share." not in story.inner_text()  # a key that has no text
+    assert "share-event" not in story.inner_text()  # an id that has no text
     photographed(page, "story", touched="main .person > .btn, main .story, main .foot")
     trial = story.locator("li").filter(has=page.get_by_role("link", name="Trial 2"))
     expect(trial).to_contain_text("simulated")

@@ -16,8 +16,10 @@ from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 from websockets.typing import Origin
 
+from app.api.pages import word_modules
 from folders import ROOT
 
+FLUENT = "/vendor/@fluent/bundle/"
 pytestmark = pytest.mark.xdist_group("lan")  # one program for all of them
 
 
@@ -75,7 +77,7 @@ def test_over_http_there_is_the_page_that_explains_and_nothing_else(lan: ServedL
     wanted = [(method.upper(), re.sub(r"\{\w+\}", "1", path)) for path, methods in routes.items() for method in methods]
     static = ROOT / "web_static"
     files = [file.relative_to(static).as_posix() for file in static.rglob("*") if file.is_file()]
-    wanted += [("GET", f"/{file}") for file in files]
+    wanted += [("GET", f"/{file}") for file in [*files, *word_modules(static)]]
     assert ("GET", "/vendor/preact/preact.js") in wanted
     wanted += [("GET", path) for path in ("/index.html", "/view/clinician/", "/view/patient/")]
     answered = set()
@@ -87,13 +89,14 @@ def test_over_http_there_is_the_page_that_explains_and_nothing_else(lan: ServedL
             if answer.status_code == 200:
                 answered.add(path)
         assert plain.get("/").text == (static / "tablet.html").read_text()
-    page = {path for path in answered if not path.startswith(("/js/tablet", "/css/t", "/css/base"))}
+    page = {path for path in answered if not path.startswith(("/js/tablet", "/css/t", "/css/base", FLUENT))}
     assert page == {"/tablet.html", "/icon.svg", "/css/shell/forced_colors.css"} | {
         "/js/language.js",
         "/js/shell/theme.js",
-        "/js/texts/en/tablet.js",
         "/js/widgets/dom.js",
         "/js/widgets/format.js",
+        "/js/words.js",
+        "/words/en/tablet.ftl.js",
     }
     for path in ("/api/v1/live", "/view/clinician/"):
         with pytest.raises(InvalidStatus):

@@ -28,7 +28,7 @@ export function areaCurve(trials) {
     { class: "area-curve", viewBox: `0 0 ${WIDTH} ${HEIGHT}`, "aria-hidden": "true" },
     marks,
     [...new Set([first, last])].map((trial) =>
-      s("text", { x: x(trial), y: HEIGHT - 6, "text-anchor": "middle" }, t("compare.trial", { number: trial })),
+      s("text", { x: x(trial), y: HEIGHT - 6, "text-anchor": "middle" }, t("compare-trial", { number: trial })),
     ),
     s("polyline", { class: "driven", points: trials.map((one) => `${x(one.number)},${y(one.value)}`).join(" ") }),
     trials.map((one) => s("circle", { cx: x(one.number), cy: y(one.value), r: trials.length > 40 ? 2 : 4 })),

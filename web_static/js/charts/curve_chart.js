@@ -37,7 +37,7 @@ export function curveChart(learning, measure, fit, open, signal) {
         ...mapTraces(rows, colours),
       ],
       layout: {
-        xaxis: { title: { text: t("review.trial") }, dtick: rows.length > 12 ? undefined : 1, range },
+        xaxis: { title: { text: t("review-trial") }, dtick: rows.length > 12 ? undefined : 1, range },
         yaxis: { title: { text: title }, range: extent(values, better === "low"), domain: [0, ABOVE] },
         yaxis2: mapAxis(),
         shapes: sessionShapes(rows, colours),
@@ -46,7 +46,7 @@ export function curveChart(learning, measure, fit, open, signal) {
       },
     };
   };
-  return chart(`${t("review.curve")}: ${title}`, signal, make, ({ customdata }) => {
+  return chart(`${t("review-curve")}: ${title}`, signal, make, ({ customdata }) => {
     if (typeof customdata === "number") open(customdata);
   });
 }
@@ -57,13 +57,13 @@ function fitTraces(fit, measure, colours) {
   const band = { mode: "lines", line: { width: 0 }, hoverinfo: "skip", x: fit.n };
   return [
     { ...band, y: high, showlegend: false },
-    { ...band, y: low, fill: "tonexty", fillcolor: faint(colours.action, 0.16), name: t("review.band") },
+    { ...band, y: low, fill: "tonexty", fillcolor: faint(colours.action, 0.16), name: t("review-band") },
     {
       mode: "lines",
       x: fit.n,
       y: value,
       line: { color: colours.action, width: 3 },
-      name: t("review.curve"),
+      name: t("review-curve"),
       hoverinfo: "skip",
     },
   ];
@@ -77,7 +77,7 @@ function lengthTrace(first, last, colours) {
     x: [first.number, last.number],
     y: [length, length],
     line: { color: colours["path-prescribed"], dash: "dash", width: 1.5 },
-    name: t("review.length"),
+    name: t("review-length"),
     hoverinfo: "skip",
   };
 }
@@ -93,7 +93,7 @@ function trialTraces(rows, measure, colours) {
     x: some.map(({ number }) => number),
     y: some.map((row) => inUnit(measure, measured(row, measure))),
     customdata: some.map(({ id }) => id),
-    hovertemplate: `${t("review.trial")} %{x}: %{y:.${digits}f} ${unit}<extra></extra>`,
+    hovertemplate: `${t("review-trial")} %{x}: %{y:.${digits}f} ${unit}<extra></extra>`,
     ...more,
   });
   const other = rows.filter((row) => !comparable(measure, row));
@@ -114,14 +114,14 @@ function trialTraces(rows, measure, colours) {
   ];
   if (used.length) {
     const marker = { color: colours.text, size: 9, symbol: "x-thin-open", line: { width: 2 } };
-    traces.push(trace(used, { mode: "markers", name: t("review.used"), marker }));
+    traces.push(trace(used, { mode: "markers", name: t("review-used"), marker }));
   }
   if (other.length) {
     const marker = { color: faint(colours.text, 0.5), size: 9, symbol: "circle-open" };
-    const hovertemplate = `${t("review.trial")} %{x}: ${t("review.not-reached")}<extra></extra>`;
+    const hovertemplate = `${t("review-trial")} %{x}: ${t("review-not-reached")}<extra></extra>`;
     // Their value is that of a part of the path: they stand below the others, whatever it is.
     const y = other.map(() => below(rows, measure));
-    traces.push(trace(other, { mode: "markers", name: t("review.not-reached"), marker, hovertemplate, y }));
+    traces.push(trace(other, { mode: "markers", name: t("review-not-reached"), marker, hovertemplate, y }));
   }
   return traces;
 }

@@ -55,13 +55,13 @@ export function sessionWords(rows) {
   const hasRoom = Math.min(...all.map(({ first, last }) => last - first + 1)) >= trials * WORD_ROOM;
   const place = { y: SESSIONS, yref: "paper", yanchor: "bottom", showarrow: false };
   const numbers = all.map(({ session, first, last }) => ({
-    text: hasRoom ? t("review.session", { number: session }) : String(session),
+    text: hasRoom ? t("review-session", { number: session }) : String(session),
     x: (first + last) / 2,
     ...place,
   }));
   return hasRoom
     ? numbers
-    : [{ text: t("review.sessions"), x: 0, xref: "paper", xanchor: "right", xshift: -4, ...place }, ...numbers];
+    : [{ text: t("review-sessions"), x: 0, xref: "paper", xanchor: "right", xshift: -4, ...place }, ...numbers];
 }
 
 /** The row in which the maps stand. */
@@ -89,9 +89,9 @@ export function mapTraces(rows, colours) {
       text: some.map((row) => (hasRoom(row) ? String(row.profile_version) : "")),
       textposition: "bottom center",
       marker: { symbol, size: 11, color: colours["path-prescribed"] },
-      name: t(`review.map.${origin}`),
+      name: t(`review-map-${origin}`),
       hovertemplate: some.map(({ profile_version, number }) =>
-        t(`review.map.from.${origin}`, { version: profile_version, number }).concat("<extra></extra>"),
+        t(`review-map-from-${origin}`, { version: profile_version, number }).concat("<extra></extra>"),
       ),
     }));
 }

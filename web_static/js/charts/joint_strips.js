@@ -13,7 +13,7 @@ export const QUIET_SPAN = 16; // times the noise: so that a body at rest shows a
 export function jointStrips(live, layout, signal) {
   const strips = layout.joints.map((joint) => {
     const indices = layout.channels.flatMap((channel, index) => (channel.joint === joint.name ? [index] : []));
-    const canvas = new TraceCanvas({ label: t("traces.label", { joint: joint.label, count: indices.length }) });
+    const canvas = new TraceCanvas({ label: t("traces-label", { joint: joint.label, count: indices.length }) });
     return { joint, indices, canvas };
   });
   live.addEventListener(

@@ -17,7 +17,7 @@ function plotly() {
     script.onerror = () => {
       loading = null;
       script.remove();
-      reject(new Error(t("review.chart.failed")));
+      reject(new Error(t("review-chart-failed")));
     };
     document.head.append(script);
   });

@@ -36,7 +36,7 @@ const THICKNESS = 1.75; // px of a line
  * @param {Record<Colour | "border" | "text-quiet", string>} colours that follow the theme
  */
 export function timeChart({ title, unit, times, state, lines, digits = 2, range, height = 96 }, head, colours) {
-  const canvas = h("canvas", { role: "img", "aria-label": t("replay.chart", { title }) });
+  const canvas = h("canvas", { role: "img", "aria-label": t("replay-chart", { title }) });
   const cursor = h("i", { class: "cursor" });
   const values = lines.map(() => h("span", { class: "number" }));
   const legend = lines.map((line, i) =>

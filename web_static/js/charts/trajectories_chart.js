@@ -10,7 +10,7 @@ const AROUND = 0.8; // m of the building shown around what was driven
  * @param {Pick<import("../plan/floor_plan.js").FloorPlan, "walls"> | null} plan @param {AbortSignal} signal
  */
 export function trajectoriesChart(driven, plan, signal) {
-  return chart(t("review.trajectories"), signal, (colours) => {
+  return chart(t("review-trajectories"), signal, (colours) => {
     const wall = {
       mode: "lines",
       line: { color: faint(colours.text, 0.35), width: 2 },
@@ -32,8 +32,8 @@ export function trajectoriesChart(driven, plan, signal) {
           color: i === newest ? colours["path-driven"] : faint(colours["path-driven"], share * 0.8),
           width: i === newest ? 3 : 1.5,
         },
-        name: t(i === newest ? "review.newest" : "review.earlier"),
-        hovertemplate: `${t("review.trial")} ${one.number}<extra></extra>`,
+        name: t(i === newest ? "review-newest" : "review-earlier"),
+        hovertemplate: `${t("review-trial")} ${one.number}<extra></extra>`,
       }),
     );
     const path = columns(driven.path);
@@ -43,7 +43,7 @@ export function trajectoriesChart(driven, plan, signal) {
         mode: "lines",
         ...path,
         line: { color: colours["path-prescribed"], width: 3, dash: isOneColour ? "dash" : "solid" },
-        name: t("review.path.line"),
+        name: t("review-path-line"),
         hoverinfo: "skip",
       });
     const all = {

@@ -20,7 +20,7 @@ const WALL_REACH = 1; // m from a wall within which the numbers of a door may pl
 export function actsOn(now, take, become) {
   /** @param {{plan: Plan, ref: Ref, problem?: import("./doors.js").DoorProblem}} change */
   const takeChange = ({ plan, ref, problem }) =>
-    take({ ...now(), plan, chosen: ref, words: problem && `editor.door.${problem}` });
+    take({ ...now(), plan, chosen: ref, words: problem && `editor-door-${problem}` });
   return {
     change: (fields) => {
       const { plan, chosen } = now();

@@ -18,7 +18,7 @@ export function checker(app, onVerdict) {
   const ask = async (plan) => {
     const mine = ++newest;
     if (!plan.paths.length)
-      return onVerdict({ good: false, isIncomplete: true, sentence: t("editor.no-path"), place: [], at: null });
+      return onVerdict({ good: false, isIncomplete: true, sentence: t("editor-no-path"), place: [], at: null });
     try {
       const answer = await app.api.post("/floorplans/check", plan);
       if (mine === newest) onVerdict(answer);

@@ -203,7 +203,7 @@ function labels({ plan, pending, chosen, ghost }, view, size) {
       const long = distance(a, b) * view.scale > 44;
       return (
         long &&
-        at([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2], t("editor.m", { value: number(distance(a, b), 2) }), "length")
+        at([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2], t("editor-m", { value: number(distance(a, b), 2) }), "length")
       );
     });
   const drawn = ghost && pending.length ? [...pending, ghost] : pending;
@@ -215,14 +215,14 @@ function labels({ plan, pending, chosen, ghost }, view, size) {
     lengths(drawn),
     line.length <= 60 && lengths(line),
     sides && at(line[0], `${number(sides[0], 2)} × ${number(sides[1], 2)} m`, "length"),
-    radius && at(line[0], t("editor.radius.m", { value: number(radius, 2) }), "length"),
-    width && at(line[0], t("editor.m", { value: number(width, 2) }), "length"),
+    radius && at(line[0], t("editor-radius-m", { value: number(radius, 2) }), "length"),
+    width && at(line[0], t("editor-m", { value: number(width, 2) }), "length"),
     drawn.length > 2 &&
-      at(drawn[drawn.length - 1], t("editor.whole", { value: number(lengthOf(drawn), 2) }), "length whole"),
+      at(drawn[drawn.length - 1], t("editor-whole", { value: number(lengthOf(drawn), 2) }), "length whole"),
   ];
 }
 
 /** The number of points and the length of a line in words. @param {Point[]} pending */
 export function lineWords(pending) {
-  return h("span", {}, t("editor.drawn", { count: pending.length, length: number(lengthOf(pending), 2) }));
+  return h("span", {}, t("editor-drawn", { count: pending.length, length: number(lengthOf(pending), 2) }));
 }

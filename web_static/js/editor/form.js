@@ -51,31 +51,31 @@ function itemList(plan, chosen, acts) {
   );
   const options = refs.map((ref) => ({ value: `${ref.list} ${ref.index}`, label: nameOf(plan, ref) }));
   const select = selection(
-    [{ value: "", label: t("editor.plan") }, ...options],
+    [{ value: "", label: t("editor-plan") }, ...options],
     chosen ? `${chosen.list} ${chosen.index}` : "",
     (value) => acts.choose(value ? refs[options.findIndex((one) => one.value === value)] : null),
   );
   select.dataset.key = "list";
-  return field(t("editor.chosen"), select);
+  return field(t("editor-chosen"), select);
 }
 
 /** @param {Plan} plan @param {Ref} ref */
 export function nameOf(plan, ref) {
   const { title, label, name } = fieldsOf(plan, ref);
-  return t(`editor.one.${ref.list}`, { number: ref.index + 1, name: title ?? label ?? name ?? "" });
+  return t(`editor-one-${ref.list}`, { number: ref.index + 1, name: title ?? label ?? name ?? "" });
 }
 
 /** @param {Plan} plan @param {Acts} acts */
 function planForm(plan, acts) {
   return [
-    textRow("title", t("editor.title"), plan.title, 80, (title) => acts.plan({ title })),
-    numberRow("wall_height", t("editor.wall-height"), plan.wall_height ?? 2.6, "m", (wall_height) =>
+    textRow("title", t("editor-title"), plan.title, 80, (title) => acts.plan({ title })),
+    numberRow("wall_height", t("editor-wall-height"), plan.wall_height ?? 2.6, "m", (wall_height) =>
       acts.plan({ wall_height }),
     ),
-    numberRow("wall_thickness", t("editor.wall-thickness"), plan.wall_thickness ?? 0.1, "m", (wall_thickness) =>
+    numberRow("wall_thickness", t("editor-wall-thickness"), plan.wall_thickness ?? 0.1, "m", (wall_thickness) =>
       acts.plan({ wall_thickness }),
     ),
-    h("p", { class: "quiet small" }, t("editor.plan.hint", { radius: number(REFERENCE.numbers.chair_radius, 2) })),
+    h("p", { class: "quiet small" }, t("editor-plan-hint", { radius: number(REFERENCE.numbers.chair_radius, 2) })),
   ];
 }
 
@@ -89,8 +89,8 @@ function itemForm(plan, chosen, models, acts) {
     h(
       "div",
       { class: "spread" },
-      button("place", t(chosen.point === undefined ? "editor.move-to" : "editor.point.move-to"), acts.place),
-      button("erase", t("editor.erase"), acts.erase),
+      button("place", t(chosen.point === undefined ? "editor-move-to" : "editor-point-move-to"), acts.place),
+      button("erase", t("editor-erase"), acts.erase),
     ),
   ];
 }
@@ -106,13 +106,13 @@ function fieldRows(plan, chosen, models, acts) {
       return plan.obstacles && obstacleRows(plan.obstacles[index], models, acts);
     case "cones":
       return [
-        size("radius", t("editor.radius"), radius ?? 0.15, acts),
-        size("height", t("editor.height"), height ?? 0.5, acts),
+        size("radius", t("editor-radius"), radius ?? 0.15, acts),
+        size("height", t("editor-height"), height ?? 0.5, acts),
       ];
     case "doors":
-      return [numberRow("width", t("editor.width"), width ?? 1, "m", acts.door)];
+      return [numberRow("width", t("editor-width"), width ?? 1, "m", acts.door)];
     case "rooms":
-      return [textRow("label", t("editor.label"), label, 80, (words) => acts.change({ label: words }))];
+      return [textRow("label", t("editor-label"), label, 80, (words) => acts.change({ label: words }))];
     default:
       return null;
   }
@@ -122,23 +122,23 @@ function fieldRows(plan, chosen, models, acts) {
 function pathRows(path, acts) {
   const length = lengthOf(path.points);
   const degrees = path.start_heading === undefined || path.start_heading === null ? "" : path.start_heading * DEGREES;
-  const heading = numberRow("start_heading", t("editor.start-heading"), degrees, "°", (value) =>
+  const heading = numberRow("start_heading", t("editor-start-heading"), degrees, "°", (value) =>
     acts.change({ start_heading: value === null ? undefined : Number((value / DEGREES).toFixed(4)) }),
   );
   set(/** @type {HTMLInputElement} */ (heading.querySelector("input")), {
-    placeholder: t("editor.start-heading.along"),
+    placeholder: t("editor-start-heading-along"),
   });
   return [
-    h("p", { class: "number" }, t("editor.length", { value: number(length, 2) })),
-    textRow("title", t("editor.path.title"), path.title, 80, (title) => acts.change({ title })),
-    textRow("name", t("editor.path.name"), path.name, 64, (name) => acts.change({ name })),
-    textRow("instruction", t("editor.instruction"), path.instruction, 200, (instruction) =>
+    h("p", { class: "number" }, t("editor-length", { value: number(length, 2) })),
+    textRow("title", t("editor-path-title"), path.title, 80, (title) => acts.change({ title })),
+    textRow("name", t("editor-path-name"), path.name, 64, (name) => acts.change({ name })),
+    textRow("instruction", t("editor-instruction"), path.instruction, 200, (instruction) =>
       acts.change({ instruction }),
     ),
-    size("goal_radius", t("editor.goal-radius"), path.goal_radius ?? 0.5, acts),
+    size("goal_radius", t("editor-goal-radius"), path.goal_radius ?? 0.5, acts),
     numberRow(
       "time_limit",
-      t("editor.time-limit", { value: timeFor(path.points) }),
+      t("editor-time-limit", { value: timeFor(path.points) }),
       path.time_limit ?? 180,
       "s",
       (value) => acts.change({ time_limit: value ?? timeFor(path.points) }),
@@ -146,21 +146,21 @@ function pathRows(path, acts) {
     heading,
     path.task &&
       path.task.kind !== "path" &&
-      h("p", { class: "quiet small" }, t("editor.task", { kind: path.task.kind })),
+      h("p", { class: "quiet small" }, t("editor-task", { kind: path.task.kind })),
   ];
 }
 
 /** @param {ObstacleItem} one @param {ModelView[]} models @param {Acts} acts */
 function obstacleRows(one, models, acts) {
-  const label = textRow("label", t("editor.label"), one.label, 80, (words) => acts.change({ label: words }));
-  const height = size("height", t("editor.height"), one.height ?? 0.75, acts);
-  if (one.kind === "cylinder") return [label, size("radius", t("editor.radius"), one.radius, acts), height];
+  const label = textRow("label", t("editor-label"), one.label, 80, (words) => acts.change({ label: words }));
+  const height = size("height", t("editor-height"), one.height ?? 0.75, acts);
+  if (one.kind === "cylinder") return [label, size("radius", t("editor-radius"), one.radius, acts), height];
   const sides = [0, 1].map((axis) =>
-    numberRow(`size${axis}`, t(`editor.size.${axis}`), one.size[axis], "m", (value) =>
+    numberRow(`size${axis}`, t(`editor-size-${axis}`), one.size[axis], "m", (value) =>
       acts.change({ size: one.size.map((side, i) => (i === axis && value ? value : side)) }),
     ),
   );
-  const angle = numberRow("angle", t("editor.angle"), (one.angle ?? 0) * DEGREES, "°", (value) =>
+  const angle = numberRow("angle", t("editor-angle"), (one.angle ?? 0) * DEGREES, "°", (value) =>
     acts.change({ angle: Number(((value ?? 0) / DEGREES).toFixed(4)) }),
   );
   return [
@@ -178,12 +178,12 @@ function obstacleRows(one, models, acts) {
 function modelRow(one, models, acts) {
   const options = models.map(({ name, size: [a, b, c] }) => ({
     value: name,
-    label: t("editor.model.option", { name, size: [a, b, c].map((side) => number(side, 2)).join(" × ") }),
+    label: t("editor-model-option", { name, size: [a, b, c].map((side) => number(side, 2)).join(" × ") }),
   }));
   const missing = one.model && !models.some(({ name }) => name === one.model) ? one.model : null;
   const select = selection(
     [
-      { value: "", label: t("editor.model.none") },
+      { value: "", label: t("editor-model-none") },
       ...options,
       ...(missing ? [{ value: missing, label: missing }] : []),
     ],
@@ -195,13 +195,13 @@ function modelRow(one, models, acts) {
   const file = hiddenFileInput(".glb,model/gltf-binary", (model) => acts.model(model));
   const takeSize = () => own && acts.change({ size: own.size.slice(0, 2), height: own.size[2] });
   return [
-    field(t("editor.model"), select, t("editor.model.hint")),
+    field(t("editor-model"), select, t("editor-model-hint")),
     h(
       "div",
       { class: "spread" },
-      button("model-add", t("editor.model.add"), () => file.click()),
+      button("model-add", t("editor-model-add"), () => file.click()),
       file,
-      own && button("model-size", t("editor.model.size"), takeSize),
+      own && button("model-size", t("editor-model-size"), takeSize),
     ),
   ];
 }
@@ -215,15 +215,15 @@ function pointRows(plan, chosen, acts) {
   const step = h(
     "div",
     { class: "spread" },
-    button("point-before", "‹", () => go((i ?? 0) - 1), t("editor.point.before")),
+    button("point-before", "‹", () => go((i ?? 0) - 1), t("editor-point-before")),
     h(
       "span",
       { class: "grow" },
       i === undefined
-        ? t("editor.points", { count: points.length })
-        : t("editor.point", { number: i + 1, all: points.length }),
+        ? t("editor-points", { count: points.length })
+        : t("editor-point", { number: i + 1, all: points.length }),
     ),
-    button("point-after", "›", () => go((i ?? -1) + 1), t("editor.point.after")),
+    button("point-after", "›", () => go((i ?? -1) + 1), t("editor-point-after")),
   );
   if (i === undefined) return step;
   return [
@@ -232,8 +232,8 @@ function pointRows(plan, chosen, acts) {
     h(
       "div",
       { class: "spread" },
-      button("point-insert", t("editor.point.insert"), acts.insert),
-      points.length > 2 && button("point-drop", t("editor.point.drop"), acts.drop),
+      button("point-insert", t("editor-point-insert"), acts.insert),
+      points.length > 2 && button("point-drop", t("editor-point-drop"), acts.drop),
     ),
   ];
 }
@@ -248,8 +248,8 @@ function coordinates([x, y], onChange) {
   return h(
     "div",
     { class: "pair" },
-    numberRow("x", t("editor.x"), x, "m", (value) => onChange([value ?? x, y])),
-    numberRow("y", t("editor.y"), y, "m", (value) => onChange([x, value ?? y])),
+    numberRow("x", t("editor-x"), x, "m", (value) => onChange([value ?? x, y])),
+    numberRow("y", t("editor-y"), y, "m", (value) => onChange([x, value ?? y])),
   );
 }
 

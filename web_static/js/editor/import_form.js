@@ -23,7 +23,7 @@ export function importForm(app, onDraft) {
   const more = h("div", { class: "stack" });
   const preview = h("div", { class: "stack" });
   const problem = h("p", { class: "problem", role: "alert" });
-  const go = h("button", { class: "btn go", disabled: true }, t("import.read"));
+  const go = h("button", { class: "btn go", disabled: true }, t("import-read"));
   /** @type {Options} */
   let options = () => ({});
   /** @type {string[] | null} */
@@ -83,8 +83,8 @@ export function importForm(app, onDraft) {
       h(
         "fieldset",
         { class: "layers stack" },
-        h("legend", {}, t("import.layers")),
-        h("p", { class: "quiet small" }, t("import.layers.hint")),
+        h("legend", {}, t("import-layers")),
+        h("p", { class: "quiet small" }, t("import-layers-hint")),
         boxes,
       ),
     );
@@ -92,9 +92,9 @@ export function importForm(app, onDraft) {
   return h(
     "form",
     { class: "card stack import-form", onsubmit: submit },
-    h("h2", {}, t("import.title")),
-    h("p", { class: "quiet small" }, t("import.lead")),
-    field(t("import.files"), input, t("import.files.hint", { megabytes: REFERENCE.numbers.upload_megabytes })),
+    h("h2", {}, t("import-title")),
+    h("p", { class: "quiet small" }, t("import-lead")),
+    field(t("import-files"), input, t("import-files-hint", { megabytes: REFERENCE.numbers.upload_megabytes })),
     more,
     problem,
     h("div", {}, go),
@@ -105,7 +105,7 @@ export function importForm(app, onDraft) {
 /** The name of the first file without its ending. @param {FileList} files */
 function titleOf(files) {
   const plain = files[0].name.replace(/\.[^.]*$/, "").slice(0, 80);
-  return plain || t("plans.new.title");
+  return plain || t("plans-new-title");
 }
 
 /** The fields for a picture. @param {HTMLElement} place @returns {Options} */
@@ -121,13 +121,13 @@ function pictureFields(place) {
   });
   let by = "width";
   const label = h("div", {});
-  const show = () => put(label, field(t(`import.${by}`), value, t(`import.${by}.hint`)));
+  const show = () => put(label, field(t(`import-${by}`), value, t(`import-${by}-hint`)));
   show();
   put(
     place,
     segments(
-      t("import.scale"),
-      ["width", "metres_per_pixel"].map((one) => ({ value: one, label: t(`import.by.${one}`) })),
+      t("import-scale"),
+      ["width", "metres_per_pixel"].map((one) => ({ value: one, label: t(`import-by-${one}`) })),
       by,
       (chosen) => {
         by = chosen;
@@ -135,7 +135,7 @@ function pictureFields(place) {
       },
     ),
     label,
-    field(t("import.threshold"), threshold, t("import.threshold.hint")),
+    field(t("import-threshold"), threshold, t("import-threshold-hint")),
   );
   const outside = mapFields(place);
   return () => ({ [by]: value.valueAsNumber, threshold: threshold.valueAsNumber, ...outside() });
@@ -145,10 +145,10 @@ function pictureFields(place) {
 function mapFields(place) {
   let outside = false;
   place.append(
-    toggle(t("import.outside"), outside, (on) => {
+    toggle(t("import-outside"), outside, (on) => {
       outside = on;
     }),
-    h("p", { class: "quiet small" }, t("import.outside.hint")),
+    h("p", { class: "quiet small" }, t("import-outside-hint")),
   );
   return () => ({ outside });
 }
@@ -157,11 +157,11 @@ function mapFields(place) {
 function drawingFields(place) {
   const unit = selection(
     [
-      { value: "", label: t("import.unit.own") },
-      ...UNITS.map((one) => ({ value: one, label: t(`import.unit.${one}`) })),
+      { value: "", label: t("import-unit-own") },
+      ...UNITS.map((one) => ({ value: one, label: t(`import-unit-${one}`) })),
     ],
     "",
   );
-  put(place, field(t("import.unit"), unit, t("import.unit.hint")));
+  put(place, field(t("import-unit"), unit, t("import-unit-hint")));
   return () => (unit.value ? { unit: unit.value } : {});
 }

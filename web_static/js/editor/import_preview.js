@@ -15,8 +15,8 @@ const MARGIN = 0.5; // m around the plan
 export function importPreview(draft, onOpen) {
   return h(
     "section",
-    { class: "import-preview stack", "aria-label": t("import.preview") },
-    h("h3", {}, t("import.preview")),
+    { class: "import-preview stack", "aria-label": t("import-preview") },
+    h("h3", {}, t("import-preview")),
     // The API does not describe the document's fields.
     picture(/** @type {Drawn} */ (/** @type {unknown} */ (draft.document))),
     h(
@@ -24,7 +24,7 @@ export function importPreview(draft, onOpen) {
       { class: "small" },
       draft.messages.map((message) => h("li", {}, message)),
     ),
-    h("div", {}, h("button", { type: "button", class: "btn go", onclick: onOpen }, t("import.open"))),
+    h("div", {}, h("button", { type: "button", class: "btn go", onclick: onOpen }, t("import-open"))),
   );
 }
 
@@ -45,7 +45,7 @@ function picture({ walls, wall_thickness: thickness, paths }) {
       class: "plan",
       viewBox: `${left} ${-high} ${right - left} ${high - low}`,
       role: "img",
-      "aria-label": t("import.picture"),
+      "aria-label": t("import-picture"),
     },
     s(
       "g",

@@ -21,12 +21,12 @@ export function showPlanList(app, root, { plans, own }) {
   const mine = h("div", { class: "plan-rows" });
   /** @param {OwnPlanView[]} list */
   const show = (list) => {
-    put(mine, list.length ? list.map(ownRow) : h("p", { class: "quiet" }, t("plans.none")));
+    put(mine, list.length ? list.map(ownRow) : h("p", { class: "quiet" }, t("plans-none")));
   };
   /** @param {Draft} draft */
   const open = (draft) => {
     if (storeDraft(draft)) return app.go(EDIT);
-    app.toasts.show(t("plans.too-large"));
+    app.toasts.show(t("plans-too-large"));
     app.go(EDIT);
   };
   /** Open a draft; ask first when it would replace one that was not saved. @param {Source} source */
@@ -54,13 +54,13 @@ export function showPlanList(app, root, { plans, own }) {
     };
     put(
       ask,
-      h("h2", { id: "unsaved-plan" }, t("plans.unsaved.title", { title: unsaved.document.title })),
-      h("p", {}, t("plans.unsaved.lead")),
+      h("h2", { id: "unsaved-plan" }, t("plans-unsaved-title", { title: unsaved.document.title })),
+      h("p", {}, t("plans-unsaved-lead")),
       h(
         "div",
         { class: "spread" },
-        h("button", { type: "button", class: "btn go", onclick: () => app.go(EDIT) }, t("plans.go-on")),
-        h("button", { type: "button", class: "btn", onclick: () => openFrom(source) }, t("plans.throw")),
+        h("button", { type: "button", class: "btn go", onclick: () => app.go(EDIT) }, t("plans-go-on")),
+        h("button", { type: "button", class: "btn", onclick: () => openFrom(source) }, t("plans-throw")),
         h("button", { type: "button", class: "btn", onclick: close }, t("cancel")),
       ),
     );
@@ -70,7 +70,7 @@ export function showPlanList(app, root, { plans, own }) {
     ask.focus();
   };
   /** @returns {Draft} */
-  const newDraft = () => ({ document: emptyPlan(t("plans.new.title")), name: null, version: 0, dirty: false });
+  const newDraft = () => ({ document: emptyPlan(t("plans-new-title")), name: null, version: 0, dirty: false });
   /** @param {OwnPlanView} plan @returns {Source} */
   const ofOwn = (plan) => async () => ({
     document: withoutNulls(await app.api.get(`/floorplans/${plan.name}`)),
@@ -82,7 +82,7 @@ export function showPlanList(app, root, { plans, own }) {
   const copyOf = (plan) => async () => {
     const document = withoutNulls(await app.api.get(`/floorplans/${plan.name}`));
     return {
-      document: { ...document, title: t("plans.copy", { title: document.title }).slice(0, 80) },
+      document: { ...document, title: t("plans-copy", { title: document.title }).slice(0, 80) },
       name: null,
       version: 0,
       dirty: true,
@@ -93,7 +93,7 @@ export function showPlanList(app, root, { plans, own }) {
     app.toasts.attempt(async () => {
       show(await app.api.remove(`/floorplans/${plan.name}`));
       const restore = async () => show(await app.api.post(`/floorplans/${plan.name}/restore`));
-      app.toasts.show(t("plans.deleted", { title: plan.title }), {
+      app.toasts.show(t("plans-deleted", { title: plan.title }), {
         action: t("undo"),
         run: () => app.toasts.attempt(restore),
       });
@@ -107,24 +107,24 @@ export function showPlanList(app, root, { plans, own }) {
         "div",
         { class: "grow" },
         h("b", {}, plan.title),
-        h("span", { class: "quiet small" }, t("plans.version", { name: plan.name, version: plan.version })),
+        h("span", { class: "quiet small" }, t("plans-version", { name: plan.name, version: plan.version })),
       ),
       h(
         "button",
         {
           type: "button",
           class: "btn small",
-          "aria-label": t("plans.open.label", { title: plan.title }),
+          "aria-label": t("plans-open-label", { title: plan.title }),
           onclick: openSafely(ofOwn(plan)),
         },
-        t("plans.open"),
+        t("plans-open"),
       ),
       h(
         "button",
         {
           type: "button",
           class: "btn small bare",
-          "aria-label": t("plans.delete.label", { title: plan.title }),
+          "aria-label": t("plans-delete-label", { title: plan.title }),
           onclick: () => remove(plan),
         },
         icon("bin"),
@@ -142,10 +142,10 @@ export function showPlanList(app, root, { plans, own }) {
         {
           type: "button",
           class: "btn small",
-          "aria-label": t("plans.open-copy.label", { title: plan.title }),
+          "aria-label": t("plans-open-copy-label", { title: plan.title }),
           onclick: openSafely(copyOf(plan)),
         },
-        t("plans.open-copy"),
+        t("plans-open-copy"),
       ),
     );
   const unsaved = readDraft();
@@ -163,13 +163,13 @@ export function showPlanList(app, root, { plans, own }) {
     h(
       "div",
       { class: "body" },
-      h("h1", { tabindex: "-1" }, t("plans.title")),
-      h("p", { class: "lead" }, t("plans.lead")),
+      h("h1", { tabindex: "-1" }, t("plans-title")),
+      h("p", { class: "lead" }, t("plans-lead")),
       unsaved?.dirty &&
         h(
           "p",
           { class: "kept" },
-          h("a", { class: "btn go", href: EDIT }, t("plans.kept", { title: unsaved.document.title })),
+          h("a", { class: "btn go", href: EDIT }, t("plans-kept", { title: unsaved.document.title })),
         ),
       ask,
       h(
@@ -178,7 +178,7 @@ export function showPlanList(app, root, { plans, own }) {
         h(
           "div",
           { class: "stack" },
-          h("h2", {}, t("plans.own")),
+          h("h2", {}, t("plans-own")),
           h(
             "div",
             {},
@@ -186,7 +186,7 @@ export function showPlanList(app, root, { plans, own }) {
               "button",
               { type: "button", class: "btn go", onclick: openSafely(newDraft) },
               icon("plus"),
-              t("plans.new"),
+              t("plans-new"),
             ),
           ),
           mine,
@@ -194,7 +194,7 @@ export function showPlanList(app, root, { plans, own }) {
           h(
             "details",
             {},
-            h("summary", {}, t("plans.bundled")),
+            h("summary", {}, t("plans-bundled")),
             h(
               "div",
               { class: "plan-rows" },

@@ -29,9 +29,9 @@ export function showPlan(app, root, { draft: first, plans, models, signal }) {
     hidden: true,
     tabindex: "-1",
   });
-  const save = h("button", { type: "button", class: "btn go", onclick: () => saveVersion() }, t("plan.save"));
-  const saveNew = h("button", { type: "button", class: "btn", onclick: () => saveAsNew() }, t("plan.save-new"));
-  const drive = h("a", { class: "btn", href: "#/drive" }, t("plan.drive"));
+  const save = h("button", { type: "button", class: "btn go", onclick: () => saveVersion() }, t("plan-save"));
+  const saveNew = h("button", { type: "button", class: "btn", onclick: () => saveAsNew() }, t("plan-save-new"));
+  const drive = h("a", { class: "btn", href: "#/drive" }, t("plan-drive"));
 
   /** @param {Draft} next */
   const keep = (next) => {
@@ -45,7 +45,7 @@ export function showPlan(app, root, { draft: first, plans, models, signal }) {
     saved.className = draft.dirty ? "tag att" : "tag plain";
     write(
       saved,
-      t(draft.dirty ? "plan.unsaved" : draft.name ? "plan.saved" : "plan.empty", { version: draft.version }),
+      t(draft.dirty ? "plan-unsaved" : draft.name ? "plan-saved" : "plan-empty", { version: draft.version }),
     );
     save.hidden = draft.name === null;
     saveNew.classList.toggle("go", draft.name === null);
@@ -68,7 +68,7 @@ export function showPlan(app, root, { draft: first, plans, models, signal }) {
       if (!answer) return false;
       keep({ document: { ...document, name: answer.name }, name: answer.name, version: answer.version, dirty: false });
       taken = [...taken, answer.name];
-      app.toasts.show(t("plan.saved.toast", { title: answer.title }));
+      app.toasts.show(t("plan-saved-toast", { title: answer.title }));
       return true;
     });
     save.disabled = saveNew.disabled = false;
@@ -104,8 +104,8 @@ export function showPlan(app, root, { draft: first, plans, models, signal }) {
     };
     put(
       ask,
-      h("h2", { id: "leave-plan" }, t("plan.leave.title")),
-      h("p", {}, t("plan.leave.lead")),
+      h("h2", { id: "leave-plan" }, t("plan-leave-title")),
+      h("p", {}, t("plan-leave-lead")),
       h(
         "div",
         { class: "spread" },
@@ -116,11 +116,11 @@ export function showPlan(app, root, { draft: first, plans, models, signal }) {
             class: "btn go",
             onclick: async () => (await (draft.name ? saveVersion() : saveAsNew())) && leave(),
           },
-          t("plan.leave.save"),
+          t("plan-leave-save"),
         ),
-        h("button", { type: "button", class: "btn", onclick: leave }, t("plan.leave.keep")),
-        h("button", { type: "button", class: "btn", onclick: () => discard(leave) }, t("plan.leave.throw")),
-        h("button", { type: "button", class: "btn", onclick: stay }, t("plan.leave.stay")),
+        h("button", { type: "button", class: "btn", onclick: leave }, t("plan-leave-keep")),
+        h("button", { type: "button", class: "btn", onclick: () => discard(leave) }, t("plan-leave-throw")),
+        h("button", { type: "button", class: "btn", onclick: stay }, t("plan-leave-stay")),
       ),
     );
     onEscape(ask, stay);
@@ -138,11 +138,11 @@ export function showPlan(app, root, { draft: first, plans, models, signal }) {
       title,
       saved,
       h("span", { class: "grow" }),
-      h("a", { class: "btn small bare", href: "#/plans" }, t("plan.all")),
+      h("a", { class: "btn small bare", href: "#/plans" }, t("plan-all")),
     ),
     ask,
     bench.element,
-    h("div", { class: "foot" }, h("span", { class: "grow" }, t("plan.note")), drive, save, saveNew),
+    h("div", { class: "foot" }, h("span", { class: "grow" }, t("plan-note")), drive, save, saveNew),
   );
   root.classList.add("plan-page");
   show();

@@ -55,7 +55,7 @@ export function tap(state, place, { step, reach }) {
     case "door": {
       const made = insertDoor(plan, place, state.doorWidth, 2 * reach);
       return "problem" in made
-        ? { ...state, words: `editor.door.${made.problem}` }
+        ? { ...state, words: `editor-door-${made.problem}` }
         : { ...state, ...selectionOf(made) };
     }
     case "box":
@@ -99,7 +99,7 @@ export function placeChosen(state, at, reach) {
   if (!chosen) return state;
   if (chosen.list !== "doors") return { ...state, plan: moveTo(plan, chosen, at) };
   const made = changeDoor(plan, chosen, at, doorOf(plan, chosen).width, 4 * reach);
-  return { ...state, plan: made.plan, chosen: made.ref, words: made.problem && `editor.door.${made.problem}` };
+  return { ...state, plan: made.plan, chosen: made.ref, words: made.problem && `editor-door-${made.problem}` };
 }
 
 /**
@@ -133,8 +133,8 @@ function tapHeading(state, place, reach) {
       : plan.paths.length === 1
         ? { list: "paths", index: 0 }
         : itemNear(plan, place, reach, null, ["paths"]);
-  if (!ref) return { ...state, words: "editor.heading.choose" };
-  if (ref !== chosen && plan.paths.length > 1) return { ...state, chosen: ref, words: "editor.heading.now" };
+  if (!ref) return { ...state, words: "editor-heading-choose" };
+  if (ref !== chosen && plan.paths.length > 1) return { ...state, chosen: ref, words: "editor-heading-now" };
   const start = pointsOf(plan, ref)[0];
   if (distance(start, place) < SMALLEST) return { ...state, chosen: ref };
   const next = change(plan, { list: "paths", index: ref.index }, { start_heading: tidy(heading(start, place)) });

@@ -15,20 +15,20 @@ const PAN = 90; // px of one tap on an arrow
 export function viewButtons(look, showAll) {
   /** @param {string} name @param {string} words @param {() => void} onclick */
   const button = (name, words, onclick) =>
-    h("button", { type: "button", class: "btn small", "aria-label": t(`editor.${name}`), onclick }, words);
+    h("button", { type: "button", class: "btn small", "aria-label": t(`editor-${name}`), onclick }, words);
   /** @param {number} dx px @param {number} dy px */
   const pan = (dx, dy) => () => look((view) => panView(view, dx, dy));
   /** @param {number} factor */
   const zoom = (factor) => () => look((view, size) => zoomView(view, size, factor));
   return h(
     "div",
-    { class: "views", role: "group", "aria-label": t("editor.views") },
+    { class: "views", role: "group", "aria-label": t("editor-views") },
     button("nearer", "+", zoom(ZOOM)),
     button("farther", "−", zoom(1 / ZOOM)),
     button("left", "←", pan(PAN, 0)),
     button("right", "→", pan(-PAN, 0)),
     button("up", "↑", pan(0, PAN)),
     button("down", "↓", pan(0, -PAN)),
-    button("all", t("editor.all.short"), showAll),
+    button("all", t("editor-all-short"), showAll),
   );
 }

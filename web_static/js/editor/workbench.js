@@ -52,14 +52,14 @@ export function workbench(app, { plan, models, signal, onChange }) {
   let step = STEP;
   let modelList = models;
 
-  const sheet = drawing(t("editor.sheet"));
-  const panel = h("section", { class: "panel stack", "aria-label": t("editor.panel") });
+  const sheet = drawing(t("editor-sheet"));
+  const panel = h("section", { class: "panel stack", "aria-label": t("editor-panel") });
   const verdictLine = h("p", { class: "verdict", role: "status" });
   const hint = h("p", { class: "quiet small hint" });
   const done = h(
     "button",
     { type: "button", class: "btn go small", onclick: () => take(finishLine(state)) },
-    t("editor.done"),
+    t("editor-done"),
   );
   const back = h("button", { type: "button", class: "btn small", onclick: () => undo() }, icon("undo"), t("undo"));
   const again = h("button", { type: "button", class: "btn small", onclick: () => redo() }, icon("redo"), t("redo"));
@@ -67,12 +67,12 @@ export function workbench(app, { plan, models, signal, onChange }) {
     h(
       "button",
       { type: "button", class: "btn small", "data-tool": tool, onclick: () => take(withTool(state, tool)) },
-      t(`editor.tool.${tool}`),
+      t(`editor-tool-${tool}`),
     ),
   );
   const checks = checker(app, (answer) => {
     verdict = answer;
-    write(verdictLine, answer.good ? t("editor.good") : answer.sentence);
+    write(verdictLine, answer.good ? t("editor-good") : answer.sentence);
     verdictLine.className = answer.good ? "verdict good" : answer.isIncomplete ? "verdict" : "verdict bad";
     draw();
   });
@@ -135,7 +135,7 @@ export function workbench(app, { plan, models, signal, onChange }) {
     back.disabled = !history.past.length && !state.pending.length;
     again.disabled = !history.future.length;
     done.hidden = state.pending.length < 2 || !["wall", "path"].includes(state.tool);
-    put(hint, t(`editor.hint.${state.tool}`), " ", state.pending.length > 1 && lineWords(state.pending));
+    put(hint, t(`editor-hint-${state.tool}`), " ", state.pending.length > 1 && lineWords(state.pending));
     const focused = document.activeElement;
     const key = focused instanceof HTMLElement && panel.contains(focused) ? focused.dataset.key : null;
     put(
@@ -163,7 +163,7 @@ export function workbench(app, { plan, models, signal, onChange }) {
       "change",
       () => input.valueAsNumber > 0 && become({ ...state, doorWidth: input.valueAsNumber }),
     );
-    return h("div", { class: "field" }, h("label", { for: "door-width" }, t("editor.door-width")), input);
+    return h("div", { class: "field" }, h("label", { for: "door-width" }, t("editor-door-width")), input);
   }
 
   /** @type {import("./form.js").Acts} */
@@ -178,7 +178,7 @@ export function workbench(app, { plan, models, signal, onChange }) {
         );
         if (!next) return;
         modelList = next;
-        app.toasts.show(t("editor.model.added", { file: file.name }));
+        app.toasts.show(t("editor-model-added", { file: file.name }));
         show();
       }),
   };
@@ -261,7 +261,7 @@ export function workbench(app, { plan, models, signal, onChange }) {
   const element = h(
     "div",
     { class: "bench" },
-    h("div", { class: "tools", role: "toolbar", "aria-label": t("editor.tools") }, tools, back, again),
+    h("div", { class: "tools", role: "toolbar", "aria-label": t("editor-tools") }, tools, back, again),
     h(
       "div",
       { class: "sheet-place" },
@@ -272,7 +272,7 @@ export function workbench(app, { plan, models, signal, onChange }) {
         { class: "sheet-foot" },
         hint,
         done,
-        toggle(t("editor.snap"), true, (on) => (step = on ? STEP : 0)),
+        toggle(t("editor-snap"), true, (on) => (step = on ? STEP : 0)),
       ),
     ),
     panel,

@@ -1,14 +1,10 @@
 /** Sentences over the page for a person's first time; each has a number that also stands on what it is about. */
 import { h, put, set } from "../widgets/dom.js";
-import { loadStyles, words } from "./help_words.js";
+import { loadStyles, t } from "./help_words.js";
 
 // The first sentence is about Stop; the others are named after the step of the rail that they are about.
-const SENTENCES = /** @type {const} */ (["first.stop", "first.calibrate", "first.controls", "first.review"]);
-const FOR_REVIEWERS = /** @type {const} */ ([
-  "first.reviewer.stop",
-  "first.reviewer.patients",
-  "first.reviewer.review",
-]);
+const SENTENCES = ["help-first-stop", "help-first-calibrate", "help-first-controls", "help-first-review"];
+const FOR_REVIEWERS = ["help-first-reviewer-stop", "help-first-reviewer-patients", "help-first-reviewer-review"];
 
 const WITH_STEPS = "calibrate"; // this page has numbers of its own, so that none stand on the rail
 const BEFORE = ["sign_in", "invitation"]; // the page of a person is not shown yet
@@ -22,8 +18,8 @@ export async function showFirstTime(app, place) {
   if (!app.me?.signed_in || place.hasChildNodes()) return; // it was asked for twice, or somebody signed out meanwhile
   const isReviewer = app.me?.role === "reviewer";
   const sentences = isReviewer ? FOR_REVIEWERS : SENTENCES;
-  for (const [i, key] of sentences.entries()) {
-    const link = app.frame.querySelector(`.rail a[href="#/${key.split(".").at(-1)}"]`);
+  for (const [i, id] of sentences.entries()) {
+    const link = app.frame.querySelector(`.rail a[href="#/${id.split("-").at(-1)}"]`);
     if (link) set(link, { "data-first": i + 1 });
   }
   const done = new AbortController();
@@ -35,11 +31,11 @@ export async function showFirstTime(app, place) {
     app.root.querySelector("h1")?.focus();
     await app.toasts.attempt(() => app.api.post("/auth/introduction"));
   };
-  const title = words(isReviewer ? "first.reviewer.title" : "first.title");
+  const title = t(isReviewer ? "help-first-reviewer-title" : "help-first-title");
   const list = h(
     "ol",
     { tabindex: "-1", "aria-label": title },
-    sentences.map((key) => h("li", {}, words(key))),
+    sentences.map((id) => h("li", {}, t(id))),
   );
   const open = () => {
     fold(false);
@@ -51,7 +47,7 @@ export async function showFirstTime(app, place) {
     { class: "first-sentences", "aria-label": title },
     opener,
     list,
-    h("button", { type: "button", class: "btn", onclick: putAway }, words("first.done")),
+    h("button", { type: "button", class: "btn", onclick: putAway }, t("help-first-done")),
   );
   /** @param {boolean} isFolded */
   const fold = (isFolded) => {

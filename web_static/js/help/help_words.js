@@ -1,12 +1,8 @@
 /** The texts of the help, which is loaded when somebody asks for it. */
-import texts from "../texts/en/help.js";
+import { catalogue } from "../words.js";
+import messages from "../../words/en/help.ftl.js";
 
-/** @typedef {keyof typeof texts} HelpKey */
-
-/** @param {HelpKey} key */
-export function words(key) {
-  return texts[key];
-}
+export const { t, hasText } = catalogue(messages);
 
 /**
  * The name of the help of a place: that of the page below a page where there is one ("drive.chair"), else the page's.
@@ -19,9 +15,9 @@ export function helpName({ page, rest }) {
 
 /** The title and the three sentences of a page; null for a page without help. @param {string} page */
 export function pageWords(page) {
-  const keys = /** @type {HelpKey[]} */ (["title", "1", "2", "3"].map((part) => `${page}.${part}`));
-  if (!keys.every((key) => key in texts)) return null;
-  const [title, ...sentences] = keys.map(words);
+  const ids = ["title", "1", "2", "3"].map((part) => `help-${page}-${part}`);
+  if (!ids.every(hasText)) return null;
+  const [title, ...sentences] = ids.map((id) => t(id));
   return { title, sentences };
 }
 

@@ -1,7 +1,7 @@
 /** What a page is for: three sentences and a drawing, beside the page, so that STOP and the page can be used meanwhile. */
 import { h } from "../widgets/dom.js";
 import { drawing } from "./drawings.js";
-import { helpName, loadStyles, pageWords, words } from "./help_words.js";
+import { helpName, loadStyles, pageWords, t } from "./help_words.js";
 
 const MORE = "/docs/clinicians";
 
@@ -31,11 +31,11 @@ export async function openPageHelp(app, opener) {
       "div",
       { class: "spread" },
       title,
-      h("button", { type: "button", class: "btn small", onclick: () => close() }, words("help.close")),
+      h("button", { type: "button", class: "btn small", onclick: () => close() }, t("help-help-close")),
     ),
     drawing(name),
     found.sentences.map((sentence) => h("p", {}, sentence)),
-    h("p", {}, h("a", { href: MORE, target: "_blank" }, words("help.more"))),
+    h("p", {}, h("a", { href: MORE, target: "_blank" }, t("help-help-more"))),
   );
   const close = (hasFocus = true) => {
     done.abort();

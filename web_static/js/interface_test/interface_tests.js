@@ -32,7 +32,7 @@ export function testsPlace(app, patient, signal) {
     shown = answer;
     drawn.abort();
     drawn = new AbortController();
-    put(place, h("h2", {}, t("rail.interface_test")), testFigures(test), courseCard(found, drawn.signal));
+    put(place, h("h2", {}, t("rail-interface-test")), testFigures(test), courseCard(found, drawn.signal));
   };
   app.live.addEventListener("changed", ({ detail }) => detail === "test" && app.toasts.attempt(read), { signal });
   app.toasts.attempt(read);
@@ -51,15 +51,15 @@ export function testFigures(test) {
   const title = h(
     "h2",
     {},
-    t("test.result", { number: which }),
+    t("test-result", { number: which }),
     " ",
-    h("span", { class: "quiet" }, `${t("test.session", { number: session })}, ${moment(started)}`),
+    h("span", { class: "quiet" }, `${t("test-session", { number: session })}, ${moment(started)}`),
   );
   if (end !== "complete" || !measures) {
     const reached = measures
-      ? t("test.so-far", { count: measures.acquired, seconds: number(measures.duration, 0) })
+      ? t("test-so-far", { count: measures.acquired, seconds: number(measures.duration, 0) })
       : "";
-    return h("section", { class: "card" }, title, h("p", {}, t(`test.end.${end ?? "fault"}`), " ", reached));
+    return h("section", { class: "card" }, title, h("p", {}, t(`test-end-${end ?? "fault"}`), " ", reached));
   }
   return h(
     "section",
@@ -80,7 +80,7 @@ export function testFigures(test) {
     h(
       "p",
       {},
-      t("test.reached", {
+      t("test-reached", {
         acquired: measures.acquired,
         missed: measures.missed,
         seconds: REFERENCE.numbers.target_missed_after,
@@ -89,9 +89,9 @@ export function testFigures(test) {
     h(
       "details",
       {},
-      h("summary", {}, t("test.details")),
+      h("summary", {}, t("test-details")),
       scrollTable(
-        t("test.ways"),
+        t("test-ways"),
         "test-ways",
         h(
           "thead",
@@ -99,7 +99,7 @@ export function testFigures(test) {
           h(
             "tr",
             {},
-            ["way", "acquired", "missed", "time"].map((name) => h("th", { scope: "col" }, t(`test.ways.${name}`))),
+            ["way", "acquired", "missed", "time"].map((name) => h("th", { scope: "col" }, t(`test-ways-${name}`))),
           ),
         ),
         h(
@@ -109,7 +109,7 @@ export function testFigures(test) {
             h(
               "tr",
               {},
-              h("th", { scope: "row" }, t(`test.way.${way}`)),
+              h("th", { scope: "row" }, t(`test-way-${way}`)),
               h("td", {}, acquired),
               h("td", {}, missed),
               h("td", {}, time === null ? "–" : `${number(time, 2)} s`),
@@ -128,7 +128,7 @@ export function testFigures(test) {
           ),
         ),
       large.map((name) => h("p", { class: "quiet small" }, `${testEntry(name).name}: ${testEntry(name).meaning}`)),
-      h("p", { class: "quiet small" }, t("test.publications")),
+      h("p", { class: "quiet small" }, t("test-publications")),
     ),
   );
 }
@@ -165,12 +165,12 @@ export function courseCard(read, signal) {
   return h(
     "section",
     { class: "card test-course" },
-    h("h2", {}, t("test.curve"), " ", source && groupMark(source)),
-    h("div", { class: "columns" }, field(t("review.measure"), choice)),
+    h("h2", {}, t("test-curve"), " ", source && groupMark(source)),
+    h("div", { class: "columns" }, field(t("review-measure"), choice)),
     place,
     few
-      ? h("p", { class: "quiet" }, t("test.one"))
-      : [verdictTable(read), h("p", { class: "quiet small" }, t("test.noise"))],
+      ? h("p", { class: "quiet" }, t("test-one"))
+      : [verdictTable(read), h("p", { class: "quiet small" }, t("test-noise"))],
     workloadLine(read),
   );
 }
@@ -178,7 +178,7 @@ export function courseCard(read, signal) {
 /** @param {InterfaceTestsView} read */
 function verdictTable({ course }) {
   return scrollTable(
-    t("verdict.title"),
+    t("verdict-title"),
     "test-verdicts",
     h(
       "thead",
@@ -186,8 +186,8 @@ function verdictTable({ course }) {
       h(
         "tr",
         {},
-        h("th", { scope: "col" }, t("over.measure")),
-        course.comparisons.map(({ earlier }) => h("th", { scope: "col" }, t("test.against", { number: earlier }))),
+        h("th", { scope: "col" }, t("over-measure")),
+        course.comparisons.map(({ earlier }) => h("th", { scope: "col" }, t("test-against", { number: earlier }))),
       ),
     ),
     h(
@@ -218,6 +218,6 @@ function workloadLine({ tests }) {
   if (!asked.length) return null;
   const values = asked
     .slice(-8)
-    .map(({ number: which, raw_tlx: mean }) => t("test.workload.of", { number: which, value: number(mean, 0) }));
+    .map(({ number: which, raw_tlx: mean }) => t("test-workload-of", { number: which, value: number(mean, 0) }));
   return h("p", {}, h("b", {}, REFERENCE.measures.workload), ": ", values.join(", "), ".");
 }

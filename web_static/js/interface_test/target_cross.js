@@ -15,7 +15,7 @@ export function targetCross() {
   const dot = s("circle", { class: "dot", r: DOT });
   const element = s(
     "svg",
-    { class: "target-cross", viewBox: "-116 -116 232 232", role: "img", "aria-label": t("test.cross") },
+    { class: "target-cross", viewBox: "-116 -116 232 232", role: "img", "aria-label": t("test-cross") },
     s("line", { x1: -ARM, x2: ARM }),
     s("line", { y1: -ARM, y2: ARM }),
     goal,

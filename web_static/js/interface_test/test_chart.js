@@ -19,7 +19,7 @@ export function testChart({ tests, course }, measure, signal) {
   const band = { mode: "lines", line: { width: 0 }, hoverinfo: "skip", x: fit?.n };
   /** @param {number[]} values */
   const scaled = (values) => values.map((value) => value * factor);
-  return chart(`${t("test.curve")}: ${title}`, signal, (colours) => ({
+  return chart(`${t("test-curve")}: ${title}`, signal, (colours) => ({
     traces: [
       ...(fit
         ? [
@@ -29,7 +29,7 @@ export function testChart({ tests, course }, measure, signal) {
               y: scaled(fit.low),
               fill: "tonexty",
               fillcolor: faint(colours.action, 0.16),
-              name: t("review.band"),
+              name: t("review-band"),
             },
             {
               mode: "lines",
@@ -45,7 +45,7 @@ export function testChart({ tests, course }, measure, signal) {
         mode: "lines+markers",
         x: rows.map(({ test }) => test.number),
         y: rows.map(({ value }) => value),
-        text: rows.map(({ test }) => t("test.session", { number: test.session })),
+        text: rows.map(({ test }) => t("test-session", { number: test.session })),
         hovertemplate: `%{text}: %{y:.${digits}f} ${unit}<extra></extra>`,
         line: { color: faint(colours.text, 0.35), width: 1.5 },
         marker: { color: colours.text, size: 9 },
@@ -54,7 +54,7 @@ export function testChart({ tests, course }, measure, signal) {
     ],
     layout: {
       xaxis: {
-        title: { text: t("test.number") },
+        title: { text: t("test-number") },
         dtick: rows.length > 12 ? undefined : 1,
         range: rangeOf(rows.map(({ test }) => test.number)),
       },

@@ -16,10 +16,10 @@ const TONES = { better: "good", worse: "bad" };
 /** A row for each test, with its figures, or why it does not count. @param {InterfaceTestView[]} tests */
 export function testTable(tests) {
   const head = [
-    t("test.number"),
+    t("test-number"),
     ...testNames().map((name) => testEntry(name).name),
     REFERENCE.measures.workload,
-    t("review.column.source"),
+    t("review-column-source"),
   ];
   /** @param {InterfaceTestView} test */
   const row = (test) => {
@@ -35,13 +35,13 @@ export function testTable(tests) {
         : h(
             "td",
             { colspan: String(testNames().length + 1) },
-            t(test.status === "done" ? `test.end.${test.end ?? "fault"}` : "test.phase.running"),
+            t(test.status === "done" ? `test-end-${test.end ?? "fault"}` : "test-phase-running"),
           ),
-      h("td", { title: test.source.description }, groupMark(groupOf(test)) ?? t("source.group.worn")),
+      h("td", { title: test.source.description }, groupMark(groupOf(test)) ?? t("source-group-worn")),
     );
   };
   return scrollTable(
-    t("record.tests"),
+    t("record-tests"),
     "measures trials",
     h(
       "thead",
@@ -58,7 +58,7 @@ export function testTable(tests) {
 
 /** The newest complete test of each of two sessions. @param {ComparedTests} compared @param {string[]} sessions their names */
 export function comparedTests({ earlier, later, verdicts }, sessions) {
-  const head = [t("over.measure"), ...sessions, t("verdict.column")];
+  const head = [t("over-measure"), ...sessions, t("verdict-column")];
   /** @param {string} name */
   const row = (name) => {
     const word = verdicts[name]?.word;
@@ -73,7 +73,7 @@ export function comparedTests({ earlier, later, verdicts }, sessions) {
     );
   };
   return scrollTable(
-    t("record.tests"),
+    t("record-tests"),
     "measures",
     h(
       "thead",

@@ -33,7 +33,7 @@ export function arrow() {
   const element = h(
     "div",
     { class: "hud arrow", hidden: true },
-    h("span", { class: "label" }, t("patient.goal.name")),
+    h("span", { class: "label" }, t("patient-goal-name")),
     picture,
     distance,
   );
@@ -45,8 +45,8 @@ export function arrow() {
     const to = bearingTo(pose, target);
     const bearing = to.distance < NEAR ? 0 : to.bearing;
     set(needle, { transform: `rotate(${number((-bearing * 180) / Math.PI, 0).replace("−", "-")} 50 50)` });
-    set(picture, { "aria-label": t("patient.arrow", { where: t(`patient.arrow.${side(bearing)}`) }) });
-    write(distance, t("patient.arrow.distance", { distance: number(to.distance, 1) }));
+    set(picture, { "aria-label": t("patient-arrow", { where: t(`patient-arrow-${side(bearing)}`) }) });
+    write(distance, t("patient-arrow-distance", { distance: number(to.distance, 1) }));
   };
   return { element, show };
 }

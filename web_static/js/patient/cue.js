@@ -15,7 +15,7 @@ const COUNTED = new Set(["ready", "rest", "free"]); // whole seconds; the others
 
 /** The words of a cue. @param {Pick<PatientCue, "kind" | "movement">} cue */
 export function cueWords({ kind, movement }) {
-  return kind === "move" && movement ? movement : t(`patient.cue.${kind}`);
+  return kind === "move" && movement ? movement : t(`patient-cue-${kind}`);
 }
 
 /** @param {PatientLive} live @param {AbortSignal} signal */
@@ -51,7 +51,7 @@ export function cueLayer(live, signal) {
     write(words, cueWords(cue));
     const { kind, movement, next } = cue;
     const after = kind === "ready" && movement ? movement : next && cueWords({ kind: next, movement });
-    write(then, after ? t("patient.cue.next", { next: after.toLowerCase() }) : "");
+    write(then, after ? t("patient-cue-next", { next: after.toLowerCase() }) : "");
   };
   turn();
   return { element, show };

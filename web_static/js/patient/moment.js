@@ -17,7 +17,7 @@ export function momentCard() {
     const next = wordOf(now, performance.now());
     if (next === word) return;
     word = next;
-    const why = { rest: now.waits.message, goal: t("patient.goal.why"), ended: t("patient.ended.why"), go: "", "": "" }[
+    const why = { rest: now.waits.message, goal: t("patient-goal-why"), ended: t("patient-ended-why"), go: "", "": "" }[
       next
     ];
     put(
@@ -26,7 +26,7 @@ export function momentCard() {
         h(
           "div",
           { class: `hud ${TONES[next] ?? ""}` },
-          h("div", { class: "word" }, t(`patient.${next}`)),
+          h("div", { class: "word" }, t(`patient-${next}`)),
           why && h("p", {}, why),
         ),
     );

@@ -49,7 +49,7 @@ export function patientPicture(live, signal) {
     view.setWanted(!now.asks.plan);
     plan.element.hidden = shows === "view" || !plan.has();
     const isInstead = view.why() === "webgl" && !now.asks.plan && !now.trial;
-    const why = shows === "none" ? "patient.no-picture" : isInstead ? "patient.plan" : "";
+    const why = shows === "none" ? "patient-no-picture" : isInstead ? "patient-plan" : "";
     words.hidden = !why;
     write(words, why && t(why));
   };
@@ -77,7 +77,7 @@ function renewableView(live, signal) {
     ending = new AbortController();
     const frame = viewFrame(ending.signal, "patient");
     const inside = frame.element.querySelector("iframe");
-    if (inside) inside.title = t("patient.view");
+    if (inside) inside.title = t("patient-view");
     put(element, frame.element);
     return frame;
   };

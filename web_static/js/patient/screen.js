@@ -23,8 +23,8 @@ export function showScreen(root, live, signal) {
   const picture = patientPicture(live, signal);
   const speed = speedCard();
   const parts = [taskCard(), speed, arrow(), momentCard(), testLayer(), cueLayer(live, signal), stopBand()];
-  const lost = band("lost", h("div", {}, h("b", {}, t("patient.lost")), h("p", {}, t("patient.lost.why"))));
-  const sound = h("button", { type: "button", class: "btn sound", hidden: true }, t("patient.sound"));
+  const lost = band("lost", h("div", {}, h("b", {}, t("patient-lost")), h("p", {}, t("patient-lost-why"))));
+  const sound = h("button", { type: "button", class: "btn sound", hidden: true }, t("patient-sound"));
   sound.addEventListener("click", async () => {
     await sounds.turnOn();
     sound.hidden = sounds.isOn;
@@ -65,7 +65,7 @@ function taskCard() {
   const element = h("div", { class: "hud task" }, stage, words, progress);
   /** @param {PatientMessage} now */
   const show = ({ trial, state, waits }) => {
-    write(stage, trial && trial.stages > 1 ? t("patient.stage", { stage: trial.stage + 1, stages: trial.stages }) : "");
+    write(stage, trial && trial.stages > 1 ? t("patient-stage", { stage: trial.stage + 1, stages: trial.stages }) : "");
     write(words, state === "disarmed" ? waits.message : (trial?.instruction ?? ""));
     progress.hidden = !trial?.length;
     if (trial?.length) done.style.width = `${100 * Math.min(1, Math.max(0, Number(trial.done) / trial.length))}%`;
@@ -80,14 +80,14 @@ function speedCard() {
   const element = h(
     "div",
     { class: "hud speed" },
-    h("div", { class: "label" }, t("patient.speed")),
-    h("div", { class: "big" }, speed, " ", h("small", {}, t("unit.speed"))),
+    h("div", { class: "label" }, t("patient-speed")),
+    h("div", { class: "big" }, speed, " ", h("small", {}, t("unit-speed"))),
     way,
   );
   /** @param {PatientMessage} now */
   const show = ({ v }) => {
     write(speed, number(Math.abs(v ?? 0), 1));
-    write(way, v !== null && v < BACKWARDS ? t("patient.backwards") : "");
+    write(way, v !== null && v < BACKWARDS ? t("patient-backwards") : "");
   };
   return { element, show };
 }
@@ -107,7 +107,7 @@ function stopBand() {
     set(element, { "aria-live": urgency(halt) });
     wait = h("p", { class: "wait" }, waits.message);
     const words = halt && [
-      h("b", {}, t("patient.stopped")),
+      h("b", {}, t("patient-stopped")),
       h("p", {}, halt.message),
       halt.again && h("p", {}, halt.again),
       wait,

@@ -12,7 +12,7 @@ export function testLayer() {
     element.hidden = !test || state === "fault";
     if (!test) return;
     cross.show(test);
-    write(words, t(`patient.test.${test.phase}`));
+    write(words, t(`patient-test-${test.phase}`));
   };
   return { element, show };
 }

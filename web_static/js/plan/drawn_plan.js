@@ -27,7 +27,7 @@ const STORAGE_KEY = "bodydrive-drawn-plan";
  */
 export function drawnPlan(plan, path) {
   const picture = planPicture(plan, path.points, {
-    label: t("drawn.label", { plan: plan.title, path: path.title }),
+    label: t("drawn-label", { plan: plan.title, path: path.title }),
     hasRooms: true,
     request: path,
     isTrue: true,
@@ -90,12 +90,12 @@ export function drawnPlan(plan, path) {
 function padOf(settings, choose, zoom) {
   /** @param {"nearer" | "farther"} name @param {string} sign @param {() => void} act */
   const button = (name, sign, act) => {
-    const words = t(`drawn.${name}`);
+    const words = t(`drawn-${name}`);
     const made = h("button", { type: "button", class: "btn small", "aria-label": words, title: words }, sign);
     repeatWhileHeld(made, act);
     return made;
   };
-  const up = h("button", { type: "button", class: "btn small up" }, t("drawn.heading"));
+  const up = h("button", { type: "button", class: "btn small up" }, t("drawn-heading"));
   const showUp = () => set(up, { "aria-pressed": String(settings.up === "heading") });
   up.addEventListener("click", () => {
     choose({ up: settings.up === "heading" ? "north" : "heading" });
@@ -104,7 +104,7 @@ function padOf(settings, choose, zoom) {
   showUp();
   return h(
     "div",
-    { class: "hud free-pad", role: "group", "aria-label": t("drawn.group") },
+    { class: "hud free-pad", role: "group", "aria-label": t("drawn-group") },
     up,
     button("nearer", "+", () => zoom(NEARER)),
     button("farther", "−", () => zoom(1 / NEARER)),

@@ -9,7 +9,7 @@ const STORAGE_KEY = "bodydrive-mini-plan";
 /** @param {import("./floor_plan.js").FloorPlan} plan @param {import("./floor_plan.js").PrescribedPath} path */
 export function miniPlan(plan, path) {
   const picture = planPicture(plan, path.points, {
-    label: t("drive.plan.label", { plan: plan.title, path: path.title }),
+    label: t("drive-plan-label", { plan: plan.title, path: path.title }),
     isNear: path.task.kind === "path" || path.task.kind === "follow",
     request: path,
   });
@@ -18,9 +18,9 @@ export function miniPlan(plan, path) {
   const details = h(
     "details",
     { class: "hud mini", open: localStorage.getItem(STORAGE_KEY) !== "closed" },
-    h("summary", {}, t("trial.above")),
+    h("summary", {}, t("trial-above")),
     picture.element,
-    path.task.kind === "path" && h("p", { class: "legend" }, t("trial.above.line")),
+    path.task.kind === "path" && h("p", { class: "legend" }, t("trial-above-line")),
   );
   details.addEventListener("toggle", () => localStorage.setItem(STORAGE_KEY, details.open ? "open" : "closed"));
   /** @param {(number | null)[]} pose @param {Pick<import("types/api").TrialMoment, "leader" | "target">} trial */

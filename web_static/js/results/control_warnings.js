@@ -17,7 +17,7 @@ export function controlWarnings(warnings, mayChange, isOpen = true) {
   return h(
     "details",
     { class: "card control-warnings", open: isOpen },
-    h("summary", {}, h("h2", {}, t("quality.warnings", { count: together(warnings).length })), summaryOf(warnings)),
+    h("summary", {}, h("h2", {}, t("quality-warnings", { count: together(warnings).length })), summaryOf(warnings)),
     h(
       "ul",
       {},
@@ -26,8 +26,8 @@ export function controlWarnings(warnings, mayChange, isOpen = true) {
           "li",
           {},
           [first, ...others].map(({ message }) => h("p", {}, message)),
-          h("p", { class: "quiet" }, h("strong", {}, t("quality.do")), " ", first.advice),
-          mayChange && h("a", { class: "btn small", href: WHERE[first.kind] }, t(`quality.go.${first.kind}`)),
+          h("p", { class: "quiet" }, h("strong", {}, t("quality-do")), " ", first.advice),
+          mayChange && h("a", { class: "btn small", href: WHERE[first.kind] }, t(`quality-go-${first.kind}`)),
         ),
       ),
     ),
@@ -38,7 +38,7 @@ export function controlWarnings(warnings, mayChange, isOpen = true) {
 function summaryOf(warnings) {
   const parts = together(warnings).map((same) => {
     const joints = [...new Set(same.map(({ joint }) => joint))].join(", ");
-    return t(`quality.kind.${same[0].kind}`, { joints });
+    return t(`quality-kind-${same[0].kind}`, { joints });
   });
   return h("span", { class: "quiet small" }, parts.join(" · "));
 }

@@ -10,7 +10,7 @@ const REASONS = ["interrupted", "sensor", "practice", "other"];
 export function discardForm(onDiscard, onClose) {
   let chosen = REASONS[0];
   const words = h("input", { type: "text", ...textLimits("Discard", "reason"), autocomplete: "off" });
-  const other = h("div", { hidden: true }, field(t("over.discard.other"), words));
+  const other = h("div", { hidden: true }, field(t("over-discard-other"), words));
   /** @param {string} reason */
   const choose = (reason) => {
     chosen = reason;
@@ -21,15 +21,15 @@ export function discardForm(onDiscard, onClose) {
   /** @param {SubmitEvent} event */
   const submit = (event) => {
     event.preventDefault();
-    onDiscard(chosen === "other" ? words.value.trim() : t(`over.discard.${chosen}`));
+    onDiscard(chosen === "other" ? words.value.trim() : t(`over-discard-${chosen}`));
   };
   return h(
     "form",
     { class: "card discard", onsubmit: submit },
-    h("h2", {}, t("over.discard.title")),
+    h("h2", {}, t("over-discard-title")),
     choices(
-      t("over.discard.title"),
-      REASONS.map((value) => ({ value, label: t(`over.discard.${value}`) })),
+      t("over-discard-title"),
+      REASONS.map((value) => ({ value, label: t(`over-discard-${value}`) })),
       chosen,
       choose,
     ),
@@ -37,7 +37,7 @@ export function discardForm(onDiscard, onClose) {
     h(
       "div",
       { class: "spread" },
-      h("button", { class: "btn go" }, t("over.discard.go")),
+      h("button", { class: "btn go" }, t("over-discard-go")),
       h("button", { type: "button", class: "btn", onclick: onClose }, t("cancel")),
     ),
   );

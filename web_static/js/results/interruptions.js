@@ -14,7 +14,7 @@ const TIME = { halts: "halt_time", pauses: "pause_time", person_stops: "person_s
 export function interruptionWords(measures) {
   return KINDS.map((name) => {
     const count = measured(measures, name) ?? 0;
-    return count ? t(`interruption.${name}`, { count, seconds: number(measured(measures, TIME[name]), 0) }) : "";
+    return count ? t(`interruption-${name}`, { count, seconds: number(measured(measures, TIME[name]), 0) }) : "";
   })
     .filter(Boolean)
     .join(" · ");

@@ -67,7 +67,7 @@ export function joined(words, unit) {
 export function unitOf(name, measures) {
   const { unit, of } = entryOf(name);
   const count = of ? measured(measures, of) : null;
-  return count === null ? unit : t("measure.of", { count });
+  return count === null ? unit : t("measure-of", { count });
 }
 
 /** Tell whether a trial's measure can stand beside others. @param {string} name @param {Measures | null} measures */

@@ -16,7 +16,7 @@ export const QUALITIES = {
   activations: (value) => number(value, 0),
   activations_per_metre: (value) => (Number.isFinite(value) ? `${number(value, 1)} /m` : number(value, 1)),
   span_share: percent,
-  rest_rate: (value) => ofFull(value, t("unit.rate")),
+  rest_rate: (value) => ofFull(value, t("unit-rate")),
 };
 
 const OF_TRIAL = /** @type {const} */ (["activations_per_metre", "cross_talk"]);
@@ -31,18 +31,18 @@ export const OF_JOINT = /** @type {const} */ ([
 
 /** @param {{quality: ControlQuality | null}} trial what GET /trials/ID answered @returns {HTMLElement} */
 export function qualityCard({ quality }) {
-  const title = h("h2", {}, t("quality.title"));
+  const title = h("h2", {}, t("quality-title"));
   if (!quality)
-    return h("section", { class: "card quality-card" }, title, h("p", { class: "quiet" }, t("quality.none")));
+    return h("section", { class: "card quality-card" }, title, h("p", { class: "quiet" }, t("quality-none")));
   const guided = quality.joints.filter((joint) => joint.guided).map(({ label }) => label);
   const bad = quality.bad_channels
     .filter(({ share }) => share >= 0.005) // less is shown as 0 %
-    .map(({ name, share }) => t("quality.bad.one", { name, share: percent(share) }));
+    .map(({ name, share }) => t("quality-bad-one", { name, share: percent(share) }));
   return h(
     "details",
     { class: "card quality-card" },
-    h("summary", {}, h("h2", {}, t("quality.details"))),
-    h("p", { class: "quiet small" }, t("quality.lead")),
+    h("summary", {}, h("h2", {}, t("quality-details"))),
+    h("p", { class: "quiet small" }, t("quality-lead")),
     h(
       "dl",
       { class: "fact-list" },
@@ -50,16 +50,16 @@ export function qualityCard({ quality }) {
         h(
           "div",
           {},
-          h("dt", {}, t(`quality.${name}`), h("small", { class: "quiet" }, ` ${t(`quality.means.${name}`)}`)),
+          h("dt", {}, t(`quality-${name}`), h("small", { class: "quiet" }, ` ${t(`quality-means-${name}`)}`)),
           h("dd", { class: "number" }, QUALITIES[name](quality[name])),
         ),
       ),
     ),
     jointTable(quality.joints),
     quality.joints.some(({ map_angle_deg }) => map_angle_deg === null) &&
-      h("p", { class: "quiet small" }, t("quality.still")),
-    guided.length > 0 && h("p", { class: "quiet small" }, t("quality.guided", { joints: guided.join(", ") })),
-    bad.length > 0 && h("p", { class: "problem" }, t("quality.bad", { sensors: bad.join(", ") })),
+      h("p", { class: "quiet small" }, t("quality-still")),
+    guided.length > 0 && h("p", { class: "quiet small" }, t("quality-guided", { joints: guided.join(", ") })),
+    bad.length > 0 && h("p", { class: "problem" }, t("quality-bad", { sensors: bad.join(", ") })),
   );
 }
 
@@ -75,11 +75,11 @@ function jointTable(joints) {
     );
   /** @param {string} name */
   const head = (name) =>
-    h("th", { scope: "col", title: name === "activations" ? null : t(`quality.means.${name}`) }, t(`quality.${name}`));
+    h("th", { scope: "col", title: name === "activations" ? null : t(`quality-means-${name}`) }, t(`quality-${name}`));
   return scrollTable(
-    t("quality.title"),
+    t("quality-title"),
     "measures",
-    h("thead", {}, h("tr", {}, h("th", { scope: "col" }, t("quality.joint")), OF_JOINT.map(head))),
+    h("thead", {}, h("tr", {}, h("th", { scope: "col" }, t("quality-joint")), OF_JOINT.map(head))),
     h("tbody", {}, joints.map(row)),
   );
 }

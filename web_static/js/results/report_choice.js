@@ -28,7 +28,7 @@ export function reportChoice(app, patient, session) {
   let paper = localStorage.getItem(PAPER_PLACE) === "letter" ? "letter" : "a4";
   const links = ["pdf", "html"].map((form) => ({
     form,
-    link: h("a", { class: "btn", download: "" }, t(`report.${form}`)),
+    link: h("a", { class: "btn", download: "" }, t(`report-${form}`)),
   }));
   /** @type {(typeof READERS)[number]} */
   let reader = "others";
@@ -40,15 +40,15 @@ export function reportChoice(app, patient, session) {
     links.map(({ link }) => link),
   );
   const words = h("span", { class: "grow", role: "status" });
-  const enter = h("a", { class: "btn", href: `#/session/patient/${patient.id}` }, t("report.consent.go"));
+  const enter = h("a", { class: "btn", href: `#/session/patient/${patient.id}` }, t("report-consent-go"));
   const draw = () => {
     const isShared = consents?.some(({ consent, given }) => consent === "sharing" && given);
     files.hidden = reader === "others" && !isShared;
-    write(words, consents && files.hidden ? t("report.consent", { code: patient.code }) : "");
+    write(words, consents && files.hidden ? t("report-consent", { code: patient.code }) : "");
     enter.hidden = !words.textContent;
     for (const { form, link } of links) {
       link.setAttribute("href", reportAddress(patient.id, form, chosen, paper, reader));
-      link.setAttribute("aria-label", t(`report.${form}.label`, { what: wordsOf(chosen), code: patient.code }));
+      link.setAttribute("aria-label", t(`report-${form}-label`, { what: wordsOf(chosen), code: patient.code }));
     }
   };
   const numbers = Array.from({ length: patient.sessions }, (_, place) => String(patient.sessions - place));
@@ -58,12 +58,12 @@ export function reportChoice(app, patient, session) {
     (value) => ((chosen = value), draw()),
   );
   const papers = selection(
-    ["a4", "letter"].map((value) => ({ value, label: t(`report.paper.${value}`) })),
+    ["a4", "letter"].map((value) => ({ value, label: t(`report-paper-${value}`) })),
     paper,
     (value) => (localStorage.setItem(PAPER_PLACE, (paper = value)), draw()),
   );
   const readers = selection(
-    READERS.map((value) => ({ value, label: t(`report.reader.${value}`) })),
+    READERS.map((value) => ({ value, label: t(`report-reader-${value}`) })),
     reader,
     (value) => ((reader = value), draw()),
   );
@@ -80,13 +80,13 @@ export function reportChoice(app, patient, session) {
     h(
       "div",
       { class: "columns" },
-      field(t("report.what"), sessions),
-      field(t("report.reader"), readers),
-      field(t("report.paper"), papers),
+      field(t("report-what"), sessions),
+      field(t("report-reader"), readers),
+      field(t("report-paper"), papers),
     ),
     h("p", { class: "spread" }, words, enter),
     h("p", { class: "spread" }, files),
-    h("p", { class: "quiet small" }, t("report.log"), " ", t("report.apart")),
+    h("p", { class: "quiet small" }, t("report-log"), " ", t("report-apart")),
   );
 }
 
@@ -96,7 +96,7 @@ export function reportChoice(app, patient, session) {
  */
 export function reportCard(app, patient, session) {
   const choice = reportChoice(app, patient, session);
-  return choice && h("section", { class: "card" }, h("h2", {}, t("report.title")), choice);
+  return choice && h("section", { class: "card" }, h("h2", {}, t("report-title")), choice);
 }
 
 /** @param {number} patient @param {string} form @param {string} chosen @param {string} paper @param {string} reader */
@@ -112,5 +112,5 @@ function reportAddress(patient, form, chosen, paper, reader) {
 
 /** @param {string} chosen */
 function wordsOf(chosen) {
-  return chosen === ALL ? t("report.all") : t("report.session", { number: chosen });
+  return chosen === ALL ? t("report-all") : t("report-session", { number: chosen });
 }

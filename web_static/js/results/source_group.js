@@ -24,7 +24,7 @@ export function firstGroup(trials) {
 
 /** A sign for trials that nobody drove by their own movements; null for worn ones. @param {SourceGroup} group */
 export function groupMark(group) {
-  return group === "worn" ? null : h("span", { class: "tag source-mark" }, t(`source.group.${group}`));
+  return group === "worn" ? null : h("span", { class: "tag source-mark" }, t(`source-group-${group}`));
 }
 
 /**
@@ -36,7 +36,7 @@ export function groupChoice(trials, chosen, onChange) {
   if (present.length < 2) return null;
   const options = present.map((group) => {
     const count = trials.filter((trial) => trial.kept && groupOf(trial) === group).length;
-    return { value: group, label: t("source.group.count", { group: t(`source.group.${group}`), count }) };
+    return { value: group, label: t("source-group-count", { group: t(`source-group-${group}`), count }) };
   });
-  return field(t("source.group"), selection(options, chosen, onChange));
+  return field(t("source-group"), selection(options, chosen, onChange));
 }

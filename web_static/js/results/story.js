@@ -17,9 +17,9 @@ const SAID = ["note", "comment", "unlock"]; // kinds of events with words of a p
  */
 export function storyParts({ goal, scales, is_signed: isSigned, origin, events }, replay) {
   return [
-    h("p", { class: "quiet" }, t(isSigned ? "share.signed" : "share.unsigned")),
+    h("p", { class: "quiet" }, t(isSigned ? "share-signed" : "share-unsigned")),
     origin && h("p", { class: "quiet" }, originWords(origin)),
-    goal && h("p", { class: "own-words" }, `${t("share.goal")}: ${goal}`),
+    goal && h("p", { class: "own-words" }, `${t("share-goal")}: ${goal}`),
     scales.length > 0 &&
       h(
         "p",
@@ -36,14 +36,14 @@ export function storyParts({ goal, scales, is_signed: isSigned, origin, events }
 
 /** @param {EventView} event @param {((trial: number) => string) | undefined} replay @param {boolean} isNewDay */
 function eventLine({ at, kind, person, text, facts }, replay, isNewDay) {
-  const end = hasText(`review.end.${facts.end}`) ? t(`review.end.${facts.end}`) : "";
+  const end = hasText(`review-end-${facts.end}`) ? t(`review-end-${facts.end}`) : "";
   const seconds = typeof facts.t === "number" ? number(facts.t, 1) : "";
-  const title = t(`share.event.${kind}`, { ...facts, count: Number(facts.recordings), t: seconds, text, end });
+  const title = t(`share-event-${kind}`, { ...facts, count: Number(facts.recordings), t: seconds, text, end });
   const trial = kind === "trial" ? facts.id : facts.trial;
   const marks = [
     interruptionWords(facts),
-    facts.simulated && t("share.simulated"),
-    facts.kept === false && t("record.driven.discarded", { reason: String(facts.discard_reason ?? "") }),
+    facts.simulated && t("share-simulated"),
+    facts.kept === false && t("record-driven-discarded", { reason: String(facts.discard_reason ?? "") }),
   ].filter(Boolean);
   return h(
     "li",

@@ -50,7 +50,7 @@ export function showTrialOver(app, root, read, actions, above) {
   /** @param {string} reason */
   const discard = async (reason) => {
     await call(() => app.api.post(`/trials/${trial.id}/discard`, { reason }));
-    app.toasts.show(t("over.discarded.toast", { number: trial.number }), {
+    app.toasts.show(t("over-discarded-toast", { number: trial.number }), {
       action: t("undo"),
       run: keep,
     });
@@ -65,34 +65,34 @@ export function showTrialOver(app, root, read, actions, above) {
   };
   const count = async () => {
     await keep();
-    app.toasts.show(t("over.counted.toast", { number: trial.number }), {
+    app.toasts.show(t("over-counted-toast", { number: trial.number }), {
       action: t("undo"),
       run: () => call(() => app.api.post(`/trials/${trial.id}/discard`, { reason: trial.discard_reason ?? "" })),
     });
   };
   const mayChange = app.me?.role !== "reviewer";
   const keeping = trial.kept
-    ? h("button", { type: "button", class: "btn", onclick: ask }, t("over.discard"))
+    ? h("button", { type: "button", class: "btn", onclick: ask }, t("over-discard"))
     : isInterrupted(trial.measures)
-      ? h("button", { type: "button", class: "btn", onclick: count }, t("over.count"))
-      : h("button", { type: "button", class: "btn", onclick: keep }, t("over.keep"));
+      ? h("button", { type: "button", class: "btn", onclick: count }, t("over-count"))
+      : h("button", { type: "button", class: "btn", onclick: keep }, t("over-keep"));
   put(
     root,
     h(
       "div",
       { class: "body" },
-      h("h1", { tabindex: "-1" }, t(`over.${trial.end}`)),
+      h("h1", { tabindex: "-1" }, t(`over-${trial.end}`)),
       h(
         "p",
         { class: "lead" },
-        t("over.lead", { number: trial.number, plan: trial.floorplan_title, path, when: moment(trial.started) }),
+        t("over-lead", { number: trial.number, plan: trial.floorplan_title, path, when: moment(trial.started) }),
       ),
       h(
         "p",
         { class: "quiet small" },
         groupMark(groupOf(trial)),
         " ",
-        t("over.source", { source: trial.source.description }),
+        t("over-source", { source: trial.source.description }),
       ),
       above,
       trialSummary(trial, trials, plan, verdicts),
@@ -103,7 +103,7 @@ export function showTrialOver(app, root, read, actions, above) {
       "div",
       { class: "foot" },
       mayChange && keeping,
-      !above && h("a", { class: "btn", href: `#/review/${trial.patient_id}/trial/${trial.id}` }, t("replay.look")),
+      !above && h("a", { class: "btn", href: `#/review/${trial.patient_id}/trial/${trial.id}` }, t("replay-look")),
       h("span", { class: "grow" }),
       actions(trial),
     ),

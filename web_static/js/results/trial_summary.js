@@ -50,11 +50,11 @@ export function trialSummary(trial, trials, plan, found) {
     "div",
     { class: "stack" },
     trial.origin && h("p", { class: "quiet" }, originWords(trial.origin)),
-    !trial.kept && h("p", { class: "problem" }, t("over.discarded", { reason: trial.discard_reason ?? "" })),
+    !trial.kept && h("p", { class: "problem" }, t("over-discarded", { reason: trial.discard_reason ?? "" })),
     interruptionNote(trial),
-    !measures && h("p", { class: "problem" }, t("over.no-measures")),
+    !measures && h("p", { class: "problem" }, t("over-no-measures")),
     measures && !measures.reached && h("p", { class: "card" }, unfinishedWords(trial, measures)),
-    isFamiliarisation(found, trial.id) && h("p", { class: "card quiet" }, t("verdict.familiarisation")),
+    isFamiliarisation(found, trial.id) && h("p", { class: "card quiet" }, t("verdict-familiarisation")),
     measures &&
       large.length > 0 &&
       h(
@@ -82,17 +82,17 @@ function interruptionNote({ kept, measures }) {
     { class: "card interruptions" },
     h("b", {}, `${words}.`),
     " ",
-    t("interruption.left-out"),
-    ask && [" ", t("interruption.ask")],
+    t("interruption-left-out"),
+    ask && [" ", t("interruption-ask")],
   );
 }
 
 /** How far an unfinished trial came, and that it is not compared. @param {TrialDetail} trial @param {Measures} measures */
 function unfinishedWords(trial, measures) {
-  if (!("e_diff" in measures)) return t("over.not-done");
+  if (!("e_diff" in measures)) return t("over-not-done");
   const way = wayDone(trial);
-  const far = way && t("over.way", { done: number(way.done, 1), length: number(way.length, 1) });
-  return [far && h("b", {}, far), " ", t("over.not-reached")];
+  const far = way && t("over-way", { done: number(way.done, 1), length: number(way.length, 1) });
+  return [far && h("b", {}, far), " ", t("over-not-reached")];
 }
 
 /** @param {string} name @param {Measures} measures @param {TrialVerdicts | null} found */
@@ -109,7 +109,7 @@ function largeFigure(name, measures, found) {
       verdict
         ? verdictLine(verdict)
         : name === "dist"
-          ? t("over.path-length", { length: number(measured(measures, "path_length"), 2) })
+          ? t("over-path-length", { length: number(measured(measures, "path_length"), 2) })
           : "\u00a0",
     ),
   );
@@ -136,7 +136,7 @@ function stagesCard(parts) {
       "tr",
       {},
       h("th", { scope: "row" }, `${index + 1}. ${title}`),
-      h("td", { class: reached ? "change good" : "change" }, t(reached ? "over.stage.done" : "over.stage.open")),
+      h("td", { class: reached ? "change good" : "change" }, t(reached ? "over-stage-done" : "over-stage-open")),
       h("td", {}, reached ? withUnit("time", time) : "–"),
       h("td", {}, first ? `${nameOf(first)}: ${withUnit(first, measured(own, first))}` : ""),
     );
@@ -144,8 +144,8 @@ function stagesCard(parts) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("over.stages")),
-    scrollTable(t("over.stages"), "measures", h("tbody", {}, parts.map(row))),
+    h("h2", {}, t("over-stages")),
+    scrollTable(t("over-stages"), "measures", h("tbody", {}, parts.map(row))),
   );
 }
 
@@ -156,23 +156,23 @@ function drivenCard(trial, plan) {
     return h(
       "section",
       { class: "card" },
-      h("h2", {}, t("over.driven")),
-      h("p", { class: "quiet" }, t("over.no-trajectory")),
+      h("h2", {}, t("over-driven")),
+      h("p", { class: "quiet" }, t("over-no-trajectory")),
     );
   const picture = planPicture(plan, trial.path, {
-    label: t("over.driven"),
+    label: t("over-driven"),
     hasRooms: true,
     request: requestOf(trial, plan),
   });
   picture.setTrajectory(trajectory.x.map((x, i) => [x, trajectory.y[i]]));
-  return h("section", { class: "card driven-card" }, h("h2", {}, t("over.driven")), picture.element);
+  return h("section", { class: "card driven-card" }, h("h2", {}, t("over-driven")), picture.element);
 }
 
 /** @param {Measures} measures @param {TrialView[]} earlier @param {TrialVerdicts | null} found */
 function tableCard(measures, earlier, found) {
   const compares = measureNames().some((name) => comparable(name, measures));
   const previous = (compares && earlier.find(({ id }) => id === found?.earlier)) || null;
-  const title = t(previous ? "over.table" : "over.measures");
+  const title = t(previous ? "over-table" : "over-measures");
   const rows = measureNames()
     .filter((name) => measured(measures, name) !== null && (measures.reached || !entryOf(name).of_whole))
     .map((name) => {
@@ -191,10 +191,10 @@ function tableCard(measures, earlier, found) {
       );
     });
   const head = [
-    t("over.measure"),
-    t("over.this"),
+    t("over-measure"),
+    t("over-this"),
     ...(previous
-      ? [t("verdict.column"), t("over.previous", { number: previous.number }), t("verdict.noise"), t("over.best")]
+      ? [t("verdict-column"), t("over-previous", { number: previous.number }), t("verdict-noise"), t("over-best")]
       : []),
   ];
   return h(
@@ -216,6 +216,6 @@ function tableCard(measures, earlier, found) {
       h("tbody", {}, rows),
     ),
     previous && noiseNote(),
-    h("details", { class: "small" }, h("summary", {}, t("measure.details")), h("p", {}, t("measure.details.words"))),
+    h("details", { class: "small" }, h("summary", {}, t("measure-details")), h("p", {}, t("measure-details-words"))),
   );
 }

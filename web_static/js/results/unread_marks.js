@@ -18,7 +18,7 @@ export async function unreadMarks(app, patient, signal) {
   /** @param {typeof marks[number]} mark */
   const draw = ({ element, belongs }) => {
     const count = unread.filter(belongs).length;
-    put(element, count > 0 && h("span", { class: "tag att" }, t("comments.unread", { count })));
+    put(element, count > 0 && h("span", { class: "tag att" }, t("comments-unread", { count })));
   };
   /** @param {CustomEvent<string>} event */
   const read = async ({ detail }) => {

@@ -29,7 +29,7 @@ export function verdictWords(name, verdict) {
     noise:
       low === null
         ? "–"
-        : joined(t("verdict.range", { low: figure(name, low), high: figure(name, high) }), entryOf(name).unit),
+        : joined(t("verdict-range", { low: figure(name, low), high: figure(name, high) }), entryOf(name).unit),
     tone: TONES[word],
   };
 }
@@ -51,6 +51,6 @@ export function isFamiliarisation(found, trial) {
 
 /** What noise is, and that nobody has published a limit for it. */
 export function noiseNote() {
-  const sentences = ["means", "chance", "missed", "unpublished"].map((name) => t(`verdict.${name}`));
+  const sentences = ["means", "chance", "missed", "unpublished"].map((name) => t(`verdict-${name}`));
   return h("p", { class: "quiet small noise-note" }, sentences.join(" "));
 }

@@ -26,8 +26,8 @@ export function busyLine(app, signal, follow) {
     put(
       element,
       now && [
-        h("span", { class: "grow" }, t(`busy.${now}`)),
-        h("a", { class: "btn", href: PLACES[now] }, t(`busy.${now}.go`)),
+        h("span", { class: "grow" }, t(`busy-${now}`)),
+        h("a", { class: "btn", href: PLACES[now] }, t(`busy-${now}-go`)),
       ],
     );
     follow(now !== undefined);

@@ -17,7 +17,7 @@ export const mayGoOn = (app) => app.me?.role !== "reviewer";
  * @returns {{element: HTMLButtonElement, setBlocked: (is: boolean) => void, seen: () => number | null}} `seen`: the count of
  * stops that the person has had time to see; null before
  */
-export function continueButton(app, words = t("note.fault.continue")) {
+export function continueButton(app, words = t("note-fault-continue")) {
   let [stops, timer, isBlocked] = [0, 0, false];
   /** @type {number | null} */
   let seen = null;

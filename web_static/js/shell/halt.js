@@ -29,7 +29,7 @@ export function haltFollower() {
     const now = performance.now();
     if (stops !== counted && now - since > ONE_PRESS) {
       [presses, since] = [presses + 1, now];
-      if (isHalted) again = t("note.fault.again", { time: timeOfDay(Date.now()) });
+      if (isHalted) again = t("note-fault-again", { time: timeOfDay(Date.now()) });
     }
     [counted, isHalted] = [stops, true];
     return { ...fault, key: `fault ${fault.name} ${presses}`, again };

@@ -15,7 +15,7 @@ const THEME_ICONS = { system: "sun", light: "sun", dark: "moon", contrast: "cont
 export function header(app) {
   const who = subjectPlace(app);
   const me = h("span", { class: "me" });
-  const demo = h("span", { class: "tag calm", title: t("demo.explained") }, t("demo.tag"));
+  const demo = h("span", { class: "tag calm", title: t("demo-explained") }, t("demo-tag"));
   const practice = practiceMark();
   const shirt = h("span", { class: "lamp" });
   const chair = h("span", { class: "lamp" });
@@ -28,8 +28,8 @@ export function header(app) {
     {
       type: "button",
       class: "icon-button",
-      title: t("help.open"),
-      "aria-label": t("help.open"),
+      title: t("help-open"),
+      "aria-label": t("help-open"),
       "aria-expanded": "false",
       onclick: async () => (await import("../help/page_help.js")).openPageHelp(app, help),
     },
@@ -49,7 +49,7 @@ export function header(app) {
   const element = h(
     "header",
     { class: "head" },
-    h("span", { class: "brand" }, t("app.name")),
+    h("span", { class: "brand" }, t("app-name")),
     demo,
     practice.element,
     who,
@@ -68,22 +68,22 @@ export function header(app) {
     write(me, me.hidden ? "" : (app.me?.name ?? ""));
   };
   const showShirt = () => {
-    if (!app.live.present) return unknown(shirt, "lamp.shirt.unknown", "");
+    if (!app.live.present) return unknown(shirt, "lamp-shirt-unknown", "");
     const alive = app.live.present.shirt.alive;
     const all = app.live.quality.length;
     const good = app.live.quality.filter((quality) => quality === "good").length;
     if (app.live.present.shirt.chosen === false) {
       shirt.className = "lamp off";
-      return write(shirt, t("lamp.shirt.none"));
+      return write(shirt, t("lamp-shirt-none"));
     }
     const estimated = app.live.quality.filter((quality) => quality === "estimated").length;
     shirt.className = `lamp${estimated ? " att long" : alive && good >= all * 0.75 ? "" : " att"}`;
-    const key = estimated ? "lamp.shirt.estimated" : "lamp.shirt";
-    write(shirt, alive && all ? t(key, { good, all, estimated }) : t("lamp.shirt.silent"));
+    const key = estimated ? "lamp-shirt-estimated" : "lamp-shirt";
+    write(shirt, alive && all ? t(key, { good, all, estimated }) : t("lamp-shirt-silent"));
   };
   const showChair = () => {
     const now = app.live.present;
-    if (!now) return unknown(chair, "lamp.chair.unknown", "wide");
+    if (!now) return unknown(chair, "lamp-chair-unknown", "wide");
     const armed = now.state === "armed";
     const state = now.chair?.state;
     element.classList.toggle("has-chair", Boolean(state));
@@ -91,7 +91,7 @@ export function header(app) {
     chair.className = `lamp${isBad ? " att" : armed ? "" : " off"}${state ? " long" : " wide"}`;
     write(
       chair,
-      state ? t("lamp.real", { state: t(`lamp.real.${state}`) }) : armed ? t("lamp.armed") : t("lamp.chair"),
+      state ? t("lamp-real", { state: t(`lamp-real-${state}`) }) : armed ? t("lamp-armed") : t("lamp-chair"),
     );
   };
   // A demonstration has a mark of its own.
@@ -123,12 +123,12 @@ function themeButton(app) {
   const button = h("button", { type: "button", class: "icon-button" });
   const show = () => {
     const choice = chosenTheme();
-    const label = t("theme.label", { theme: t(`theme.${choice}`) });
+    const label = t("theme-label", { theme: t(`theme-${choice}`) });
     set(button, { "aria-label": label, title: label });
     button.replaceChildren(icon(THEME_ICONS[choice], 22));
   };
   button.addEventListener("click", () => {
-    app.toasts.show(t("theme.now", { theme: t(`theme.${nextTheme()}`) }));
+    app.toasts.show(t("theme-now", { theme: t(`theme-${nextTheme()}`) }));
     show();
   });
   show();

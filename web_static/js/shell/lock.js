@@ -108,19 +108,19 @@ export class Lock {
     return h(
       "div",
       { class: "door card" },
-      h("h1", { tabindex: "-1" }, t("lock.title")),
-      h("p", { class: "lead" }, t("lock.lead", { minutes: REFERENCE.numbers.lock_minutes })),
-      form(unlock, t("lock.open"), passwordField(t("lock.password", { name: app.me?.name }), password)),
+      h("h1", { tabindex: "-1" }, t("lock-title")),
+      h("p", { class: "lead" }, t("lock-lead", { minutes: REFERENCE.numbers.lock_minutes })),
+      form(unlock, t("lock-open"), passwordField(t("lock-password", { name: app.me?.name }), password)),
       h(
         "details",
         {},
-        h("summary", {}, t("lock.other")),
-        h("p", { class: "quiet small" }, t("lock.other.lead", { name: app.me?.name })),
+        h("summary", {}, t("lock-other")),
+        h("p", { class: "quiet small" }, t("lock-other-lead", { name: app.me?.name })),
         form(
           enter,
-          t("sign-in.go"),
-          field(t("sign-in.name"), name),
-          passwordField(t("sign-in.password"), otherPassword),
+          t("sign-in-go"),
+          field(t("sign-in-name"), name),
+          passwordField(t("sign-in-password"), otherPassword),
         ),
       ),
     );

@@ -23,6 +23,6 @@ export function emptyPage(root, title, lead, hash, action) {
 export function patientHere(app, root) {
   const { patient = null, has_profile: hasProfile = false } = app.session ?? {};
   if (patient) return { patient, hasProfile };
-  emptyPage(root, t("nobody.title"), t("nobody.lead"), "#/patients", t("nobody.go"));
+  emptyPage(root, t("nobody-title"), t("nobody-lead"), "#/patients", t("nobody-go"));
   return null;
 }

@@ -74,40 +74,40 @@ function needsConsent({ session, practice, showsTrial, route, me }) {
 /** @param {App} app @param {string} kind @param {Halt | null} halt @returns {Child} */
 function note(app, kind, halt) {
   if (kind.startsWith("lost")) {
-    const words = t("note.lost", { time: timeOfDay(app.live.receivedAt) });
-    return strip("bad", isPageOff(app) ? h("h1", {}, words) : h("b", {}, words), t("note.lost.why"));
+    const words = t("note-lost", { time: timeOfDay(app.live.receivedAt) });
+    return strip("bad", isPageOff(app) ? h("h1", {}, words) : h("b", {}, words), t("note-lost-why"));
   }
-  if (kind === "control") return strip("bad", h("b", {}, t("note.control")), t("note.control.why"));
+  if (kind === "control") return strip("bad", h("b", {}, t("note-control")), t("note-control-why"));
   if (kind === "driving")
     return strip(
       "",
-      h("b", {}, t("note.driving")),
+      h("b", {}, t("note-driving")),
       "",
-      h("a", { class: "btn go", href: "#/drive/chair" }, t("note.driving.go")),
+      h("a", { class: "btn go", href: "#/drive/chair" }, t("note-driving-go")),
     );
   if (kind.startsWith("warning") && app.warning) {
     const { words, href } = app.warning;
-    return strip("", h("b", {}, words), "", href ? h("a", { class: "btn", href }, t("note.warning.go")) : null);
+    return strip("", h("b", {}, words), "", href ? h("a", { class: "btn", href }, t("note-warning-go")) : null);
   }
   const patient = app.session?.patient;
   if (kind.startsWith("consent") && patient) {
-    const enter = h("a", { class: "btn", href: `#/session/patient/${patient.id}` }, t("consent.needed.go"));
-    return strip("", h("b", {}, t("consent.needed", { code: patient.code })), t("consent.needed.why"), enter);
+    const enter = h("a", { class: "btn", href: `#/session/patient/${patient.id}` }, t("consent-needed-go"));
+    return strip("", h("b", {}, t("consent-needed", { code: patient.code })), t("consent-needed-why"), enter);
   }
   if (!halt) return null;
   const happened = h("b", {}, halt.happened, halt.again && ` ${halt.again}`);
   const place = placeOfDrive(app.live.latest);
-  if (!mayGoOn(app)) return strip("", happened, t(place ? "note.fault.others" : "note.fault.idle.others"));
+  if (!mayGoOn(app)) return strip("", happened, t(place ? "note-fault-others" : "note-fault-idle-others"));
   // Nobody lets a chair go on from a page that does not show it.
   if (place)
     return strip(
       "",
       happened,
-      t("note.fault.drive"),
-      h("a", { class: "btn go", href: place }, t("note.fault.drive.go")),
+      t("note-fault-drive"),
+      h("a", { class: "btn go", href: place }, t("note-fault-drive-go")),
     );
-  const back = continueButton(app, t("note.fault.idle.go"));
-  return strip("", happened, `${halt.remedy} ${t("note.fault.idle")}`, back.element);
+  const back = continueButton(app, t("note-fault-idle-go"));
+  return strip("", happened, `${halt.remedy} ${t("note-fault-idle")}`, back.element);
 }
 
 /** The address of the page that shows what is halted; empty when no trial and no drive runs. @param {App["live"]["latest"]} now */

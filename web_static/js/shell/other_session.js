@@ -22,15 +22,15 @@ const FIELDS = "form :is(input:not([type=radio], [type=hidden], [type=file]), te
  */
 export function otherSession(before, now, drafts, { onGo }) {
   const codeBefore = before.patient?.code ?? "";
-  const belongs = t("session.belongs", { code: codeBefore });
+  const belongs = t("session-belongs", { code: codeBefore });
   const sentence = now.patient
-    ? t(now.session?.opened_by ? "session.opened" : "session.opened.somebody", {
+    ? t(now.session?.opened_by ? "session-opened" : "session-opened-somebody", {
         code: now.patient.code,
         name: now.session?.opened_by ?? "",
         time: now.session ? minuteOfDay(now.session.started) : "",
       })
-    : t("session.ended", { code: codeBefore });
-  const title = h("h1", { id: "other-session", tabindex: "-1" }, t("session.other"));
+    : t("session-ended", { code: codeBefore });
+  const title = h("h1", { id: "other-session", tabindex: "-1" }, t("session-other"));
   const element = h(
     "main", // the page beneath is off
     { class: "other-session" },
@@ -46,7 +46,7 @@ export function otherSession(before, now, drafts, { onGo }) {
       title,
       h("p", { class: "lead", id: "other-session-why" }, `${sentence} ${belongs}`),
       drafts.length > 0 && [
-        h("p", {}, t("session.drafts")),
+        h("p", {}, t("session-drafts")),
         h(
           "ul",
           {},
@@ -57,8 +57,8 @@ export function otherSession(before, now, drafts, { onGo }) {
         "div",
         { class: "spread" },
         now.patient &&
-          h("button", { type: "button", class: "btn go", onclick: onGo }, t("session.go", { code: now.patient.code })),
-        h("a", { class: now.patient ? "btn" : "btn go", href: "#/patients" }, t("session.patients")),
+          h("button", { type: "button", class: "btn go", onclick: onGo }, t("session-go", { code: now.patient.code })),
+        h("a", { class: now.patient ? "btn" : "btn go", href: "#/patients" }, t("session-patients")),
       ),
     ),
   );
@@ -75,6 +75,6 @@ export function changedFields(root) {
     )
     .map((field) => {
       const label = field.labels?.[0]?.textContent ?? field.getAttribute("aria-label") ?? "";
-      return field.type === "checkbox" ? label : t("session.draft", { label, value: field.value });
+      return field.type === "checkbox" ? label : t("session-draft", { label, value: field.value });
     });
 }

@@ -13,8 +13,8 @@ export function passwordField(label, input, hint) {
   /** @param {boolean} isShown */
   const show = (isShown) => {
     input.type = isShown ? "text" : "password";
-    write(button, t(isShown ? "typed.hide" : "typed.show"));
-    button.setAttribute("aria-label", t(isShown ? "typed.hide.label" : "typed.show.label"));
+    write(button, t(isShown ? "typed-hide" : "typed-show"));
+    button.setAttribute("aria-label", t(isShown ? "typed-hide-label" : "typed-show-label"));
   };
   button.addEventListener("click", () => {
     show(input.type === "password");

@@ -10,11 +10,11 @@ export function practiceMark() {
     { class: "practice", role: "status", hidden: true },
     words,
     " ",
-    h("span", {}, t("practice.only")),
+    h("span", {}, t("practice-only")),
   );
   /** @param {string | null} kind */
   const show = (kind) => {
-    if (kind) write(words, hasText(`practice.${kind}`) ? t(`practice.${kind}`) : t("practice.other"));
+    if (kind) write(words, hasText(`practice-${kind}`) ? t(`practice-${kind}`) : t("practice-other"));
     element.hidden = !kind;
   };
   return { element, show };

@@ -38,9 +38,9 @@ export function rail(app) {
       "span",
       { class: "done", hidden: true },
       icon("tick", 14),
-      h("span", { class: "unseen" }, t("rail.done")),
+      h("span", { class: "unseen" }, t("rail-done")),
     );
-    const link = h("a", { href: `#/${step}` }, icon(step), h("span", {}, t(`rail.${step}`)), mark);
+    const link = h("a", { href: `#/${step}` }, icon(step), h("span", {}, t(`rail-${step}`)), mark);
     return { step, link, mark };
   });
   const show = () => {
@@ -58,7 +58,7 @@ export function rail(app) {
   show();
   return h(
     "nav",
-    { class: "rail", "aria-label": t("rail.label") },
+    { class: "rail", "aria-label": t("rail-label") },
     links.map(({ link }) => link),
   );
 }

@@ -15,10 +15,10 @@ export function screenLamp(app) {
     const mayAsk = session !== null && app.me?.signed_in && app.me.role !== "reviewer" && !app.lock.isLocked;
     const screens = mayAsk ? ((await app.api.get("/patient-screen").catch(() => null))?.screens ?? []) : [];
     const state = screenState(screens);
-    lamp.hidden = state === ".none";
+    lamp.hidden = state === "-none";
     const isBad = state !== "" && !lamp.hidden;
     lamp.className = `lamp screen-lamp${isBad ? " att long" : " wide"}`; // on a small screen only what is not right
-    write(lamp, lamp.hidden ? "" : t(`lamp.screen${state}`, { count: screens.length }));
+    write(lamp, lamp.hidden ? "" : t(`lamp-screen${state}`, { count: screens.length }));
   };
   app.addEventListener("me", refresh);
   app.live.addEventListener("tick", ({ detail }) => (detail.session ?? null) !== session && refresh());

@@ -10,9 +10,9 @@ async function stopNow(app, by) {
   app.live.send({ stop: true, by });
   try {
     await app.api.post(by === "key" ? "/control/stop?by=key" : "/control/stop");
-    app.toasts.announce(t("stop.sent"), true);
+    app.toasts.announce(t("stop-sent"), true);
   } catch {
-    if (!app.live.connected || app.live.age > 1) app.toasts.show(t("stop.not-sent"));
+    if (!app.live.connected || app.live.age > 1) app.toasts.show(t("stop-not-sent"));
   }
 }
 
@@ -23,7 +23,7 @@ const hasStop = ({ me, isNearby }) => isNearby || me?.role !== "reviewer";
 export function stopButton(app) {
   const button = h(
     "button",
-    { type: "button", class: "stop", "aria-label": t("stop.label"), id: "stop" },
+    { type: "button", class: "stop", "aria-label": t("stop-label"), id: "stop" },
     h("span", {}, t("stop")),
   );
   const hit = () => {

@@ -18,10 +18,10 @@ function subjectOf({ subject, session }) {
 
 /** What is shown of the subject, in words. @param {App} app @param {Subject} subject */
 function part({ session }, { code, sessions: [first, second] }) {
-  if (first === undefined) return t("who.shown");
-  if (second !== undefined && second !== first) return t("who.shown.two", { first, second });
+  if (first === undefined) return t("who-shown");
+  if (second !== undefined && second !== first) return t("who-shown-two", { first, second });
   const isOpen = session?.patient?.code === code && session.session?.number === first;
-  return t(isOpen ? "who.open" : "who.shown.one", { number: first });
+  return t(isOpen ? "who-open" : "who-shown-one", { number: first });
 }
 
 /** The place in the header. @param {App} app */
@@ -31,7 +31,7 @@ export function subjectPlace(app) {
     const subject = subjectOf(app);
     element.hidden = !app.me?.signed_in;
     if (app.lock.isLocked || !app.me?.signed_in) return put(element);
-    if (!subject) return put(element, t("who.nobody"));
+    if (!subject) return put(element, t("who-nobody"));
     put(element, h("b", {}, subject.code), " ", h("span", {}, part(app, subject)));
   };
   for (const event of /** @type {const} */ (["me", "session", "subject"])) app.addEventListener(event, show);
@@ -41,9 +41,9 @@ export function subjectPlace(app) {
 
 /** The title of the page: the browser shows it in its list of tabs. @param {App} app */
 export function pageTitle(app) {
-  if (app.lock.isLocked) return t("app.title", { page: t("lock.title") });
-  const page = t(`rail.${app.route.page}`);
+  if (app.lock.isLocked) return t("app-title", { page: t("lock-title") });
+  const page = t(`rail-${app.route.page}`);
   const subject = app.subject || SESSION_PAGES.has(app.route.page) ? subjectOf(app) : null;
-  if (!subject) return t("app.title", { page });
-  return t("app.title.of", { code: subject.code, part: part(app, subject), page });
+  if (!subject) return t("app-title", { page });
+  return t("app-title-of", { code: subject.code, part: part(app, subject), page });
 }

@@ -13,14 +13,14 @@ const VISIBLE_FOR = 8000; // ms
 export function controlBar(settings, root, signal) {
   const { chosen } = settings;
   const modes = segments(
-    t("stereo.mode"),
-    MODES.map((value) => ({ value, label: t(`stereo.mode.${value}`) })),
+    t("stereo-mode"),
+    MODES.map((value) => ({ value, label: t(`stereo-mode-${value}`) })),
     chosen.mode,
     (name) => settings.choose({ mode: MODES.find((mode) => mode === name) }),
   );
-  const modeSetting = setting(t("stereo.mode"), t(`stereo.mode.${chosen.mode}.why`), modes);
+  const modeSetting = setting(t("stereo-mode"), t(`stereo-mode-${chosen.mode}-why`), modes);
   const apart = stepper({
-    label: t("stereo.apart"),
+    label: t("stereo-apart"),
     value: chosen.apart,
     low: 0,
     high: MOST_APART,
@@ -30,32 +30,32 @@ export function controlBar(settings, root, signal) {
     onChange: (value) => settings.choose({ apart: value }),
   });
   const convergence = selection(
-    CONVERGENCES.map((value) => ({ value, label: value === "Infinity" ? t("stereo.far") : `${value} m` })),
+    CONVERGENCES.map((value) => ({ value, label: value === "Infinity" ? t("stereo-far") : `${value} m` })),
     chosen.convergence,
     (metres) => settings.choose({ convergence: CONVERGENCES.find((value) => value === metres) }),
   );
-  convergence.setAttribute("aria-label", t("stereo.convergence"));
-  const swap = toggle(t("stereo.swap"), chosen.swapped, (swapped) => settings.choose({ swapped }));
-  const split = toggle(t("stereo.split"), chosen.split, (is) => settings.choose({ split: is }));
-  const splitSetting = setting(t("stereo.split.title"), t("stereo.split.why"), split);
+  convergence.setAttribute("aria-label", t("stereo-convergence"));
+  const swap = toggle(t("stereo-swap"), chosen.swapped, (swapped) => settings.choose({ swapped }));
+  const split = toggle(t("stereo-split"), chosen.split, (is) => settings.choose({ split: is }));
+  const splitSetting = setting(t("stereo-split-title"), t("stereo-split-why"), split);
   const show = () => {
     const { mode, convergence: value } = settings.chosen;
     convergence.value = value; // another mode may have changed it
-    put(/** @type {HTMLElement} */ (modeSetting.querySelector("span")), t(`stereo.mode.${mode}.why`));
+    put(/** @type {HTMLElement} */ (modeSetting.querySelector("span")), t(`stereo-mode-${mode}-why`));
     splitSetting.hidden = mode === "red-cyan";
   };
   settings.addEventListener("change", show, { signal });
   show();
   const bar = h(
     "section",
-    { class: "hud stereo-bar", "aria-label": t("stereo.settings") },
+    { class: "hud stereo-bar", "aria-label": t("stereo-settings") },
     modeSetting,
-    setting(t("stereo.apart"), t("stereo.apart.why"), apart),
-    setting(t("stereo.convergence"), t("stereo.convergence.why"), convergence),
-    setting(t("stereo.swap.title"), t("stereo.swap.why"), swap),
+    setting(t("stereo-apart"), t("stereo-apart-why"), apart),
+    setting(t("stereo-convergence"), t("stereo-convergence-why"), convergence),
+    setting(t("stereo-swap-title"), t("stereo-swap-why"), swap),
     splitSetting,
-    document.fullscreenEnabled && setting(t("stereo.full"), t("stereo.full.why"), fullScreenButton(signal)),
-    h("p", { class: "comfort" }, t("stereo.comfort")),
+    document.fullscreenEnabled && setting(t("stereo-full"), t("stereo-full-why"), fullScreenButton(signal)),
+    h("p", { class: "comfort" }, t("stereo-comfort")),
   );
   hideWhenQuiet(root, signal);
   return bar;
@@ -63,7 +63,7 @@ export function controlBar(settings, root, signal) {
 
 /** @param {AbortSignal} signal */
 function fullScreenButton(signal) {
-  const words = () => t(document.fullscreenElement ? "stereo.full.leave" : "stereo.full.enter");
+  const words = () => t(document.fullscreenElement ? "stereo-full-leave" : "stereo-full-enter");
   const button = h("button", { type: "button", class: "btn" }, words());
   button.addEventListener("click", () => {
     const root = document.documentElement;

@@ -1,7 +1,7 @@
 /** The steps by which a device learns to trust the clinic's machine, by the kind of device. */
 import { h } from "../widgets/dom.js";
 import { screenPicture } from "./pictures.js";
-import texts from "../texts/en/tablet.js";
+import { t } from "./texts.js";
 
 /** @typedef {"apple" | "android" | "windows" | "mac" | "linux" | "own" | "nothing"} Device */
 /** @typedef {import("./pictures.js").Row} Row */
@@ -62,12 +62,12 @@ export function stepList(device) {
     "ol",
     { class: "steps" },
     STEPS[device].map((step, index) => {
-      const key = `${device}.${index + 1}`;
+      const id = `tablet-${device}-${index + 1}`;
       return h(
         "li",
         {},
-        h("p", {}, h("b", {}, `${index + 1}. `), text(key)),
-        step.file && h("a", { class: "go", href: `/${step.file}`, download: step.file }, text(`${key}.file`)),
+        h("p", {}, h("b", {}, `${index + 1}. `), t(id)),
+        step.file && h("a", { class: "go", href: `/${step.file}`, download: step.file }, t(`${id}-file`)),
         step.code && h("code", {}, step.code),
         step.picture && picture(...step.picture),
       );
@@ -78,17 +78,11 @@ export function stepList(device) {
 /** @param {string} title @param {string[]} rows */
 function picture(title, rows) {
   return screenPicture(
-    text(`picture.${title}`),
+    t(`tablet-picture-${title}`),
     rows.map((row) => ({
-      text: text(`picture.${row.replace(/^!+/, "")}`),
+      text: t(`tablet-picture-${row.replace(/^!+/, "")}`),
       mark: row.startsWith("!"),
       toggle: row.startsWith("!!"),
     })),
   );
-}
-
-/** @param {string} key @param {Record<string, string>} [values] */
-export function text(key, values = {}) {
-  const found = /** @type {Record<string, string>} */ (texts)[key] ?? key;
-  return found.replace(/\{(\w+)\}/g, (_, name) => values[name] ?? "");
 }

@@ -43,9 +43,9 @@ export function freeCamera(send, surface) {
   const camera = new Orbit(newestWins(send, SEND_EVERY));
   const element = h(
     "div",
-    { class: "hud free-pad", role: "group", "aria-label": t("trial.view.free.group"), hidden: true },
+    { class: "hud free-pad", role: "group", "aria-label": t("trial-view-free-group"), hidden: true },
     BUTTONS.map(([name, sign, act]) => {
-      const words = t(`trial.view.free.${name}`);
+      const words = t(`trial-view-free-${name}`);
       const button = h("button", { type: "button", class: "btn small", "aria-label": words, title: words }, sign);
       repeatWhileHeld(button, () => act(camera));
       return button;

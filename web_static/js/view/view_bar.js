@@ -63,8 +63,8 @@ export function viewBar(app, surface, onChoose) {
   look();
   sendPatients({ ...settings.eye });
   const views = segments(
-    t("trial.views"),
-    VIEWS.map((value) => ({ value, label: t(`trial.view.${value}`) })),
+    t("trial-views"),
+    VIEWS.map((value) => ({ value, label: t(`trial-view-${value}`) })),
     view,
     choose,
   );

@@ -32,9 +32,9 @@ const COARSEST = 3; // screen pixels to one drawn pixel, each way
  * @returns {ViewFrame}
  */
 export function viewFrame(signal, role = "clinician", onChange = () => {}) {
-  const make = () => h("iframe", { src: `/view/${role}/`, title: t("trial.frame"), tabindex: "-1" });
+  const make = () => h("iframe", { src: `/view/${role}/`, title: t("trial-frame"), tabindex: "-1" });
   const words = h("p", { class: "stale", role: "alert", hidden: true });
-  const about = t("trial.view.surface");
+  const about = t("trial-view-surface");
   const surface = h("div", { class: "surface", tabindex: "0", role: "application", "aria-label": about, hidden: true });
   const paceWords = h("p", { class: "pace", "aria-live": "off" });
   const element = h("div", { class: "view" }, surface, paceWords, words);
@@ -45,7 +45,7 @@ export function viewFrame(signal, role = "clinician", onChange = () => {}) {
     if (next === why) return;
     why = next;
     words.hidden = why === "" || why === "coming";
-    write(words, words.hidden ? "" : t(`picture.${why}`));
+    write(words, words.hidden ? "" : t(`picture-${why}`));
     element.classList.toggle("without", why === "webgl" || why === "context");
     onChange();
   };
@@ -158,8 +158,8 @@ function pictureOf(frame) {
 
 /** @param {number} rate pictures a second @param {number | null} age s @param {number} coarse */
 function paceSentence(rate, age, coarse) {
-  const figures = t("trial.view.pace", { rate: number(rate, 0), age: age === null ? "–" : number(1000 * age, 0) });
-  return rate < SLOW && coarse >= COARSEST ? `${figures}. ${t("trial.view.slow")}` : figures;
+  const figures = t("trial-view-pace", { rate: number(rate, 0), age: age === null ? "–" : number(1000 * age, 0) });
+  return rate < SLOW && coarse >= COARSEST ? `${figures}. ${t("trial-view-slow")}` : figures;
 }
 
 /** @param {HTMLElement} element @param {number} times screen pixels to one drawn pixel, each way */

@@ -47,7 +47,7 @@ export function viewSettings(onChange) {
    */
   const step = (name, size, digits, unit, scale = 1) =>
     stepper({
-      label: t(`trial.view.${name}`),
+      label: t(`trial-view-${name}`),
       value: eye[name] * scale,
       low: rangeOf(name)[0] * scale,
       high: rangeOf(name)[1] * scale,
@@ -59,26 +59,26 @@ export function viewSettings(onChange) {
   const id = `view-settings-${++made}`;
   const panel = h(
     "div",
-    { class: "card view-settings", id, popover: "auto", role: "group", "aria-label": t("trial.view.settings") },
-    setting(t("trial.view.fov_deg"), "", step("fov_deg", 2, 0, "°")),
-    setting(t("trial.view.eye_height"), "", step("eye_height", 0.05, 2, "m")),
+    { class: "card view-settings", id, popover: "auto", role: "group", "aria-label": t("trial-view-settings") },
+    setting(t("trial-view-fov-deg"), "", step("fov_deg", 2, 0, "°")),
+    setting(t("trial-view-eye-height"), "", step("eye_height", 0.05, 2, "m")),
     setting(
-      t("trial.view.roll_share"),
-      REDUCED.matches ? t("trial.view.reduced") : t("trial.view.roll_share.why"),
+      t("trial-view-roll-share"),
+      REDUCED.matches ? t("trial-view-reduced") : t("trial-view-roll-share-why"),
       REDUCED.matches ? h("span", {}) : step("roll_share", 25, 0, "%", 100),
     ),
     setting(
-      t("trial.view.head"),
-      t("trial.view.head.why"),
-      toggle(t("trial.view.head.on"), eye.head, (head) => set({ head })),
+      t("trial-view-head"),
+      t("trial-view-head-why"),
+      toggle(t("trial-view-head-on"), eye.head, (head) => set({ head })),
     ),
     setting(
-      t("stereo.open"),
-      t("stereo.open.why"),
-      h("a", { class: "btn small", href: "stereo.html", target: "_blank" }, t("stereo.open.link")),
+      t("stereo-open"),
+      t("stereo-open-why"),
+      h("a", { class: "btn small", href: "stereo.html", target: "_blank" }, t("stereo-open-link")),
     ),
   );
-  const words = t("trial.view.settings");
+  const words = t("trial-view-settings");
   const button = h(
     "button",
     { type: "button", class: "btn small", popovertarget: id, "aria-label": words, title: words },

@@ -11,15 +11,15 @@ export function cross({ hasWords = true } = {}) {
   const word = (x, y, key) => s("text", { x, y, "text-anchor": "middle" }, t(key));
   const element = s(
     "svg",
-    { class: "cross", viewBox: "-106 -106 212 212", role: "img", "aria-label": t("cross.label") },
+    { class: "cross", viewBox: "-106 -106 212 212", role: "img", "aria-label": t("cross-label") },
     s("rect", { x: -HALF, y: -HALF, width: 2 * HALF, height: 2 * HALF, rx: 12 }),
     s("line", { x1: -HALF, x2: HALF }),
     s("line", { y1: -HALF, y2: HALF }),
     hasWords && [
-      word(0, -82, "cross.faster"),
-      word(0, 93, "cross.slower"),
-      word(-74, -8, "cross.left"),
-      word(72, -8, "cross.right"),
+      word(0, -82, "cross-faster"),
+      word(0, 93, "cross-slower"),
+      word(-74, -8, "cross-left"),
+      word(72, -8, "cross-right"),
     ],
     dot,
   );

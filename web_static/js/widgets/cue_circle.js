@@ -18,9 +18,9 @@ const COUNTED = new Set(["ready", "rest", "free"]); // whole seconds; the others
 
 /** What a cue asks for, in one word or two. @param {{kind: string, joint: string | null}} cue */
 export function cueWords(cue) {
-  if (cue.kind !== "move") return t(`cue.${cue.kind}`);
+  if (cue.kind !== "move") return t(`cue-${cue.kind}`);
   const part = cue.joint?.split("_").at(-1);
-  return part && ["elbow", "wrist", "shoulder"].includes(part) ? t(`cue.move.${part}`) : t("cue.move");
+  return part && ["elbow", "wrist", "shoulder"].includes(part) ? t(`cue-move-${part}`) : t("cue-move");
 }
 
 /**
@@ -58,7 +58,7 @@ export function cueCircle(app, step, { isRunning, idleWords, signal, onCue }) {
   const idle = () => {
     set(ring, { "stroke-dashoffset": ROUND });
     set(disc, { r: DISC_SMALL });
-    write(word, isRunning ? t("calibrate.wait") : "");
+    write(word, isRunning ? t("calibrate-wait") : "");
     write(seconds, "");
     write(next, idleWords);
     element.dataset.kind = "idle";
@@ -71,14 +71,14 @@ export function cueCircle(app, step, { isRunning, idleWords, signal, onCue }) {
     set(ring, { "stroke-dashoffset": ROUND * (1 - ringShare(share)) });
     set(disc, { r: discRadius(cue.kind, share) });
     const left = cue.end - now.t;
-    write(seconds, t("cue.seconds", { seconds: COUNTED.has(cue.kind) ? Math.ceil(left) : number(left, 1) }));
+    write(seconds, t("cue-seconds", { seconds: COUNTED.has(cue.kind) ? Math.ceil(left) : number(left, 1) }));
     if (now.index === shown) return;
     shown = now.index;
     element.dataset.kind = cue.kind;
     write(word, cueWords(cue));
     set(word, { "data-long": cueWords(cue).length > LONG_WORD || null });
     const after = step.cues[now.index + 1];
-    write(next, t("cue.next", { next: after ? cueWords(after).toLowerCase() : t("cue.end") }));
+    write(next, t("cue-next", { next: after ? cueWords(after).toLowerCase() : t("cue-end") }));
     app.toasts.announce(cueWords(cue));
     onCue(cue);
   };

@@ -16,7 +16,7 @@ export function speedDial(app, signal) {
   let wanted = null; // %, while the server has not answered
   let answeredAt = -Infinity;
   const element = stepper({
-    label: t("dial.label"),
+    label: t("dial-label"),
     value: share(app.live.latest),
     low: 100 * (limitsOf("DialShare", "share").minimum ?? 0),
     high: 100,

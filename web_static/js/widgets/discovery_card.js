@@ -33,7 +33,7 @@ export function discoveryCard(api, labels, onTake, onFound = () => {}) {
   const read = async () => {
     try {
       const found = await api.get("/calibration/gestures");
-      put(card, h("h2", {}, t("found.title")), content(found, labels, onTake));
+      put(card, h("h2", {}, t("found-title")), content(found, labels, onTake));
       onFound(found);
       card.hidden = false;
     } catch {
@@ -59,10 +59,10 @@ function content(found, labels, onTake) {
       { class: "suggested-block" },
       h("p", {}, withLabels(found.suggestion.reason, labels)),
       onTake
-        ? h("button", { type: "button", class: "btn", onclick: onTake }, t("found.take"))
-        : h("p", { class: "quiet small" }, t("found.take.later")),
+        ? h("button", { type: "button", class: "btn", onclick: onTake }, t("found-take"))
+        : h("p", { class: "quiet small" }, t("found-take-later")),
     ),
-    h("p", { class: "quiet small" }, t("found.lead")),
+    h("p", { class: "quiet small" }, t("found-lead")),
     table(found.gestures, controls, words),
     numbers(found.gestures, words),
     Object.entries(found.not_found).map(([joint, reason]) =>
@@ -80,7 +80,7 @@ function content(found, labels, onTake) {
 /** @param {FoundGesture[]} gestures @param {Map<string, string>} controls @param {Words} words */
 function table(gestures, controls, words) {
   /** @param {string} name */
-  const head = (name) => h("th", { scope: "col", title: t(`found.means.${name}`) }, t(`found.${name}`));
+  const head = (name) => h("th", { scope: "col", title: t(`found-means-${name}`) }, t(`found-${name}`));
   /** @param {FoundGesture} gesture */
   const row = (gesture) =>
     h(
@@ -90,7 +90,7 @@ function table(gestures, controls, words) {
         "th",
         { scope: "row" },
         words(gesture),
-        controls.has(gesture.name) && h("span", { class: "tag" }, t(`control.${controls.get(gesture.name)}`)),
+        controls.has(gesture.name) && h("span", { class: "tag" }, t(`control-${controls.get(gesture.name)}`)),
       ),
       h("td", { class: "score" }, scoreBar(gesture.score)),
       NUMBERS.map((name) => numberCell(gesture, name)),
@@ -98,12 +98,12 @@ function table(gestures, controls, words) {
       h("td", {}, percent(gesture.prediction?.hit_rate)),
     );
   return scrollTable(
-    t("found.title"),
+    t("found-title"),
     "measures",
     h(
       "thead",
       {},
-      h("tr", {}, h("th", { scope: "col" }, t("found.gesture")), ["score", ...NUMBERS, "false", "hits"].map(head)),
+      h("tr", {}, h("th", { scope: "col" }, t("found-gesture")), ["score", ...NUMBERS, "false", "hits"].map(head)),
     ),
     h("tbody", {}, gestures.map(row)),
   );
@@ -113,7 +113,7 @@ function table(gestures, controls, words) {
 function numbers(gestures, words) {
   /** @param {FoundGesture} gesture */
   const line = (gesture) =>
-    t("found.details.one", {
+    t("found-details-one", {
       gesture: words(gesture),
       signal: number(gesture.signal_to_noise, 0),
       repeats: percent(gesture.repeatability),
@@ -121,7 +121,7 @@ function numbers(gestures, words) {
   return h(
     "details",
     {},
-    h("summary", {}, t("found.details")),
+    h("summary", {}, t("found-details")),
     h(
       "ul",
       { class: "small" },
@@ -136,7 +136,7 @@ function numberCell(gesture, name) {
   return h(
     "td",
     {},
-    isWeakest ? h("mark", { title: t("found.weakest") }, WRITTEN[name](gesture[name])) : WRITTEN[name](gesture[name]),
+    isWeakest ? h("mark", { title: t("found-weakest") }, WRITTEN[name](gesture[name])) : WRITTEN[name](gesture[name]),
   );
 }
 
@@ -153,7 +153,7 @@ function scoreBar(score) {
 export function falseWords(prediction) {
   const rate = prediction?.false_per_minute;
   if (typeof rate !== "number" || !Number.isFinite(rate)) return number(null, 1);
-  return rate < LEAST_SAID ? t("found.less", { value: LEAST_SAID }) : number(rate, 1);
+  return rate < LEAST_SAID ? t("found-less", { value: LEAST_SAID }) : number(rate, 1);
 }
 
 /**
@@ -170,7 +170,7 @@ function checks(gestures, words) {
       h("b", {}, words(gesture)),
       ": ",
       rest &&
-        t("found.check.rest", {
+        t("found-check-rest", {
           predicted: falseWords({ false_per_minute: rest.predicted }),
           counted: rest.counted,
           seconds: number(rest.seconds, 0),
@@ -179,7 +179,7 @@ function checks(gestures, words) {
         }),
       " ",
       hits &&
-        t("found.check.hits", {
+        t("found-check-hits", {
           predicted: percent(hits.predicted),
           counted: hits.counted,
           all: hits.repetitions,
@@ -192,8 +192,8 @@ function checks(gestures, words) {
     h(
       "details",
       {},
-      h("summary", {}, t("found.check")),
-      h("p", { class: "quiet small" }, t("found.check.lead")),
+      h("summary", {}, t("found-check")),
+      h("p", { class: "quiet small" }, t("found-check-lead")),
       h("ul", { class: "small" }, gestures.map(line)),
     )
   );

@@ -13,8 +13,8 @@ export function jointLabels(profile) {
 
 /** @param {{joint: string, direction: number, feature: string}} gesture @param {Record<string, string>} labels */
 export function gestureWords({ joint, direction, feature }, labels) {
-  const words = direction < 0 ? t("gesture.back", { joint: labels[joint] }) : labels[joint];
-  return feature === "displacement" ? t("gesture.held", { joint: words }) : words;
+  const words = direction < 0 ? t("gesture-back", { joint: labels[joint] }) : labels[joint];
+  return feature === "displacement" ? t("gesture-held", { joint: words }) : words;
 }
 
 /**

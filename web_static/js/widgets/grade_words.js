@@ -5,11 +5,11 @@ import { t } from "../texts.js";
 /** @param {number} signalToNoise */
 export function signalWord(signalToNoise) {
   const [strong, fair] = REFERENCE.numbers.signal_to_noise;
-  return t(`signal.${signalToNoise >= strong ? "strong" : signalToNoise >= fair ? "fair" : "weak"}`);
+  return t(`signal-${signalToNoise >= strong ? "strong" : signalToNoise >= fair ? "fair" : "weak"}`);
 }
 
 /** @param {number} spread */
 export function repeatsWord(spread) {
   const [well, fairly] = REFERENCE.numbers.spread;
-  return t(`repeats.${spread <= well ? "well" : spread <= fairly ? "fairly" : "poorly"}`);
+  return t(`repeats-${spread <= well ? "well" : spread <= fairly ? "fairly" : "poorly"}`);
 }

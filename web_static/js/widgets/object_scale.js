@@ -17,7 +17,7 @@ export async function sendInMetres(place, send) {
     if (!(error instanceof ApiError && error.choice && "scales" in error.choice)) throw error;
     const answers = error.choice.scales.map(({ metres_per_unit: scale, size }) => ({
       value: String(scale),
-      label: t(scale === 1 ? "object-scale.as-it-says" : "object-scale.size", { size: sizeWords(size) }),
+      label: t(scale === 1 ? "object-scale-as-it-says" : "object-scale-size", { size: sizeWords(size) }),
     }));
     const chosen = await ask(place, error.message, [...answers, { value: null, label: t("cancel") }]);
     return chosen === null ? null : send(`&metres_per_unit=${chosen}`);

@@ -9,30 +9,30 @@ import { h } from "./dom.js";
  */
 export function pairedCard(app, { key_line: line, qr }, { name, host, port }, onDone) {
   const start = `bodydrive chair receive --key-file chair.key --output ros2 --bind ${host} --port ${port}`;
-  const copy = () => copyText(app, line, t("paired.copied"), t("paired.copy-failed"));
+  const copy = () => copyText(app, line, t("paired-copied"), t("paired-copy-failed"));
   /** @param {string} words */
   const code = (words) => h("pre", {}, h("code", {}, words));
   return h(
     "section",
     { class: "paired" },
-    h("h2", { tabindex: "-1" }, t("paired.title", { name })),
-    h("p", {}, t("paired.lead")),
-    h("img", { class: "qr", src: pictureOf(qr), alt: t("paired.qr", { name }), width: 240, height: 240 }),
+    h("h2", { tabindex: "-1" }, t("paired-title", { name })),
+    h("p", {}, t("paired-lead")),
+    h("img", { class: "qr", src: pictureOf(qr), alt: t("paired-qr", { name }), width: 240, height: 240 }),
     h(
       "ol",
       {},
-      h("li", {}, t("paired.step.scan"), code("umask 077\ncat > chair.key")),
-      h("li", {}, t("paired.step.start"), code(start)),
-      h("li", {}, t("paired.step.look")),
+      h("li", {}, t("paired-step-scan"), code("umask 077\ncat > chair.key")),
+      h("li", {}, t("paired-step-start"), code(start)),
+      h("li", {}, t("paired-step-look")),
     ),
     h(
       "details",
       {},
-      h("summary", {}, t("paired.line")),
+      h("summary", {}, t("paired-line")),
       code(line),
-      h("button", { type: "button", class: "btn small", onclick: copy }, t("paired.copy")),
+      h("button", { type: "button", class: "btn small", onclick: copy }, t("paired-copy")),
     ),
-    h("button", { type: "button", class: "btn go", onclick: onDone }, t("paired.done")),
+    h("button", { type: "button", class: "btn go", onclick: onDone }, t("paired-done")),
   );
 }
 

@@ -27,10 +27,10 @@ export function pads(app, signal, { hasNote = true } = {}) {
     );
   const element = h(
     "div",
-    { class: "pads", role: "group", "aria-label": t("pads.group") },
+    { class: "pads", role: "group", "aria-label": t("pads-group") },
     side("left"),
     hasNote &&
-      h("p", { class: "quiet small pad-note" }, t("pads.note"), " ", h("span", { class: "wide" }, t("pads.gamepad"))),
+      h("p", { class: "quiet small pad-note" }, t("pads-note"), " ", h("span", { class: "wide" }, t("pads-gamepad"))),
     side("right"),
   );
   return { element, movement };
@@ -38,13 +38,13 @@ export function pads(app, signal, { hasNote = true } = {}) {
 
 /** @param {string} joint @param {Movement} movement */
 function pad(joint, movement) {
-  const verb = joint.endsWith("elbow") ? t("pads.bend") : t("pads.forward");
+  const verb = joint.endsWith("elbow") ? t("pads-bend") : t("pads-forward");
   const button = h(
     "button",
     { type: "button", class: "pad" },
-    h("b", {}, t(`pads.${joint}`)),
+    h("b", {}, t(`pads-${joint}`)),
     h("span", {}, verb),
-    h("kbd", {}, t(`pads.keys.${joint}`)),
+    h("kbd", {}, t(`pads-keys-${joint}`)),
   );
   const release = () => movement.hold("pad", joint, 0);
   button.addEventListener("pointerdown", (event) => {

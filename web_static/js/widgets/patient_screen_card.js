@@ -26,8 +26,8 @@ export async function patientScreenCard(app, signal, { isPage = false } = {}) {
   const element = h(
     "section",
     { class: "card patient-screens" },
-    !isPage && h("h2", {}, t("screens.title")),
-    !isPage && h("p", { class: "quiet small" }, t("screens.lead")),
+    !isPage && h("h2", {}, t("screens-title")),
+    !isPage && h("p", { class: "quiet small" }, t("screens-lead")),
     list,
     wishes,
     below,
@@ -40,7 +40,7 @@ export async function patientScreenCard(app, signal, { isPage = false } = {}) {
   const draw = (read) => {
     const before = shown;
     if (isOpen && before && read.screens.some(({ id }) => !before.screens.some((screen) => screen.id === id))) {
-      app.toasts.show(t("screens.paired"));
+      app.toasts.show(t("screens-paired"));
       offer();
     }
     shown = read;
@@ -49,7 +49,7 @@ export async function patientScreenCard(app, signal, { isPage = false } = {}) {
     const at = [...wishes.querySelectorAll("input")].findIndex((input) => input === document.activeElement);
     put(
       wishes,
-      WISHES.map((wish) => toggle(t(`screens.${wish}`), read.settings[wish], (on) => choose({ [wish]: on }))),
+      WISHES.map((wish) => toggle(t(`screens-${wish}`), read.settings[wish], (on) => choose({ [wish]: on }))),
     );
     if (hadFocus) wishes.querySelectorAll("input")[at]?.focus();
   };
@@ -64,7 +64,7 @@ export async function patientScreenCard(app, signal, { isPage = false } = {}) {
     shown = null;
     list.show([]);
     put(wishes);
-    put(below, h("p", { class: "quiet" }, t("screens.nobody")));
+    put(below, h("p", { class: "quiet" }, t("screens-nobody")));
   };
   /** @type {Promise<unknown>} */
   let sent = Promise.resolve();
@@ -79,30 +79,30 @@ export async function patientScreenCard(app, signal, { isPage = false } = {}) {
   };
   /** @param {ScreenView} screen */
   const unpair = async ({ id, number }) => {
-    if (await call(app.api.remove(`/patient-screen/${id}`))) app.toasts.show(t("screens.unpaired", { number }));
+    if (await call(app.api.remove(`/patient-screen/${id}`))) app.toasts.show(t("screens-unpaired", { number }));
   };
   /** @param {ScreenView} screen */
   const row = (screen) => {
-    const label = t("screens.unpair.label", { number: screen.number });
+    const label = t("screens-unpair-label", { number: screen.number });
     const action = { type: "button", class: "btn", "aria-label": label, onclick: () => unpair(screen) };
     return h(
       "div",
       { class: "paired-chair row" },
-      h("b", {}, t("screens.name", { number: screen.number })),
+      h("b", {}, t("screens-name", { number: screen.number })),
       h(
         "span",
         { class: `tag ${screen.connected ? "" : "att"}` },
-        t(`screens.${screen.connected ? "connected" : "away"}`),
+        t(`screens-${screen.connected ? "connected" : "away"}`),
       ),
       screen.picture &&
-        h("span", { class: `tag ${screen.picture === "none" ? "att" : ""}` }, t(`screens.picture.${screen.picture}`)),
-      h("span", { class: "quiet small grow" }, t("screens.since", { when: moment(screen.paired) })),
-      h("button", action, t("screens.unpair")),
+        h("span", { class: `tag ${screen.picture === "none" ? "att" : ""}` }, t(`screens-picture-${screen.picture}`)),
+      h("span", { class: "quiet small grow" }, t("screens-since", { when: moment(screen.paired) })),
+      h("button", action, t("screens-unpair")),
     );
   };
   const offer = () => {
     isOpen = false;
-    put(below, h("button", { type: "button", class: "btn", onclick: open }, icon("plus", 20), t("screens.pair")));
+    put(below, h("button", { type: "button", class: "btn", onclick: open }, icon("plus", 20), t("screens-pair")));
   };
   /** @returns {Promise<void>} */
   const open = () =>
@@ -139,34 +139,34 @@ export async function patientScreenCard(app, signal, { isPage = false } = {}) {
 function codeView(app, { code, url, qr, message, expires }, { onAgain, onClose }, signal, heading) {
   const about = h("p", { role: "status" });
   const link = h("code", {}, url);
-  const copy = () => copyText(app, url, t("screens.copied"), t("screens.copy-failed"));
+  const copy = () => copyText(app, url, t("screens-copied"), t("screens-copy-failed"));
   /** @param {string} text @param {() => void} run */
   const button = (text, run) => h("button", { type: "button", class: "btn", onclick: run }, text);
-  const picture = h("img", { class: "qr", src: pictureOf(qr), alt: t("screens.qr"), width: 240, height: 240 });
+  const picture = h("img", { class: "qr", src: pictureOf(qr), alt: t("screens-qr"), width: 240, height: 240 });
   const element = h(
     "div",
     { class: "paired" },
-    h(heading, { tabindex: "-1" }, t("screens.pair")),
+    h(heading, { tabindex: "-1" }, t("screens-pair")),
     about,
     message && h("p", { class: "att" }, message),
     picture,
-    h("p", {}, t("screens.type", { address: url.slice(0, url.indexOf("#")) })),
+    h("p", {}, t("screens-type", { address: url.slice(0, url.indexOf("#")) })),
     h("p", { class: "typed-code" }, `${code.slice(0, 4)} ${code.slice(4)}`),
-    h("p", { class: "small" }, t("screens.link")),
+    h("p", { class: "small" }, t("screens-link")),
     h("pre", {}, link),
     h(
       "div",
       { class: "spread" },
-      button(t("screens.copy"), copy),
-      button(t("screens.again"), onAgain),
-      button(t("screens.close"), onClose),
+      button(t("screens-copy"), copy),
+      button(t("screens-again"), onAgain),
+      button(t("screens-close"), onClose),
     ),
   );
   const show = () => {
     const left = Date.parse(expires) - Date.now();
     picture.hidden = left <= 0;
-    const minutes = t("screens.minutes", { count: Math.max(1, Math.ceil(left / MINUTE)) });
-    write(about, left > 0 ? t("screens.scan", { minutes }) : t("screens.expired"));
+    const minutes = t("screens-minutes", { count: Math.max(1, Math.ceil(left / MINUTE)) });
+    write(about, left > 0 ? t("screens-scan", { minutes }) : t("screens-expired"));
   };
   const timer = setInterval(() => (element.isConnected ? show() : clearInterval(timer)), LOOK_EVERY);
   signal.addEventListener("abort", () => clearInterval(timer));

@@ -18,7 +18,7 @@ export function replacedList(app, kinds, onBack) {
   const element = h(
     "details",
     { hidden: true },
-    h("summary", {}, t("replaced.title", { days: REFERENCE.numbers.replaced_days })),
+    h("summary", {}, t("replaced-title", { days: REFERENCE.numbers.replaced_days })),
     rows,
   );
   let shown = ""; // a list that is the same stays as it is, for whoever is about to tap in it
@@ -34,7 +34,7 @@ export function replacedList(app, kinds, onBack) {
   const putBack = (one) =>
     app.toasts.attempt(async () => {
       const { name } = await app.api.post(`/replaced/${one.kind}/${encodeURIComponent(one.id)}/restore`);
-      app.toasts.show(t("replaced.back", { name }));
+      app.toasts.show(t("replaced-back", { name }));
       await onBack();
       await show();
     });
@@ -47,17 +47,17 @@ export function replacedList(app, kinds, onBack) {
         "div",
         { class: "grow" },
         h("b", {}, one.name),
-        h("span", { class: "quiet small" }, t("replaced.when", { day: day(one.replaced), until: day(one.until) })),
+        h("span", { class: "quiet small" }, t("replaced-when", { day: day(one.replaced), until: day(one.until) })),
       ),
       h(
         "button",
         {
           type: "button",
           class: "btn small",
-          "aria-label": t("replaced.put-back.label", { name: one.name }),
+          "aria-label": t("replaced-put-back-label", { name: one.name }),
           onclick: () => putBack(one),
         },
-        t("replaced.put-back"),
+        t("replaced-put-back"),
       ),
     );
   app.toasts.attempt(show);

@@ -32,13 +32,13 @@ export async function sendUnderName(place, send) {
  */
 function choiceOf(place, question, { proposed, may_replace: mayReplace }) {
   /** @type {{value: SameName | null, label: string, kind?: string}[]} */
-  const answers = [{ value: "keep-both", label: t("same-name.keep-both", { name: proposed }), kind: "btn go" }];
-  if (mayReplace) answers.push({ value: "replace", label: t("same-name.replace") });
+  const answers = [{ value: "keep-both", label: t("same-name-keep-both", { name: proposed }), kind: "btn go" }];
+  if (mayReplace) answers.push({ value: "replace", label: t("same-name-replace") });
   answers.push({ value: null, label: t("cancel") });
   return ask(
     place,
     question,
     answers,
-    mayReplace && h("p", { class: "quiet small" }, t("same-name.kept", { days: REFERENCE.numbers.replaced_days })),
+    mayReplace && h("p", { class: "quiet small" }, t("same-name-kept", { days: REFERENCE.numbers.replaced_days })),
   );
 }

@@ -24,8 +24,8 @@ export const SPEEDS = [
   { name: "acceleration", unit: "acceleration", step: 0.1, digits: 1, factor: 1 },
   { name: "deceleration", unit: "acceleration", step: 0.1, digits: 1, factor: 1 },
   { name: "turn_acceleration", unit: "turn_acceleration", step: 20, digits: 0, factor: DEGREES },
-  { name: "jerk", unit: "details.jerk", step: 0.5, digits: 1, factor: 1, soft: [2, 8, 20] },
-  { name: "turn_jerk", unit: "details.turn_jerk", step: 100, digits: 0, factor: DEGREES, soft: [15, 60, 240] },
+  { name: "jerk", unit: "details-jerk", step: 0.5, digits: 1, factor: 1, soft: [2, 8, 20] },
+  { name: "turn_jerk", unit: "details-turn-jerk", step: 100, digits: 0, factor: DEGREES, soft: [15, 60, 240] },
 ];
 
 const SOFTNESS = /** @type {const} */ (["soft", "medium", "brisk"]);
@@ -44,8 +44,8 @@ function rangeOf(name) {
 
 /** A limit with its unit, or in a word. @param {typeof SPEEDS[number]} speed @param {number} value in SI units */
 export function speedWords({ unit, digits, factor, soft }, value) {
-  if (soft) return t(`softness.${softness(soft, value)}`);
-  return `${number(value * factor, digits)} ${t(`unit.${unit}`)}`;
+  if (soft) return t(`softness-${softness(soft, value)}`);
+  return `${number(value * factor, digits)} ${t(`unit-${unit}`)}`;
 }
 
 /**
@@ -58,15 +58,15 @@ export function speedRows(speeds, limits, onChange, { hasNumbers }) {
   const notes = new Map();
   const elements = SPEEDS.map(({ name, unit, step, digits, factor, soft }) => {
     const [low, high] = limits[name] ?? rangeOf(name);
-    const label = t(`speed.${name}`);
-    const hint = `speed.${name}.hint`;
+    const label = t(`speed-${name}`);
+    const hint = `speed-${name}-hint`;
     const note = h("span", { class: "held" });
     notes.set(name, note);
     // The steps are whole in the unit that people read; the result is kept within the chair's limits.
     /** @param {number} value as people read it */
     const change = (value) => onChange(name, Math.min(high, Math.max(low, value / factor)));
     if (soft && !hasNumbers) {
-      const options = SOFTNESS.map((value) => ({ value, label: t(`softness.${value}`) }));
+      const options = SOFTNESS.map((value) => ({ value, label: t(`softness-${value}`) }));
       const words = segments(label, options, softness(soft, speeds[name]), (word) =>
         change(soft[SOFTNESS.indexOf(word)] * factor),
       );
@@ -79,7 +79,7 @@ export function speedRows(speeds, limits, onChange, { hasNumbers }) {
       high: high * factor,
       step,
       digits,
-      unit: t(`unit.${unit}`),
+      unit: t(`unit-${unit}`),
       onChange: change,
     });
     return setting(label, [hasText(hint) && t(hint), note], control);

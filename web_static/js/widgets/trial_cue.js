@@ -21,8 +21,8 @@ const GO_SHOWN = 1600; // ms
  */
 export function trialCue(app, picture, onEnd, onPlan) {
   const element = h("div", { class: "over-view", "aria-live": "polite" });
-  const waits = waitWords("trial.paused");
-  const pauseWaits = waitWords("trial.pause.left");
+  const waits = waitWords("trial-paused");
+  const pauseWaits = waitWords("trial-pause-left");
   const measuring = measuringCard();
   let shown = "";
   /** @type {ReturnType<typeof overView> | null} */
@@ -42,7 +42,7 @@ export function trialCue(app, picture, onEnd, onPlan) {
   /** Show the card before the trial: a picture is being opened, or there is none. */
   const prepare = () => {
     const why = missing();
-    if (!why || why === "coming") put(element, word(t("trial.moment"), t("trial.moment.why")));
+    if (!why || why === "coming") put(element, word(t("trial-moment"), t("trial-moment-why")));
     else put(element, withoutPicture(why, onPlan));
   };
   /** @param {LiveMessage} now */
@@ -70,9 +70,9 @@ export function trialCue(app, picture, onEnd, onPlan) {
     clearTimeout(timer);
     isBegun ||= key === "checking";
     if (key === "measuring") put(element, measuring.element);
-    else if (key === "checking") put(element, word(t("trial.rest"), t("trial.rest.why")));
+    else if (key === "checking") put(element, word(t("trial-rest"), t("trial-rest-why")));
     else if (key === "armed" && isBegun) {
-      put(element, word(t("trial.go"), "", "go"));
+      put(element, word(t("trial-go"), "", "go"));
       timer = setTimeout(() => put(element), GO_SHOWN);
     } else put(element);
   };
@@ -95,9 +95,9 @@ function pauseCard(name, waits) {
   return h(
     "div",
     { class: "hud fault-card pause-card" },
-    h("h2", {}, t("trial.pause")),
-    h("p", {}, t(`trial.pause.${name}`)),
-    h("p", {}, t("trial.pause.why")),
+    h("h2", {}, t("trial-pause")),
+    h("p", {}, t(`trial-pause-${name}`)),
+    h("p", {}, t("trial-pause-why")),
     waits,
   );
 }
@@ -108,8 +108,8 @@ function measuringCard() {
   const element = h(
     "div",
     { class: "hud cue-card" },
-    h("div", { class: "huge long" }, t("trial.ending")),
-    h("p", {}, t("trial.ending.why"), " ", taken),
+    h("div", { class: "huge long" }, t("trial-ending")),
+    h("p", {}, t("trial-ending-why"), " ", taken),
   );
   let since = 0;
   /** @param {boolean} is whether it is being measured */
@@ -126,11 +126,11 @@ function measuringCard() {
  * @param {App} app @param {Halt} halt @param {Node} waits @param {() => Promise<void>} onEnd @param {() => void} onPlan
  */
 function overView(app, halt, waits, onEnd, onPlan) {
-  const end = h("button", { type: "button", class: "btn", onclick: onEnd }, t("trial.end"));
+  const end = h("button", { type: "button", class: "btn", onclick: onEnd }, t("trial-end"));
   const go = continueButton(app);
   const element = card(halt.happened, haltWords(halt), waits, go.element, end);
   const why = h("p", { id: "why-no-continue" });
-  const plan = h("button", { type: "button", class: "btn", onclick: onPlan }, t("picture.plan.show"));
+  const plan = h("button", { type: "button", class: "btn", onclick: onPlan }, t("picture-plan-show"));
   const below = h("div", { class: "no-picture" }, why, plan);
   let lacks = "";
   /** @param {string} missing why there is no picture; empty when there is one */
@@ -140,7 +140,7 @@ function overView(app, halt, waits, onEnd, onPlan) {
     lacks = missing;
     set(go.element, { "aria-describedby": missing ? why.id : null });
     if (missing) {
-      write(why, `${t("picture.continue")} ${t(`picture.${missing}`)}`);
+      write(why, `${t("picture-continue")} ${t(`picture-${missing}`)}`);
       if (!below.isConnected) element.append(below);
       return;
     }
@@ -153,8 +153,8 @@ function overView(app, halt, waits, onEnd, onPlan) {
 
 /** The card while there is no picture to drive by. @param {string} why @param {() => void} onPlan */
 function withoutPicture(why, onPlan) {
-  const back = h("a", { class: "btn", href: "#/drive" }, t("picture.back"));
-  return card(t("picture.none"), h("p", {}, t(`picture.${why}`)), null, planButton("picture.plan.start", onPlan), back);
+  const back = h("a", { class: "btn", href: "#/drive" }, t("picture-back"));
+  return card(t("picture-none"), h("p", {}, t(`picture-${why}`)), null, planButton("picture-plan-start", onPlan), back);
 }
 
 /** @param {string} words @param {() => void} onPlan */

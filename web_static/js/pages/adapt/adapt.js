@@ -25,7 +25,7 @@ export async function show(app, root, { signal, rest }) {
   const here = patientHere(app, root);
   if (!here) return;
   if (!here.hasProfile)
-    return emptyPage(root, t("adapt.none.title"), t("adapt.none.lead"), "#/calibrate", t("controls.none.go"));
+    return emptyPage(root, t("adapt-none-title"), t("adapt-none-lead"), "#/calibrate", t("controls-none-go"));
   const mayChange = app.me?.role !== "reviewer";
   const [lead, problem] = [h("p", { class: "lead" }), h("p", { class: "problem", role: "alert" })];
   const [place, versions, foot] = [h("div", { class: "stack" }), h("div", {}), h("div", { class: "foot" })];
@@ -36,10 +36,10 @@ export async function show(app, root, { signal, rest }) {
   /** @param {AdaptationView} view @param {MapVersion[]} maps */
   const draw = (view, maps) => {
     const labels = labelsOf(view);
-    write(lead, t(`adapt.lead.${view.origin}`, { version: view.version ?? "" }));
+    write(lead, t(`adapt-lead-${view.origin}`, { version: view.version ?? "" }));
     put(
       place,
-      view.looking && h("p", { class: "card quiet", role: "status" }, t("adapt.looking")),
+      view.looking && h("p", { class: "card quiet", role: "status" }, t("adapt-looking")),
       proposalCards(view, labels),
     );
     put(versions, mapVersions(maps, labels));
@@ -78,12 +78,12 @@ export async function show(app, root, { signal, rest }) {
   const apply = async (proposal) => {
     const view = await ask(() => app.api.post("/adaptation/apply", { proposal }));
     if (view)
-      app.toasts.show(t("adapt.applied.toast", { version: view.version ?? "" }), { action: t("undo"), run: back });
+      app.toasts.show(t("adapt-applied-toast", { version: view.version ?? "" }), { action: t("undo"), run: back });
   };
   const back = async () => {
     const to = (await app.api.get("/adaptation")).back_to;
     const view = await ask(() => app.api.post("/adaptation/back"));
-    if (view) app.toasts.show(t("adapt.back.toast", { to: to ?? "", version: view.version ?? "" }));
+    if (view) app.toasts.show(t("adapt-back-toast", { to: to ?? "", version: view.version ?? "" }));
   };
   const look = () => ask(() => app.api.post("/adaptation/propose"));
   /** @param {AdaptationView} view @returns {Child[]} */
@@ -91,12 +91,12 @@ export async function show(app, root, { signal, rest }) {
     const { back_to: before, refusal } = view;
     const waits = waiting(view);
     return [
-      before !== null && button(t("adapt.back", { version: before }), back),
+      before !== null && button(t("adapt-back", { version: before }), back),
       h("span", { class: "grow" }),
-      waits && button(t("adapt.later"), () => ask(() => app.api.post("/adaptation/dismiss", { proposal: waits.id }))),
-      waits && button(t("adapt.apply"), () => apply(waits.id), "btn go", refusal !== null),
-      !waits && button(t("adapt.look"), look, "btn", !mayLook(view)),
-      !waits && h("a", { class: "btn go", href: "#/drive" }, t("rail.drive")),
+      waits && button(t("adapt-later"), () => ask(() => app.api.post("/adaptation/dismiss", { proposal: waits.id }))),
+      waits && button(t("adapt-apply"), () => apply(waits.id), "btn go", refusal !== null),
+      !waits && button(t("adapt-look"), look, "btn", !mayLook(view)),
+      !waits && h("a", { class: "btn go", href: "#/drive" }, t("rail-drive")),
     ];
   };
 
@@ -125,7 +125,7 @@ export async function show(app, root, { signal, rest }) {
     h(
       "div",
       { class: "body" },
-      h("h1", { tabindex: "-1" }, t("adapt.title")),
+      h("h1", { tabindex: "-1" }, t("adapt-title")),
       lead,
       problem,
       h("div", { class: "stack" }, place, modePlace, versions),
@@ -168,11 +168,11 @@ function headline({ refusal, practised }, proposal, labels) {
     ? h(
         "div",
         { class: "adapt-felt" },
-        h("span", { class: "quiet" }, t("adapt.felt")),
+        h("span", { class: "quiet" }, t("adapt-felt")),
         h("b", { class: "big" }, percent(felt)),
       )
-    : h("b", { class: "adapt-nothing" }, t("adapt.felt.none"));
-  const practice = applied === null ? changes && t("adapt.practise.next") : practisedWords(practised);
+    : h("b", { class: "adapt-nothing" }, t("adapt-felt-none"));
+  const practice = applied === null ? changes && t("adapt-practise-next") : practisedWords(practised);
   return h(
     "section",
     { class: `card adapt-head ${warns ? "warns" : ""}` },
@@ -183,9 +183,9 @@ function headline({ refusal, practised }, proposal, labels) {
       h(
         "p",
         { class: "adapt-reason" },
-        applied === null ? withLabels(proposal.reason, labels) : t("adapt.in-use", { version: applied }),
+        applied === null ? withLabels(proposal.reason, labels) : t("adapt-in-use", { version: applied }),
       ),
-      changes && h("p", { class: warns ? "attention" : "quiet" }, t(warns ? "adapt.felt.warns" : "adapt.felt.little")),
+      changes && h("p", { class: warns ? "attention" : "quiet" }, t(warns ? "adapt-felt-warns" : "adapt-felt-little")),
       practice && h("p", { class: "small" }, practice),
       proposal.message && h("p", { class: "small" }, proposal.message),
       applied === null && changes && refusal && h("p", { class: "problem" }, refusal),
@@ -195,22 +195,22 @@ function headline({ refusal, practised }, proposal, labels) {
 
 /** @param {number} count of the trials that were driven with the map in use */
 function practisedWords(count) {
-  return count ? t("adapt.practise.some", { count }) : t("adapt.practise.none");
+  return count ? t("adapt-practise-some", { count }) : t("adapt-practise-none");
 }
 
 /** @param {Mode} mode @param {boolean} mayChange @param {(mode: Mode) => void} choose */
 function modeCard(mode, mayChange, choose) {
   const options = MODES.map((value) => ({
     value,
-    label: t(`adapt.mode.${value}`),
-    hint: t(`adapt.mode.${value}.hint`),
+    label: t(`adapt-mode-${value}`),
+    hint: t(`adapt-mode-${value}-hint`),
   }));
-  const chosen = h("p", {}, h("b", {}, t(`adapt.mode.${mode}`)), ". ", t(`adapt.mode.${mode}.hint`));
+  const chosen = h("p", {}, h("b", {}, t(`adapt-mode-${mode}`)), ". ", t(`adapt-mode-${mode}-hint`));
   return h(
     "section",
     { class: "card adapt-mode" },
-    h("h2", {}, t("adapt.mode")),
-    mayChange ? choices(t("adapt.mode"), options, mode, choose) : chosen,
-    h("p", { class: "quiet small" }, t("adapt.mode.never")),
+    h("h2", {}, t("adapt-mode")),
+    mayChange ? choices(t("adapt-mode"), options, mode, choose) : chosen,
+    h("p", { class: "quiet small" }, t("adapt-mode-never")),
   );
 }

@@ -12,7 +12,7 @@ export function effectCard(effect) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("adapt.effect")),
+    h("h2", {}, t("adapt-effect")),
     h(
       "dl",
       { class: "adapt-figures adapt-effect" },
@@ -20,7 +20,7 @@ export function effectCard(effect) {
       figure("activations", change(effect.activations_before, effect.activations_after)),
       figure("false", change(effect.false_before, effect.false_after)),
     ),
-    h("p", { class: "quiet small" }, t("adapt.effect.note")),
+    h("p", { class: "quiet small" }, t("adapt-effect-note")),
   );
 }
 
@@ -29,7 +29,7 @@ function figure(name, words) {
   return h(
     "div",
     {},
-    h("dt", { class: "quiet small" }, t(`adapt.effect.${name}`)),
+    h("dt", { class: "quiet small" }, t(`adapt-effect-${name}`)),
     h("dd", { class: "number" }, words),
   );
 }

@@ -26,7 +26,7 @@ export function jointCards({ joints, applied }) {
       h(
         "p",
         { class: "quiet" },
-        t("adapt.others", { joints: still.map(({ label }) => label.toLowerCase()).join(", ") }),
+        t("adapt-others", { joints: still.map(({ label }) => label.toLowerCase()).join(", ") }),
       ),
   );
 }
@@ -38,7 +38,7 @@ function jointCard(joint, reason, isApplied) {
   return h(
     "section",
     { class: "card adapt-joint" },
-    h("h2", {}, joint.label, h("span", { class: `tag ${TONES[joint.status]}` }, t(`adapt.joint.${status}`))),
+    h("h2", {}, joint.label, h("span", { class: `tag ${TONES[joint.status]}` }, t(`adapt-joint-${status}`))),
     h(
       "dl",
       { class: "adapt-figures" },
@@ -59,7 +59,7 @@ function figure(name, values, better) {
   return h(
     "div",
     {},
-    h("dt", { class: "quiet small" }, t(`adapt.row.${name}`)),
+    h("dt", { class: "quiet small" }, t(`adapt-row-${name}`)),
     h(
       "dd",
       { class: "number" },
@@ -72,7 +72,7 @@ function figure(name, values, better) {
 /** The angle that is applied, and the proposed one where that is larger. @param {JointView} joint */
 function turn({ angle_applied_deg: applied, angle_proposed_deg: asked }) {
   if (asked === null || asked - applied < 0.05) return `${number(applied, 1)}°`;
-  return t("adapt.row.turn.asked", { applied: number(applied, 1), asked: number(asked, 1) });
+  return t("adapt-row-turn-asked", { applied: number(applied, 1), asked: number(asked, 1) });
 }
 
 /**
@@ -85,5 +85,5 @@ function sign(before, after) {
 
 /** @param {number | null} value */
 function rate(value) {
-  return ofFull(value, t("unit.rate"));
+  return ofFull(value, t("unit-rate"));
 }

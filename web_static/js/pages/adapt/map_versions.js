@@ -13,10 +13,10 @@ export function mapVersions(maps, labels) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("adapt.versions")),
-    h("p", { class: "quiet small" }, t("adapt.versions.lead")),
+    h("h2", {}, t("adapt-versions")),
+    h("p", { class: "quiet small" }, t("adapt-versions-lead")),
     scrollTable(
-      t("adapt.versions"),
+      t("adapt-versions"),
       "measures in-view map-versions",
       h(
         "thead",
@@ -24,7 +24,7 @@ export function mapVersions(maps, labels) {
         h(
           "tr",
           {},
-          head.map((name) => h("th", { scope: "col" }, t(`adapt.${name}`))),
+          head.map((name) => h("th", { scope: "col" }, t(`adapt-${name}`))),
         ),
       ),
       h(
@@ -48,32 +48,32 @@ export function mapVersions(maps, labels) {
 
 /** @param {MapVersion} version */
 function origin({ origin: how, parent, difference }) {
-  const itself = difference?.by_itself ? ".itself" : "";
-  return t(`adapt.origin.${how}${itself}`, { parent: parent ?? "", to: difference?.back_to ?? "" });
+  const itself = difference?.by_itself ? "-itself" : "";
+  return t(`adapt-origin-${how}${itself}`, { parent: parent ?? "", to: difference?.back_to ?? "" });
 }
 
 /** @param {MapVersion} version @param {Record<string, string>} labels */
 function changes({ difference }, labels) {
   const joints = Object.entries(difference?.joints ?? {}).map(([name, joint]) =>
-    t("adapt.difference.joint", {
+    t("adapt-difference-joint", {
       joint: labels[name] ?? name.replaceAll("_", " "),
       changes: ofJoint(joint).join(", "),
     }),
   );
   const felt = difference?.felt_change;
   if (joints.length && typeof felt === "number" && Number.isFinite(felt))
-    joints.push(t("adapt.difference.felt", { percent: percent(felt) }));
+    joints.push(t("adapt-difference-felt", { percent: percent(felt) }));
   return joints.map((words) => h("div", {}, words));
 }
 
 /** @param {JointDifference} joint */
 function ofJoint(joint) {
   const found = [];
-  if (joint.angle_applied_deg) found.push(t("adapt.difference.turn", { angle: number(joint.angle_applied_deg, 1) }));
+  if (joint.angle_applied_deg) found.push(t("adapt-difference-turn", { angle: number(joint.angle_applied_deg, 1) }));
   for (const name of /** @type {const} */ (["dead_zone", "full"])) {
     const [before, after] = [joint[`${name}_before`], joint[`${name}_after`]];
-    if (before !== after) found.push(t(`adapt.difference.${name}`, { value: ofFull(after, t("unit.rate")) }));
+    if (before !== after) found.push(t(`adapt-difference-${name}`, { value: ofFull(after, t("unit-rate")) }));
   }
-  if (joint.range_moved) found.push(t("adapt.difference.range"));
+  if (joint.range_moved) found.push(t("adapt-difference-range"));
   return found;
 }

@@ -17,19 +17,19 @@ export async function show(app, root, { signal }) {
   if (signal.aborted) return;
   const needed = rowList("attention");
   const others = rowList("attention");
-  const rest = h("section", { class: "stack" }, h("h2", {}, t("attention.others")), others);
+  const rest = h("section", { class: "stack" }, h("h2", {}, t("attention-others")), others);
   const pending = h("p", { class: "quiet", role: "status" });
   let timer = 0;
   const draw = () => {
     const [some, none] = [found.filter((one) => one.reasons.length), found.filter((one) => !one.reasons.length)];
     needed.show(
       some.map(row),
-      h("p", { class: "card quiet" }, t(found.length ? "attention.none" : "attention.nobody")),
+      h("p", { class: "card quiet" }, t(found.length ? "attention-none" : "attention-nobody")),
     );
     others.show(none.map(row));
     rest.hidden = !none.length;
     const count = found.filter((one) => one.pending).length;
-    put(pending, count > 0 && t("attention.pending", { count }));
+    put(pending, count > 0 && t("attention-pending", { count }));
     clearTimeout(timer);
     if (count) timer = setTimeout(read, ASK_AGAIN);
   };
@@ -46,8 +46,8 @@ export async function show(app, root, { signal }) {
     h(
       "div",
       { class: "body stack" },
-      h("h1", { tabindex: "-1" }, t("rail.attention")),
-      h("p", { class: "lead" }, t("attention.lead")),
+      h("h1", { tabindex: "-1" }, t("rail-attention")),
+      h("p", { class: "lead" }, t("attention-lead")),
       pending,
       needed,
       rest,
@@ -56,7 +56,7 @@ export async function show(app, root, { signal }) {
       "div",
       { class: "foot" },
       h("span", { class: "grow" }),
-      h("a", { class: "btn", href: "#/review" }, t("rail.review")),
+      h("a", { class: "btn", href: "#/review" }, t("rail-review")),
     ),
   );
   draw();
@@ -95,7 +95,7 @@ function reasonLine(patient, { reason, number, session_id: session, trial_id: tr
       "a",
       { class: "btn small", href: where },
       URGENT.includes(reason) && icon("warning", 18),
-      t(`attention.${reason}`, { count: number }),
+      t(`attention-${reason}`, { count: number }),
     ),
     sentence && h("p", { class: "small" }, sentence),
   );

@@ -13,7 +13,7 @@ import { recordTimeCard } from "./record_time_card.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
-  if (app.me?.role !== "owner") throw new ApiError(t("backup.owner"), FORBIDDEN);
+  if (app.me?.role !== "owner") throw new ApiError(t("backup-owner"), FORBIDDEN);
   const first = await app.api.get("/backups");
   if (signal.aborted) return;
   const made = madeCard(app, first, signal);
@@ -26,15 +26,15 @@ export async function show(app, root, { signal }) {
     h(
       "div",
       { class: "body" },
-      h("h1", { tabindex: "-1" }, t("rail.backup")),
-      h("p", { class: "lead" }, t("backup.lead")),
+      h("h1", { tabindex: "-1" }, t("rail-backup")),
+      h("p", { class: "lead" }, t("backup-lead")),
       h(
         "div",
         { class: "settings-columns" },
         h("div", { class: "stack" }, made.element, nightCard(app, first, drawn)),
         h("div", { class: "stack" }, deleted.element, recordTimeCard(app, first, drawn), incidents.element),
       ),
-      h("p", { class: "after-list" }, h("a", { class: "btn small", href: "#/settings" }, t("people.back"))),
+      h("p", { class: "after-list" }, h("a", { class: "btn small", href: "#/settings" }, t("people-back"))),
     ),
   );
 }

@@ -17,14 +17,14 @@ export function deletedCard(app, first, onChanged) {
     app.toasts.attempt(async () => {
       await app.api.post(`/patients/${patient.id}/restore`);
       onChanged(await app.api.get("/backups"));
-      app.toasts.show(t("deleted.undone", { code: patient.code }));
+      app.toasts.show(t("deleted-undone", { code: patient.code }));
     });
   /** @param {DeletedPatientView} patient */
   const erase = (patient) => {
     erasing.value = null;
     return app.toasts.attempt(async () => {
       onChanged(await app.api.post(`/deleted-patients/${patient.id}/erasure`));
-      app.toasts.show(t("deleted.erased", { code: patient.code }));
+      app.toasts.show(t("deleted-erased", { code: patient.code }));
     });
   };
   /** @param {DeletedPatientView} patient */
@@ -39,16 +39,16 @@ export function deletedCard(app, first, onChanged) {
       h(
         "div",
         { class: "quiet small" },
-        left > 0 ? t("deleted.left", { count: left }) : t("deleted.due"),
-        ` · ${t("deleted.what", { count: patient.recordings })}`,
+        left > 0 ? t("deleted-left", { count: left }) : t("deleted-due"),
+        ` · ${t("deleted-what", { count: patient.recordings })}`,
       ),
       patient.why_not && h("p", { class: "small" }, patient.why_not),
       h(
         "div",
         { class: "spread" },
-        smallButton(t("deleted.undo"), t("deleted.undo.label", { code }), () => undo(patient)),
+        smallButton(t("deleted-undo"), t("deleted-undo-label", { code }), () => undo(patient)),
         !patient.why_not &&
-          smallButton(t("deleted.erase"), t("deleted.erase.label", { code }), () => (erasing.value = id)),
+          smallButton(t("deleted-erase"), t("deleted-erase-label", { code }), () => (erasing.value = id)),
       ),
       erasing.value === id &&
         confirmation(
@@ -63,12 +63,12 @@ export function deletedCard(app, first, onChanged) {
     return h(
       Fragment,
       {},
-      h("h2", {}, t("deleted.title")),
-      h("p", { class: "quiet small" }, t("deleted.lead", { days: REFERENCE.numbers.deleted_days })),
+      h("h2", {}, t("deleted-title")),
+      h("p", { class: "quiet small" }, t("deleted-lead", { days: REFERENCE.numbers.deleted_days })),
       h(
         "div",
         { class: "made-backups", role: deleted.length ? "list" : undefined },
-        deleted.length ? deleted.map(row) : h("p", { class: "quiet" }, t("deleted.none")),
+        deleted.length ? deleted.map(row) : h("p", { class: "quiet" }, t("deleted-none")),
       ),
     );
   };
@@ -86,13 +86,13 @@ const smallButton = (words, label, onClick) =>
 function confirmation(code, onErase, onClose) {
   return h(
     "div",
-    { class: "confirm", role: "group", "aria-label": t("deleted.erase.label", { code }) },
-    h("b", {}, t("deleted.erase.title", { code })),
-    h("p", {}, t("deleted.erase.lead")),
+    { class: "confirm", role: "group", "aria-label": t("deleted-erase-label", { code }) },
+    h("b", {}, t("deleted-erase-title", { code })),
+    h("p", {}, t("deleted-erase-lead")),
     h(
       "div",
       { class: "spread" },
-      h("button", { type: "button", class: "btn go", onClick: onErase }, t("deleted.erase.go")),
+      h("button", { type: "button", class: "btn go", onClick: onErase }, t("deleted-erase-go")),
       h("button", { type: "button", class: "btn", ref: focusFirst, onClick: onClose }, t("cancel")),
     ),
   );

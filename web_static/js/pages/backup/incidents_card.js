@@ -19,8 +19,8 @@ export function incidentsCard(app, first, onChanged) {
   let lifting = null;
   const draw = (view = shown) => {
     shown = view;
-    list.show(view.incidents.map(row), h("p", { class: "quiet" }, t("incidents.none")));
-    write(key, view.fingerprint && `${t("incidents.key")}: ${view.fingerprint}`);
+    list.show(view.incidents.map(row), h("p", { class: "quiet" }, t("incidents-none")));
+    write(key, view.fingerprint && `${t("incidents-key")}: ${view.fingerprint}`);
   };
   /** @param {IncidentView | null} incident */
   const ask = (incident) => {
@@ -46,12 +46,12 @@ export function incidentsCard(app, first, onChanged) {
     return h(
       "form",
       { class: "confirm stack", onsubmit: submit },
-      field(t("deleted.reason"), reason, t("deleted.reason.hint")),
+      field(t("deleted-reason"), reason, t("deleted-reason-hint")),
       problem,
       h(
         "div",
         { class: "spread" },
-        h("button", { class: "btn go" }, t("incidents.lift")),
+        h("button", { class: "btn go" }, t("incidents-lift")),
         h("button", { type: "button", class: "btn", onclick: () => ask(null) }, t("cancel")),
       ),
     );
@@ -62,23 +62,23 @@ export function incidentsCard(app, first, onChanged) {
     return h(
       "div",
       { class: "made-backup" },
-      h("span", { class: "fingerprint" }, t("incidents.of", { when, hash: incident.hash.slice(0, 16) })),
-      h("div", { class: "quiet small" }, t("incidents.patients", { count: incident.patients.length })),
+      h("span", { class: "fingerprint" }, t("incidents-of", { when, hash: incident.hash.slice(0, 16) })),
+      h("div", { class: "quiet small" }, t("incidents-patients", { count: incident.patients.length })),
       incident.lifted
         ? h(
             "p",
             { class: "small" },
-            t("incidents.lifted", { when: moment(incident.lifted), reason: incident.reason ?? "" }),
+            t("incidents-lifted", { when: moment(incident.lifted), reason: incident.reason ?? "" }),
           )
         : h(
             "button",
             {
               type: "button",
               class: "btn small",
-              "aria-label": t("incidents.lift.label", { when }),
+              "aria-label": t("incidents-lift-label", { when }),
               onclick: () => ask(incident),
             },
-            t("incidents.lift"),
+            t("incidents-lift"),
           ),
       lifting === incident.id && form(incident),
     );
@@ -87,8 +87,8 @@ export function incidentsCard(app, first, onChanged) {
   const element = h(
     "section",
     { class: "card" },
-    h("h2", {}, t("incidents.title")),
-    h("p", { class: "quiet small" }, t("incidents.lead")),
+    h("h2", {}, t("incidents-title")),
+    h("p", { class: "quiet small" }, t("incidents-lead")),
     list,
     key,
   );

@@ -16,16 +16,16 @@ export function madeCard(app, first, signal) {
   const warning = h("p", { class: "backup-warning" });
   const clock = h("p", { class: "backup-warning" });
   const last = h("p", { role: "status" });
-  const title = h("h3", {}, t("backup.list"));
-  const go = h("button", { type: "button", class: "btn go" }, t("backup.now"));
+  const title = h("h3", {}, t("backup-list"));
+  const go = h("button", { type: "button", class: "btn go" }, t("backup-now"));
   const step = h("p", { class: "number", "aria-hidden": "true" });
-  const bar = h("progress", { max: 1, value: 0, "aria-label": t("backup.progress") });
+  const bar = h("progress", { max: 1, value: 0, "aria-label": t("backup-progress") });
   const course = h(
     "div",
     { class: "measuring", hidden: true },
     step,
     bar,
-    h("p", { class: "quiet small" }, t("backup.while")),
+    h("p", { class: "quiet small" }, t("backup-while")),
   );
   const problem = h("p", { class: "problem", role: "alert" });
   const list = rowList("made-backups");
@@ -37,15 +37,15 @@ export function madeCard(app, first, signal) {
     const isMaking = view.course !== null;
     put(warning, view.warning && [icon("warning", 20), h("b", {}, view.warning)]);
     put(clock, view.clock && [icon("warning", 20), h("b", {}, view.clock)]);
-    if (!isMaking && wasMaking) app.toasts.show(t(view.made[0]?.good ? "backup.done" : "backup.failed"));
-    write(last, view.last_good ? t("backup.last", { when: moment(view.last_good) }) : "");
+    if (!isMaking && wasMaking) app.toasts.show(t(view.made[0]?.good ? "backup-done" : "backup-failed"));
+    write(last, view.last_good ? t("backup-last", { when: moment(view.last_good) }) : "");
     list.show(view.made.slice(0, 8).map(row));
     title.hidden = !view.made.length;
     go.disabled = isMaking || view.folder === null;
     course.hidden = !isMaking;
     if (view.course) {
       const { step: name, done, total } = view.course;
-      write(step, total ? t(`backup.${name}`, { done: size(done), total: size(total) }) : t("backup.begins"));
+      write(step, total ? t(`backup-${name}`, { done: size(done), total: size(total) }) : t("backup-begins"));
       bar.value = total ? done / total : 0;
       if (!signal.aborted) timer = setTimeout(look, LOOK_EVERY);
     }
@@ -70,7 +70,7 @@ export function madeCard(app, first, signal) {
   const element = h(
     "section",
     { class: "card stack" },
-    h("h2", {}, t("backup.state.title")),
+    h("h2", {}, t("backup-state-title")),
     warning,
     clock,
     last,
@@ -88,16 +88,16 @@ function row(made) {
   const facts = {
     files: made.files,
     size: size(made.bytes),
-    sealed: t(made.encrypted ? "backup.sealed" : "backup.open"),
-    keys: t(made.with_keys ? "backup.keys" : "backup.no-keys"),
+    sealed: t(made.encrypted ? "backup-sealed" : "backup-open"),
+    keys: t(made.with_keys ? "backup-keys" : "backup-no-keys"),
   };
   return h(
     "div",
     { class: "made-backup" },
     h("b", {}, moment(made.at)),
     " ",
-    h("span", { class: made.good ? "tag" : "tag bad" }, t(made.good ? "backup.good" : "backup.bad")),
-    h("div", { class: "quiet small" }, made.good && t("backup.of", facts)),
+    h("span", { class: made.good ? "tag" : "tag bad" }, t(made.good ? "backup-good" : "backup-bad")),
+    h("div", { class: "quiet small" }, made.good && t("backup-of", facts)),
     made.message && h("div", { class: "small" }, made.message),
   );
 }

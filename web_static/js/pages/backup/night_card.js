@@ -29,15 +29,15 @@ export function nightCard(app, settings, onSaved) {
     ...textLimits("BackupSettings", "passphrase"),
   });
   const secret = field(
-    t("backup.passphrase"),
+    t("backup-passphrase"),
     passphrase,
-    t(settings.encrypted ? "backup.passphrase.kept" : "backup.passphrase.new", {
+    t(settings.encrypted ? "backup-passphrase-kept" : "backup-passphrase-new", {
       count: textLimits("BackupSettings", "passphrase").minlength,
     }),
   );
   secret.hidden = !encrypted;
   const problem = h("p", { class: "problem", role: "alert" });
-  const go = h("button", { class: "btn" }, t("backup.save"));
+  const go = h("button", { class: "btn" }, t("backup-save"));
   /** @param {SubmitEvent} event */
   const submit = async (event) => {
     event.preventDefault();
@@ -52,7 +52,7 @@ export function nightCard(app, settings, onSaved) {
         passphrase: (encrypted && passphrase.value) || null,
       });
       passphrase.value = "";
-      app.toasts.show(t("backup.saved"));
+      app.toasts.show(t("backup-saved"));
       onSaved(view);
     } catch (error) {
       write(problem, failureWords(error));
@@ -62,19 +62,19 @@ export function nightCard(app, settings, onSaved) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("backup.place")),
-    h("p", { class: "quiet small" }, t("backup.kept")),
+    h("h2", {}, t("backup-place")),
+    h("p", { class: "quiet small" }, t("backup-kept")),
     h(
       "form",
       { class: "stack", onsubmit: submit },
-      field(t("backup.folder"), folder, t("backup.folder.hint")),
-      field(t("backup.hour"), hour),
-      toggle(t("backup.encrypted"), encrypted, (on) => {
+      field(t("backup-folder"), folder, t("backup-folder-hint")),
+      field(t("backup-hour"), hour),
+      toggle(t("backup-encrypted"), encrypted, (on) => {
         encrypted = on;
         secret.hidden = !on;
       }),
       secret,
-      toggle(t("backup.with-keys"), withKeys, (on) => (withKeys = on)),
+      toggle(t("backup-with-keys"), withKeys, (on) => (withKeys = on)),
       problem,
       h("div", {}, go),
     ),

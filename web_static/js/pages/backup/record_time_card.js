@@ -23,7 +23,7 @@ export function recordTimeCard(app, kept, onSaved) {
     write(problem, "");
     try {
       onSaved(await app.api.put("/record-keeping", { years: years.value ? Number(years.value) : null }));
-      app.toasts.show(t("backup.saved"));
+      app.toasts.show(t("backup-saved"));
     } catch (error) {
       write(problem, failureWords(error));
     }
@@ -31,13 +31,13 @@ export function recordTimeCard(app, kept, onSaved) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("records.title")),
+    h("h2", {}, t("records-title")),
     h(
       "form",
       { class: "stack", onsubmit: submit },
-      field(t("records.years"), years, t("records.years.hint")),
+      field(t("records-years"), years, t("records-years-hint")),
       problem,
-      h("div", {}, h("button", { class: "btn" }, t("backup.save"))),
+      h("div", {}, h("button", { class: "btn" }, t("backup-save"))),
     ),
   );
 }

@@ -30,7 +30,7 @@ export async function show(app, root, { signal }) {
   let [view, equipment] = await read();
   let calibration = /** @type {Calibration} */ (view);
   if (!equipment.shirt && calibration.steps.length === 1) {
-    emptyPage(root, t("calibrate.no-shirt"), t("calibrate.no-shirt.lead"), "#/shirt", t("calibrate.no-shirt.go"));
+    emptyPage(root, t("calibrate-no-shirt"), t("calibrate-no-shirt-lead"), "#/shirt", t("calibrate-no-shirt-go"));
     return;
   }
   /** @type {string | null} */
@@ -50,7 +50,7 @@ export async function show(app, root, { signal }) {
   /** Tell a screen reader how a step ended: the sentence is drawn with a new page, which nobody hears. @param {string} id */
   const sayOutcome = (id) => {
     const step = calibration.steps.find((one) => one.id === id);
-    if (step?.message || step?.status === "done") app.toasts.announce(step.message || t("calibrate.done"));
+    if (step?.message || step?.status === "done") app.toasts.announce(step.message || t("calibrate-done"));
   };
   /** @param {() => Promise<CalibrationView>} change */
   const call = async (change) => {
@@ -139,11 +139,11 @@ export async function show(app, root, { signal }) {
       app.go("#/controls");
     });
   const restart = () =>
-    app.toasts.show(t("result.restart.ask"), {
-      action: t("result.restart"),
+    app.toasts.show(t("result-restart-ask"), {
+      action: t("result-restart"),
       run: async () => {
         await call(() => api.post("/calibration/restart"));
-        app.toasts.show(t("result.restarted"));
+        app.toasts.show(t("result-restarted"));
       },
     });
   const draw = () => {
@@ -200,18 +200,18 @@ function resultPage(app, calibration, actions, { accept, drive }) {
   const back = h("button", { type: "button", class: "btn", onclick: () => actions.go(lastPrompt.id) }, t("back"));
   if (running?.step === "result")
     return {
-      title: t("calibrate.fitting"),
+      title: t("calibrate-fitting"),
       lead: null,
       body: h("div", { class: "working", role: "status" }),
       foot: [back],
     };
   if (!result || (missing.length && !result.accepted)) {
-    const words = missing.length ? t("result.missing.lead", { count: missing.length }) : last.message;
+    const words = missing.length ? t("result-missing-lead", { count: missing.length }) : last.message;
     const buttons = missing.map((step) =>
       h("button", { type: "button", class: "btn", onclick: () => actions.go(step.id) }, step.title),
     );
     return {
-      title: t("result.missing"),
+      title: t("result-missing"),
       lead: h("p", { class: "lead" }, words),
       body: h("div", { class: "spread" }, buttons),
       foot: [back],
@@ -219,16 +219,16 @@ function resultPage(app, calibration, actions, { accept, drive }) {
   }
   const onwards = onwardsOf(result, missing.length, accept, drive);
   return {
-    title: t("result.title"),
+    title: t("result-title"),
     lead: h(
       "p",
       { class: "lead" },
-      missing.length ? t("result.others.lead", { count: missing.length }) : t("result.lead"),
+      missing.length ? t("result-others-lead", { count: missing.length }) : t("result-lead"),
     ),
     body: resultBody(app, result, actions),
     foot: [
       back,
-      h("span", { class: "grow" }, result.accepted ? t("result.accepted") : leftOutWords(result.left_out)),
+      h("span", { class: "grow" }, result.accepted ? t("result-accepted") : leftOutWords(result.left_out)),
       onwards,
     ],
   };
@@ -240,9 +240,9 @@ function resultPage(app, calibration, actions, { accept, drive }) {
  * @param {() => void} accept @param {() => Promise<unknown>} drive
  */
 function onwardsOf(result, missing, accept, drive) {
-  if (!result.accepted) return h("button", { type: "button", class: "btn go", onclick: accept }, t("result.accept"));
-  if (missing) return h("button", { type: "button", class: "btn go", onclick: drive }, t("calibrate.now.go"));
-  return h("a", { class: "btn go", href: "#/controls" }, t("result.go-on"));
+  if (!result.accepted) return h("button", { type: "button", class: "btn go", onclick: accept }, t("result-accept"));
+  if (missing) return h("button", { type: "button", class: "btn go", onclick: drive }, t("calibrate-now-go"));
+  return h("a", { class: "btn go", href: "#/controls" }, t("result-go-on"));
 }
 
 /** A card for each joint, and all movements that were found. @param {App} app @param {CalibrationResult} result @param {Actions} actions */

@@ -40,8 +40,8 @@ export function calibrateStep(app, calibration, equipment, actions, signal) {
     write(
       lead,
       [
-        t("calibrate.step", { step: at + 1, steps: steps.length }),
-        repetition ? t("calibrate.repetition", { repetition, all: repetitions }) : "",
+        t("calibrate-step", { step: at + 1, steps: steps.length }),
+        repetition ? t("calibrate-repetition", { repetition, all: repetitions }) : "",
         step.instruction,
       ]
         .filter(Boolean)
@@ -74,9 +74,9 @@ export function calibrateStep(app, calibration, equipment, actions, signal) {
  */
 function readyCard({ earlier, may_fit_earlier: mayFitEarlier, others, may_drive_now: mayDriveNow }, actions) {
   const of = earlier && { version: earlier.version, day: day(earlier.created) };
-  if (mayFitEarlier) return card(t("calibrate.earlier.lead", of ?? {}), t("calibrate.earlier.go"), actions.fitEarlier);
-  if (mayDriveNow) return card(t("calibrate.now.lead", { count: others }), t("calibrate.now.go"), actions.driveNow);
-  return of && h("p", { class: "card small" }, t("calibrate.earlier", of));
+  if (mayFitEarlier) return card(t("calibrate-earlier-lead", of ?? {}), t("calibrate-earlier-go"), actions.fitEarlier);
+  if (mayDriveNow) return card(t("calibrate-now-lead", { count: others }), t("calibrate-now-go"), actions.driveNow);
+  return of && h("p", { class: "card small" }, t("calibrate-earlier", of));
 }
 
 /** @param {string} lead @param {string} go @param {() => void} run */
@@ -84,22 +84,22 @@ function card(lead, go, run) {
   return h(
     "section",
     { class: "card drive-now" },
-    h("div", {}, h("h2", {}, t("calibrate.now")), h("p", { class: "small" }, lead)),
+    h("div", {}, h("h2", {}, t("calibrate-now")), h("p", { class: "small" }, lead)),
     h("button", { type: "button", class: "btn go", onclick: run }, go),
   );
 }
 
 /** @param {CalibrationStep} step @param {EquipmentView} equipment @param {Actions} actions */
 function idleWords(step, equipment, { isGoingOn }) {
-  if (isGoingOn) return t("calibrate.going-on");
-  if (step.status === "done") return t(step.message ? "calibrate.poor" : "calibrate.done");
+  if (isGoingOn) return t("calibrate-going-on");
+  if (step.status === "done") return t(step.message ? "calibrate-poor" : "calibrate-done");
   const who = READY[String(equipment.body?.kind)] ?? "patient";
-  return t(`calibrate.ready.${who}`, { button: t(startWords(step)) });
+  return t(`calibrate-ready-${who}`, { button: t(startWords(step)) });
 }
 
 /** The key of the words on the button that records it. @param {CalibrationStep} step */
 function startWords({ status }) {
-  return status === "failed" ? "calibrate.again" : "calibrate.start";
+  return status === "failed" ? "calibrate-again" : "calibrate-start";
 }
 
 /**
@@ -113,25 +113,25 @@ function foot(steps, at, isRunning, isBusy, isReady, actions) {
   const button = (words, run, tone = "", isOff = false) =>
     h("button", { type: "button", class: `btn ${tone}`, disabled: isOff, onclick: run }, words);
   if (isRunning)
-    return [button(t("calibrate.cancel"), () => actions.cancel(step.id)), h("span", { class: "grow" }), auto(actions)];
+    return [button(t("calibrate-cancel"), () => actions.cancel(step.id)), h("span", { class: "grow" }), auto(actions)];
   const isDone = step.status === "done";
   const isPoor = isDone && step.message !== ""; // then repeating is the main thing to do
   const tone = isReady || isPoor ? "" : "go";
   return [
     at > 0 && button(t("back"), () => actions.go(steps[at - 1].id), "", isBusy),
-    isDone && button(t("calibrate.again"), () => actions.start(step.id), isPoor ? "go" : "", isBusy),
+    isDone && button(t("calibrate-again"), () => actions.start(step.id), isPoor ? "go" : "", isBusy),
     h("span", { class: "grow" }),
     auto(actions),
-    !isDone && step.kind === "prompt" && button(t("calibrate.skip"), () => actions.skip(step.id), "", isBusy),
+    !isDone && step.kind === "prompt" && button(t("calibrate-skip"), () => actions.skip(step.id), "", isBusy),
     isDone
-      ? button(t("calibrate.next"), () => actions.go(steps[at + 1].id), tone, isBusy)
+      ? button(t("calibrate-next"), () => actions.go(steps[at + 1].id), tone, isBusy)
       : button(t(startWords(step)), () => actions.start(step.id), tone, isBusy),
   ];
 }
 
 /** @param {Actions} actions */
 function auto(actions) {
-  return toggle(t("calibrate.auto"), actions.isAuto, actions.setAuto);
+  return toggle(t("calibrate-auto"), actions.isAuto, actions.setAuto);
 }
 
 /**
@@ -140,7 +140,7 @@ function auto(actions) {
  */
 function stepTrace(app, layout, step, signal) {
   if (!layout) return null;
-  const canvas = new TraceCanvas({ label: t("cue.trace"), height: 84 });
+  const canvas = new TraceCanvas({ label: t("cue-trace"), height: 84 });
   /** @param {string} joint */
   const indices = (joint) => layout.channels.flatMap((channel, index) => (channel.joint === joint ? [index] : []));
   const groups = layout.joints.map(({ name }) => indices(name));

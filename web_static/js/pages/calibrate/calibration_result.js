@@ -43,10 +43,10 @@ function jointCard(joint, advice, onRepeat, onMap, onSitting) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, joint.label, joint.has_to_be_repeated && h("span", { class: "tag bad" }, t("result.repeat"))),
+    h("h2", {}, joint.label, joint.has_to_be_repeated && h("span", { class: "tag bad" }, t("result-repeat"))),
     h(
       "div",
-      { class: "evr", role: "img", "aria-label": t("result.bar", { joint: joint.label, percent: evr }) },
+      { class: "evr", role: "img", "aria-label": t("result-bar", { joint: joint.label, percent: evr }) },
       h("span", { style: `width:${(joint.evr ?? 0) * 100}%` }),
       h("em", { style: `left:${STUDY.low * 100}%;width:${(STUDY.high - STUDY.low) * 100}%` }),
     ),
@@ -54,10 +54,10 @@ function jointCard(joint, advice, onRepeat, onMap, onSitting) {
       h(
         "div",
         { class: "row quiet small figures" },
-        h("span", {}, t("result.evr", { percent: evr })),
+        h("span", {}, t("result-evr", { percent: evr })),
         joint.signal_to_noise !== null &&
-          h("span", {}, t("result.signal", { word: signalWord(joint.signal_to_noise) })),
-        joint.repeatability !== null && h("span", {}, t("result.repeats", { word: repeatsWord(joint.repeatability) })),
+          h("span", {}, t("result-signal", { word: signalWord(joint.signal_to_noise) })),
+        joint.repeatability !== null && h("span", {}, t("result-repeats", { word: repeatsWord(joint.repeatability) })),
       ),
     joint.map !== null && whereFrom(joint),
     advice !== null && h("p", { class: "small reason" }, advice),
@@ -67,10 +67,10 @@ function jointCard(joint, advice, onRepeat, onMap, onSitting) {
         {
           type: "button",
           class: `btn small${advice === null ? " bare" : ""}`,
-          "aria-label": t("result.again.label", { joint: joint.label }),
+          "aria-label": t("result-again-label", { joint: joint.label }),
           onclick: () => onRepeat(step),
         },
-        t("result.again"),
+        t("result-again"),
       ),
     sittingCard(joint, onSitting),
     mapChoice(joint, onMap),
@@ -83,19 +83,19 @@ function details({ evr, signal_to_noise: signal, repeatability, guided, prior })
   return h(
     "details",
     { class: "maps" },
-    h("summary", {}, t("result.details")),
-    h("p", { class: "small" }, t("result.details.evr", { percent: percent(evr) })),
-    signal !== null && h("p", { class: "small" }, t("result.details.signal", { value: number(signal, 0) })),
+    h("summary", {}, t("result-details")),
+    h("p", { class: "small" }, t("result-details-evr", { percent: percent(evr) })),
+    signal !== null && h("p", { class: "small" }, t("result-details-signal", { value: number(signal, 0) })),
     repeatability !== null &&
-      h("p", { class: "small" }, t("result.details.repeats", { percent: percent(repeatability) })),
+      h("p", { class: "small" }, t("result-details-repeats", { percent: percent(repeatability) })),
     guided &&
       !guided.offered && [
-        h("p", { class: "small" }, t("result.maps.kept.guided")),
+        h("p", { class: "small" }, t("result-maps-kept-guided")),
         checkTables({ guided, prior: null }),
       ],
     prior &&
-      !prior.offered && [h("p", { class: "small" }, t("result.maps.kept.prior")), checkTables({ guided: null, prior })],
-    guided && h("p", { class: "small" }, t("result.maps.details")),
+      !prior.offered && [h("p", { class: "small" }, t("result-maps-kept-prior")), checkTables({ guided: null, prior })],
+    guided && h("p", { class: "small" }, t("result-maps-details")),
   );
 }
 
@@ -105,10 +105,10 @@ function crossTalk(joints, rows) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("result.cross")),
-    h("p", { class: "quiet small" }, t("result.cross.lead")),
+    h("h2", {}, t("result-cross")),
+    h("p", { class: "quiet small" }, t("result-cross-lead")),
     scrollTable(
-      t("result.cross"),
+      t("result-cross"),
       "heat",
       h(
         "thead",
@@ -127,7 +127,7 @@ function crossTalk(joints, rows) {
           h(
             "tr",
             {},
-            h("th", { scope: "row" }, t("result.cross.asked", { joint: labels[i].toLowerCase() })),
+            h("th", { scope: "row" }, t("result-cross-asked", { joint: labels[i].toLowerCase() })),
             row.map(cell),
           ),
         ),
@@ -146,6 +146,6 @@ function cell(value) {
 /** In one sentence which sensors were left out, and why. @param {Record<string, string>} leftOut */
 export function leftOutWords(leftOut) {
   const which = Object.entries(leftOut).map(([name, why]) => `${name.replaceAll("_", " ")} (${why})`);
-  if (!which.length) return t("result.left-out.none");
-  return t("result.left-out", { count: which.length, which: which.join(", ") });
+  if (!which.length) return t("result-left-out-none");
+  return t("result-left-out", { count: which.length, which: which.join(", ") });
 }

@@ -13,8 +13,8 @@ export function expectedWords({ hits, hits_with_prompts: more, false_per_minute:
 
 /** @param {"hits" | "false" | "prompted"} what @param {Forecast | null} forecast @param {number} digits */
 function words(what, forecast, digits) {
-  if (!forecast) return t(`result.expected.${what}.none`);
-  return t(`result.expected.${what}`, {
+  if (!forecast) return t(`result-expected-${what}-none`);
+  return t(`result-expected-${what}`, {
     value: number(forecast.value, digits),
     uncertainty: number(forecast.uncertainty, digits),
   });

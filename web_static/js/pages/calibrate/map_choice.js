@@ -15,7 +15,7 @@ const ROWS = [
   ["hit_rate", percent],
   ["false_per_minute", (value) => number(value, 1)],
 ];
-const WORDS = { in_phase: "result.maps.in-phase", hit_rate: "result.maps.hit", false_per_minute: "result.maps.false" };
+const WORDS = { in_phase: "result-maps-in-phase", hit_rate: "result-maps-hit", false_per_minute: "result-maps-false" };
 
 /** The choice of a joint that has more than the standard calibration. @param {JointResult} joint @param {OnMap} onMap */
 export function mapChoice({ name, label, map, guided, prior }, onMap) {
@@ -27,12 +27,12 @@ export function mapChoice({ name, label, map, guided, prior }, onMap) {
   return h(
     "details",
     { class: "maps", open: true },
-    h("summary", {}, t(map === "pca" ? "result.maps.better" : `result.maps.in-use.${map}`)),
+    h("summary", {}, t(map === "pca" ? "result-maps-better" : `result-maps-in-use-${map}`)),
     guided?.offered && checkTables({ guided, prior: null }),
     prior?.offered && checkTables({ guided: null, prior }),
     segments(
-      t("result.maps.choose", { joint: label }),
-      offered.map((value) => ({ value, label: t(`result.maps.${value}`) })),
+      t("result-maps-choose", { joint: label }),
+      offered.map((value) => ({ value, label: t(`result-maps-${value}`) })),
       map,
       (chosen) => onMap(name, chosen),
     ),
@@ -50,7 +50,7 @@ export function checkTables({ guided, prior }) {
 /** The standard map and another one side by side. @param {"guided" | "prior"} kind @param {number} repetitions @param {MapCheck} pca @param {MapCheck} other */
 function checkTable(kind, repetitions, pca, other) {
   return [
-    h("p", { class: "quiet small" }, t(`result.maps.lead.${kind}`, { count: repetitions })),
+    h("p", { class: "quiet small" }, t(`result-maps-lead-${kind}`, { count: repetitions })),
     h(
       "table",
       { class: "small" },
@@ -61,7 +61,7 @@ function checkTable(kind, repetitions, pca, other) {
           "tr",
           {},
           h("td", {}),
-          ["pca", kind].map((one) => h("th", { scope: "col" }, t(`result.maps.${one}`))),
+          ["pca", kind].map((one) => h("th", { scope: "col" }, t(`result-maps-${one}`))),
         ),
       ),
       h(

@@ -16,8 +16,8 @@ export function whereFrom({ name, map, prior }) {
   return h(
     "div",
     { class: "origin small" },
-    h("p", { class: "quiet" }, t(`result.from.${origin}`)),
-    others && !others.repetitions && h("p", {}, t("result.from.others.lead", { count: others.people })),
+    h("p", { class: "quiet" }, t(`result-from-${origin}`)),
+    others && !others.repetitions && h("p", {}, t("result-from-others-lead", { count: others.people })),
     others && expectedWords(others).map((words) => h("p", {}, words)),
     !others && h("div", { class: "expected", "data-joint": name }),
   );
@@ -41,14 +41,14 @@ function expectedOfOwn(gesture) {
   } = gesture?.prediction ?? {};
   const sentences = [
     typeof hits === "number" &&
-      h("p", {}, t("result.expected.own.hits", { value: number(100 * hits, 0), bound: number(100 * (least ?? 0), 0) })),
+      h("p", {}, t("result-expected-own-hits", { value: number(100 * hits, 0), bound: number(100 * (least ?? 0), 0) })),
     typeof falsely === "number" &&
       typeof most === "number" &&
       h(
         "p",
         {},
-        t("result.expected.own.false", { value: falseWords({ false_per_minute: falsely }), bound: number(most, 0) }),
+        t("result-expected-own-false", { value: falseWords({ false_per_minute: falsely }), bound: number(most, 0) }),
       ),
   ];
-  return sentences.some(Boolean) ? sentences : [h("p", {}, t("result.expected.none"))];
+  return sentences.some(Boolean) ? sentences : [h("p", {}, t("result-expected-none"))];
 }

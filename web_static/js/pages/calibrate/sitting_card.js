@@ -23,12 +23,12 @@ export function sittingCard({ name, label, prior }, onSitting) {
   if (turned.length)
     return [
       turned,
-      choice(t("result.sits.right"), t("result.sits.right.label", { joint }), () => onSitting(name, true)),
+      choice(t("result-sits-right"), t("result-sits-right-label", { joint }), () => onSitting(name, true)),
     ];
   if (!Object.keys(as_worn).length) return [];
   return [
-    h("p", { class: "small" }, t("result.sits.left", { joint })),
-    choice(t("result.sits.follow"), t("result.sits.follow.label", { joint }), () => onSitting(name, false)),
+    h("p", { class: "small" }, t("result-sits-left", { joint })),
+    choice(t("result-sits-follow"), t("result-sits-follow-label", { joint }), () => onSitting(name, false)),
   ];
 }
 
@@ -41,13 +41,13 @@ function choice(words, label, onclick) {
 function turnedCard(joint, sits) {
   const { shift, mirrored, sensors } = sits;
   const words = mirrored
-    ? t("result.sits.mirrored", { joint })
-    : t("result.sits.shifted", { joint, count: back(shift, sensors), sensors });
+    ? t("result-sits-mirrored", { joint })
+    : t("result-sits-shifted", { joint, count: back(shift, sensors), sensors });
   return h(
     "div",
     { class: "sits" },
     mirrored ? mirroredPicture(joint, sits) : shiftedPicture(joint, sits),
-    h("div", { class: "small" }, h("p", {}, words), h("p", { class: "quiet" }, t("result.sits.lead"))),
+    h("div", { class: "small" }, h("p", {}, words), h("p", { class: "quiet" }, t("result-sits-lead"))),
   );
 }
 
@@ -74,7 +74,7 @@ function ring(label, sits, large, first, arrows) {
     const [x, y] = at(place, WORDS);
     const beside = x - SIZE / 2;
     const anchor = Math.abs(beside) < BESIDE ? "middle" : beside < 0 ? "end" : "start";
-    return s("text", { x, y, class: "side", "text-anchor": anchor }, t(`result.sits.side.${side}`));
+    return s("text", { x, y, class: "side", "text-anchor": anchor }, t(`result-sits-side-${side}`));
   };
   return s(
     "svg",
@@ -112,7 +112,7 @@ function shiftedPicture(joint, sits) {
   const [x0, y0] = at(from, TURN);
   const [x1, y1] = at(to, TURN);
   const [tipX, tipY] = at(to + (isForwards ? -0.35 : 0.35), TURN - 7);
-  const label = t("result.sits.picture", { joint, count, sensors });
+  const label = t("result-sits-picture", { joint, count, sensors });
   const arrow = s("path", {
     d: `M ${x0} ${y0} A ${TURN} ${TURN} 0 0 ${isForwards ? 1 : 0} ${x1} ${y1} L ${tipX} ${tipY}`,
     class: "turn",
@@ -132,7 +132,7 @@ function mirroredPicture(joint, sits) {
   const to = (((shift - from) % sensors) + sensors) % sensors;
   const [[x0, y0], [x1, y1]] = [at(from, TURN), at(to, TURN)];
   const [[ax, ay], [bx, by]] = [at(shift / 2, MIRROR), at((shift + sensors) / 2, MIRROR)];
-  return ring(t("result.sits.picture.mirrored", { joint }), sits, [from % sensors, to], from % sensors, [
+  return ring(t("result-sits-picture-mirrored", { joint }), sits, [from % sensors, to], from % sensors, [
     s("path", { d: `M ${ax} ${ay} L ${bx} ${by}`, class: "mirror" }),
     s("path", { d: `M ${x0} ${y0} L ${x1} ${y1} ${head(x0, y0, x1, y1)} ${head(x1, y1, x0, y0)}`, class: "turn" }),
   ]);

@@ -9,10 +9,10 @@ import { icon } from "../../widgets/icons.js";
 export function stepBar(steps, current, onGo, onRestart) {
   const list = h(
     "ol",
-    { class: "steps", "aria-label": t("calibrate.steps") },
+    { class: "steps", "aria-label": t("calibrate-steps") },
     steps.map((step, index) => {
       const status = step.status === "done" && step.kind !== "result" && step.message ? "failed" : step.status; // it can be used, but has to be repeated
-      const label = `${step.label}: ${t(`calibrate.step.${status}`)}`;
+      const label = `${step.label}: ${t(`calibrate-step-${status}`)}`;
       /** @type {Record<string, Node | string>} */
       const marks = { done: icon("tick", 16), failed: icon("undo", 16), skipped: "–" };
       const mark = marks[status] ?? String(index + 1);
@@ -41,6 +41,6 @@ export function stepBar(steps, current, onGo, onRestart) {
     "div",
     { class: "step-bar" },
     list,
-    hasBegun && h("button", { type: "button", class: "btn bare small", onclick: onRestart }, t("result.restart")),
+    hasBegun && h("button", { type: "button", class: "btn bare small", onclick: onRestart }, t("result-restart")),
   );
 }

@@ -73,8 +73,8 @@ export function showArming(app, root, read, onDrive, signal) {
     const reasons = reasonsAgainst(app.live, read.summary);
     missing.show(reasons);
     arm.disabled = isArming || reasons.length > 0;
-    write(arm, t(isArming ? "arm.busy" : "arm.go"));
-    write(brief, reasons.length ? t("arm.missing.short", { count: reasons.length }) : t("arm.front"));
+    write(arm, t(isArming ? "arm-busy" : "arm-go"));
+    write(brief, reasons.length ? t("arm-missing-short", { count: reasons.length }) : t("arm-front"));
   };
   const showAll = () => {
     settings.show({ ...read, dial: app.live.latest?.dial ?? 1 });
@@ -127,9 +127,9 @@ export function showArming(app, root, read, onDrive, signal) {
     h(
       "div",
       { class: "body" },
-      h("h1", { tabindex: "-1" }, t("chair.title", { name: read.chair.name })),
-      h("p", { class: "lead" }, t(nobodySits ? "chair.lead.simulated" : "chair.lead")),
-      nobodySits && h("p", { class: "card simulated" }, t("chair.simulated")),
+      h("h1", { tabindex: "-1" }, t("chair-title", { name: read.chair.name })),
+      h("p", { class: "lead" }, t(nobodySits ? "chair-lead-simulated" : "chair-lead")),
+      nobodySits && h("p", { class: "card simulated" }, t("chair-simulated")),
       missing.element,
       h("div", { class: "arming" }, h("div", { class: "stack" }, chair.element, settings.element), neutral.element),
       isVisitor && h("div", { class: "card pad-card" }, pads(app, until.signal).element),
@@ -137,7 +137,7 @@ export function showArming(app, root, read, onDrive, signal) {
     h(
       "div",
       { class: "foot" },
-      h("button", { type: "button", class: "btn", onclick: useVirtual }, t("chair.virtual")),
+      h("button", { type: "button", class: "btn", onclick: useVirtual }, t("chair-virtual")),
       brief,
       arm,
     ),

@@ -23,7 +23,7 @@ const EQUAL = 1e-6;
  */
 export function armingSummary({ onLoad, onPractise }) {
   const place = h("div", { class: "stack" });
-  const title = h("h2", {}, t("apply.card"));
+  const title = h("h2", {}, t("apply-card"));
   let shown = "";
   let isOpen = false;
   /** @param {Application} read */
@@ -31,7 +31,7 @@ export function armingSummary({ onLoad, onPractise }) {
     const key = JSON.stringify([read.summary, read.controls.saved, read.controls.hash, read.clinic, read.dial]);
     if (key === shown) return;
     shown = key;
-    const more = h("details", { open: isOpen }, h("summary", {}, t("apply.more")), details(read));
+    const more = h("details", { open: isOpen }, h("summary", {}, t("apply-more")), details(read));
     more.addEventListener("toggle", () => (isOpen = more.open));
     put(place, chosenSet(read, onLoad), main(read), practice(read.summary, onPractise), more);
   };
@@ -42,14 +42,14 @@ export function armingSummary({ onLoad, onPractise }) {
 function chosenSet({ controls, summary }, onLoad) {
   const { title } = summary.parameters;
   const titles = [...new Set([title, ...controls.saved])];
-  const change = h("a", { class: "btn bare small", href: "#/controls" }, t("apply.change"));
+  const change = h("a", { class: "btn bare small", href: "#/controls" }, t("apply-change"));
   if (titles.length === 1) return h("div", { class: "row" }, h("b", { class: "set-title" }, title), change);
   const select = selection(
     titles.map((one) => ({ value: one, label: one })),
     title,
     onLoad,
   );
-  return h("div", { class: "row chosen-set" }, h("div", { class: "grow" }, field(t("apply.set"), select)), change);
+  return h("div", { class: "row chosen-set" }, h("div", { class: "grow" }, field(t("apply-set"), select)), change);
 }
 
 /** @param {Application} read */
@@ -72,12 +72,12 @@ function figures(read) {
 /** @param {ParametersSummary} set */
 function how({ mode_u1, mode_u2, cruise_time, turn_cruise_time }) {
   return rows(
-    [t("apply.forward-back"), t(`how.u1.${mode_u1}`), t(`how.u1.${mode_u1}.hint`)],
-    [t("apply.turning"), t(`how.u2.${mode_u2}`), t(`how.u2.${mode_u2}.hint`)],
-    mode_u1 === "acceleration" && [t("apply.cruise"), t("apply.cruise.value", { time: number(cruise_time, 0) }), ""],
+    [t("apply-forward-back"), t(`how-u1-${mode_u1}`), t(`how-u1-${mode_u1}-hint`)],
+    [t("apply-turning"), t(`how-u2-${mode_u2}`), t(`how-u2-${mode_u2}-hint`)],
+    mode_u1 === "acceleration" && [t("apply-cruise"), t("apply-cruise-value", { time: number(cruise_time, 0) }), ""],
     mode_u2 === "acceleration" && [
-      t("apply.turn-cruise"),
-      t("apply.turn-cruise.value", { time: number(turn_cruise_time, 0) }),
+      t("apply-turn-cruise"),
+      t("apply-turn-cruise-value", { time: number(turn_cruise_time, 0) }),
       "",
     ],
   );
@@ -88,8 +88,8 @@ function details(read) {
   const { cutoff, hash } = read.summary.parameters;
   return rows(
     ...SPEEDS.filter(({ name }) => !FIRST.has(name)).map((speed) => limit(speed, read)),
-    [t("speed.cutoff"), `${number(cutoff, 1)} ${t("unit.cutoff")}`, ""],
-    [t("apply.hash"), h("code", {}, hash.slice(0, FINGERPRINT)), t("apply.hash.hint")],
+    [t("speed-cutoff"), `${number(cutoff, 1)} ${t("unit-cutoff")}`, ""],
+    [t("apply-hash"), h("code", {}, hash.slice(0, FINGERPRINT)), t("apply-hash-hint")],
   );
 }
 
@@ -102,9 +102,9 @@ function limit(speed, { summary, controls, clinic, chair, dial }) {
   const own = controls.parameters.speeds[speed.name];
   const levels = Math.min(clinic[speed.name], chair.speeds[speed.name]);
   let why = "";
-  if (applied < Math.min(own, levels) - EQUAL) why = t("apply.level.dial", { share: percent(dial) });
-  else if (applied < own - EQUAL) why = t(`apply.level.${clinic[speed.name] <= levels ? "clinic" : "chair"}`);
-  return [t(`speed.${speed.name}`), speedWords(speed, applied), why];
+  if (applied < Math.min(own, levels) - EQUAL) why = t("apply-level-dial", { share: percent(dial) });
+  else if (applied < own - EQUAL) why = t(`apply-level-${clinic[speed.name] <= levels ? "clinic" : "chair"}`);
+  return [t(`speed-${speed.name}`), speedWords(speed, applied), why];
 }
 
 /** @param {...(Row | false)} all */
@@ -124,8 +124,8 @@ function rows(...all) {
 function practice({ practised: { trials, last }, last_practised: before, differences }, onPractise) {
   if (trials > 0)
     return rows([
-      t("apply.practised"),
-      t("apply.practised.trials", { count: trials, when: last ? moment(last) : "" }),
+      t("apply-practised"),
+      t("apply-practised-trials", { count: trials, when: last ? moment(last) : "" }),
       "",
     ]);
   return h(
@@ -135,8 +135,8 @@ function practice({ practised: { trials, last }, last_practised: before, differe
       "p",
       {},
       before && differences.length
-        ? t("apply.differs", { title: before.title, hash: before.hash.slice(0, FINGERPRINT) })
-        : t("apply.unpractised"),
+        ? t("apply-differs", { title: before.title, hash: before.hash.slice(0, FINGERPRINT) })
+        : t("apply-unpractised"),
     ),
     differences.length > 0 &&
       h(
@@ -144,6 +144,6 @@ function practice({ practised: { trials, last }, last_practised: before, differe
         {},
         differences.map((difference) => h("li", {}, differenceWords(difference))),
       ),
-    h("button", { type: "button", class: "btn small", onclick: onPractise }, t("apply.practise")),
+    h("button", { type: "button", class: "btn small", onclick: onPractise }, t("apply-practise")),
   );
 }

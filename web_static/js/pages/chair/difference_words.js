@@ -18,62 +18,62 @@ export function differenceWords(difference) {
       return gestureWords(difference);
     case "binding": {
       const { control, before, now } = difference;
-      return change(t(`control.${control}`), boundWords(control, before), boundWords(control, now));
+      return change(t(`control-${control}`), boundWords(control, before), boundWords(control, now));
     }
   }
 }
 
 /** @param {FieldDifference} difference */
 function fieldWords({ name, before, now }) {
-  if (name === "title") return t("differs.title", { before: String(before), now: String(now) });
-  if (name === "profile" || name === "order") return t(`differs.${name}`);
+  if (name === "title") return t("differs-title", { before: String(before), now: String(now) });
+  if (name === "profile" || name === "order") return t(`differs-${name}`);
   if (name === "mode_u1" || name === "mode_u2") {
-    const how = `how.${name.slice(-2)}`;
-    return change(t(how), lowered(t(`${how}.${before}`)), lowered(t(`${how}.${now}`)));
+    const how = `how-${name.slice(-2)}`;
+    return change(t(how), lowered(t(`${how}-${before}`)), lowered(t(`${how}-${now}`)));
   }
-  const what = t(`speed.${name}`);
+  const what = t(`speed-${name}`);
   const { unit, factor, digits } = SPEEDS.find((speed) => speed.name === name) ?? {
     unit: name,
     factor: 1,
     digits: DIGITS[/** @type {keyof DIGITS} */ (name)],
   };
   const [old, fresh] = distinct(Number(before) * factor, Number(now) * factor, digits);
-  return change(what, old, `${fresh} ${t(`unit.${unit}`)}`);
+  return change(what, old, `${fresh} ${t(`unit-${unit}`)}`);
 }
 
 /** @param {GestureDifference} difference */
 function gestureWords({ gesture, feature, name, before, now }) {
   const label = named(gesture);
   if (name === "feature") return change(label, lowered(t(featureKey(before))), lowered(t(featureKey(now))));
-  if (name !== "dead_zone" && name !== "full") return t(`differs.gesture.${name}`, { gesture: label });
+  if (name !== "dead_zone" && name !== "full") return t(`differs-gesture-${name}`, { gesture: label });
   const [old, fresh] = distinct(100 * Number(before), 100 * Number(now), 0);
-  const what = t(name === "full" ? "handle.full" : "handle.from");
-  return change(`${label} ${what}`, old, t(`handle.${feature}`, { value: fresh }));
+  const what = t(name === "full" ? "handle-full" : "handle-from");
+  return change(`${label} ${what}`, old, t(`handle-${feature}`, { value: fresh }));
 }
 
 /** @param {string | number | null} feature */
 function featureKey(feature) {
-  return feature === "rate" ? "tune.rate" : "tune.displacement";
+  return feature === "rate" ? "tune-rate" : "tune-displacement";
 }
 
 /** @param {string} control @param {BoundGestures[]} bindings */
 function boundWords(control, bindings) {
-  const together = t(control === "stop" ? "control.and" : "control.or");
+  const together = t(control === "stop" ? "control-and" : "control-or");
   const parts = bindings.map(({ gestures, gain }) => {
-    const words = gestures.map(named).join(together) || t("differs.nothing");
-    return t("differs.gain", { gestures: words, gain: short(gain) });
+    const words = gestures.map(named).join(together) || t("differs-nothing");
+    return t("differs-gain", { gestures: words, gain: short(gain) });
   });
-  return parts.join("; ") || t("differs.nothing");
+  return parts.join("; ") || t("differs-nothing");
 }
 
 /** @param {NamedGesture} gesture */
 function named({ joint, direction }) {
-  return direction === 1 ? joint : t("gesture.back", { joint });
+  return direction === 1 ? joint : t("gesture-back", { joint });
 }
 
 /** @param {string} what @param {string} before @param {string} now */
 function change(what, before, now) {
-  return t("differs.change", { what, before, now });
+  return t("differs-change", { what, before, now });
 }
 
 /**

@@ -57,18 +57,18 @@ export function showDrivePanel(app, root, read, id, signal) {
     h(
       "div",
       { class: "body" },
-      h("h1", { class: "unseen", tabindex: "-1" }, t("driving.title", { name })),
+      h("h1", { class: "unseen", tabindex: "-1" }, t("driving-title", { name })),
       h(
         "div",
         { class: "drive-panel" },
         state.element,
         speed.element,
-        h("section", { class: "card commands" }, h("h2", {}, t("driving.commands")), square.element),
+        h("section", { class: "card commands" }, h("h2", {}, t("driving-commands")), square.element),
         h("div", { class: "chair-report" }, chair.element),
         h(
           "section",
           { class: "card movements" },
-          h("h2", {}, t("driving.movements")),
+          h("h2", {}, t("driving-movements")),
           isVisitor && pads(app, signal, { hasNote: false }).element,
           levels.element,
           h("p", { class: "small" }, stopWords(read.controls.parameters)),
@@ -78,7 +78,7 @@ export function showDrivePanel(app, root, read, id, signal) {
     h(
       "div",
       { class: "foot" },
-      h("span", { class: "grow" }, isSimulated(app, read) && `${t("chair.simulated")} `, t("arm.front")),
+      h("span", { class: "grow" }, isSimulated(app, read) && `${t("chair-simulated")} `, t("arm-front")),
       end.element,
     ),
   );
@@ -95,7 +95,7 @@ export function showDrivePanel(app, root, read, id, signal) {
 function stateCard(app, about, onEnd) {
   const place = h("div", { class: "grow", "aria-live": "polite" });
   const element = h("section", { class: "card drive-state" }, place, about);
-  const waits = waitWords("driving.paused");
+  const waits = waitWords("driving-paused");
   let shown = "";
   /** @param {LiveMessage} now */
   const show = (now) => {
@@ -108,9 +108,9 @@ function stateCard(app, about, onEnd) {
     set(place, { "aria-live": urgency(halt) });
     app.root.scrollTop = 0; // the fault and Continue must be in view
     if (halt) {
-      const end = h("button", { type: "button", class: "btn", onclick: onEnd }, t("driving.end"));
+      const end = h("button", { type: "button", class: "btn", onclick: onEnd }, t("driving-end"));
       put(place, faultCard(app, halt, waits.element, end));
-    } else put(place, h("div", { class: "huge long" }, t(`driving.${key}`)), h("p", {}, t(`driving.${key}.why`)));
+    } else put(place, h("div", { class: "huge long" }, t(`driving-${key}`)), h("p", {}, t(`driving-${key}-why`)));
   };
   return { element, show };
 }
@@ -130,28 +130,28 @@ function speedCard(app, read, signal) {
     const v = velocity ?? 0;
     const turn = (omega ?? 0) * DEGREES;
     write(speed, number(Math.abs(v), 2));
-    const turning = `driving.turn.${turn > 0 ? "left" : "right"}`;
+    const turning = `driving-turn-${turn > 0 ? "left" : "right"}`;
     const words = [
-      v < BACKWARDS ? t("driving.reverse") : "",
+      v < BACKWARDS ? t("driving-reverse") : "",
       Math.abs(turn) < STRAIGHT ? "" : t(turning, { turn: number(Math.abs(turn), 0) }),
     ];
-    write(way, words.filter(Boolean).join(", ") || (v ? t("driving.straight") : t("driving.stands")));
-    write(upTo, t("dial.up-to", { speed: number(highest(dial), 2) }));
+    write(way, words.filter(Boolean).join(", ") || (v ? t("driving-straight") : t("driving-stands")));
+    write(upTo, t("dial-up-to", { speed: number(highest(dial), 2) }));
   };
   /** @param {LiveMessage} now */
   const show = (now) => showTwist(now.chair ?? now, now.dial);
   const element = h(
     "section",
     { class: "card drive-speed" },
-    h("h2", {}, t("driving.speed")),
-    h("div", { class: "big giant" }, speed, h("small", {}, t("unit.speed"))),
+    h("h2", {}, t("driving-speed")),
+    h("div", { class: "big giant" }, speed, h("small", {}, t("unit-speed"))),
     way,
     h(
       "div",
       { class: "dial" },
-      h("b", { class: "small" }, t("dial.title")),
+      h("b", { class: "small" }, t("dial-title")),
       h("div", { class: "spread" }, speedDial(app, signal), upTo),
-      h("p", { class: "quiet small" }, t("dial.hint")),
+      h("p", { class: "quiet small" }, t("dial-hint")),
     ),
   );
   showTwist({ v: 0, omega: 0 }, app.live.latest?.dial);
@@ -160,14 +160,14 @@ function speedCard(app, read, signal) {
 
 /** @param {App} app */
 function endButton(app) {
-  const element = h("button", { type: "button", class: "btn large" }, t("driving.end"));
+  const element = h("button", { type: "button", class: "btn large" }, t("driving-end"));
   const run = async () => {
     element.disabled = true;
-    write(element, t("driving.ending"));
+    write(element, t("driving-ending"));
     const drive = await app.toasts.attempt(() => app.api.post("/drives/current/end"));
     if (drive) return app.go(`#/drive/chair/over/${drive.id}`);
     element.disabled = false;
-    write(element, t("driving.end"));
+    write(element, t("driving-end"));
   };
   element.addEventListener("click", run);
   return { element, run };

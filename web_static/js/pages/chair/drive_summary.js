@@ -14,17 +14,17 @@ export async function showDriveSummary(app, root, id, signal) {
     h(
       "div",
       { class: "body" },
-      h("h1", { tabindex: "-1" }, t("driven.title")),
-      h("p", { class: "lead" }, drive ? moment(drive.started) : t("driven.gone")),
+      h("h1", { tabindex: "-1" }, t("driven-title")),
+      h("p", { class: "lead" }, drive ? moment(drive.started) : t("driven-gone")),
       drive && figures(drive),
-      drive && h("p", { class: "quiet small" }, t("over.source", { source: drive.source.description })),
-      drive && h("p", { class: "quiet small fingerprint" }, t("driven.hash", { hash: drive.hash.slice(0, 8) })),
+      drive && h("p", { class: "quiet small" }, t("over-source", { source: drive.source.description })),
+      drive && h("p", { class: "quiet small fingerprint" }, t("driven-hash", { hash: drive.hash.slice(0, 8) })),
     ),
     h(
       "div",
       { class: "foot" },
       h("span", { class: "grow" }),
-      h("a", { class: "btn go", href: "#/drive/chair" }, t("driven.again")),
+      h("a", { class: "btn go", href: "#/drive/chair" }, t("driven-again")),
     ),
   );
 }
@@ -32,14 +32,14 @@ export async function showDriveSummary(app, root, id, signal) {
 /** @param {import("types/api").DriveView} drive */
 function figures({ distance, started, ended, end }) {
   const time = ended ? (Date.parse(ended) - Date.parse(started)) / 1000 : null;
-  const how = `driven.end.${end}`;
+  const how = `driven-end-${end}`;
   /** @param {string} title @param {...import("types/dom").Child} value */
   const figure = (title, ...value) => h("section", { class: "card" }, h("h2", {}, t(title)), value);
   return h(
     "div",
     { class: "large-figures" },
-    figure("driven.distance", h("div", { class: "big" }, number(distance, 1), " ", h("small", {}, "m"))),
-    figure("driven.time", h("div", { class: "big" }, time === null ? "–" : clock(time))),
-    figure("driven.end", h("p", { class: "how-ended" }, hasText(how) ? t(how) : end)),
+    figure("driven-distance", h("div", { class: "big" }, number(distance, 1), " ", h("small", {}, "m"))),
+    figure("driven-time", h("div", { class: "big" }, time === null ? "–" : clock(time))),
+    figure("driven-end", h("p", { class: "how-ended" }, hasText(how) ? t(how) : end)),
   );
 }

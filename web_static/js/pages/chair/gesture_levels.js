@@ -17,7 +17,7 @@ export function gestureLevels(parameters, onMoving) {
   const labels = jointLabels(parameters.profile);
   const rows = boundGestures(parameters).map(({ gesture, controls }) => {
     const words = gestureWords(gesture, labels);
-    const does = controls.map((control) => t(`control.${control}`)).join(", ");
+    const does = controls.map((control) => t(`control-${control}`)).join(", ");
     return { gesture, words, ...levelBar(gesture, words, does) };
   });
   /** @type {string | null} */
@@ -48,7 +48,7 @@ export function stopGesture({ profile, gestures, bindings }) {
   const labels = jointLabels(profile);
   const names = bindings.filter(({ control }) => control === "stop").flatMap((binding) => binding.gestures);
   const bound = names.flatMap((name) => gestures.find((gesture) => gesture.name === name) ?? []);
-  return bound.map((gesture) => gestureWords(gesture, labels).toLowerCase()).join(t("control.and"));
+  return bound.map((gesture) => gestureWords(gesture, labels).toLowerCase()).join(t("control-and"));
 }
 
 /** Each gesture that does something, with what it does; the stop gesture's parts among them. @param {DriveParameters} parameters */

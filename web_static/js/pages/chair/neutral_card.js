@@ -9,7 +9,7 @@ import { gestureLevels, stopGesture } from "./gesture_levels.js";
 
 /** @param {import("../../live/live.js").Live} live @param {AbortSignal} signal */
 export function neutralCard(live, signal) {
-  const title = h("h2", {}, t("neutral.card"));
+  const title = h("h2", {}, t("neutral-card"));
   const words = h("p", { class: "at-rest", role: "status" });
   const place = h("div", {});
   const stop = h("p", { class: "small" });
@@ -24,7 +24,7 @@ export function neutralCard(live, signal) {
       words.classList.toggle("moves", moving.length > 0);
       write(
         words,
-        moving.length ? t("neutral.moves", { gestures: moving.join(", ").toLowerCase() }) : t("neutral.rest"),
+        moving.length ? t("neutral-moves", { gestures: moving.join(", ").toLowerCase() }) : t("neutral-rest"),
       );
     });
     put(place, levels.element);
@@ -34,14 +34,14 @@ export function neutralCard(live, signal) {
   /** @param {CustomEvent<LiveMessage>} event */
   const show = ({ detail: now }) => {
     if (now.shirt.alive) levels?.show(now);
-    else write(words, t("neutral.no-shirt"));
+    else write(words, t("neutral-no-shirt"));
   };
   live.addEventListener("tick", show, { signal });
   const element = h(
     "section",
     { class: "card" },
     title,
-    h("p", { class: "quiet" }, t("neutral.lead")),
+    h("p", { class: "quiet" }, t("neutral-lead")),
     place,
     words,
     stop,
@@ -52,5 +52,5 @@ export function neutralCard(live, signal) {
 /** @param {DriveParameters} parameters */
 export function stopWords(parameters) {
   const gestures = stopGesture(parameters);
-  return gestures ? t("neutral.stop", { gestures }) : t("neutral.no-stop");
+  return gestures ? t("neutral-stop", { gestures }) : t("neutral-no-stop");
 }

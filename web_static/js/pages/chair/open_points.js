@@ -7,8 +7,8 @@ import { h, put } from "../../widgets/dom.js";
  * @param {import("../../live/live.js").Live} live @param {{refusals: string[]}} summary
  */
 export function reasonsAgainst(live, { refusals }) {
-  if (!live.connected || live.latest?.control !== "alive") return [t("arm.lost")];
-  return [...new Set([...(live.latest.fault ? [t("arm.fault")] : []), ...refusals])];
+  if (!live.connected || live.latest?.control !== "alive") return [t("arm-lost")];
+  return [...new Set([...(live.latest.fault ? [t("arm-fault")] : []), ...refusals])];
 }
 
 export function missingList() {
@@ -23,7 +23,7 @@ export function missingList() {
     element.classList.toggle("ready", !reasons.length);
     put(
       element,
-      h("h2", {}, reasons.length ? t("arm.missing", { count: reasons.length }) : t("arm.ready")),
+      h("h2", {}, reasons.length ? t("arm-missing", { count: reasons.length }) : t("arm-ready")),
       reasons.length > 0 &&
         h(
           "ul",

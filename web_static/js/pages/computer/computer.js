@@ -13,8 +13,8 @@ const ICONS = /** @type {const} */ ({ good: "tick", attention: "warning", bad: "
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
-  if (app.me?.role !== "owner") throw new ApiError(t("computer.owner"), FORBIDDEN);
-  const go = h("button", { type: "button", class: "btn go" }, t("computer.go", { seconds: SECONDS }));
+  if (app.me?.role !== "owner") throw new ApiError(t("computer-owner"), FORBIDDEN);
+  const go = h("button", { type: "button", class: "btn go" }, t("computer-go", { seconds: SECONDS }));
   const course = measuringCourse(signal);
   const problem = h("p", { class: "problem", role: "alert" });
   const place = h("div", { class: "stack" });
@@ -32,7 +32,7 @@ export async function show(app, root, { signal }) {
     } finally {
       course.end();
       go.disabled = false;
-      write(go, t("computer.again"));
+      write(go, t("computer-again"));
     }
     place.querySelector("h2")?.focus();
   };
@@ -42,17 +42,17 @@ export async function show(app, root, { signal }) {
     h(
       "div",
       { class: "body stack" },
-      h("div", {}, h("h1", { tabindex: "-1" }, t("rail.computer")), h("p", { class: "lead" }, t("computer.lead"))),
+      h("div", {}, h("h1", { tabindex: "-1" }, t("rail-computer")), h("p", { class: "lead" }, t("computer-lead"))),
       h(
         "section",
         { class: "card stack" },
-        h("p", {}, t("computer.measured")),
+        h("p", {}, t("computer-measured")),
         h("div", {}, go),
         course.element,
         problem,
       ),
       place,
-      h("div", {}, h("a", { class: "btn small", href: "#/settings" }, t("people.back"))),
+      h("div", {}, h("a", { class: "btn small", href: "#/settings" }, t("people-back"))),
     ),
   );
 }
@@ -61,18 +61,18 @@ export async function show(app, root, { signal }) {
 function measuringCourse(signal) {
   const words = h("p", { class: "unseen", role: "status" }); // written once: each change is read out
   const left = h("p", { class: "number", "aria-hidden": "true" });
-  const bar = h("progress", { max: SECONDS, value: 0, "aria-label": t("computer.progress"), hidden: true });
+  const bar = h("progress", { max: SECONDS, value: 0, "aria-label": t("computer-progress"), hidden: true });
   let timer = 0;
   let since = 0;
   const draw = () => {
     const time = (performance.now() - since) / 1000;
     bar.value = Math.min(SECONDS, time);
-    write(left, time < SECONDS ? t("computer.measuring", { left: Math.ceil(SECONDS - time) }) : t("computer.counting"));
+    write(left, time < SECONDS ? t("computer-measuring", { left: Math.ceil(SECONDS - time) }) : t("computer-counting"));
   };
   const begin = () => {
     since = performance.now();
     bar.hidden = false;
-    write(words, t("computer.measuring", { left: SECONDS }));
+    write(words, t("computer-measuring", { left: SECONDS }));
     draw();
     timer = setInterval(draw, SHOW_EVERY);
   };
@@ -90,20 +90,20 @@ function measuringCourse(signal) {
 function results({ machine, screens }) {
   const failing = screens.filter(({ verdict }) => verdict === "bad").length;
   const worst = failing ? "bad" : machine.verdict;
-  const words = failing ? `${machine.message} ${t("computer.screens.bad", { count: failing })}` : machine.message;
+  const words = failing ? `${machine.message} ${t("computer-screens-bad", { count: failing })}` : machine.message;
   return [
     h(
       "section",
       { class: `card findings ${worst}` },
-      h("h2", { tabindex: "-1" }, t("computer.machine")),
+      h("h2", { tabindex: "-1" }, t("computer-machine")),
       h("p", { class: "summary" }, mark({ verdict: worst }), h("b", {}, words)),
       list(machine.findings),
     ),
     h(
       "section",
       { class: "card findings" },
-      h("h2", {}, t("computer.screens")),
-      screens.length ? list(screens) : h("p", { class: "quiet" }, t("computer.no-screens")),
+      h("h2", {}, t("computer-screens")),
+      screens.length ? list(screens) : h("p", { class: "quiet" }, t("computer-no-screens")),
     ),
   ];
 }
@@ -123,6 +123,6 @@ function mark({ verdict }) {
     "span",
     { class: `mark ${verdict}` },
     icon(ICONS[verdict], 20),
-    h("span", { class: "unseen" }, t(`computer.verdict.${verdict}`), ": "),
+    h("span", { class: "unseen" }, t(`computer-verdict-${verdict}`), ": "),
   );
 }

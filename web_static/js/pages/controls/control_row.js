@@ -26,7 +26,7 @@ export function controlRow(control, draft, isOpen, onToggle) {
   const labels = jointLabels(draft.profile);
   const gestures = binding.gestures.flatMap((name) => draft.gesture(name) ?? []);
   const words = gestures.map((gesture) => gestureWords(gesture, labels));
-  const live = h("span", { class: "tag", style: "visibility:hidden" }, t("control.live"));
+  const live = h("span", { class: "tag", style: "visibility:hidden" }, t("control-live"));
   const isStop = control === "stop";
   const bars = isStop
     ? []
@@ -34,7 +34,7 @@ export function controlRow(control, draft, isOpen, onToggle) {
         gesture,
         bar: handleBar(gesture, words[i], (from, full) => draft.setHandles(gesture.name, from, full)),
       }));
-  const joined = words.join(t(isStop ? "control.and" : "control.or")).toLowerCase() || t("control.nothing");
+  const joined = words.join(t(isStop ? "control-and" : "control-or")).toLowerCase() || t("control-nothing");
   /** @type {Threshold[]} */
   const steppers = [];
   const tuning = h("div", { hidden: !isOpen }, fineTune(control, binding, gestures, words, labels, draft, steppers));
@@ -48,13 +48,13 @@ export function controlRow(control, draft, isOpen, onToggle) {
     tune.setAttribute("aria-expanded", String(!tuning.hidden));
     onToggle(control, !tuning.hidden);
   });
-  const title = h("h2", {}, t(`control.${control}`), h("span", { class: "quiet" }, ` ← ${joined}`));
+  const title = h("h2", {}, t(`control-${control}`), h("span", { class: "quiet" }, ` ← ${joined}`));
   const element = h(
     "section",
     { class: "control" },
     h("div", { class: "row" }, title, h("span", { class: "grow" }), live, tune),
     bars.map(({ bar }) => bar.element),
-    isStop && h("p", { class: "quiet small" }, t("control.together")),
+    isStop && h("p", { class: "quiet small" }, t("control-together")),
     tuning,
   );
 
@@ -88,7 +88,7 @@ function fineTune(control, binding, gestures, words, labels, draft, steppers) {
       {
         type: "button",
         class: "btn small chip",
-        "aria-label": t("tune.remove", { gesture: words[i] }),
+        "aria-label": t("tune-remove", { gesture: words[i] }),
         onclick: () => draft.unbind(control, gesture.name),
       },
       words[i],
@@ -99,13 +99,13 @@ function fineTune(control, binding, gestures, words, labels, draft, steppers) {
   return h(
     "div",
     { class: "tuning" },
-    setting(t("tune.gestures"), "", h("span", { class: "spread" }, chips, addGesture(control, binding, labels, draft))),
+    setting(t("tune-gestures"), "", h("span", { class: "spread" }, chips, addGesture(control, binding, labels, draft))),
     control !== "stop" &&
       setting(
-        t("tune.gain"),
-        t("tune.gain.hint"),
+        t("tune-gain"),
+        t("tune-gain-hint"),
         stepper({
-          label: t("tune.gain"),
+          label: t("tune-gain"),
           value: binding.gain,
           low: 0,
           high: highestGain,
@@ -120,11 +120,11 @@ function fineTune(control, binding, gestures, words, labels, draft, steppers) {
 
 /** @param {Gesture} gesture @param {string} words @param {ControlsDraft} draft @param {Threshold[]} steppers to add to */
 function oneGesture(gesture, words, draft, steppers) {
-  const unit = t(`unit.${gesture.feature}`);
+  const unit = t(`unit-${gesture.feature}`);
   const high = 100 * draft.limits.threshold[1];
   /** @param {"from" | "full"} place @param {Threshold["which"]} which @param {(value: number) => void} onChange */
   const threshold = (place, which, onChange) => {
-    const label = t(`handle.${place}.label`, { gesture: words });
+    const label = t(`handle-${place}-label`, { gesture: words });
     const one = stepper({
       label,
       value: 100 * gesture[which],
@@ -135,24 +135,24 @@ function oneGesture(gesture, words, draft, steppers) {
       onChange: (share) => onChange(share / 100),
     });
     steppers.push({ name: gesture.name, which, stepper: one });
-    return setting(t(`tune.${place}`), words, one);
+    return setting(t(`tune-${place}`), words, one);
   };
   const now = () => draft.gesture(gesture.name) ?? gesture;
-  const options = FEATURES.map((value) => ({ value, label: t(`tune.${value}`) }));
+  const options = FEATURES.map((value) => ({ value, label: t(`tune-${value}`) }));
   return [
     threshold("from", "dead_zone", (value) => draft.setHandles(gesture.name, value, now().full)),
     threshold("full", "full", (value) => draft.setHandles(gesture.name, now().dead_zone, value)),
     setting(
-      t("tune.feature"),
+      t("tune-feature"),
       words,
-      segments(t("tune.feature"), options, gesture.feature, (feature) => draft.setFeature(gesture.name, feature)),
+      segments(t("tune-feature"), options, gesture.feature, (feature) => draft.setFeature(gesture.name, feature)),
     ),
   ];
 }
 
 /** @param {Control} control @param {Binding} binding @param {Record<string, string>} labels @param {ControlsDraft} draft */
 function addGesture(control, binding, labels, draft) {
-  const options = [{ value: "", label: t("tune.add") }];
+  const options = [{ value: "", label: t("tune-add") }];
   for (const direction of [1, -1]) {
     for (const joint of Object.keys(labels)) {
       const gesture = gestureFor(draft.settings.gestures, joint, direction);
@@ -167,6 +167,6 @@ function addGesture(control, binding, labels, draft) {
     const [joint, direction] = value.split(":");
     if (joint) draft.bind(control, joint, direction === "1" ? 1 : -1);
   });
-  select.setAttribute("aria-label", t("tune.add"));
+  select.setAttribute("aria-label", t("tune-add"));
   return select;
 }

@@ -31,7 +31,7 @@ export async function show(app, root, { signal }) {
   const here = patientHere(app, root);
   if (!here) return;
   if (!here.hasProfile) {
-    emptyPage(root, t("controls.none.title"), t("controls.none.lead"), "#/calibrate", t("controls.none.go"));
+    emptyPage(root, t("controls-none-title"), t("controls-none-lead"), "#/calibrate", t("controls-none-go"));
     return;
   }
   const [view, equipment] = await Promise.all([app.api.get("/controls"), app.api.get("/equipment")]);
@@ -50,13 +50,13 @@ export async function show(app, root, { signal }) {
   const redo = iconButton("redo", () => ask(() => draft.api.post("/controls/redo")));
   const onward = h("a", { class: "btn go" }); // to driving, or to what is missing before
   const suggest = async () => {
-    const answer = await askPerson(app.question, t("controls.suggest.ask"), [
-      { value: "suggest", label: t("controls.suggest.go"), kind: "btn go" },
+    const answer = await askPerson(app.question, t("controls-suggest-ask"), [
+      { value: "suggest", label: t("controls-suggest-go"), kind: "btn go" },
       { value: null, label: t("cancel") },
     ]);
     if (answer && !signal.aborted) await ask(() => draft.api.post("/controls/suggest"), true);
   };
-  const suggestButton = h("button", { type: "button", class: "btn", onclick: suggest }, t("controls.suggest"));
+  const suggestButton = h("button", { type: "button", class: "btn", onclick: suggest }, t("controls-suggest"));
   const title = h("span", {});
   /** @type {ReturnType<typeof controlRow>[]} */
   let rows = [];
@@ -85,9 +85,9 @@ export async function show(app, root, { signal }) {
     write(problem, message);
     const isMendedHere = page === "controls";
     onward.href = isMendedHere ? "#/drive" : `#/${page}`;
-    write(onward, t(isMendedHere ? "controls.drive" : `drive.obstacle.${page}`));
+    write(onward, t(isMendedHere ? "controls-drive" : `drive-obstacle-${page}`));
     showButtons();
-    write(title, t("controls.lead", { title: draft.settings.title }));
+    write(title, t("controls-lead", { title: draft.settings.title }));
   };
   const draw = () => {
     rows = CONTROLS.map((control) =>
@@ -105,10 +105,10 @@ export async function show(app, root, { signal }) {
   draft.addEventListener("handles", ({ detail }) => rows.forEach((row) => row.follow(detail)));
   draft.addEventListener("saving", () => {
     write(problem, "");
-    write(state, t("controls.saving"));
+    write(state, t("controls-saving"));
   });
   draft.addEventListener("saved", () => {
-    write(state, t("controls.saved"));
+    write(state, t("controls-saved"));
     speeds.showLowered();
     showState();
   });
@@ -129,7 +129,7 @@ export async function show(app, root, { signal }) {
     ({ detail }) => ["controls", "equipment", "everything"].includes(detail) && draft.readAgain().catch(() => null),
     { signal },
   );
-  app.addEventListener("drafts", ({ detail }) => draft.isUnsent && detail.push(t("controls.draft")), { signal });
+  app.addEventListener("drafts", ({ detail }) => draft.isUnsent && detail.push(t("controls-draft")), { signal });
   signal.addEventListener("abort", () => (signal.reason === OTHER_SESSION ? draft.drop() : draft.flush()));
 
   put(
@@ -137,7 +137,7 @@ export async function show(app, root, { signal }) {
     h(
       "div",
       { class: "body" },
-      h("h1", { tabindex: "-1" }, t("controls.title")),
+      h("h1", { tabindex: "-1" }, t("controls-title")),
       h("div", { class: "lead controls-lead" }, title, undo, redo),
       suggestion,
       h("div", { class: "controls-columns" }, rowsPlace, sidePlace),
@@ -151,7 +151,7 @@ export async function show(app, root, { signal }) {
       busy,
       problem,
       suggestButton,
-      h("a", { class: "btn bare", href: "#/adapt/look" }, t("adapt.link")),
+      h("a", { class: "btn bare", href: "#/adapt/look" }, t("adapt-link")),
       state,
       onward,
     ),
@@ -178,17 +178,17 @@ function tryCard(app, draft, signal) {
     square.show(now.u1 ?? 0, now.u2 ?? 0);
     write(u1, signedPercent(now.u1));
     write(u2, signedPercent(now.u2));
-    write(u1Words, t(draft.settings.mode_u1 === "acceleration" ? "try.u1.acceleration" : "try.u1"));
+    write(u1Words, t(draft.settings.mode_u1 === "acceleration" ? "try-u1-acceleration" : "try-u1"));
   };
   app.live.addEventListener("tick", showLive, { signal });
   square.show(0, 0);
   return h(
     "section",
     { class: "card try" },
-    h("h2", {}, t("try.title")),
+    h("h2", {}, t("try-title")),
     square.element,
     h("div", { class: "row" }, u1Words, u1),
-    h("div", { class: "row" }, h("span", {}, t("try.u2")), u2),
-    h("p", { class: "quiet small" }, t("try.note")),
+    h("div", { class: "row" }, h("span", {}, t("try-u2")), u2),
+    h("p", { class: "quiet small" }, t("try-note")),
   );
 }

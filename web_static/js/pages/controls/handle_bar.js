@@ -48,9 +48,9 @@ export function handleBar(gesture, name, onChange) {
   const show = () => {
     const isCrowded = share(at.full) - share(at.from) < CROWDED;
     for (const which of HANDLES) {
-      const value = t(`handle.${gesture.feature}`, { value: number(100 * at[which], 0) });
+      const value = t(`handle-${gesture.feature}`, { value: number(100 * at[which], 0) });
       handles[which].style.left = words[which].style.left = `${share(at[which])}%`;
-      write(words[which], `${t(`handle.${which}`)} ${value}`);
+      write(words[which], `${t(`handle-${which}`)} ${value}`);
       words[which].dataset.turn = turnOf(which, isCrowded, share(at[which]));
       set(handles[which], {
         "aria-valuemin": 0,
@@ -109,7 +109,7 @@ function handle(which, name) {
     "data-handle": which,
     role: "slider",
     tabindex: "0",
-    "aria-label": t(`handle.${which}.label`, { gesture: name }),
+    "aria-label": t(`handle-${which}-label`, { gesture: name }),
   });
 }
 

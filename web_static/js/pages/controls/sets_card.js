@@ -21,32 +21,32 @@ export function setsCard(app, draft) {
     draft.setTitle(name.value.trim());
     await draft.flush();
     if (draft.view.parameters.title === name.value.trim())
-      app.toasts.show(t("sets.saved", { title: name.value.trim() }));
+      app.toasts.show(t("sets-saved", { title: name.value.trim() }));
   };
   /** @param {string} chosen */
   const load = (chosen) =>
     app.toasts.attempt(async () => {
       await draft.ask(() => draft.api.post("/controls/load", { title: chosen }));
-      app.toasts.show(t("sets.loaded", { title: chosen }));
+      app.toasts.show(t("sets-loaded", { title: chosen }));
     });
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("sets.title")),
+    h("h2", {}, t("sets-title")),
     h(
       "form",
       { class: "stack", onsubmit: save },
       draft.view.saved.length > 1 &&
         field(
-          t("sets.load"),
+          t("sets-load"),
           selection(
             draft.view.saved.map((one) => ({ value: one, label: one })),
             title,
             load,
           ),
         ),
-      field(t("sets.name"), name),
-      h("button", { class: "btn" }, t("sets.save")),
+      field(t("sets-name"), name),
+      h("button", { class: "btn" }, t("sets-save")),
     ),
   );
 }

@@ -16,13 +16,13 @@ export function modesCard(draft) {
     h(
       "div",
       {},
-      h("h3", {}, t(`how.${name}`)),
+      h("h3", {}, t(`how-${name}`)),
       choices(
-        t(`how.${name}`),
+        t(`how-${name}`),
         MODES.map((mode) => ({
           value: mode,
-          label: t(`how.${name}.${mode}`),
-          hint: t(`how.${name}.${mode}.hint`),
+          label: t(`how-${name}-${mode}`),
+          hint: t(`how-${name}-${mode}-hint`),
         })),
         draft.settings[`mode_${name}`],
         (mode) => draft.setMode(`mode_${name}`, mode),
@@ -31,7 +31,7 @@ export function modesCard(draft) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("how.title")),
+    h("h2", {}, t("how-title")),
     h("div", { class: "stack" }, axis("u1"), axis("u2")),
   );
 }
@@ -47,7 +47,7 @@ export function speedsCard(draft) {
   const showLowered = () => {
     for (const speed of SPEEDS) {
       const [own, limit] = [draft.settings.speeds[speed.name], draft.view.held?.[speed.name]];
-      rows.note(speed.name, limit < own ? t("speed.held", { value: speedWords(speed, limit) }) : "");
+      rows.note(speed.name, limit < own ? t("speed-held", { value: speedWords(speed, limit) }) : "");
     }
   };
   /** @param {"u1" | "u2"} axis */
@@ -56,7 +56,7 @@ export function speedsCard(draft) {
   const element = h(
     "section",
     { class: "card" },
-    h("h2", {}, t("speeds.title")),
+    h("h2", {}, t("speeds-title")),
     rows.elements,
     value(draft, "cutoff", { step: 0.5, digits: 1 }),
     keeps("u1") && value(draft, "cruise_time", { step: 1, digits: 0 }),
@@ -68,7 +68,7 @@ export function speedsCard(draft) {
 /** @param {ControlsDraft} draft @param {ValueName} name @param {{step: number, digits: number}} scale */
 function value(draft, name, { step, digits }) {
   const [low, high] = draft.limits[name];
-  const label = t(`speed.${name}`);
+  const label = t(`speed-${name}`);
   const control = stepper({
     label,
     value: draft.settings[name],
@@ -76,8 +76,8 @@ function value(draft, name, { step, digits }) {
     high,
     step,
     digits,
-    unit: t(`unit.${name}`),
+    unit: t(`unit-${name}`),
     onChange: (chosen) => draft.setValue(name, chosen),
   });
-  return setting(label, t(`speed.${name}.hint`), control);
+  return setting(label, t(`speed-${name}-hint`), control);
 }

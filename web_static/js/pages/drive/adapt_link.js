@@ -10,7 +10,7 @@ export function adaptLink(app, trial, signal) {
     const proposal = (await app.api.get("/adaptation").catch(() => null))?.proposal;
     const own = proposal?.changes && proposal.trials.includes(trial.id) ? proposal : null; // of this trial
     link.hidden = !own;
-    if (own) write(link, t(own.applied === null ? "adapt.link.proposed" : "adapt.link.applied"));
+    if (own) write(link, t(own.applied === null ? "adapt-link-proposed" : "adapt-link-applied"));
   };
   app.live.addEventListener("changed", ({ detail }) => detail === "adaptation" && read(), { signal });
   read();

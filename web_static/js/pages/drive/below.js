@@ -24,10 +24,10 @@ function showBelow(root, name, card, task) {
     h(
       "div",
       { class: "body" },
-      h("h1", { tabindex: "-1" }, t(`drive.place.${name}`)),
-      h("p", { class: "lead" }, t(`drive.place.${name}.lead`)),
+      h("h1", { tabindex: "-1" }, t(`drive-place-${name}`)),
+      h("p", { class: "lead" }, t(`drive-place-${name}-lead`)),
       card,
     ),
-    h("div", { class: "foot" }, h("span", { class: "grow" }), h("a", { class: "btn go", href: back }, t("drive.done"))),
+    h("div", { class: "foot" }, h("span", { class: "grow" }), h("a", { class: "btn go", href: back }, t("drive-done"))),
   );
 }

@@ -12,7 +12,7 @@ const FEELS = ["unicycle", "wheelchair"];
 
 /** @param {import("../../main.js").App} app @param {ChairsView} chairs what GET /chairs answered */
 export function chairChoice(app, chairs) {
-  const hint = h("span", { class: "quiet small", role: "status" }, t(`which.feel.${chairs.dynamics}.hint`));
+  const hint = h("span", { class: "quiet small", role: "status" }, t(`which-feel-${chairs.dynamics}-hint`));
   let dynamics = chairs.dynamics;
   /** @param {number | null} id null: the virtual chair */
   const choose = (id) => app.toasts.attempt(() => app.api.put("/chairs/chosen", { id, dynamics }));
@@ -24,11 +24,11 @@ export function chairChoice(app, chairs) {
       dynamics = before;
       for (const input of feels.querySelectorAll("input")) input.checked = input.value === before;
     }
-    write(hint, t(`which.feel.${dynamics}.hint`));
+    write(hint, t(`which-feel-${dynamics}-hint`));
   };
   const feels = segments(
-    t("which.feel"),
-    FEELS.map((value) => ({ value, label: t(`which.feel.${value}`) })),
+    t("which-feel"),
+    FEELS.map((value) => ({ value, label: t(`which-feel-${value}`) })),
     dynamics,
     feel,
   );
@@ -37,17 +37,17 @@ export function chairChoice(app, chairs) {
     h(
       "button",
       { type: "button", class: "btn", onclick: async () => (await choose(id)) && app.go("#/drive/chair") },
-      t("which.real.go", { name }),
+      t("which-real-go", { name }),
     );
   const isOwner = app.me?.role === "owner";
   const none = [
-    h("span", { class: "quiet small" }, t(isOwner ? "which.none" : "which.none.ask")),
-    isOwner && h("a", { class: "btn bare", href: "#/settings" }, t("which.none.go")),
+    h("span", { class: "quiet small" }, t(isOwner ? "which-none" : "which-none-ask")),
+    isOwner && h("a", { class: "btn bare", href: "#/settings" }, t("which-none-go")),
   ];
   return h(
     "section",
     { class: "card which" },
-    h("div", {}, h("div", { class: "spread" }, h("h2", {}, t("which.virtual")), feels), hint),
-    h("div", { class: "spread" }, h("h2", {}, t("which.real")), chairs.chairs.length ? chairs.chairs.map(real) : none),
+    h("div", {}, h("div", { class: "spread" }, h("h2", {}, t("which-virtual")), feels), hint),
+    h("div", { class: "spread" }, h("h2", {}, t("which-real")), chairs.chairs.length ? chairs.chairs.map(real) : none),
   );
 }

@@ -34,7 +34,7 @@ export async function show(app, root, { signal, rest }) {
   if (place) return drive(app, root, running, place, signal);
   if (rest[0] === "over") return over(app, root, rest[1], signal);
   if (!app.session?.has_profile)
-    return emptyPage(root, t("drive.none.title"), t("drive.none.lead"), "#/calibrate", t("drive.none.go"));
+    return emptyPage(root, t("drive-none-title"), t("drive-none-lead"), "#/calibrate", t("drive-none-go"));
   if (rest[0] === "chair") return (await import("../chair/chair.js")).show(app, root, { signal, rest });
   const [name, ...task] = rest;
   if (Object.hasOwn(BELOW, name ?? "")) return BELOW[name](app, root, task, signal);
@@ -54,7 +54,7 @@ async function drive(app, root, running, where, signal) {
   if (signal.aborted) return;
   let trial = running;
   const path = plan.paths.find((one) => one.name === where.path);
-  if (!path) throw new Error(t("drive.no-path", { path: where.path }));
+  if (!path) throw new Error(t("drive-no-path", { path: where.path }));
   const isVisitor = equipment.shirt?.kind === "simulator" && equipment.body?.kind === "visitor";
   const lookWhetherOver = async () => {
     const { id, patient_id: patient } = trial ?? {};
@@ -93,8 +93,8 @@ async function over(app, root, id, signal) {
   const isHarder = next.reason === "next level";
   showTrialOver(app, root, read, (trial) => [
     adaptLink(app, trial, signal),
-    h("a", { class: "btn", href: "#/drive" }, t("over.other")),
-    button({ floorplan: trial.floorplan, path: trial.path_name }, !isHarder, t("over.next")),
-    isHarder && button({ floorplan: next.floorplan, path: next.path }, true, t("over.harder")),
+    h("a", { class: "btn", href: "#/drive" }, t("over-other")),
+    button({ floorplan: trial.floorplan, path: trial.path_name }, !isHarder, t("over-next")),
+    isHarder && button({ floorplan: next.floorplan, path: next.path }, true, t("over-harder")),
   ]);
 }

@@ -67,7 +67,7 @@ export class DrivePicture extends TypedEvents {
     const viewWhy = this.view.why();
     // When the 3D view is chosen, the plan is shown until the view has a picture.
     const isPlan = this.#chosen === "plan" || (this.shows === "plan" && viewWhy !== "");
-    write(this.#words, isPlan && this.#chosen === "view" ? t(`picture.${viewWhy}`) : "");
+    write(this.#words, isPlan && this.#chosen === "view" ? t(`picture-${viewWhy}`) : "");
     if (!isPlan) this.#show(viewWhy === "" ? "view" : "none", viewWhy);
     else if (this.#live.age < limit) this.#show("plan", "");
     else this.#show("none", "stale");

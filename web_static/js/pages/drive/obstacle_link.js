@@ -9,8 +9,8 @@ import { t } from "../../texts.js";
  * @param {EquipmentView["shirt"]} shirt @param {ObstacleView | null} obstacle
  */
 export function wayBeforeDriving(shirt, obstacle) {
-  if (!shirt) return { href: "#/shirt", go: t("drive.no-shirt.go"), message: t("drive.no-shirt") };
+  if (!shirt) return { href: "#/shirt", go: t("drive-no-shirt-go"), message: t("drive-no-shirt") };
   return (
-    obstacle && { href: `#/${obstacle.page}`, go: t(`drive.obstacle.${obstacle.page}`), message: obstacle.message }
+    obstacle && { href: `#/${obstacle.page}`, go: t(`drive-obstacle-${obstacle.page}`), message: obstacle.message }
   );
 }

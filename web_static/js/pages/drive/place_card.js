@@ -36,8 +36,8 @@ export function placeCard(plan, path) {
     write(done, progressWords(now));
     if (now.leader) bar?.show(now.leader_distance);
     else write(off, asideWords(now));
-    write(contacts, count ? t("trial.contacts", { count }) : "");
-    if (now.stages > 1) write(name, t("trial.stage", { stage: now.stage + 1, stages: now.stages, title: now.title }));
+    write(contacts, count ? t("trial-contacts", { count }) : "");
+    if (now.stages > 1) write(name, t("trial-stage", { stage: now.stage + 1, stages: now.stages, title: now.title }));
   };
   write(name, `${plan.title} · ${path.title}`);
   write(time, clock(0));
@@ -48,15 +48,15 @@ export function placeCard(plan, path) {
 
 /** The progress: metres along the line, or degrees that are left to turn. @param {TrialMoment} now */
 function progressWords(now) {
-  if (now.kind !== "turn") return t("trial.done", { done: number(now.done, 1), length: number(now.length, 0) });
+  if (now.kind !== "turn") return t("trial-done", { done: number(now.done, 1), length: number(now.length, 0) });
   const left = Math.round(((now.length ?? 0) - (now.done ?? 0)) * DEGREES);
-  return t(left < 0 ? "trial.turned.over" : "trial.turned", { left: number(Math.abs(left), 0) });
+  return t(left < 0 ? "trial-turned-over" : "trial-turned", { left: number(Math.abs(left), 0) });
 }
 
 /** The distance from the line, or from the spot of a turn. @param {TrialMoment} now */
 function asideWords({ kind, cross_track: aside }) {
   const distance = Math.abs(aside ?? 0) < OFF_PATH ? 0 : Math.abs(aside ?? 0);
-  return t(kind === "turn" ? "trial.spot" : "trial.off", { distance: number(distance, 2) });
+  return t(kind === "turn" ? "trial-spot" : "trial-off", { distance: number(distance, 2) });
 }
 
 /** The distance to a leader in words, and a mark on a bar whose middle is what is asked. @param {number} asked m */
@@ -76,7 +76,7 @@ function leaderBar(asked) {
     const error = metres - asked;
     const tone = Math.abs(error) <= REFERENCE.numbers.leader_near ? "right" : error < 0 ? "near" : "far";
     element.dataset.tone = tone;
-    write(words, `${t("trial.behind", { distance: number(distance, 1) })}: ${t(`trial.behind.${tone}`)}`);
+    write(words, `${t("trial-behind", { distance: number(distance, 1) })}: ${t(`trial-behind-${tone}`)}`);
     element.style.setProperty("--at", `${Math.min(100, (50 * metres) / asked)}%`);
   };
   return { element, show };

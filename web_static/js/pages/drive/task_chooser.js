@@ -24,19 +24,19 @@ export async function showChooser(app, root, [floorplan, path], signal) {
   const about = h("p", { class: "quiet small" });
   const cards = h("div", { class: "plan-cards" });
   const buttons = GROUPS.map((group) =>
-    h("button", { type: "button", class: "btn", onclick: () => choose(group) }, t(`drive.group.${group}`)),
+    h("button", { type: "button", class: "btn", onclick: () => choose(group) }, t(`drive-group-${group}`)),
   );
   /** @param {typeof GROUPS[number]} group */
   const choose = (group) => {
     buttons.forEach((button, i) => set(button, { "aria-pressed": String(GROUPS[i] === group) }));
     const found = places(plans.filter((plan) => plan.group === group));
-    put(title, t(`drive.group.${group}`));
+    put(title, t(`drive-group-${group}`));
     put(
       about,
-      group === "own" && !found.length && [t("drive.own.none"), " "],
+      group === "own" && !found.length && [t("drive-own-none"), " "],
       group === "own" &&
         app.me?.role !== "reviewer" &&
-        h("a", { class: "btn small", href: "#/plans" }, t("drive.own.go")),
+        h("a", { class: "btn small", href: "#/plans" }, t("drive-own-go")),
     );
     put(
       cards,
@@ -49,9 +49,9 @@ export async function showChooser(app, root, [floorplan, path], signal) {
     h(
       "div",
       { class: "body" },
-      h("h1", { tabindex: "-1" }, t("drive.choose.title")),
-      h("p", { class: "lead" }, t("drive.choose.lead")),
-      h("div", { class: "task-groups", role: "group", "aria-label": t("drive.choose.groups") }, buttons),
+      h("h1", { tabindex: "-1" }, t("drive-choose-title")),
+      h("p", { class: "lead" }, t("drive-choose-lead")),
+      h("div", { class: "task-groups", role: "group", "aria-label": t("drive-choose-groups") }, buttons),
       title,
       about,
       cards,
@@ -113,7 +113,7 @@ function placeCard(app, levels, current, signal) {
     )
       return;
     const [request] = document.paths;
-    const label = t("drive.plan.label", { plan: plan.title, path: request.title });
+    const label = t("drive-plan-label", { plan: plan.title, path: request.title });
     put(picture, planPicture(document, request.points, { label, request }).element);
   };
   const first = levels.find(({ name }) => name === current?.plan.name) ?? levels[0];
@@ -126,7 +126,7 @@ function placeCard(app, levels, current, signal) {
       {},
       title,
       !scene &&
-        h("span", { class: "quiet small" }, t("drive.size", { width: number(width, 0), height: number(height, 0) })),
+        h("span", { class: "quiet small" }, t("drive-size", { width: number(width, 0), height: number(height, 0) })),
     ),
     scene && h("p", { class: "quiet small about" }, scene.about),
     picture,
@@ -135,7 +135,7 @@ function placeCard(app, levels, current, signal) {
       { class: "stack" },
       levels.length > 1 &&
         segments(
-          t("drive.level", { plan: title }),
+          t("drive-level", { plan: title }),
           levels.map(({ name, level, title: own }) => ({ value: name, label: level?.title ?? own })),
           first.name,
           (name) => setLevel(levels.find((one) => one.name === name) ?? first),

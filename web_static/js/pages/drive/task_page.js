@@ -38,7 +38,7 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
   if (chairs.chosen !== null) return location.replace("#/drive/chair");
   const chosen = findTask(plans, floorplan, path);
   const task = chosen ?? findTask(plans, proposal.floorplan, proposal.path);
-  if (!task) throw new Error(t("drive.no-path", { path: proposal.path }));
+  if (!task) throw new Error(t("drive-no-path", { path: proposal.path }));
   const has3d = canDrawIn3d();
   const start = () => {
     if (!has3d) chooseView("plan");
@@ -59,9 +59,9 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
         mayDrive &&
           !obstacle &&
           now.shirt?.kind === "simulator" &&
-          h("a", { class: "btn bare small", href: "#/shirt" }, t("drive.body.change")),
+          h("a", { class: "btn bare small", href: "#/shirt" }, t("drive-body-change")),
       ),
-      h("a", { class: "btn", href: taskLink("tasks", task) }, t("drive.choose")),
+      h("a", { class: "btn", href: taskLink("tasks", task) }, t("drive-choose")),
       mayDrive && mainButton(now, obstacle, start, has3d),
     );
     if (hadFocus) /** @type {HTMLElement | null} */ (foot.querySelector(".btn.go"))?.focus();
@@ -81,18 +81,18 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
     h(
       "div",
       { class: "body" },
-      h("h1", { tabindex: "-1" }, t("drive.title")),
-      h("p", { class: "lead" }, t(`drive.why.${chosen ? "chosen" : proposal.reason}`)),
-      !has3d && h("p", { class: "card no-view", role: "status" }, t("picture.choose")),
+      h("h1", { tabindex: "-1" }, t("drive-title")),
+      h("p", { class: "lead" }, t(`drive-why-${chosen ? "chosen" : proposal.reason}`)),
+      !has3d && h("p", { class: "card no-view", role: "status" }, t("picture-choose")),
       taskCard(app, task, signal),
       warningsPlace(app, patient.id, signal),
       h(
         "nav",
-        { class: "drive-places", "aria-label": t("drive.places") },
-        placeLink("test", "#/interface_test", h("span", {}, t("drive.place.test.state"))),
-        placeLink("chair", taskLink("chairs", task), h("span", {}, t(`drive.place.chair.${chairs.dynamics}`))),
+        { class: "drive-places", "aria-label": t("drive-places") },
+        placeLink("test", "#/interface_test", h("span", {}, t("drive-place-test-state"))),
+        placeLink("chair", taskLink("chairs", task), h("span", {}, t(`drive-place-chair-${chairs.dynamics}`))),
         screens && placeLink("screen", taskLink("screen", task), screenState(app, screens, signal)),
-        mayDrive && placeLink("plans", "#/plans", h("span", {}, t("drive.place.plans.state"))),
+        mayDrive && placeLink("plans", "#/plans", h("span", {}, t("drive-place-plans-state"))),
       ),
     ),
     foot,
@@ -125,7 +125,7 @@ function mainButton({ shirt }, obstacle, start, has3d) {
   return h(
     "button",
     { type: "button", class: "btn go large", onclick: start },
-    t(has3d ? "drive.start" : "drive.start.plan"),
+    t(has3d ? "drive-start" : "drive-start-plan"),
   );
 }
 
@@ -137,7 +137,7 @@ function taskCard(app, task, signal) {
     .then((plan) => {
       const request = plan.paths.find(({ name }) => name === task.path.name);
       if (signal.aborted || !request) return;
-      const label = t("drive.plan.label", { plan: plan.title, path: request.title });
+      const label = t("drive-plan-label", { plan: plan.title, path: request.title });
       put(picture, planPicture(plan, request.points, { label, request }).element);
     })
     .catch(() => {}); // the start of the trial says what is wrong with the plan
@@ -151,7 +151,7 @@ function taskCard(app, task, signal) {
 
 /** @param {"test" | "chair" | "screen" | "plans"} name @param {string} href @param {HTMLElement} state */
 function placeLink(name, href, state) {
-  return h("a", { class: "card", href }, h("b", {}, t(`drive.place.${name}`)), state);
+  return h("a", { class: "card", href }, h("b", {}, t(`drive-place-${name}`)), state);
 }
 
 /** How many screens the patient has, and whether each has a picture to drive by. @param {App} app @param {ScreensView} read @param {AbortSignal} signal */
@@ -175,6 +175,6 @@ function screenState(app, read, signal) {
 function bodyWords({ shirt, body }, obstacle) {
   const way = wayBeforeDriving(shirt, obstacle);
   if (way || !shirt) return h("b", {}, way?.message);
-  if (shirt.kind !== "simulator" || !body) return t("drive.body.patient");
-  return t(body.kind === "person" ? `drive.body.person.${body.skill}` : `drive.body.${body.kind}`);
+  if (shirt.kind !== "simulator" || !body) return t("drive-body-patient");
+  return t(body.kind === "person" ? `drive-body-person-${body.skill}` : `drive-body-${body.kind}`);
 }

@@ -23,8 +23,8 @@ export function taskLink(page, { plan, path }) {
 /** What is asked, and how far it is. @param {PathView} path */
 export function pathWords({ task, length }) {
   const words = [];
-  if (task !== "path") words.push(t(`task.${task}`));
-  if (!WITHOUT_LENGTH.has(task)) words.push(t("drive.length", { length: number(length, 0) }));
+  if (task !== "path") words.push(t(`task-${task}`));
+  if (!WITHOUT_LENGTH.has(task)) words.push(t("drive-length", { length: number(length, 0) }));
   return words.join(" · ");
 }
 

@@ -82,7 +82,7 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
         "div",
         { class: "above-bar" },
         offer.element,
-        h("div", { class: "hud dial-card" }, h("b", { class: "small" }, t("dial.title")), speedDial(app, signal)),
+        h("div", { class: "hud dial-card" }, h("b", { class: "small" }, t("dial-title")), speedDial(app, signal)),
         views.pad,
         drawn.pad,
       ),
@@ -97,7 +97,7 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
   const begin = (started) => {
     trial = started;
     end.setMeasuring(false);
-    const words = t("trial.name", { number: started.number, plan: started.floorplan_title });
+    const words = t("trial-name", { number: started.number, plan: started.floorplan_title });
     write(title, words);
     place.name(words);
   };
@@ -112,8 +112,8 @@ function planOffer(picture, onPlan) {
   const element = h(
     "div",
     { class: "hud plan-offer", hidden: true },
-    h("p", {}, t("trial.pause.often")),
-    h("button", { type: "button", class: "btn go", onclick: onPlan }, t("picture.plan.show")),
+    h("p", {}, t("trial-pause-often")),
+    h("button", { type: "button", class: "btn go", onclick: onPlan }, t("picture-plan-show")),
   );
   /** @param {number} pauses of this trial */
   const show = (pauses) => (element.hidden = pauses < PAUSES || picture.shows === "plan");
@@ -141,7 +141,7 @@ function bottomBar(app, path, [views, endElement], onPlots, signal) {
   /** @param {boolean} open */
   const sendPlots = (open) => app.toasts.attempt(() => app.api.post("/view/clinician/plots", { open }));
   let isOpen = false;
-  const plots = h("button", { type: "button", class: "btn wide-only", "aria-pressed": "false" }, t("trial.plots"));
+  const plots = h("button", { type: "button", class: "btn wide-only", "aria-pressed": "false" }, t("trial-plots"));
   /** @param {boolean} open */
   const setPlots = (open) => {
     isOpen = open;
@@ -160,8 +160,8 @@ function bottomBar(app, path, [views, endElement], onPlots, signal) {
     h(
       "div",
       { class: "speed" },
-      h("div", { class: "quiet small" }, t("trial.speed")),
-      h("div", { class: "big" }, speed, " ", h("small", {}, t("unit.speed"))),
+      h("div", { class: "quiet small" }, t("trial-speed")),
+      h("div", { class: "big" }, speed, " ", h("small", {}, t("unit-speed"))),
     ),
     square.element,
     instruction,
@@ -188,14 +188,14 @@ function bottomBar(app, path, [views, endElement], onPlots, signal) {
  * @param {App} app
  */
 function endButton(app) {
-  const element = h("button", { type: "button", class: "btn end", disabled: true }, t("trial.end"));
+  const element = h("button", { type: "button", class: "btn end", disabled: true }, t("trial-end"));
   let onEnding = /** @param {boolean} _is */ (_is) => {};
   /** The stop of a halted trial ends with it, when the person has seen it. @type {() => number | null} */
   let stopsSeen = () => null;
   /** @param {boolean} is whether the trial is over and being measured */
   const setMeasuring = (is) => {
     element.disabled = is;
-    write(element, t(is ? "trial.ending" : "trial.end"));
+    write(element, t(is ? "trial-ending" : "trial-end"));
   };
   const run = async () => {
     const stops = stopsSeen();

@@ -19,7 +19,7 @@ export async function show(app, root, { signal }) {
   const here = patientHere(app, root);
   if (!here) return;
   if (!here.hasProfile)
-    return emptyPage(root, t("drive.none.title"), t("drive.none.lead"), "#/calibrate", t("drive.none.go"));
+    return emptyPage(root, t("drive-none-title"), t("drive-none-lead"), "#/calibrate", t("drive-none-go"));
   const mayTest = app.me?.role !== "reviewer";
   const path = /** @type {const} */ (`/interface-tests?patient=${here.patient.id}`);
   const [read, equipment] = await Promise.all([app.api.get(path), app.api.get("/equipment")]);
@@ -60,8 +60,8 @@ export async function show(app, root, { signal }) {
     h(
       "div",
       { class: "body" },
-      h("h1", { tabindex: "-1" }, t("rail.interface_test")),
-      h("p", { class: "lead" }, t("test.lead")),
+      h("h1", { tabindex: "-1" }, t("rail-interface-test")),
+      h("p", { class: "lead" }, t("test-lead")),
       h(
         "div",
         { class: "stack" },
@@ -96,9 +96,9 @@ function stageOf(app, mayTest, onRunning, signal) {
     h("div", { class: "test-side" }, words, time, count),
     cross.element,
   );
-  const start = h("button", { type: "button", class: "btn go large" }, t("test.start"));
-  const end = h("button", { type: "button", class: "btn large" }, t("test.end-it"));
-  const drive = h("a", { class: "btn", href: "#/drive" }, t("test.drive"));
+  const start = h("button", { type: "button", class: "btn go large" }, t("test-start"));
+  const end = h("button", { type: "button", class: "btn large" }, t("test-end-it"));
+  const drive = h("a", { class: "btn", href: "#/drive" }, t("test-drive"));
   let isRunning = false;
   const setRunning = (/** @type {boolean} */ is) => {
     isRunning = is;
@@ -112,14 +112,14 @@ function stageOf(app, mayTest, onRunning, signal) {
     const now = (isRunning && app.live.latest?.test) || null;
     cross.show(now);
     if (!now) {
-      write(words, t(isRunning ? "test.wait" : "test.before"));
+      write(words, t(isRunning ? "test-wait" : "test-before"));
       write(time, "");
       write(count, "");
       return;
     }
-    write(words, t(`test.phase.${now.phase}`));
+    write(words, t(`test-phase-${now.phase}`));
     write(time, clock(Math.ceil(now.remaining ?? 0)));
-    write(count, t("test.count", { count: now.acquired }));
+    write(count, t("test-count", { count: now.acquired }));
   };
   /** @param {HTMLButtonElement} button @param {() => Promise<unknown>} act */
   const once = (button, act) =>

@@ -32,7 +32,7 @@ export function workloadCard(app, test) {
     write(problem, "");
     try {
       const saved = await app.api.put(`/interface-tests/${test.id}/workload`, answers);
-      write(status, `${t("test.workload.saved")} ${sum(saved)}`);
+      write(status, `${t("test-workload-saved")} ${sum(saved)}`);
     } catch (error) {
       write(problem, failureWords(error));
     }
@@ -40,8 +40,8 @@ export function workloadCard(app, test) {
   return h(
     "section",
     { class: "card workload" },
-    h("h2", {}, t("test.workload")),
-    h("p", { class: "quiet" }, t("test.workload.lead")),
+    h("h2", {}, t("test-workload")),
+    h("p", { class: "quiet" }, t("test-workload-lead")),
     h(
       "div",
       { class: "workload-questions" },
@@ -51,7 +51,7 @@ export function workloadCard(app, test) {
     h(
       "div",
       { class: "spread" },
-      h("button", { type: "button", class: "btn", onclick: save }, t("test.workload.save")),
+      h("button", { type: "button", class: "btn", onclick: save }, t("test-workload-save")),
       status,
     ),
   );
@@ -73,13 +73,13 @@ function question(name, answers) {
     {
       type: "button",
       class: "btn small bare",
-      "aria-label": t("test.workload.clear", { question: t(`test.workload.${name}`) }),
+      "aria-label": t("test-workload-clear", { question: t(`test-workload-${name}`) }),
     },
-    t("test.workload.leave-out"),
+    t("test-workload-leave-out"),
   );
   const show = () => {
     const answer = answers[name];
-    const words = answer === null ? t("test.workload.none") : String(answer);
+    const words = answer === null ? t("test-workload-none") : String(answer);
     input.classList.toggle("unanswered", answer === null);
     set(input, { "aria-valuetext": words });
     write(value, words);
@@ -100,13 +100,13 @@ function question(name, answers) {
     input.focus();
   });
   const [low, high] = [h("span", {}), h("span", {})];
-  put(low, t(`test.workload.low.${name === "performance" ? name : "other"}`));
-  put(high, t(`test.workload.high.${name === "performance" ? name : "other"}`));
+  put(low, t(`test-workload-low-${name === "performance" ? name : "other"}`));
+  put(high, t(`test-workload-high-${name === "performance" ? name : "other"}`));
   show();
   return h(
     "div",
     { class: "workload-question" },
-    h("div", { class: "row" }, h("label", { for: id }, t(`test.workload.${name}`)), value),
+    h("div", { class: "row" }, h("label", { for: id }, t(`test-workload-${name}`)), value),
     input,
     h("div", { class: "row small quiet", id: `${id}-ends` }, low, high),
     clear,
@@ -115,5 +115,5 @@ function question(name, answers) {
 
 /** @param {InterfaceTestView} test */
 function sum({ raw_tlx: mean }) {
-  return mean === null ? "" : t("test.workload.sum", { value: number(mean, 0) });
+  return mean === null ? "" : t("test-workload-sum", { value: number(mean, 0) });
 }

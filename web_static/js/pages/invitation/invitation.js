@@ -18,9 +18,9 @@ export async function show(app, root) {
       h(
         "div",
         { class: "door card stack" },
-        h("h1", { tabindex: "-1" }, t("invitation.not")),
+        h("h1", { tabindex: "-1" }, t("invitation-not")),
         h("p", { class: "lead", role: "alert" }, failureWords(error)),
-        h("div", {}, h("button", { type: "button", class: "btn", onclick: leave }, t("invitation.leave"))),
+        h("div", {}, h("button", { type: "button", class: "btn", onclick: leave }, t("invitation-leave"))),
       ),
     );
   }
@@ -40,7 +40,7 @@ function door(app, code, { name, role, is_new: isNew }) {
   const account = h("input", { type: "text", autocomplete: "username", value: name, readonly: true });
   const password = h("input", { type: "password", autocomplete: "new-password", required: true });
   const problem = h("p", { class: "problem", role: "alert" });
-  const go = h("button", { class: "btn go large" }, t("invitation.go"));
+  const go = h("button", { class: "btn go large" }, t("invitation-go"));
   /** @param {SubmitEvent} event */
   const submit = async (event) => {
     event.preventDefault();
@@ -59,17 +59,17 @@ function door(app, code, { name, role, is_new: isNew }) {
   return h(
     "div",
     { class: "door card" },
-    h("h1", { tabindex: "-1" }, t(isNew ? "invitation.title" : "invitation.again", { name })),
-    h("p", { class: "lead" }, t(`people.role.${role}.about`)),
-    app.me?.signed_in && h("p", { class: "small" }, t("invitation.signed-in", { name: app.me.name })),
+    h("h1", { tabindex: "-1" }, t(isNew ? "invitation-title" : "invitation-again", { name })),
+    h("p", { class: "lead" }, t(`people-role-${role}-about`)),
+    app.me?.signed_in && h("p", { class: "small" }, t("invitation-signed-in", { name: app.me.name })),
     h(
       "form",
       { class: "stack", onsubmit: submit },
-      field(t("sign-in.name"), account),
+      field(t("sign-in-name"), account),
       passwordField(
-        t("invitation.password"),
+        t("invitation-password"),
         password,
-        t("setup.password.hint", { count: REFERENCE.numbers.password_length }),
+        t("setup-password-hint", { count: REFERENCE.numbers.password_length }),
       ),
       problem,
       go,

@@ -15,12 +15,12 @@ const ALL = "";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
-  if (app.me?.role !== "owner") throw new ApiError(t("log.owner"), FORBIDDEN);
+  if (app.me?.role !== "owner") throw new ApiError(t("log-owner"), FORBIDDEN);
   const [first, patients] = await Promise.all([app.api.get("/log"), app.api.get("/patients")]);
   if (signal.aborted) return;
   const codes = new Map(patients.map(({ id, code }) => [id, code]));
   const rows = h("tbody", {});
-  const more = h("button", { type: "button", class: "btn" }, t("log.more"));
+  const more = h("button", { type: "button", class: "btn" }, t("log-more"));
   const none = h("p", { class: "quiet", role: "status" });
   let [person, patient] = [ALL, ALL];
   /** @type {number | null} id of the oldest row that is shown */
@@ -31,7 +31,7 @@ export async function show(app, root, { signal }) {
     rows.append(...entries.map((entry) => row(entry, codes)));
     oldest = entries.at(-1)?.id ?? oldest;
     more.hidden = !hasMore;
-    none.textContent = rows.childElementCount ? "" : t("log.none");
+    none.textContent = rows.childElementCount ? "" : t("log-none");
   };
   /** @param {number | null} before */
   const read = (before) =>
@@ -45,11 +45,11 @@ export async function show(app, root, { signal }) {
     });
   more.addEventListener("click", () => read(oldest));
   const everybody = [
-    { value: ALL, label: t("log.everybody") },
+    { value: ALL, label: t("log-everybody") },
     ...first.people.map((name) => ({ value: name, label: name })),
   ];
   const everyPatient = [
-    { value: ALL, label: t("log.every-patient") },
+    { value: ALL, label: t("log-every-patient") },
     ...patients.map(({ id, code }) => ({ value: String(id), label: code })),
   ];
   const choosePerson = selection(everybody, ALL, (value) => {
@@ -63,14 +63,14 @@ export async function show(app, root, { signal }) {
   append(first);
   /** @param {"csv" | "jsonl"} form */
   const exportLink = (form) =>
-    h("a", { class: "btn small", href: `/api/v1/log/export?form=${form}`, download: "" }, t(`log.export.${form}`));
+    h("a", { class: "btn small", href: `/api/v1/log/export?form=${form}`, download: "" }, t(`log-export-${form}`));
   put(
     root,
     h(
       "div",
       { class: "body" },
-      h("h1", { tabindex: "-1" }, t("rail.log")),
-      h("p", { class: "lead" }, t("log.lead")),
+      h("h1", { tabindex: "-1" }, t("rail-log")),
+      h("p", { class: "lead" }, t("log-lead")),
       logCard(app, signal),
       h(
         "section",
@@ -78,11 +78,11 @@ export async function show(app, root, { signal }) {
         h(
           "div",
           { class: "spread log-filters" },
-          field(t("log.person"), choosePerson),
-          field(t("log.patient"), choosePatient),
+          field(t("log-person"), choosePerson),
+          field(t("log-patient"), choosePatient),
         ),
         scrollTable(
-          t("rail.log"),
+          t("rail-log"),
           "log-table",
           h(
             "thead",
@@ -90,7 +90,7 @@ export async function show(app, root, { signal }) {
             h(
               "tr",
               {},
-              ["when", "who", "what", "details"].map((column) => h("th", { scope: "col" }, t(`log.${column}`))),
+              ["when", "who", "what", "details"].map((column) => h("th", { scope: "col" }, t(`log-${column}`))),
             ),
           ),
           rows,
@@ -103,7 +103,7 @@ export async function show(app, root, { signal }) {
         { class: "spread after-list" },
         exportLink("csv"),
         exportLink("jsonl"),
-        h("a", { class: "btn small", href: "#/settings" }, t("people.back")),
+        h("a", { class: "btn small", href: "#/settings" }, t("people-back")),
       ),
     ),
   );
@@ -116,7 +116,7 @@ function row({ at, person, what, details }, codes) {
     "tr",
     {},
     h("td", {}, moment),
-    h("td", {}, person ?? t("log.program")),
+    h("td", {}, person ?? t("log-program")),
     h("td", {}, whatWords(what)),
     h("td", { class: "quiet" }, detailWords(details, codes, what)),
   );

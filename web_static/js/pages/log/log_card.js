@@ -7,9 +7,9 @@ import { h, write } from "../../widgets/dom.js";
 export function logCard(app, signal) {
   const finding = h("p", { role: "status" });
   const problem = h("p", { class: "problem", role: "alert" });
-  const again = h("button", { type: "button", class: "btn small" }, t("log.check"));
+  const again = h("button", { type: "button", class: "btn small" }, t("log-check"));
   const check = async () => {
-    write(finding, t("log.checking"));
+    write(finding, t("log-checking"));
     write(problem, "");
     let whole = false;
     let message = "";
@@ -27,8 +27,8 @@ export function logCard(app, signal) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("log.whole")),
-    h("p", { class: "quiet small" }, t("log.whole.lead")),
+    h("h2", {}, t("log-whole")),
+    h("p", { class: "quiet small" }, t("log-whole-lead")),
     h("div", { class: "stack" }, h("div", {}, finding, problem), h("div", {}, again)),
   );
 }

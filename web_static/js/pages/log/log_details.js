@@ -16,7 +16,7 @@ const DIAL = "dial turned"; // its `share` is that of the speeds; elsewhere it i
 
 /** What happened, in the words of the other pages. @param {string} what as the log has it */
 export function whatWords(what) {
-  const key = `log.what.${what}`;
+  const key = `log-what-${what}`;
   return hasText(key) ? t(key) : what;
 }
 
@@ -27,7 +27,7 @@ export function whatWords(what) {
 export function detailWords(details, codes, what = "") {
   const { before, now, share, ...rest } = details;
   const changes = isObject(before) && isObject(now) ? changed(before, now, codes) : facts({ before, now }, codes);
-  const shares = what === DIAL ? [t("log.dial", { share: percent(Number(share)) })] : facts({ share }, codes);
+  const shares = what === DIAL ? [t("log-dial", { share: percent(Number(share)) })] : facts({ share }, codes);
   return [...facts(rest, codes), ...shares, ...changes].join(" · ");
 }
 
@@ -55,13 +55,13 @@ function changed(before, now, codes) {
 
 /** @param {string} name of a detail */
 function nameWords(name) {
-  const key = `log.name.${name}`;
+  const key = `log-name-${name}`;
   return hasText(key) ? t(key) : name.replaceAll("_", " ");
 }
 
 /** @param {string} name of the detail @param {unknown} value @param {Map<number, string>} codes @returns {string} */
 function valueWords(name, value, codes) {
-  if (name === PATIENTS && value === null) return t("log.every-patient").toLowerCase();
+  if (name === PATIENTS && value === null) return t("log-every-patient").toLowerCase();
   if (value === null || value === undefined) return "none";
   if (typeof value === "boolean") return value ? "yes" : "no";
   if (Array.isArray(value))
@@ -73,7 +73,7 @@ function valueWords(name, value, codes) {
     return Object.entries(value)
       .map(([inner, one]) => `${nameWords(inner)} ${valueWords(inner, one, codes)}`)
       .join(", ");
-  const key = `log.value.${name}.${value}`;
+  const key = `log-value-${name}-${value}`;
   if (hasText(key)) return t(key);
   if (name in WRITTEN) return WRITTEN[name](/** @type {string & number} */ (value));
   return name === "joint" ? String(value).replaceAll("_", " ") : String(value);

@@ -23,24 +23,24 @@ export function archiveImport(app, onImported, signal) {
     } catch (error) {
       if (!(error instanceof ApiError && error.choice && "may_replace_patient" in error.choice)) throw error;
       const answers = [
-        { value: /** @type {const} */ ("replace"), label: t("import.replace") },
+        { value: /** @type {const} */ ("replace"), label: t("import-replace") },
         { value: null, label: t("cancel"), kind: "btn go" },
       ];
       const chosen = await ask(
         app.question,
         error.message,
         answers,
-        h("p", { class: "quiet small" }, t("import.kept")),
+        h("p", { class: "quiet small" }, t("import-kept")),
       );
       return chosen && app.api.send(`/archives?${chosen}=true`, file);
     }
   };
-  const button = h("button", { type: "button", class: "btn", onclick: () => input.click() }, t("import.go"));
+  const button = h("button", { type: "button", class: "btn", onclick: () => input.click() }, t("import-go"));
   const input = hiddenFileInput(".zip,application/zip", async (file) => {
     input.value = ""; // so that the same file can be chosen again
     button.disabled = true;
     write(problem, "");
-    write(words, t("import.under-way", { name: file.name }));
+    write(words, t("import-under-way", { name: file.name }));
     progress.begin();
     try {
       const imported = await send(file);
@@ -58,18 +58,18 @@ export function archiveImport(app, onImported, signal) {
 
 /** @param {ImportedView} imported */
 function whatCameIn({ code, is_new: isNew, sessions, trials, kept }) {
-  if (!isNew && !kept) return t("import.known", { code });
+  if (!isNew && !kept) return t("import-known", { code });
   const counts = {
-    sessions: t("patients.sessions", { count: sessions }),
-    trials: t("patients.trials", { count: trials }),
+    sessions: t("patients-sessions", { count: sessions }),
+    trials: t("patients-trials", { count: trials }),
   };
-  return kept ? t("import.replaced", { code, ...counts, kept }) : t("import.done", { code, ...counts });
+  return kept ? t("import-replaced", { code, ...counts, kept }) : t("import-done", { code, ...counts });
 }
 
 /** How far the import is, in figures and as a bar. @param {import("../../main.js").App} app @param {AbortSignal} signal */
 function importProgress(app, signal) {
   const step = h("p", { class: "number", "aria-hidden": "true" });
-  const bar = h("progress", { max: 1, value: 0, "aria-label": t("import.progress") });
+  const bar = h("progress", { max: 1, value: 0, "aria-label": t("import-progress") });
   const element = h("div", { class: "measuring", hidden: true }, step, bar);
   let timer = 0;
   const look = async () => {
@@ -77,7 +77,7 @@ function importProgress(app, signal) {
     if (element.hidden || signal.aborted) return;
     if (course?.total) {
       const { step: name, done, total } = course;
-      write(step, t(`import.${name}`, { done: size(done), total: size(total) }));
+      write(step, t(`import-${name}`, { done: size(done), total: size(total) }));
       bar.value = done / total;
     }
     timer = setTimeout(look, LOOK_EVERY);

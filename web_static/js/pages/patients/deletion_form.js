@@ -24,12 +24,12 @@ export function deletionForm(words, { send, onClose }) {
     "form",
     { class: "card stack", onsubmit: submit },
     h("p", {}, words),
-    field(t("deleted.reason"), reason, t("deleted.reason.hint")),
+    field(t("deleted-reason"), reason, t("deleted-reason-hint")),
     problem,
     h(
       "div",
       { class: "spread" },
-      h("button", { class: "btn go" }, t("deleted.reason.go")),
+      h("button", { class: "btn go" }, t("deleted-reason-go")),
       h("button", { type: "button", class: "btn", onclick: onClose }, t("cancel")),
     ),
   );

@@ -39,19 +39,19 @@ export function newPatientForm(app, { onAdded, onClose }) {
   return h(
     "form",
     { class: "card new-patient", onsubmit: submit },
-    h("h2", {}, t("patients.new.title")),
+    h("h2", {}, t("patients-new-title")),
     h(
       "div",
       { class: "columns" },
-      field(t("patients.code"), code, t("patients.code.hint")),
-      field(t("patients.pseudonym"), pseudonym, t("patients.pseudonym.hint")),
-      field(t("patients.note"), note, t("patients.note.hint")),
+      field(t("patients-code"), code, t("patients-code-hint")),
+      field(t("patients-pseudonym"), pseudonym, t("patients-pseudonym-hint")),
+      field(t("patients-note"), note, t("patients-note-hint")),
     ),
     problem,
     h(
       "div",
       { class: "spread" },
-      h("button", { class: "btn go" }, t("patients.add")),
+      h("button", { class: "btn go" }, t("patients-add")),
       h("button", { type: "button", class: "btn", onclick: onClose }, t("cancel")),
     ),
   );

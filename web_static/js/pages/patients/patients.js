@@ -29,7 +29,7 @@ export async function show(app, root, { signal }) {
   let patients = first;
   if (signal.aborted) return;
   const list = rowList("people");
-  const search = h("input", { type: "search", "aria-label": t("patients.search"), placeholder: t("patients.search") });
+  const search = h("input", { type: "search", "aria-label": t("patients-search"), placeholder: t("patients-search") });
   const form = h("div", { hidden: true });
 
   const read = async () => {
@@ -95,21 +95,21 @@ export async function show(app, root, { signal }) {
       await app.toasts.attempt(() => app.api.post(`/patients/${patient.id}/restore`));
       await read();
     };
-    app.toasts.show(t("patients.deleted", { code: patient.code }), { action: t("undo"), run: restore });
+    app.toasts.show(t("patients-deleted", { code: patient.code }), { action: t("undo"), run: restore });
   };
   const end = () =>
     inTurn(async () => {
       if (!(await app.toasts.attempt(() => app.api.remove("/session")))) return;
       await app.readSession({ isOwn: true });
       showList();
-      app.toasts.show(t("patients.ended"));
+      app.toasts.show(t("patients-ended"));
     });
   const showList = () => {
     const here = app.session?.patient?.id;
     if (here !== shownHere) [shownHere, changedAt] = [here, performance.now()];
     const words = search.value.trim().toLowerCase();
     const found = patients.filter((patient) => `${patient.code} ${patient.pseudonym}`.toLowerCase().includes(words));
-    const none = words ? t("patients.none-found", { words: search.value.trim() }) : t("patients.empty");
+    const none = words ? t("patients-none-found", { words: search.value.trim() }) : t("patients-empty");
     list.show(
       found.map((patient) => row(app, patient, { open, remove, end, goOn })),
       h("p", { class: "card quiet" }, none),
@@ -130,14 +130,14 @@ export async function show(app, root, { signal }) {
     h(
       "div",
       { class: "body" },
-      h("h1", { tabindex: "-1" }, t("patients.title")),
-      h("p", { class: "lead" }, t("patients.lead")),
+      h("h1", { tabindex: "-1" }, t("patients-title")),
+      h("p", { class: "lead" }, t("patients-lead")),
       h(
         "div",
         { class: "spread above-list" },
         h("div", { class: "grow" }, search),
         mayChange(app) &&
-          h("button", { type: "button", class: "btn", onclick: showForm }, icon("plus", 20), t("patients.new")),
+          h("button", { type: "button", class: "btn", onclick: showForm }, icon("plus", 20), t("patients-new")),
         archive?.button,
       ),
       archive?.course,
@@ -153,8 +153,8 @@ function invitation() {
   return h(
     "p",
     { class: "after-list spread" },
-    h("span", { class: "quiet" }, t("patients.alone")),
-    h("a", { class: "btn small", href: "#/people/invite" }, t("people.invite")),
+    h("span", { class: "quiet" }, t("patients-alone")),
+    h("a", { class: "btn small", href: "#/people/invite" }, t("people-invite")),
   );
 }
 
@@ -166,14 +166,14 @@ function invitation() {
 async function agreedEnd(app, patient) {
   const { patient: other, session } = await app.api.get("/session");
   if (!other || !session || other.id === patient.id) return null;
-  const question = t(session.opened_by ? "patients.ends" : "patients.ends.somebody", {
+  const question = t(session.opened_by ? "patients-ends" : "patients-ends-somebody", {
     code: other.code,
     name: session.opened_by ?? "",
     time: minuteOfDay(session.started),
-    trials: t("patients.trials", { count: session.trials }),
+    trials: t("patients-trials", { count: session.trials }),
   });
   const answer = await ask(app.question, question, [
-    { value: "end", label: t("patients.ends.go", { next: patient.code }), kind: "btn go" },
+    { value: "end", label: t("patients-ends-go", { next: patient.code }), kind: "btn go" },
     { value: null, label: t("cancel") },
   ]);
   return answer ? session.id : undefined;
@@ -186,7 +186,7 @@ const mayChange = (app) => app.me?.role !== "reviewer";
 function report(app, patient) {
   if (!mayExport(app) || !patient.sessions) return null;
   const place = h("div", {});
-  const summary = h("summary", {}, t("report.title"));
+  const summary = h("summary", {}, t("report-title"));
   const details = h("details", { class: "report" }, summary, place);
   details.addEventListener("toggle", () => place.childElementCount || put(place, reportChoice(app, patient)));
   return details;
@@ -200,15 +200,15 @@ function report(app, patient) {
 function row(app, patient, { open, remove, end, goOn }) {
   const isHere = app.session?.patient?.id === patient.id;
   const figures = [
-    t("patients.sessions", { count: patient.sessions }),
-    t("patients.trials", { count: patient.trials }),
-    patient.last_seen ? t("patients.last", { day: day(patient.last_seen) }) : t("patients.never"),
+    t("patients-sessions", { count: patient.sessions }),
+    t("patients-trials", { count: patient.trials }),
+    patient.last_seen ? t("patients-last", { day: day(patient.last_seen) }) : t("patients-never"),
   ].join(" · ");
   const changes = () =>
     isHere
       ? [
-          h("button", { type: "button", class: "btn", onclick: end }, t("patients.end")),
-          h("button", { type: "button", class: "btn go", onclick: goOn }, t("patients.go-on")),
+          h("button", { type: "button", class: "btn", onclick: end }, t("patients-end")),
+          h("button", { type: "button", class: "btn go", onclick: goOn }, t("patients-go-on")),
         ]
       : [
           h(
@@ -216,7 +216,7 @@ function row(app, patient, { open, remove, end, goOn }) {
             {
               type: "button",
               class: "icon-button",
-              "aria-label": t("patients.delete", { code: patient.code }),
+              "aria-label": t("patients-delete", { code: patient.code }),
               onclick: () => remove(patient),
             },
             icon("bin", 22),
@@ -228,7 +228,7 @@ function row(app, patient, { open, remove, end, goOn }) {
               class: `btn${app.session?.patient ? "" : " go"}`,
               onclick: ({ currentTarget }) => open(patient, /** @type {HTMLButtonElement} */ (currentTarget)),
             },
-            t("patients.start"),
+            t("patients-start"),
           ),
         ];
   return h(
@@ -242,19 +242,19 @@ function row(app, patient, { open, remove, end, goOn }) {
       " ",
       patient.pseudonym,
       " ",
-      isHere && h("span", { class: "tag" }, t("patients.here")),
+      isHere && h("span", { class: "tag" }, t("patients-here")),
       h("div", { class: "quiet small" }, figures, patient.note && ` · ${patient.note}`),
       h(
         "a",
         {
           class: "row-link",
           href: `#/session/patient/${patient.id}`,
-          "aria-label": t("record.link.label", { code: patient.code }),
+          "aria-label": t("record-link-label", { code: patient.code }),
         },
-        t("record.link"),
+        t("record-link"),
       ),
       report(app, patient),
     ),
-    mayChange(app) ? changes() : h("a", { class: "btn go", href: `#/review/${patient.id}` }, t("rail.review")),
+    mayChange(app) ? changes() : h("a", { class: "btn go", href: `#/review/${patient.id}` }, t("rail-review")),
   );
 }

@@ -15,7 +15,7 @@ const LOOK_EVERY = 10_000; // ms
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
 export async function show(app, root, { signal, rest }) {
-  if (app.me?.role !== "owner") throw new ApiError(t("people.owner"), FORBIDDEN);
+  if (app.me?.role !== "owner") throw new ApiError(t("people-owner"), FORBIDDEN);
   let [people, patients] = await Promise.all([app.api.get("/people"), app.api.get("/patients")]);
   if (signal.aborted) return;
   const list = rowList("people");
@@ -30,7 +30,7 @@ export async function show(app, root, { signal, rest }) {
   const close = () =>
     put(
       above,
-      h("button", { type: "button", class: "btn go", onclick: openForm }, icon("plus", 20), t("people.invite")),
+      h("button", { type: "button", class: "btn go", onclick: openForm }, icon("plus", 20), t("people-invite")),
     );
   /** @param {LinkView} link */
   const showLink = async (link) => {
@@ -82,11 +82,11 @@ export async function show(app, root, { signal, rest }) {
     h(
       "div",
       { class: "body" },
-      h("h1", { tabindex: "-1" }, t("rail.people")),
-      h("p", { class: "lead" }, t("people.lead")),
+      h("h1", { tabindex: "-1" }, t("rail-people")),
+      h("p", { class: "lead" }, t("people-lead")),
       h("div", { class: "above-list" }, above),
       list,
-      h("p", { class: "after-list" }, h("a", { class: "btn small", href: "#/settings" }, t("people.back"))),
+      h("p", { class: "after-list" }, h("a", { class: "btn small", href: "#/settings" }, t("people-back"))),
     ),
   );
   if (rest[0] === "invite") openForm();
@@ -99,8 +99,8 @@ export async function show(app, root, { signal, rest }) {
 function row(person, patients, actions) {
   /** @param {"change" | "link" | "disable" | "enable"} what */
   const button = (what) => {
-    const key = what === "link" && person.state === "invited" ? "people.link.again" : `people.${what}`;
-    const label = t(`${key}.label`, { name: person.name });
+    const key = what === "link" && person.state === "invited" ? "people-link-again" : `people-${what}`;
+    const label = t(`${key}-label`, { name: person.name });
     return h(
       "button",
       { type: "button", class: "btn small", "aria-label": label, onclick: () => actions[what](person) },
@@ -115,8 +115,8 @@ function row(person, patients, actions) {
       "div",
       { class: "grow" },
       h("b", {}, person.name),
-      person.is_you && h("span", { class: "tag calm" }, t("people.you")),
-      h("div", { class: "quiet" }, `${t(`people.role.${person.role}`)}${shownWords(person, patients)}`),
+      person.is_you && h("span", { class: "tag calm" }, t("people-you")),
+      h("div", { class: "quiet" }, `${t(`people-role-${person.role}`)}${shownWords(person, patients)}`),
       person.state !== "active" && h("div", { class: "small" }, stateWords(person)),
     ),
     h(
@@ -131,14 +131,14 @@ function row(person, patients, actions) {
 
 /** @param {PersonView} person */
 function stateWords({ state, link_until: until }) {
-  if (state === "disabled") return t("people.state.disabled");
-  return until ? t("people.state.invited", { until: moment(until) }) : t("people.state.expired");
+  if (state === "disabled") return t("people-state-disabled");
+  return until ? t("people-state-invited", { until: moment(until) }) : t("people-state-expired");
 }
 
 /** @param {PersonView} person @param {PatientView[]} patients */
 function shownWords({ patients: shown, role }, patients) {
   if (role !== "reviewer") return "";
-  if (!shown) return ` · ${t("people.patients.all")}`;
+  if (!shown) return ` · ${t("people-patients-all")}`;
   const codes = patients.filter(({ id }) => shown.includes(id)).map(({ code }) => code);
-  return ` · ${codes.length ? codes.join(", ") : t("people.patients.nobody")}`;
+  return ` · ${codes.length ? codes.join(", ") : t("people-patients-nobody")}`;
 }

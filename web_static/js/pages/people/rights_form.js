@@ -29,15 +29,15 @@ export function rightsForm(patients, person, { send, onClose }) {
   const about = h("p", { class: "quiet small", role: "status" });
   const chosen = h(
     "div",
-    { class: "shown-patients", role: "group", "aria-label": t("people.patients.chosen") },
+    { class: "shown-patients", role: "group", "aria-label": t("people-patients-chosen") },
     boxes.map(({ row }) => row),
-    !boxes.length && h("p", { class: "quiet" }, t("people.patients.none")),
+    !boxes.length && h("p", { class: "quiet" }, t("people-patients-none")),
   );
   const which = segments(
-    t("people.patients"),
+    t("people-patients"),
     [
-      { value: "all", label: t("people.patients.all") },
-      { value: "chosen", label: t("people.patients.chosen") },
+      { value: "all", label: t("people-patients-all") },
+      { value: "chosen", label: t("people-patients-chosen") },
     ],
     shownAre,
     (value) => {
@@ -48,11 +48,11 @@ export function rightsForm(patients, person, { send, onClose }) {
   const draw = () => {
     which.hidden = role !== "reviewer";
     chosen.hidden = role !== "reviewer" || shownAre === "all";
-    about.textContent = t(`people.role.${role}.about`);
+    about.textContent = t(`people-role-${role}-about`);
   };
   const roles = segments(
-    t("people.role"),
-    ROLES.map((value) => ({ value, label: t(`people.role.${value}`) })),
+    t("people-role"),
+    ROLES.map((value) => ({ value, label: t(`people-role-${value}`) })),
     role,
     (value) => {
       role = value;
@@ -60,7 +60,7 @@ export function rightsForm(patients, person, { send, onClose }) {
     },
   );
   const problem = h("p", { class: "problem", role: "alert" });
-  const go = h("button", { class: "btn go" }, t(person ? "people.rights.go" : "people.invite.go"));
+  const go = h("button", { class: "btn go" }, t(person ? "people-rights-go" : "people-invite-go"));
   /** @param {SubmitEvent} event */
   const submit = async (event) => {
     event.preventDefault();
@@ -77,8 +77,8 @@ export function rightsForm(patients, person, { send, onClose }) {
   return h(
     "form",
     { class: "card stack", onsubmit: submit },
-    h("h2", {}, person ? t("people.rights.title", { name: person.name }) : t("people.invite")),
-    !person && field(t("sign-in.name"), name, t("people.name.hint")),
+    h("h2", {}, person ? t("people-rights-title", { name: person.name }) : t("people-invite")),
+    !person && field(t("sign-in-name"), name, t("people-name-hint")),
     roles,
     about,
     which,

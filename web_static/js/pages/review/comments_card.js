@@ -18,8 +18,8 @@ const NEAR = 0.05; // s from the moment that the replay shows
  * @returns {{element: HTMLElement, marks: HTMLElement}} marks: for the time bar
  */
 export function commentsCard(app, trial, comments, head, signal) {
-  const heading = h("h2", { tabindex: "-1" }, t("comments.title"));
-  const none = h("p", { class: "quiet" }, t("comments.none"));
+  const heading = h("h2", { tabindex: "-1" }, t("comments-title"));
+  const none = h("p", { class: "quiet" }, t("comments-none"));
   const list = h("ol", { class: "comments" });
   const place = h("div", {});
   const marks = h("div", { class: "event-marks comment-marks", "aria-hidden": "true" });
@@ -58,16 +58,16 @@ export function commentsCard(app, trial, comments, head, signal) {
         head
           ? h(
               "button",
-              { type: "button", class: "btn bare small moment", "aria-label": t("comments.go", values), onclick: go },
-              t("comments.at", values),
+              { type: "button", class: "btn bare small moment", "aria-label": t("comments-go", values), onclick: go },
+              t("comments-at", values),
             )
-          : h("b", {}, t("comments.at", values)),
+          : h("b", {}, t("comments-at", values)),
         h(
           "span",
           { class: "quiet small grow" },
-          t(earlier.length ? "comments.by-revised" : "comments.by", { person, moment: moment(newest.written) }),
+          t(earlier.length ? "comments-by-revised" : "comments-by", { person, moment: moment(newest.written) }),
         ),
-        fresh.has(id) && h("span", { class: "tag att" }, t("comments.new")),
+        fresh.has(id) && h("span", { class: "tag att" }, t("comments-new")),
       ),
       h("p", { class: "own-words" }, newest.text),
       isOwn &&
@@ -77,16 +77,16 @@ export function commentsCard(app, trial, comments, head, signal) {
             type: "button",
             class: "btn bare small",
             "data-comment": id,
-            "aria-label": t("comments.change.label", values),
+            "aria-label": t("comments-change-label", values),
             onclick: revise,
           },
-          t("comments.change"),
+          t("comments-change"),
         ),
       earlier.length > 0 &&
         h(
           "details",
           {},
-          h("summary", {}, t("comments.history", { count: earlier.length })),
+          h("summary", {}, t("comments-history", { count: earlier.length })),
           earlier.map(({ text, written }) =>
             h(
               "div",
@@ -102,25 +102,25 @@ export function commentsCard(app, trial, comments, head, signal) {
   const revision = ({ id, t: at, revisions }) => {
     const again = () => /** @type {HTMLElement | null} */ (list.querySelector(`[data-comment="${id}"]`))?.focus();
     const withdraw = async () => {
-      if (await change(() => app.api.remove(`/comments/${id}`), t("comments.withdrawn"))) heading.focus();
+      if (await change(() => app.api.remove(`/comments/${id}`), t("comments-withdrawn"))) heading.focus();
     };
     return textForm({
-      label: t("comments.text", { t: number(at, 1) }),
+      label: t("comments-text", { t: number(at, 1) }),
       text: revisions[0].text,
-      action: t("comments.save"),
+      action: t("comments-save"),
       longest: limitsOf("NewComment", "text").longest ?? Infinity,
       send: async (text) =>
-        (await change(() => app.api.put(`/comments/${id}`, { text }), t("comments.revised"))) && again(),
+        (await change(() => app.api.put(`/comments/${id}`, { text }), t("comments-revised"))) && again(),
       onClose: () => {
         draw();
         again();
       },
-      more: h("button", { type: "button", class: "btn", onclick: withdraw }, t("comments.withdraw")),
+      more: h("button", { type: "button", class: "btn", onclick: withdraw }, t("comments-withdraw")),
     });
   };
   /** A form to write at the moment that the replay shows, which it then shows still. */
   const offer = () => {
-    const write = h("button", { type: "button", class: "btn small" }, t("comments.write"));
+    const write = h("button", { type: "button", class: "btn small" }, t("comments-write"));
     const close = () => {
       offer();
       place.querySelector("button")?.focus();
@@ -131,12 +131,12 @@ export function commentsCard(app, trial, comments, head, signal) {
       put(
         place,
         textForm({
-          label: t("comments.text", { t: number(at, 1) }),
-          hint: t("comments.hint"),
-          action: t("comments.add"),
+          label: t("comments-text", { t: number(at, 1) }),
+          hint: t("comments-hint"),
+          action: t("comments-add"),
           longest: limitsOf("NewComment", "text").longest ?? Infinity,
           send: async (text) =>
-            (await change(() => app.api.post(`/trials/${trial}/comments`, { t: at, text }), t("comments.added"))) &&
+            (await change(() => app.api.post(`/trials/${trial}/comments`, { t: at, text }), t("comments-added"))) &&
             close(),
           onClose: close,
         }),
@@ -180,7 +180,7 @@ export function commentsCard(app, trial, comments, head, signal) {
   head?.addEventListener("time", showHere, { signal });
   draw();
   if (head) offer();
-  else if (comments.length) put(place, h("p", { class: "quiet small" }, t("comments.lost")));
+  else if (comments.length) put(place, h("p", { class: "quiet small" }, t("comments-lost")));
   return { element: h("section", { class: "card stack comments-card" }, heading, none, list, place), marks };
 }
 

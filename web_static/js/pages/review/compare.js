@@ -13,7 +13,7 @@ import { t } from "../../texts.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
 export async function show(app, root, { signal, rest: [patient, , ...ids] }) {
-  if (ids.length < 2) throw new Error(t("compare.pairs"));
+  if (ids.length < 2) throw new Error(t("compare-pairs"));
   const trials = await Promise.all(ids.slice(0, 2).map((id) => app.api.get(`/trials/${id}`)));
   trials.sort((a, b) => a.id - b.id);
   if (signal.aborted) return;
@@ -26,7 +26,7 @@ export async function show(app, root, { signal, rest: [patient, , ...ids] }) {
     h(
       "a",
       { href: `#/review/${patient}/trial/${trial.id}` },
-      t("compare.trial", { number: trial.number }),
+      t("compare-trial", { number: trial.number }),
       ` (${moment(trial.started)})`,
     );
   /** @param {TrialDetail} trial */
@@ -36,7 +36,7 @@ export async function show(app, root, { signal, rest: [patient, , ...ids] }) {
     h(
       "div",
       { class: "body" },
-      h("h1", { tabindex: "-1" }, t("compare.title")),
+      h("h1", { tabindex: "-1" }, t("compare-title")),
       h(
         "p",
         { class: "lead compare-lead" },
@@ -53,7 +53,7 @@ export async function show(app, root, { signal, rest: [patient, , ...ids] }) {
       "div",
       { class: "foot" },
       h("span", { class: "grow" }),
-      h("a", { class: "btn", href: `#/review/${patient}` }, t("review.back")),
+      h("a", { class: "btn", href: `#/review/${patient}` }, t("review-back")),
     ),
   );
 }
@@ -82,12 +82,12 @@ function isSameTask(first, second) {
  */
 async function pictures(app, root, trials, signal) {
   const [first, second] = trials;
-  if (!isSameTask(first, second)) return h("p", { class: "card quiet" }, t("compare.other-path"));
+  if (!isSameTask(first, second)) return h("p", { class: "card quiet" }, t("compare-other-path"));
   try {
     const lines = await Promise.all(trials.map(({ id }) => app.api.get(`/trials/${id}/timeline`)));
     const plan = lines[1].floorplan ?? (await app.api.get(`/floorplans/${first.floorplan}`).catch(() => null));
     return await compareReplay(root, trials, lines, plan, signal);
   } catch (error) {
-    return h("p", { class: "card quiet" }, t("compare.no-recording", { why: failureWords(error) }));
+    return h("p", { class: "card quiet" }, t("compare-no-recording", { why: failureWords(error) }));
   }
 }

@@ -12,7 +12,7 @@ import { h, set, write } from "../../widgets/dom.js";
 export function compareChoice(patient) {
   /** @type {{trial: TrialView, input: HTMLInputElement}[]} */
   let chosen = [];
-  const link = h("a", { class: "btn" }, t("compare.go"));
+  const link = h("a", { class: "btn" }, t("compare-go"));
   const words = h("span", { class: "quiet", role: "status" });
   const show = () => {
     const ready = chosen.length === 2;
@@ -24,8 +24,8 @@ export function compareChoice(patient) {
     write(
       words,
       ready
-        ? t("compare.chosen", { first: first.number, second: second.number })
-        : t("compare.choose", { count: 2 - chosen.length }),
+        ? t("compare-chosen", { first: first.number, second: second.number })
+        : t("compare-choose", { count: 2 - chosen.length }),
     );
   };
   /** @param {TrialView} trial @param {HTMLInputElement} input */
@@ -40,7 +40,7 @@ export function compareChoice(patient) {
   };
   /** @param {TrialView} trial */
   const box = (trial) => {
-    const input = h("input", { type: "checkbox", "aria-label": t("compare.pick", { number: trial.number }) });
+    const input = h("input", { type: "checkbox", "aria-label": t("compare-pick", { number: trial.number }) });
     const before = chosen.find((one) => one.trial.id === trial.id); // the list was drawn anew
     if (before) before.input = input;
     input.checked = before !== undefined;

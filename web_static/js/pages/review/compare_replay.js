@@ -37,30 +37,30 @@ export async function compareReplay(root, trials, lines, plan, signal) {
   show();
   const charts = hasPath
     ? await Promise.all([
-        alongChart(trials, lines, "v", t("compare.speed"), t("compare.speed.axis"), signal),
-        alongChart(trials, lines, "across", t("compare.across"), t("compare.across.axis"), signal),
+        alongChart(trials, lines, "v", t("compare-speed"), t("compare-speed-axis"), signal),
+        alongChart(trials, lines, "across", t("compare-across"), t("compare-across-axis"), signal),
       ])
     : [];
-  const titles = [t("compare.speed"), t("compare.across")];
+  const titles = [t("compare-speed"), t("compare-across")];
   const element = h(
     "section",
     { class: "replay" },
     h(
       "section",
       { class: "card compare-plan" },
-      h("h2", {}, t("compare.plan")),
+      h("h2", {}, t("compare-plan")),
       shown?.element,
       h(
         "ul",
         { class: "compare-now" },
         trials.map((trial, i) =>
-          h("li", {}, swatch(i), h("b", {}, t("compare.trial", { number: trial.number })), " ", now[i]),
+          h("li", {}, swatch(i), h("b", {}, t("compare-trial", { number: trial.number })), " ", now[i]),
         ),
       ),
-      h("p", { class: "quiet small" }, t("compare.start")),
+      h("p", { class: "quiet small" }, t("compare-start")),
     ),
     playBar(head, [], signal),
-    h("p", { class: "quiet small" }, t("replay.keys")),
+    h("p", { class: "quiet small" }, t("replay-keys")),
     h(
       "div",
       { class: "charts" },
@@ -79,7 +79,7 @@ function endOf(line) {
 /** @param {FloorPlan} plan @param {TrialDetail} trial @param {Timeline[]} lines */
 function bothOnOne(plan, trial, lines) {
   const request = plan.paths.find(({ name }) => name === trial.path_name) ?? null;
-  const picture = planPicture(plan, trial.path, { label: t("compare.plan"), hasRooms: true, request });
+  const picture = planPicture(plan, trial.path, { label: t("compare-plan"), hasRooms: true, request });
   const second = picture.another();
   picture.setTrajectory(trajectoryOf(lines[0]));
   second.setTrajectory(trajectoryOf(lines[1]));
@@ -89,8 +89,8 @@ function bothOnOne(plan, trial, lines) {
 /** @param {Timeline} line @param {number} place in it */
 function momentWords(line, place) {
   const v = number(line.v[place], 2);
-  if (!line.along.length) return t("compare.now.spot", { v });
-  return t("compare.now", { along: number(line.along[place], 1), across: number(line.across[place], 2), v });
+  if (!line.along.length) return t("compare-now-spot", { v });
+  return t("compare-now", { along: number(line.along[place], 1), across: number(line.across[place], 2), v });
 }
 
 /**
@@ -106,12 +106,12 @@ function alongChart(trials, lines, column, label, axis, signal) {
         mode: "lines",
         x: armed.map((k) => line.along[k]),
         y: armed.map((k) => line[column][k]),
-        name: t("compare.trial", { number: trials[i].number }),
+        name: t("compare-trial", { number: trials[i].number }),
         line: { color: colours[COLOURS[i]], width: 2, dash: i ? "dash" : "solid" },
         hovertemplate: `%{x:.1f} m: %{y:.2f}<extra></extra>`,
       };
     }),
-    layout: { xaxis: { title: { text: t("compare.along") } }, yaxis: { title: { text: axis } } },
+    layout: { xaxis: { title: { text: t("compare-along") } }, yaxis: { title: { text: axis } } },
   }));
 }
 

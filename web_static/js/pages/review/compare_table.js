@@ -40,29 +40,29 @@ export function compareTable(trials, found) {
   const interruptions = h(
     "tr",
     {},
-    h("th", { scope: "row" }, t("interruption.column")),
-    interrupted.map((words) => h("td", { class: "own" }, words || t("interruption.none"))),
+    h("th", { scope: "row" }, t("interruption-column")),
+    interrupted.map((words) => h("td", { class: "own" }, words || t("interruption-none"))),
     h("td", {}, "–"),
     found && [h("td", {}, "–"), h("td", {}, "–")],
   );
   const names = measureNames().filter((name) => [first, second].some((one) => measured(one, name) !== null));
   const head = [
-    t("over.measure"),
-    ...trials.map((one) => t("compare.trial", { number: one.number })),
-    ...(found ? [t("compare.verdict", { number: trials[1].number })] : []),
-    t("compare.difference"),
-    ...(found ? [t("verdict.noise")] : []),
+    t("over-measure"),
+    ...trials.map((one) => t("compare-trial", { number: one.number })),
+    ...(found ? [t("compare-verdict", { number: trials[1].number })] : []),
+    t("compare-difference"),
+    ...(found ? [t("verdict-noise")] : []),
   ];
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("compare.measures")),
-    isMixed && h("p", { class: "quiet" }, t("compare.mixed")),
-    used.length > 0 && h("p", { class: "quiet" }, t("compare.used", { numbers: used.join(", ") })),
-    names.length === 0 && h("p", { class: "quiet" }, t("compare.no-measures")),
+    h("h2", {}, t("compare-measures")),
+    isMixed && h("p", { class: "quiet" }, t("compare-mixed")),
+    used.length > 0 && h("p", { class: "quiet" }, t("compare-used", { numbers: used.join(", ") })),
+    names.length === 0 && h("p", { class: "quiet" }, t("compare-no-measures")),
     names.length > 0 &&
       scrollTable(
-        t("compare.measures"),
+        t("compare-measures"),
         "measures",
         h(
           "thead",

@@ -40,19 +40,19 @@ export async function curveCard(learning, measure, opens, signal) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("review.curve"), " ", groupMark(learning.source)),
+    h("h2", {}, t("review-curve"), " ", groupMark(learning.source)),
     place,
     h("p", {}, curve.text),
     curve.sessions && h("p", {}, curve.sessions),
-    learning.trials.length > 0 && h("p", { class: "small quiet" }, t("review.tap")),
+    learning.trials.length > 0 && h("p", { class: "small quiet" }, t("review-tap")),
     curve.details.length > 0 &&
       h(
         "details",
         { class: "small" },
-        h("summary", {}, t("review.details")),
+        h("summary", {}, t("review-details")),
         segments(
-          t("review.model"),
-          models.flatMap(({ form }) => (form ? [{ value: form, label: t(`review.form.${form}`) }] : [])),
+          t("review-model"),
+          models.flatMap(({ form }) => (form ? [{ value: form, label: t(`review-form-${form}`) }] : [])),
           models[0].form,
           choose,
         ),
@@ -65,10 +65,10 @@ export async function curveCard(learning, measure, opens, signal) {
 /** How a curve describes the trials beside the best one. @param {CurveModel} model @param {CurveModel} best */
 function comparisonWords(model, best) {
   if (model === best) return "";
-  const worse = model.aicc_more < CLEARLY_WORSE ? "review.model.as-well" : "review.model.worse";
+  const worse = model.aicc_more < CLEARLY_WORSE ? "review-model-as-well" : "review-model-worse";
   return t(worse, {
-    model: t(`review.form.${model.form}`),
-    best: t(`review.form.${best.form}`).toLowerCase(),
+    model: t(`review-form-${model.form}`),
+    best: t(`review-form-${best.form}`).toLowerCase(),
     amount: number(model.aicc_more, 1),
   });
 }

@@ -28,7 +28,7 @@ export function playBar(head, events, signal, more) {
     min: head.start,
     max: head.end,
     step: STEP,
-    "aria-label": t("replay.slider"),
+    "aria-label": t("replay-slider"),
   });
   slider.addEventListener("input", () => {
     head.pause();
@@ -36,7 +36,7 @@ export function playBar(head, events, signal, more) {
   });
   const shown = h("output", { class: "number", "aria-live": "off" });
   const speeds = segments(
-    t("replay.speed"),
+    t("replay-speed"),
     SPEEDS.map((speed) => ({ value: String(speed), label: `${speed}×` })),
     "1",
     (speed) => head.setSpeed(Number(speed)),
@@ -47,11 +47,11 @@ export function playBar(head, events, signal, more) {
     events.map((event) => h("i", { class: `is-${event.kind}`, style: `left: ${head.share(event.t)}%` })),
   );
   const showState = () => {
-    put(button, icon(head.playing ? "pause" : "play", 20), t(head.playing ? "replay.pause" : "replay.play"));
+    put(button, icon(head.playing ? "pause" : "play", 20), t(head.playing ? "replay-pause" : "replay-play"));
   };
   const showTime = () => {
     slider.value = String(head.t);
-    set(slider, { "aria-valuetext": t("replay.at", { t: number(head.t, 1), end: number(head.end, 1) }) });
+    set(slider, { "aria-valuetext": t("replay-at", { t: number(head.t, 1), end: number(head.end, 1) }) });
     write(shown, `${number(head.t, 1)} / ${number(head.end, 1)} s`);
   };
   head.addEventListener("state", showState, { signal });
@@ -105,7 +105,7 @@ export function eventList(events, head) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("replay.events")),
+    h("h2", {}, t("replay-events")),
     h(
       "ol",
       { class: "events" },

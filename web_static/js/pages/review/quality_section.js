@@ -14,7 +14,7 @@ import { OF_JOINT, QUALITIES } from "../../results/quality_card.js";
 const OF_ALL = ["map_angle_deg", "evr", "null_space_share", "cross_talk", "activations_per_metre", "activations"];
 const SHARES = new Set(["evr", "null_space_share", "cross_talk", "span_share"]);
 /** @type {Record<string, string>} */
-const UNITS = { map_angle_deg: "°", rest_rate: t("replay.unit.rate"), activations_per_metre: "/m" };
+const UNITS = { map_angle_deg: "°", rest_rate: t("replay-unit-rate"), activations_per_metre: "/m" };
 const ALL = "";
 
 /**
@@ -44,9 +44,9 @@ export async function qualitySection(app, patient, where, signal) {
     put(
       fields,
       field(
-        t("quality.choose"),
+        t("quality-choose"),
         selection(
-          names.map((value) => ({ value, label: t(`quality.${value}`) })),
+          names.map((value) => ({ value, label: t(`quality-${value}`) })),
           name,
           (value) => {
             name = value;
@@ -55,10 +55,10 @@ export async function qualitySection(app, patient, where, signal) {
         ),
       ),
       field(
-        t("quality.choose.joint"),
+        t("quality-choose-joint"),
         selection(
           [
-            { value: ALL, label: t("quality.all-joints") },
+            { value: ALL, label: t("quality-all-joints") },
             ...Object.entries(found.labels).map(([value, label]) => ({ value, label })),
           ],
           joint,
@@ -82,8 +82,8 @@ export async function qualitySection(app, patient, where, signal) {
     h(
       "section",
       { class: "card" },
-      h("h2", {}, t("quality.over"), " ", groupMark(found.source)),
-      found.trials.length ? [fields, place] : h("p", { class: "quiet" }, t("quality.empty")),
+      h("h2", {}, t("quality-over"), " ", groupMark(found.source)),
+      found.trials.length ? [fields, place] : h("p", { class: "quiet" }, t("quality-empty")),
       found.note && h("p", { class: "quiet small" }, found.note),
     ),
   );
@@ -93,7 +93,7 @@ export async function qualitySection(app, patient, where, signal) {
 function qualityChart(trials, name, joint, signal) {
   const scale = SHARES.has(name) ? 100 : 1;
   const unit = SHARES.has(name) ? "%" : (UNITS[name] ?? "");
-  const title = [t(`quality.${name}`), unit && `(${unit})`].filter(Boolean).join(" ");
+  const title = [t(`quality-${name}`), unit && `(${unit})`].filter(Boolean).join(" ");
   const rows = trials.flatMap((trial) => {
     const value = joint === ALL ? trial.quality[name] : trial.joints[joint]?.[name];
     return typeof value === "number" && Number.isFinite(value) ? [{ trial, value }] : [];
@@ -101,12 +101,12 @@ function qualityChart(trials, name, joint, signal) {
   /** @param {typeof rows[number]} row */
   const words = ({ trial, value }) =>
     [
-      `${t("quality.trial")} ${trial.number}: ${QUALITIES[name](value)}`,
-      t("quality.session", { number: trial.session }),
-      t("quality.map", { number: trial.map_version }),
+      `${t("quality-trial")} ${trial.number}: ${QUALITIES[name](value)}`,
+      t("quality-session", { number: trial.session }),
+      t("quality-map", { number: trial.map_version }),
     ].join("<br>");
   const breaks = trials.filter((trial, i) => i > 0 && trial.map_version !== trials[i - 1].map_version);
-  return chart(`${t("quality.over")}: ${title}`, signal, (colours) => ({
+  return chart(`${t("quality-over")}: ${title}`, signal, (colours) => ({
     traces: [
       {
         mode: "lines+markers",
@@ -121,7 +121,7 @@ function qualityChart(trials, name, joint, signal) {
     ],
     layout: {
       xaxis: {
-        title: { text: t("quality.trial") },
+        title: { text: t("quality-trial") },
         dtick: trials.length > 12 ? undefined : 1,
         range: [trials[0].number - 0.5, trials[trials.length - 1].number + 0.5],
       },
@@ -144,7 +144,7 @@ function qualityChart(trials, name, joint, signal) {
         xanchor: "left",
         yanchor: "top",
         showarrow: false,
-        text: t("quality.map", { number: map_version }),
+        text: t("quality-map", { number: map_version }),
         font: { color: colours["text-quiet"] },
       })),
     },

@@ -39,25 +39,25 @@ export function replayCharts(line, head, signal) {
   /** @param {"activation" | "rate" | "score"} column */
   const gestures = (column) => line.gestures.map((one) => ({ name: gestureWords(one, labels), values: one[column] }));
   const fixed = [
-    make(t("replay.chair"), "m/s · °/s", [
-      { name: t("replay.v"), values: line.v },
-      { name: t("replay.omega"), values: line.omega.map((omega) => (omega === null ? null : omega * DEGREES)) },
+    make(t("replay-chair"), "m/s · °/s", [
+      { name: t("replay-v"), values: line.v },
+      { name: t("replay-omega"), values: line.omega.map((omega) => (omega === null ? null : omega * DEGREES)) },
     ]),
     make(
-      t("replay.commands"),
-      t("replay.unit.full"),
+      t("replay-commands"),
+      t("replay-unit-full"),
       [
-        { name: t("replay.command.speed"), values: line.u1 },
-        { name: t("replay.command.turning"), values: line.u2 },
+        { name: t("replay-command-speed"), values: line.u1 },
+        { name: t("replay-command-turning"), values: line.u2 },
       ],
       { range: [-1, 1] },
     ),
   ];
   if (line.gestures.length)
     fixed.push(
-      make(t("replay.activations"), t("replay.unit.full"), gestures("activation"), { range: [0, 1] }),
-      make(t("replay.rates"), rateUnit(line.gestures), gestures("rate")),
-      make(t("replay.scores"), t("replay.unit.share"), gestures("score")),
+      make(t("replay-activations"), t("replay-unit-full"), gestures("activation"), { range: [0, 1] }),
+      make(t("replay-rates"), rateUnit(line.gestures), gestures("rate")),
+      make(t("replay-scores"), t("replay-unit-share"), gestures("score")),
     );
   /** @type {ReturnType<typeof timeChart> | null} */
   let signals = null;
@@ -67,7 +67,7 @@ export function replayCharts(line, head, signal) {
   const chooseJoint = (name) => {
     const joint = joints.find((one) => one.name === name) ?? joints[0];
     const lines = joint.channels.map((channel) => ({ name: channel.name, values: channel.values }));
-    signals = make(t("replay.signals", { shown: lines.length, of: joint.of }), "", lines, { digits: 3, height: 120 });
+    signals = make(t("replay-signals", { shown: lines.length, of: joint.of }), "", lines, { digits: 3, height: 120 });
     put(place, signals.element);
     signals.draw();
   };
@@ -76,12 +76,12 @@ export function replayCharts(line, head, signal) {
   const element = h(
     "section",
     { class: "card replay-charts" },
-    h("h2", {}, t("replay.charts")),
-    h("p", { class: "quiet small" }, t("replay.charts.lead")),
+    h("h2", {}, t("replay-charts")),
+    h("p", { class: "quiet small" }, t("replay-charts-lead")),
     fixed.map((chart) => chart.element),
     joints.length > 0 &&
       field(
-        t("replay.joint"),
+        t("replay-joint"),
         selection(
           joints.map(({ name, label }) => ({ value: name, label })),
           joints[0].name,
@@ -106,6 +106,6 @@ export function replayCharts(line, head, signal) {
 /** @param {GestureLine[]} gestures */
 function rateUnit(gestures) {
   return gestures.every(({ feature }) => feature === "rate")
-    ? t("replay.unit.rate")
-    : `${t("replay.unit.rate")} · ${t("replay.unit.share")}`;
+    ? t("replay-unit-rate")
+    : `${t("replay-unit-rate")} · ${t("replay-unit-share")}`;
 }

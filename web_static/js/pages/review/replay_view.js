@@ -40,13 +40,13 @@ export function replayView(app, trial, drawn, head, signal) {
   /** @type {NonNullable<View>[]} */
   const offered = drawn ? [...VIEWS_IN_3D, "plan"] : VIEWS_IN_3D;
   const views = segments(
-    t("trial.views"),
-    offered.map((value) => ({ value, label: t(`trial.view.${value}`) })),
+    t("trial-views"),
+    offered.map((value) => ({ value, label: t(`trial-view-${value}`) })),
     first,
     choose,
   );
   if (!has3d) for (const radio of views.querySelectorAll("input")) radio.disabled = radio.value !== "plan";
-  const why = !has3d && h("p", { class: "no-view small", role: "status" }, t("replay.picture.webgl"));
+  const why = !has3d && h("p", { class: "no-view small", role: "status" }, t("replay-picture-webgl"));
   const bar = h("div", { class: "spread" }, views, drawn?.pad);
   return h("section", { class: "card replay-picture" }, place, why, bar);
 }
@@ -56,8 +56,8 @@ export function replayView(app, trial, drawn, head, signal) {
  * @param {App} app @param {number} trial id @param {PlayHead} head @param {AbortSignal} signal
  */
 function replayIn3d(app, trial, head, signal) {
-  const words = h("p", { class: "over-picture", role: "status" }, t("replay.picture.loading"));
-  const frame = h("iframe", { title: t("replay.picture"), tabindex: "-1" });
+  const words = h("p", { class: "over-picture", role: "status" }, t("replay-picture-loading"));
+  const frame = h("iframe", { title: t("replay-picture"), tabindex: "-1" });
   const element = h("div", { class: "in-3d" }, frame, words);
   let word = "";
   /** @type {ReplayMoment["view"] | null} */
@@ -82,7 +82,7 @@ function replayIn3d(app, trial, head, signal) {
   /** @param {string} why @param {...Child} more */
   const off = (why, ...more) => {
     element.classList.add("off");
-    put(words, t("replay.picture.off", { why }), ...more);
+    put(words, t("replay-picture-off", { why }), ...more);
   };
   /** @param {unknown} error */
   const refused = (error) => {
@@ -93,13 +93,13 @@ function replayIn3d(app, trial, head, signal) {
       off(failureWords(error), " ", again);
     }
   };
-  const again = h("button", { type: "button", class: "btn small", onclick: open }, t("replay.picture.again"));
+  const again = h("button", { type: "button", class: "btn small", onclick: open }, t("replay-picture-again"));
   const isDrawn = () => frame.contentWindow?.bodydriveView?.draws() ?? true;
   const send = newestWins(async (/** @type {ReplayMoment} */ moment) => {
     if (!word || isLeft()) return;
     try {
       await app.api.post(`/replays/${word}/at`, moment);
-      if (!isDrawn()) return off(t("replay.picture.context"));
+      if (!isDrawn()) return off(t("replay-picture-context"));
       write(words, "");
       element.classList.remove("off");
     } catch (error) {

@@ -36,14 +36,14 @@ export async function show(app, root, { signal, rest }) {
     patients.find(({ trials }) => trials) ??
     patients[0];
   if (signal.aborted) return;
-  if (!patient) return emptyPage(root, t("review.none.title"), t("review.nobody.lead"), "#/patients", t("nobody.go"));
+  if (!patient) return emptyPage(root, t("review-none-title"), t("review-nobody-lead"), "#/patients", t("nobody-go"));
   let trials = await app.api.get(`/trials?patient=${patient.id}`);
   if (signal.aborted) return;
   app.setSubject({ code: patient.code, sessions: [] });
   let redraw = () => app.show();
   followTrials(app, patient.id, trials, (now) => ((trials = now), redraw()), signal);
   const who = field(
-    t("review.patient"),
+    t("review-patient"),
     selection(
       patients.map(({ id, code, pseudonym }) => ({ value: String(id), label: `${code} ${pseudonym}` })),
       String(patient.id),
@@ -108,7 +108,7 @@ export async function show(app, root, { signal, rest }) {
           h(
             "section",
             { class: "card" },
-            h("h2", {}, t("review.trajectories"), " ", groupMark(learning.source)),
+            h("h2", {}, t("review-trajectories"), " ", groupMark(learning.source)),
             trajectories,
           ),
         ),
@@ -116,7 +116,7 @@ export async function show(app, root, { signal, rest }) {
         h(
           "p",
           { class: "card quiet" },
-          t(Object.keys(learning.others).length ? "review.other-source" : "review.no-kept"),
+          t(Object.keys(learning.others).length ? "review-other-source" : "review-no-kept"),
         ),
       quality,
       trialList(
@@ -150,7 +150,7 @@ export async function show(app, root, { signal, rest }) {
       compare = compareChoice(patient.id);
       app.toasts.attempt(drawChoice);
     });
-    put(pathPlace, field(t("review.path"), choice));
+    put(pathPlace, field(t("review-path"), choice));
   };
   const chooseGroup = () => {
     const choice = groupChoice(
@@ -179,20 +179,20 @@ export async function show(app, root, { signal, rest }) {
         app.toasts.attempt(drawChoice);
       },
     );
-    put(measurePlace, field(t("review.measure"), choice));
+    put(measurePlace, field(t("review-measure"), choice));
   };
   put(
     root,
     h(
       "div",
       { class: "body" },
-      h("h1", { tabindex: "-1" }, t("review.title")),
+      h("h1", { tabindex: "-1" }, t("review-title")),
       h(
         "div",
         { class: "columns filters" },
         patients.length > 1 && who,
-        h("a", { class: "btn", href: `#/session/patient/${patient.id}` }, t("record.link")),
-        patients.length > 1 && h("a", { class: "btn", href: "#/attention" }, t("attention.open")),
+        h("a", { class: "btn", href: `#/session/patient/${patient.id}` }, t("record-link")),
+        patients.length > 1 && h("a", { class: "btn", href: "#/attention" }, t("attention-open")),
         pathPlace,
         measurePlace,
         groupPlace,
@@ -209,8 +209,8 @@ export async function show(app, root, { signal, rest }) {
  * @param {Node} tests before driving, which there may be without a trial
  */
 function noTrials(app, root, who, tests) {
-  const action = app.me?.role === "reviewer" ? undefined : t("review.none.go"); // a reviewer starts no trial
-  emptyPage(root, t("review.none.title"), t("review.none.lead"), "#/drive", action);
+  const action = app.me?.role === "reviewer" ? undefined : t("review-none-go"); // a reviewer starts no trial
+  emptyPage(root, t("review-none-title"), t("review-none-lead"), "#/drive", action);
   if (who) root.firstElementChild?.append(h("div", { class: "other-patient" }, who));
   root.firstElementChild?.append(tests);
 }

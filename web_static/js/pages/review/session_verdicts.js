@@ -20,26 +20,26 @@ export function sessionVerdicts({ trials, verdicts: { sessions, deterioration, n
   return h(
     "section",
     { class: "card session-verdicts" },
-    h("h2", {}, t("verdict.title")),
+    h("h2", {}, t("verdict-title")),
     worse.map((words) => h("p", { class: "problem" }, words)),
-    sessions.length === 0 && h("p", {}, countWords(trials), " ", t("verdict.needed", { count: needed })),
+    sessions.length === 0 && h("p", {}, countWords(trials), " ", t("verdict-needed", { count: needed })),
     sessions.map((one) => comparison(one, measure, needed, days)),
     sessions.length > 0 && noiseNote(),
     patient.sessions > 1 &&
-      h("p", {}, h("a", { class: "btn", href: `#/session/patient/${patient.id}/compare` }, t("verdict.compare"))),
+      h("p", {}, h("a", { class: "btn", href: `#/session/patient/${patient.id}/compare` }, t("verdict-compare"))),
   );
 }
 
 /** How many trials of the task count towards a verdict. @param {Learning["trials"]} trials */
 export function countWords(trials) {
   const count = trials.filter(({ familiarisation }) => !familiarisation).length;
-  return t(count ? "verdict.counts" : "verdict.counts.none", { count, all: trials.length });
+  return t(count ? "verdict-counts" : "verdict-counts-none", { count, all: trials.length });
 }
 
 /** What a measure with too few trials lacks; empty for any other verdict. @param {Verdict} verdict @param {number} needed */
 function lackWords({ word, trials }, needed) {
   if (word !== "too few") return "";
-  return t(trials < needed ? "verdict.few" : "verdict.few.sessions", { count: trials, needed });
+  return t(trials < needed ? "verdict-few" : "verdict-few-sessions", { count: trials, needed });
 }
 
 /** @param {SessionVerdicts} compared @param {string} measure @param {number} needed trials @param {Map<number, string>} days by session */
@@ -47,9 +47,9 @@ function comparison(compared, measure, needed, days) {
   const { earlier, later, trials, verdicts } = compared;
   const verdict = verdictWords(measure, verdicts[measure]);
   const [first, second] = [earlier, later].map(
-    (one, place) => `${days.get(one)}, ${t("verdict.trials", { count: trials[place] })}`,
+    (one, place) => `${days.get(one)}, ${t("verdict-trials", { count: trials[place] })}`,
   );
-  const title = t("verdict.sessions", { earlier, later, first, second });
+  const title = t("verdict-sessions", { earlier, later, first, second });
   return h(
     "div",
     { class: "session-verdict" },
@@ -63,7 +63,7 @@ function comparison(compared, measure, needed, days) {
         ` ${lackWords(verdicts[measure], needed)}`,
       ),
     verdicts[REACHED] && reachedLine(verdicts[REACHED]),
-    Object.keys(verdicts).length > 0 && h("details", {}, h("summary", {}, t("verdict.all")), table(compared, title)),
+    Object.keys(verdicts).length > 0 && h("details", {}, h("summary", {}, t("verdict-all")), table(compared, title)),
   );
 }
 
@@ -94,11 +94,11 @@ function table({ earlier, later, verdicts }, title) {
     );
   };
   const head = [
-    t("over.measure"),
-    t("verdict.column"),
-    t("verdict.session", { number: earlier }),
-    t("verdict.session", { number: later }),
-    t("verdict.noise"),
+    t("over-measure"),
+    t("verdict-column"),
+    t("verdict-session", { number: earlier }),
+    t("verdict-session", { number: later }),
+    t("verdict-noise"),
   ];
   return scrollTable(
     title,

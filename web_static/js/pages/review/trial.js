@@ -26,8 +26,8 @@ export async function show(app, root, { signal, rest: [patient, , id] }) {
     app.live.addEventListener("changed", ({ detail }) => ["trial", "everything"].includes(detail) && app.show(), {
       signal,
     });
-    const title = t("review.running.title", { number: read.trial.number });
-    return emptyPage(root, title, t("review.running.lead"), `#/review/${patient}`, t("review.back"));
+    const title = t("review-running-title", { number: read.trial.number });
+    return emptyPage(root, title, t("review-running-lead"), `#/review/${patient}`, t("review-back"));
   }
   let why = "";
   const [line, comments] = await Promise.all([
@@ -41,13 +41,13 @@ export async function show(app, root, { signal, rest: [patient, , id] }) {
     line && head
       ? replay(app, root, read, line, head, card, signal)
       : withoutReplay(why, comments.length > 0 && card.element);
-  const back = () => [h("a", { class: "btn", href: `#/review/${patient}` }, t("review.back"))];
+  const back = () => [h("a", { class: "btn", href: `#/review/${patient}` }, t("review-back"))];
   showTrialOver(app, root, read, back, above);
 }
 
 /** @param {string} why @param {HTMLElement | false} card the comments on the trial, when there are some */
 function withoutReplay(why, card) {
-  return h("div", { class: "replay" }, h("p", { class: "card quiet" }, t("replay.none"), " ", why), card);
+  return h("div", { class: "replay" }, h("p", { class: "card quiet" }, t("replay-none"), " ", why), card);
 }
 
 /**
@@ -56,7 +56,7 @@ function withoutReplay(why, card) {
  */
 function replay(app, root, { trial, plan }, line, head, comments, signal) {
   const where = line.floorplan ?? plan;
-  const fromAbove = where && replayPlan(where, trial, line, t("replay.plan"));
+  const fromAbove = where && replayPlan(where, trial, line, t("replay-plan"));
   if (fromAbove) {
     const show = () => fromAbove.show(head.t);
     head.addEventListener("time", show, { signal });
@@ -64,7 +64,7 @@ function replay(app, root, { trial, plan }, line, head, comments, signal) {
   }
   const element = h(
     "section",
-    { class: "replay", "aria-label": t("replay.title") },
+    { class: "replay", "aria-label": t("replay-title") },
     line.message && h("p", { class: "problem" }, line.message),
     h(
       "div",
@@ -73,7 +73,7 @@ function replay(app, root, { trial, plan }, line, head, comments, signal) {
         "div",
         { class: "replay-pictures" },
         replayView(app, trial.id, where && replayDrawn(where, trial, line), head, signal),
-        fromAbove && h("section", { class: "card replay-plan" }, h("h2", {}, t("replay.plan")), fromAbove.element),
+        fromAbove && h("section", { class: "card replay-plan" }, h("h2", {}, t("replay-plan")), fromAbove.element),
       ),
       h(
         "div",
@@ -84,7 +84,7 @@ function replay(app, root, { trial, plan }, line, head, comments, signal) {
       ),
     ),
     playBar(head, line.events, signal, comments.marks),
-    h("p", { class: "quiet small" }, t("replay.keys")),
+    h("p", { class: "quiet small" }, t("replay-keys")),
   );
   playKeys(root, head, signal);
   return element;

@@ -32,47 +32,47 @@ export function trialList(patient, trials, used, compare, unread) {
           {
             class: "row-link",
             href: `#/review/${patient.id}/trial/${trial.id}`,
-            "aria-label": t("review.open", { number: trial.number }),
+            "aria-label": t("review-open", { number: trial.number }),
           },
           String(trial.number),
         ),
         unread({ trial_id: trial.id }),
       ),
       h("td", {}, moment(trial.started)),
-      h("td", {}, t(`review.end.${trial.end}`), interruptionMark(trial.measures)),
+      h("td", {}, t(`review-end-${trial.end}`), interruptionMark(trial.measures)),
       listed.map((name) =>
         h("td", {}, comparable(name, trial.measures) ? withUnit(name, measured(trial.measures, name)) : "–"),
       ),
       h(
         "td",
         { title: trial.source.description },
-        groupMark(groupOf(trial)) ?? t("source.group.worn"),
+        groupMark(groupOf(trial)) ?? t("source-group-worn"),
         trial.origin && h("div", { class: "quiet small" }, originWords(trial.origin)),
       ),
       h(
         "td",
         {},
         trial.kept
-          ? t(used.has(trial.id) ? "review.used" : "review.kept")
+          ? t(used.has(trial.id) ? "review-used" : "review-kept")
           : h("div", { class: "sentence" }, trial.discard_reason),
       ),
       h("td", {}, compare.box(trial)),
     );
   const head = [
-    t("review.column.number"),
-    t("review.column.when"),
-    t("review.column.end"),
+    t("review-column-number"),
+    t("review-column-when"),
+    t("review-column-end"),
     ...listed.map(nameOf),
-    t("review.column.source"),
-    t("review.column.kept"),
-    t("compare.column"),
+    t("review-column-source"),
+    t("review-column-kept"),
+    t("compare-column"),
   ];
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("review.trials")),
+    h("h2", {}, t("review-trials")),
     scrollTable(
-      t("review.trials"),
+      t("review-trials"),
       "measures trials",
       h(
         "thead",

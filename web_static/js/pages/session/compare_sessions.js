@@ -23,7 +23,7 @@ export async function show(app, root, { signal, rest: [, first, second] }) {
     h(
       "li",
       {},
-      h("a", { href: `#/session/${id}` }, t("verdict.session", { number: place })),
+      h("a", { href: `#/session/${id}` }, t("verdict-session", { number: place })),
       ` (${moment(started)})`,
       goal && `: ${goal}`,
     );
@@ -32,17 +32,17 @@ export async function show(app, root, { signal, rest: [, first, second] }) {
     h(
       "div",
       { class: "body session-record" },
-      h("h1", { tabindex: "-1" }, t("record.compare.title")),
+      h("h1", { tabindex: "-1" }, t("record-compare-title")),
       h(
         "p",
         { class: "lead" },
-        t("record.compare.lead", { code: earlier.code, earlier: earlier.number, later: later.number }),
+        t("record-compare-lead", { code: earlier.code, earlier: earlier.number, later: later.number }),
       ),
       h("ul", { class: "card two-sessions" }, link(earlier), link(later)),
-      tasks.length === 0 && tests.length === 0 && h("p", { class: "card quiet" }, t("record.compare.nothing")),
+      tasks.length === 0 && tests.length === 0 && h("p", { class: "card quiet" }, t("record-compare-nothing")),
       tasks.map((task) => taskCard(found, task)),
       tasks.length > 0 &&
-        h("div", { class: "card" }, h("p", { class: "quiet small" }, t("record.compare.spread")), noiseNote()),
+        h("div", { class: "card" }, h("p", { class: "quiet small" }, t("record-compare-spread")), noiseNote()),
       tests.map((compared) => testsCard(found, compared)),
       changesCard(found),
     ),
@@ -50,14 +50,14 @@ export async function show(app, root, { signal, rest: [, first, second] }) {
       "div",
       { class: "foot" },
       h("span", { class: "grow" }),
-      h("a", { class: "btn", href: `#/session/patient/${earlier.patient_id}` }, t("record.back")),
+      h("a", { class: "btn", href: `#/session/patient/${earlier.patient_id}` }, t("record-back")),
     ),
   );
 }
 
 /** @param {SessionComparison} found @param {TaskComparison} task */
 function taskCard({ earlier, later }, { floorplan_title: plan, path_title: path, source, trials, counted, measures }) {
-  const title = t("record.compare.task", { plan, path });
+  const title = t("record-compare-task", { plan, path });
   const names = [REACHED, ...measureNames()].filter((name) => measures[name]);
   const compared = /** @type {const} */ (["earlier", "later"]).map((when) =>
     Math.max(0, ...names.map((name) => measures[name][when]?.trials ?? 0)),
@@ -75,8 +75,8 @@ function taskCard({ earlier, later }, { floorplan_title: plan, path_title: path,
       h("td", { class: "own" }, name === REACHED ? shareWords(verdict?.later ?? null) : summaryWords(name, now)),
     );
   };
-  const sessions = [earlier, later].map((one) => t("verdict.session", { number: one.number }));
-  const head = [t("over.measure"), t("verdict.column"), ...sessions];
+  const sessions = [earlier, later].map((one) => t("verdict-session", { number: one.number }));
+  const head = [t("over-measure"), t("verdict-column"), ...sessions];
   return h(
     "section",
     { class: "card stack" },
@@ -86,11 +86,11 @@ function taskCard({ earlier, later }, { floorplan_title: plan, path_title: path,
       { class: "small" },
       [earlier, later].map(
         (one, i) =>
-          `${t("record.compare.trials", { number: one.number, driven: trials[i], counted: counted[i], compared: compared[i] })} `,
+          `${t("record-compare-trials", { number: one.number, driven: trials[i], counted: counted[i], compared: compared[i] })} `,
       ),
     ),
     names.length === 0
-      ? h("p", { class: "quiet" }, t("record.compare.none"))
+      ? h("p", { class: "quiet" }, t("record-compare-none"))
       : scrollTable(
           title,
           "measures in-view",
@@ -114,18 +114,18 @@ function testsCard({ earlier, later }, compared) {
   return h(
     "section",
     { class: "card stack" },
-    h("h2", {}, t("record.tests"), " ", groupMark(compared.source)),
+    h("h2", {}, t("record-tests"), " ", groupMark(compared.source)),
     h(
       "p",
       { class: "small" },
-      sessions.map((one, i) => `${t("record.compare.tests", { number: one.number, complete: compared.complete[i] })} `),
-      t("record.compare.tests.newest"),
+      sessions.map((one, i) => `${t("record-compare-tests", { number: one.number, complete: compared.complete[i] })} `),
+      t("record-compare-tests-newest"),
     ),
     comparedTests(
       compared,
-      sessions.map((one) => t("verdict.session", { number: one.number })),
+      sessions.map((one) => t("verdict-session", { number: one.number })),
     ),
-    h("p", { class: "quiet small" }, t("test.noise")),
+    h("p", { class: "quiet small" }, t("test-noise")),
   );
 }
 
@@ -136,7 +136,7 @@ function summaryWords(name, summary) {
   return [
     h("span", { class: "whole" }, joined(median, entryOf(name).unit)),
     " ",
-    h("span", { class: "whole small" }, t("record.compare.range", { low, high })),
+    h("span", { class: "whole small" }, t("record-compare-range", { low, high })),
   ];
 }
 
@@ -145,7 +145,7 @@ function changesCard({ earlier, later, sets: [before, now], changes }) {
   const maps =
     before &&
     now &&
-    t("record.compare.maps", {
+    t("record-compare-maps", {
       earlier: before.version,
       first: earlier.number,
       later: now.version,
@@ -154,10 +154,10 @@ function changesCard({ earlier, later, sets: [before, now], changes }) {
   return h(
     "section",
     { class: "card stack" },
-    h("h2", {}, t("record.compare.changed")),
+    h("h2", {}, t("record-compare-changed")),
     maps && h("p", {}, maps),
-    changes === null && h("p", { class: "quiet" }, t("record.compare.unknown")),
-    changes?.length === 0 && h("p", {}, t("record.compare.same")),
+    changes === null && h("p", { class: "quiet" }, t("record-compare-unknown")),
+    changes?.length === 0 && h("p", {}, t("record-compare-same")),
     changes !== null &&
       changes.length > 0 &&
       h(

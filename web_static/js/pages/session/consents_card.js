@@ -27,7 +27,7 @@ export function consentsCard(app, found, onChange) {
   /** @param {ConsentView} one */
   const row = (one) => {
     const { consent, given, history } = one;
-    const name = t(`consent.${consent}`);
+    const name = t(`consent-${consent}`);
     const path = /** @type {const} */ (`/patients/${found.patient_id}/consents/${consent}`);
     const date = h("input", { type: "date", required: true });
     date.defaultValue = date.value = today();
@@ -45,7 +45,7 @@ export function consentsCard(app, found, onChange) {
         "div",
         { class: "grow" },
         h("h3", {}, name),
-        h("p", { class: "quiet small" }, t(`consent.${consent}.hint`)),
+        h("p", { class: "quiet small" }, t(`consent-${consent}-hint`)),
         h("p", {}, standWords(one)),
       ),
       mayChange &&
@@ -53,8 +53,8 @@ export function consentsCard(app, found, onChange) {
         h(
           "form",
           { class: "spread consent-form", onsubmit: give },
-          field(t("consent.day"), date),
-          h("button", { class: "btn", "aria-label": t("consent.give.label", { consent: name }) }, t("consent.give")),
+          field(t("consent-day"), date),
+          h("button", { class: "btn", "aria-label": t("consent-give-label", { consent: name }) }, t("consent-give")),
         ),
       mayChange &&
         given &&
@@ -63,18 +63,18 @@ export function consentsCard(app, found, onChange) {
           {
             type: "button",
             class: "btn",
-            "aria-label": t("consent.withdraw.label", { consent: name }),
+            "aria-label": t("consent-withdraw-label", { consent: name }),
             onclick: () => change(() => app.api.remove(path), consent),
           },
-          t("consent.withdraw"),
+          t("consent-withdraw"),
         ),
       past.length > 0 &&
         h(
           "details",
           {},
-          h("summary", {}, t("consent.history")),
+          h("summary", {}, t("consent-history")),
           past.map(({ given: from, withdrawn, withdrawn_by: person }) =>
-            h("p", { class: "quiet small" }, t("consent.past", { day: day(from), withdrawn: day(withdrawn), person })),
+            h("p", { class: "quiet small" }, t("consent-past", { day: day(from), withdrawn: day(withdrawn), person })),
           ),
         ),
     );
@@ -84,15 +84,15 @@ export function consentsCard(app, found, onChange) {
   return h(
     "section",
     { class: "card stack" },
-    h("h2", {}, t("consent.title")),
-    h("p", { class: "quiet" }, t("consent.lead")),
+    h("h2", {}, t("consent-title")),
+    h("p", { class: "quiet" }, t("consent-lead")),
     list,
   );
 }
 
 /** @param {ConsentView} one */
 function standWords({ given, history }) {
-  if (!given) return t("consent.off");
+  if (!given) return t("consent-off");
   const person = history.find(({ withdrawn }) => !withdrawn)?.person;
-  return t("consent.by", { day: day(given), person });
+  return t("consent-by", { day: day(given), person });
 }

@@ -16,12 +16,12 @@ export function drivenCard({ patient_id: patient, trials, drives, tests, sets },
   return h(
     "section",
     { class: "card stack" },
-    h("h2", {}, t("record.driven")),
-    isEmpty && h("p", { class: "quiet" }, t("record.driven.none")),
+    h("h2", {}, t("record-driven")),
+    isEmpty && h("p", { class: "quiet" }, t("record-driven-none")),
     trials.length > 0 && trialTable(patient, trials, unread),
-    drives.length > 0 && h("p", {}, t("record.driven.drives", { count: drives.length })),
-    tests.length > 0 && [h("h3", {}, t("record.tests")), testTable(tests)],
-    sets.length > 0 && [h("h3", {}, t("record.sets")), h("ul", { class: "sets-of-session" }, sets.map(setLine))],
+    drives.length > 0 && h("p", {}, t("record-driven-drives", { count: drives.length })),
+    tests.length > 0 && [h("h3", {}, t("record-tests")), testTable(tests)],
+    sets.length > 0 && [h("h3", {}, t("record-sets")), h("ul", { class: "sets-of-session" }, sets.map(setLine))],
   );
 }
 
@@ -38,25 +38,25 @@ function trialTable(patient, trials, unread) {
         h(
           "a",
           { class: "row-link", href: `#/review/${patient}/trial/${trial.id}` },
-          t("record.driven.trial", { plan: trial.floorplan_title, number: trial.number }),
+          t("record-driven-trial", { plan: trial.floorplan_title, number: trial.number }),
         ),
         unread({ trial_id: trial.id }),
       ),
-      h("td", {}, t(`review.end.${trial.end}`), interruptionMark(trial.measures)),
-      h("td", { title: trial.source.description }, groupMark(groupOf(trial)) ?? t("source.group.worn")),
+      h("td", {}, t(`review-end-${trial.end}`), interruptionMark(trial.measures)),
+      h("td", { title: trial.source.description }, groupMark(groupOf(trial)) ?? t("source-group-worn")),
       h(
         "td",
         {},
         h(
           "div",
           { class: "sentence" },
-          trial.kept ? t("record.driven.counts") : t("record.driven.discarded", { reason: trial.discard_reason }),
+          trial.kept ? t("record-driven-counts") : t("record-driven-discarded", { reason: trial.discard_reason }),
         ),
       ),
     );
-  const head = [t("record.driven.task"), t("review.column.end"), t("review.column.source"), t("record.driven.kept")];
+  const head = [t("record-driven-task"), t("review-column-end"), t("review-column-source"), t("record-driven-kept")];
   return scrollTable(
-    t("record.driven"),
+    t("record-driven"),
     "measures trials",
     h(
       "thead",
@@ -76,12 +76,12 @@ function setLine({ version, title, hash }) {
   return h(
     "li",
     {},
-    t("record.set", { version, title }),
+    t("record-set", { version, title }),
     h(
       "details",
       {},
-      h("summary", {}, t("record.details")),
-      h("p", { class: "small hash" }, t("record.set.hash", { hash })),
+      h("summary", {}, t("record-details")),
+      h("p", { class: "small hash" }, t("record-set-hash", { hash })),
     ),
   );
 }

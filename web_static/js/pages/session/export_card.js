@@ -24,9 +24,9 @@ export function exportCard(app, { patient_id: patient, code, consents }, session
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("export.title")),
-    h("p", { class: "quiet small" }, t("export.lead")),
-    isShared ? choice(app, patient, code, sessions) : h("p", {}, t("export.consent")),
+    h("h2", {}, t("export-title")),
+    h("p", { class: "quiet small" }, t("export-lead")),
+    isShared ? choice(app, patient, code, sessions) : h("p", {}, t("export-consent")),
   );
 }
 
@@ -43,8 +43,8 @@ function choice(app, patient, code, sessions) {
   };
   const link = h(
     "a",
-    { class: "btn", download: "", onclick: go, "aria-label": t("export.go.label", { code }) },
-    t("export.go"),
+    { class: "btn", download: "", onclick: go, "aria-label": t("export-go-label", { code }) },
+    t("export-go"),
   );
   const offer = h("p", {}, link);
   const isOpen = sessions.some(({ ended }) => ended === null);
@@ -55,35 +55,35 @@ function choice(app, patient, code, sessions) {
     link.setAttribute("href", `/api/v1/patients/${patient}/${isArchive ? ARCHIVE : `export?${query}`}`);
     offer.hidden = isArchive; // until the disk of the clinic was looked at
     what.hidden = isArchive;
-    write(words, isArchive && isOpen ? t("export.archive.open") : form === "csv" ? t("export.csv.how") : "");
+    write(words, isArchive && isOpen ? t("export-archive-open") : form === "csv" ? t("export-csv-how") : "");
     if (isArchive && !isOpen) lookForRoom();
   };
   const lookForRoom = async () => {
     const room = await app.toasts.attempt(() => app.api.get(`/patients/${patient}/archive/room`));
     if (form !== ARCHIVE || !room) return;
     offer.hidden = Boolean(room.message);
-    write(words, room.message || t("export.archive.how", { size: size(room.bytes) }));
+    write(words, room.message || t("export-archive-how", { size: size(room.bytes) }));
   };
   const forms = selection(
-    FORMS.map((value) => ({ value, label: t(`export.form.${value}`) })),
+    FORMS.map((value) => ({ value, label: t(`export-form-${value}`) })),
     form,
     (value) => ((form = value), draw()),
   );
-  const numbers = sessions.map(({ number }) => ({ value: String(number), label: t("export.session", { number }) }));
+  const numbers = sessions.map(({ number }) => ({ value: String(number), label: t("export-session", { number }) }));
   const which = selection(
-    [{ value: ALL, label: t("export.all") }, ...numbers],
+    [{ value: ALL, label: t("export-all") }, ...numbers],
     session,
     (value) => ((session = value), draw()),
   );
-  const what = field(t("export.what"), which);
+  const what = field(t("export-what"), which);
   draw();
   return h(
     "div",
     { class: "stack" },
-    h("div", { class: "columns" }, field(t("export.form"), forms), what),
+    h("div", { class: "columns" }, field(t("export-form"), forms), what),
     words,
     offer,
     progress.element,
-    h("p", { class: "quiet small" }, t("export.wait")),
+    h("p", { class: "quiet small" }, t("export-wait")),
   );
 }

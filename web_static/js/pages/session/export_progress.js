@@ -9,7 +9,7 @@ const MOST_UNKNOWN = 30; // answers in which the export has not begun: then it w
 /** @param {import("../../main.js").App} app */
 export function exportProgress(app) {
   const words = h("p", { class: "number", role: "status" });
-  const bar = h("progress", { max: 1, value: 0, "aria-label": t("export.progress") });
+  const bar = h("progress", { max: 1, value: 0, "aria-label": t("export-progress") });
   const element = h("div", { class: "measuring", hidden: true }, words, bar);
   let timer = 0;
   /** @param {string} word @param {number} unknown answers so far */
@@ -25,7 +25,7 @@ export function exportProgress(app) {
     const figures = { packed, recordings, size: size(sent) };
     bar.hidden = state !== "going on";
     bar.value = recordings ? packed / recordings : 0;
-    write(words, t(`export.state.${state}`, figures));
+    write(words, t(`export-state-${state}`, figures));
     if (state === "going on") timer = setTimeout(() => look(word, unknown), ASK_EVERY);
   };
   /** Begin to ask, and return the word that the link of the export is to carry. */
@@ -35,7 +35,7 @@ export function exportProgress(app) {
     bar.value = 0;
     bar.hidden = false;
     element.hidden = false;
-    write(words, t("export.begun"));
+    write(words, t("export-begun"));
     timer = setTimeout(() => look(word, 0), ASK_EVERY);
     return word;
   };

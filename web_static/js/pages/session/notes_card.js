@@ -14,17 +14,17 @@ export function notesCard(app, now, { mayChange, change }) {
   const { id } = now();
   const draw = () => {
     const { notes } = now();
-    put(list, notes.length ? notes.map(row) : h("p", { class: "quiet" }, t("record.notes.none")));
+    put(list, notes.length ? notes.map(row) : h("p", { class: "quiet" }, t("record-notes-none")));
   };
   /** @param {NoteView} note */
   const row = (note) => {
     const [newest, ...earlier] = note.revisions;
-    const by = t(earlier.length ? "record.note.revised" : "record.note.by", {
+    const by = t(earlier.length ? "record-note-revised" : "record-note-by", {
       person: newest.person,
       moment: moment(newest.written),
     });
     const element = h("article", { class: "note-of-session" });
-    const label = t("record.note.revise.label", { person: newest.person, moment: moment(newest.written) });
+    const label = t("record-note-revise-label", { person: newest.person, moment: moment(newest.written) });
     const revise = () => {
       const send = async (/** @type {string} */ text) => {
         if (!(await change(() => app.api.put(`/sessions/${id}/notes/${note.id}`, { text })))) return;
@@ -33,11 +33,11 @@ export function notesCard(app, now, { mayChange, change }) {
           .querySelector("button")
           ?.focus();
       };
-      const action = t("record.note.save");
+      const action = t("record-note-save");
       put(
         element,
         textForm({
-          label: t("record.note.text"),
+          label: t("record-note-text"),
           text: newest.text,
           action,
           longest: limitsOf("NoteText", "text").longest ?? Infinity,
@@ -58,20 +58,20 @@ export function notesCard(app, now, { mayChange, change }) {
           h(
             "button",
             { type: "button", class: "btn small", "aria-label": label, onclick: revise },
-            t("record.note.revise"),
+            t("record-note-revise"),
           ),
       ),
       earlier.length > 0 &&
         h(
           "details",
           {},
-          h("summary", {}, t("record.note.history", { count: earlier.length })),
+          h("summary", {}, t("record-note-history", { count: earlier.length })),
           earlier.map(({ text, person, written }) =>
             h(
               "div",
               { class: "earlier-text" },
               h("p", { class: "own-words" }, text),
-              h("p", { class: "quiet small" }, t("record.note.by", { person, moment: moment(written) })),
+              h("p", { class: "quiet small" }, t("record-note-by", { person, moment: moment(written) })),
             ),
           ),
         ),
@@ -88,8 +88,8 @@ export function notesCard(app, now, { mayChange, change }) {
     put(
       place,
       textForm({
-        label: t("record.note.new"),
-        action: t("record.note.add"),
+        label: t("record-note-new"),
+        action: t("record-note-add"),
         longest: limitsOf("NoteText", "text").longest ?? Infinity,
         send,
       }),
@@ -97,5 +97,5 @@ export function notesCard(app, now, { mayChange, change }) {
   };
   draw();
   if (mayChange) newForm();
-  return h("section", { class: "card stack" }, h("h2", {}, t("record.notes")), list, place);
+  return h("section", { class: "card stack" }, h("h2", {}, t("record-notes")), list, place);
 }

@@ -36,15 +36,15 @@ export async function show(app, root, { signal, rest: [, patient, part] }) {
   const list = rowList("people");
   list.show(
     sessions.map((session) => row(session, choice.box(session), unread({ session_id: session.id }))),
-    h("p", { class: "card quiet" }, t("record.sessions.none")),
+    h("p", { class: "card quiet" }, t("record-sessions-none")),
   );
   put(
     root,
     h(
       "div",
       { class: "body session-record" },
-      h("h1", { tabindex: "-1" }, t("record.sessions", { code: consents.code })),
-      h("p", { class: "lead" }, t("record.sessions.lead")),
+      h("h1", { tabindex: "-1" }, t("record-sessions", { code: consents.code })),
+      h("p", { class: "lead" }, t("record-sessions-lead")),
       consentsCard(app, consents, offer),
       list,
       sessions.length > 1 && choice.element,
@@ -55,7 +55,7 @@ export async function show(app, root, { signal, rest: [, patient, part] }) {
       "div",
       { class: "foot" },
       h("span", { class: "grow" }),
-      h("a", { class: "btn", href: `#/review/${id}` }, t("rail.review")),
+      h("a", { class: "btn", href: `#/review/${id}` }, t("rail-review")),
     ),
   );
   if (part === "compare") list.scrollIntoView(); // the consents stand above
@@ -71,20 +71,20 @@ function row(session, box, unread) {
     h(
       "div",
       { class: "grow" },
-      h("a", { class: "row-link", href: `#/session/${id}` }, t("verdict.session", { number })),
+      h("a", { class: "row-link", href: `#/session/${id}` }, t("verdict-session", { number })),
       " ",
       stateTag(session),
       " ",
       unread,
-      h("div", { class: "quiet small" }, `${moment(started)} · ${t("patients.trials", { count: trials })}`),
+      h("div", { class: "quiet small" }, `${moment(started)} · ${t("patients-trials", { count: trials })}`),
       origin && h("div", { class: "quiet small" }, originWords(origin)),
       signed &&
-        h("div", { class: "quiet small" }, t("record.signed", { person: signed.person, moment: moment(signed.at) })),
+        h("div", { class: "quiet small" }, t("record-signed", { person: signed.person, moment: moment(signed.at) })),
     ),
     h(
       "a",
-      { class: "btn", href: `#/session/story/${id}`, "aria-label": t("record.story.label", { number }) },
-      t("record.story"),
+      { class: "btn", href: `#/session/story/${id}`, "aria-label": t("record-story-label", { number }) },
+      t("record-story"),
     ),
   );
 }
@@ -93,8 +93,8 @@ function row(session, box, unread) {
 function sessionChoice() {
   /** @type {{id: number, input: HTMLInputElement}[]} */
   let chosen = [];
-  const link = h("a", { class: "btn", "aria-disabled": "true" }, t("record.compare"));
-  const words = h("span", { class: "quiet", role: "status" }, t("record.compare.choose", { count: 2 }));
+  const link = h("a", { class: "btn", "aria-disabled": "true" }, t("record-compare"));
+  const words = h("span", { class: "quiet", role: "status" }, t("record-compare-choose", { count: 2 }));
   const draw = () => {
     const isReady = chosen.length === 2;
     set(link, {
@@ -106,11 +106,11 @@ function sessionChoice() {
         : null,
       "aria-disabled": isReady ? null : "true",
     });
-    write(words, isReady ? "" : t("record.compare.choose", { count: 2 - chosen.length }));
+    write(words, isReady ? "" : t("record-compare-choose", { count: 2 - chosen.length }));
   };
   /** @param {SessionRow} session */
   const box = ({ id, number }) => {
-    const input = h("input", { type: "checkbox", "aria-label": t("record.compare.pick", { number }) });
+    const input = h("input", { type: "checkbox", "aria-label": t("record-compare-pick", { number }) });
     input.addEventListener("change", () => {
       chosen = chosen.filter((one) => one.id !== id);
       if (input.checked) chosen.push({ id, input });

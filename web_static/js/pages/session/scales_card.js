@@ -25,25 +25,25 @@ export function scalesCard(app, now, { mayChange, change }) {
     );
   /** @param {ScaleView} scale */
   const removeButton = (scale) => {
-    const label = t("record.scale.remove.label", { name: scale.name, day: day(scale.day) });
+    const label = t("record-scale-remove-label", { name: scale.name, day: day(scale.day) });
     const remove = async () => {
       if (await change(() => app.api.remove(`/sessions/${id}/scales/${scale.id}`))) draw();
     };
     return h(
       "button",
       { type: "button", class: "btn small", "aria-label": label, onclick: remove },
-      t("record.scale.remove"),
+      t("record-scale-remove"),
     );
   };
   const draw = () => {
     const { scales } = now();
-    const head = [t("record.scale.name"), t("record.scale.total"), t("record.scale.day")];
+    const head = [t("record-scale-name"), t("record-scale-total"), t("record-scale-day")];
     put(
       list,
       scales.length === 0
-        ? h("p", { class: "quiet" }, t("record.scales.none"))
+        ? h("p", { class: "quiet" }, t("record-scales-none"))
         : scrollTable(
-            t("record.scales"),
+            t("record-scales"),
             "measures",
             h(
               "thead",
@@ -63,7 +63,7 @@ export function scalesCard(app, now, { mayChange, change }) {
   return h(
     "section",
     { class: "card stack" },
-    h("h2", {}, t("record.scales")),
+    h("h2", {}, t("record-scales")),
     list,
     mayChange && newScale(app, id, change, draw),
   );
@@ -80,7 +80,7 @@ function newScale(app, id, change, onAdded) {
   const submit = async (event) => {
     event.preventDefault();
     const value = Number(total.value.trim().replace(",", "."));
-    problem.textContent = Number.isFinite(value) ? "" : t("record.scale.total.missing");
+    problem.textContent = Number.isFinite(value) ? "" : t("record-scale-total-missing");
     if (problem.textContent) return total.focus();
     const scale = { name: name.value.trim(), total: value, day: date.value };
     if (!(await change(() => app.api.post(`/sessions/${id}/scales`, scale)))) return;
@@ -94,12 +94,12 @@ function newScale(app, id, change, onAdded) {
     h(
       "div",
       { class: "columns" },
-      field(t("record.scale.name"), name, t("record.scale.name.hint")),
-      field(t("record.scale.total"), total, t("record.scale.total.hint")),
-      field(t("record.scale.day"), date),
+      field(t("record-scale-name"), name, t("record-scale-name-hint")),
+      field(t("record-scale-total"), total, t("record-scale-total-hint")),
+      field(t("record-scale-day"), date),
     ),
     problem,
-    h("div", { class: "spread" }, h("button", { class: "btn" }, t("record.scale.add"))),
+    h("div", { class: "spread" }, h("button", { class: "btn" }, t("record-scale-add"))),
   );
 }
 

@@ -72,10 +72,10 @@ export async function show(app, root, { signal, rest }) {
     const now = () => record;
     put(
       place,
-      h("h1", { tabindex: "-1" }, t("record.title", { number: record.number, code: record.code })),
+      h("h1", { tabindex: "-1" }, t("record-title", { number: record.number, code: record.code })),
       h("p", { class: "lead" }, stateTag(record), " ", leadWords(record)),
       record.origin && h("p", { class: "quiet" }, originWords(record.origin)),
-      !canWrite && h("p", { class: "quiet" }, t("record.only-read")),
+      !canWrite && h("p", { class: "quiet" }, t("record-only-read")),
       goalCard(app, now, writing),
       notesCard(app, now, writing),
       scalesCard(app, now, writing),
@@ -99,8 +99,8 @@ export async function show(app, root, { signal, rest }) {
   };
   draw();
   app.live.addEventListener("changed", read, { signal });
-  const back = h("a", { class: "btn", href: `#/session/patient/${record.patient_id}` }, t("record.back"));
-  const story = h("a", { class: "btn", href: `#/session/story/${id}` }, t("record.story"));
+  const back = h("a", { class: "btn", href: `#/session/patient/${record.patient_id}` }, t("record-back"));
+  const story = h("a", { class: "btn", href: `#/session/story/${id}` }, t("record-story"));
   put(root, place, h("div", { class: "foot" }, h("span", { class: "grow" }), story, back));
 }
 
@@ -112,13 +112,13 @@ function isChanged(input) {
 /** How a session stands, as a tag. @param {{ended: string | null, sign_off: unknown}} session */
 export function stateTag({ ended, sign_off: signed }) {
   const state = signed ? "signed" : ended ? "ended" : "open";
-  return h("span", { class: `tag${state === "signed" ? "" : " calm"}` }, t(`record.state.${state}`));
+  return h("span", { class: `tag${state === "signed" ? "" : " calm"}` }, t(`record-state-${state}`));
 }
 
 /** @param {SessionRecordView} record */
 function leadWords({ started, opened_by: person, version }) {
-  const began = [t("record.began", { moment: moment(started) }), person && t("record.by", { person })]
+  const began = [t("record-began", { moment: moment(started) }), person && t("record-by", { person })]
     .filter(Boolean)
     .join(" ");
-  return `${began} · ${version ? t("record.version", { version }) : t("record.version.none")}`;
+  return `${began} · ${version ? t("record-version", { version }) : t("record-version-none")}`;
 }

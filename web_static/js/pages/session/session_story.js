@@ -34,15 +34,15 @@ export async function show(app, root, { signal, rest: [, session] }) {
     h(
       "div",
       { class: "body session-record" },
-      h("h1", { tabindex: "-1" }, t("record.story.title", { number, code })),
+      h("h1", { tabindex: "-1" }, t("record-story-title", { number, code })),
       card,
     ),
     h(
       "div",
       { class: "foot" },
       h("span", { class: "grow" }),
-      h("a", { class: "btn", href: `#/session/${id}` }, t("record.story.record")),
-      h("a", { class: "btn", href: `#/session/patient/${patient}` }, t("record.back")),
+      h("a", { class: "btn", href: `#/session/${id}` }, t("record-story-record")),
+      h("a", { class: "btn", href: `#/session/patient/${patient}` }, t("record-back")),
     ),
   );
 }

@@ -22,21 +22,21 @@ export function shareCard(app, { patient_id: patient, code, consents }, sessions
   /** @param {ConsentsView["consents"]} all */
   const isGiven = (all) => all.some(({ consent, given }) => consent === "sharing" && given);
   let isConsented = isGiven(consents);
-  const heading = h("h2", { tabindex: "-1" }, t("shares.title"));
+  const heading = h("h2", { tabindex: "-1" }, t("shares-title"));
   const list = h("div", { class: "stack share-links" });
   const place = h("div", {});
   /** @param {number | null} session id */
   const whatWords = (session) =>
     session === null
-      ? t("shares.all")
-      : t("shares.session", { number: sessions.find(({ id }) => id === session)?.number });
+      ? t("shares-all")
+      : t("shares-session", { number: sessions.find(({ id }) => id === session)?.number });
   /** @param {ShareRow} link */
   const revoke = (link) =>
     app.toasts.attempt(async () => {
       ({ shares } = await app.api.remove(`/shares/${link.id}`));
       draw();
       heading.focus();
-      app.toasts.show(t("shares.revoked"));
+      app.toasts.show(t("shares-revoked"));
     });
   /** @param {ShareRow} link */
   const row = (link) => {
@@ -53,10 +53,10 @@ export function shareCard(app, { patient_id: patient, code, consents }, sessions
     const what = whatWords(session);
     const isOpen = state === "open";
     const facts = [
-      isOpen && t("shares.until", { moment: moment(expires) }),
-      openings ? t("shares.openings", { count: openings, moment: moment(last) }) : t("shares.openings.none"),
-      wrong > 0 && t("shares.wrong", { count: wrong }),
-      t("shares.made", { moment: isOpen ? moment(created) : day(created), person }),
+      isOpen && t("shares-until", { moment: moment(expires) }),
+      openings ? t("shares-openings", { count: openings, moment: moment(last) }) : t("shares-openings-none"),
+      wrong > 0 && t("shares-wrong", { count: wrong }),
+      t("shares-made", { moment: isOpen ? moment(created) : day(created), person }),
     ];
     return h(
       "article",
@@ -73,10 +73,10 @@ export function shareCard(app, { patient_id: patient, code, consents }, sessions
           {
             type: "button",
             class: "btn small",
-            "aria-label": t("shares.revoke.label", { what, moment: moment(created) }),
+            "aria-label": t("shares-revoke-label", { what, moment: moment(created) }),
             onclick: () => revoke(link),
           },
-          t("shares.revoke"),
+          t("shares-revoke"),
         ),
     );
   };
@@ -86,23 +86,23 @@ export function shareCard(app, { patient_id: patient, code, consents }, sessions
     const isUnfolded = list.querySelector("details")?.open ?? false;
     put(
       list,
-      open.length ? open.map(row) : h("p", { class: "quiet" }, t("shares.none")),
+      open.length ? open.map(row) : h("p", { class: "quiet" }, t("shares-none")),
       ended.length > 0 &&
         h(
           "details",
           { open: isUnfolded },
-          h("summary", {}, t("shares.ended", { count: ended.length })),
+          h("summary", {}, t("shares-ended", { count: ended.length })),
           ended.map(row),
         ),
     );
   };
-  const offer = () => put(place, isConsented ? form() : h("p", {}, t("shares.consent")));
+  const offer = () => put(place, isConsented ? form() : h("p", {}, t("shares-consent")));
   const form = () => {
     const options = sessions.map(({ id }) => ({ value: String(id), label: whatWords(id) }));
-    const what = selection([{ value: ALL, label: t("shares.all") }, ...options], ALL);
+    const what = selection([{ value: ALL, label: t("shares-all") }, ...options], ALL);
     const longest = limitsOf("NewShare", "days").maximum ?? Infinity;
     const days = selection(
-      [...DAYS, longest].map((count) => ({ value: String(count), label: t("shares.days", { count }) })),
+      [...DAYS, longest].map((count) => ({ value: String(count), label: t("shares-days", { count }) })),
       FIRST_DAYS,
     );
     let isBusy = false;
@@ -131,8 +131,8 @@ export function shareCard(app, { patient_id: patient, code, consents }, sessions
     return h(
       "form",
       { class: "stack", onsubmit: make },
-      h("div", { class: "columns" }, field(t("shares.what"), what), field(t("shares.for"), days)),
-      h("div", {}, h("button", { class: "btn" }, t("shares.make"))),
+      h("div", { class: "columns" }, field(t("shares-what"), what), field(t("shares-for"), days)),
+      h("div", {}, h("button", { class: "btn" }, t("shares-make"))),
     );
   };
   /** @param {ConsentsView} now */
@@ -158,7 +158,7 @@ export function shareCard(app, { patient_id: patient, code, consents }, sessions
     "section",
     { class: "card stack" },
     heading,
-    h("p", { class: "quiet small" }, t("shares.lead")),
+    h("p", { class: "quiet small" }, t("shares-lead")),
     list,
     place,
   );
@@ -168,7 +168,7 @@ export function shareCard(app, { patient_id: patient, code, consents }, sessions
 /** @param {ShareRow["state"] | "closed"} state */
 function tag(state) {
   const tone = { open: "", closed: " att", dead: " att", over: " plain", revoked: " plain" }[state];
-  return h("span", { class: `tag${tone}` }, t(`shares.state.${state}`));
+  return h("span", { class: `tag${tone}` }, t(`shares-state-${state}`));
 }
 
 /**
@@ -176,21 +176,21 @@ function tag(state) {
  * @param {() => void} onDone
  */
 function newLink(app, { url, pin, message }, what, code, onDone) {
-  const copy = () => copyText(app, url, t("screens.copied"), t("screens.copy-failed"));
+  const copy = () => copyText(app, url, t("screens-copied"), t("screens-copy-failed"));
   return h(
     "section",
     { class: "paired" },
-    h("h3", { tabindex: "-1" }, t("shares.new", { what })),
-    h("p", {}, t("shares.new.lead", { code })),
+    h("h3", { tabindex: "-1" }, t("shares-new", { what })),
+    h("p", {}, t("shares-new-lead", { code })),
     message && h("p", { class: "att" }, message),
     h("pre", {}, h("code", {}, url)),
-    h("p", { class: "small" }, t("shares.pin")),
+    h("p", { class: "small" }, t("shares-pin")),
     h("p", { class: "typed-code" }, pin),
     h(
       "div",
       { class: "spread" },
-      h("button", { type: "button", class: "btn", onclick: copy }, t("screens.copy")),
-      h("button", { type: "button", class: "btn go", onclick: onDone }, t("shares.done")),
+      h("button", { type: "button", class: "btn", onclick: copy }, t("screens-copy")),
+      h("button", { type: "button", class: "btn go", onclick: onDone }, t("shares-done")),
     ),
   );
 }

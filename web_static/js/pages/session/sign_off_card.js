@@ -15,16 +15,16 @@ export function signOffCard(app, record, { mayChange, isOwner, person, change })
   const past = all.filter(({ unlocked }) => unlocked);
   const ask = () => {
     const yes = async () => {
-      if (await change(() => app.api.post(`/sessions/${id}/sign-off`), t("record.signed.done")))
+      if (await change(() => app.api.post(`/sessions/${id}/sign-off`), t("record-signed-done")))
         await app.toasts.attempt(() => app.readSession({ isOwn: true }));
     };
     put(
       place,
-      h("p", {}, t("record.sign.sure", { person })),
+      h("p", {}, t("record-sign-sure", { person })),
       h(
         "div",
         { class: "spread" },
-        h("button", { type: "button", class: "btn go", onclick: yes }, t("record.sign.yes")),
+        h("button", { type: "button", class: "btn go", onclick: yes }, t("record-sign-yes")),
         h("button", { type: "button", class: "btn", onclick: offer }, t("cancel")),
       ),
     );
@@ -36,7 +36,7 @@ export function signOffCard(app, record, { mayChange, isOwner, person, change })
       h(
         "div",
         { class: "spread" },
-        h("button", { type: "button", class: "btn go", onclick: ask }, t("record.sign.go")),
+        h("button", { type: "button", class: "btn go", onclick: ask }, t("record-sign-go")),
       ),
     );
   const askWhy = () => {
@@ -49,22 +49,22 @@ export function signOffCard(app, record, { mayChange, isOwner, person, change })
   const offerUnlock = () =>
     put(
       place,
-      h("div", { class: "spread" }, h("button", { type: "button", class: "btn", onclick: askWhy }, t("record.unlock"))),
+      h("div", { class: "spread" }, h("button", { type: "button", class: "btn", onclick: askWhy }, t("record-unlock"))),
     );
   if (signed && isOwner) offerUnlock();
   else if (!signed && mayChange) offer();
   return h(
     "section",
     { class: "card stack" },
-    h("h2", {}, t("record.sign")),
-    signed && h("p", {}, t("record.signed", { person: signed.person, moment: moment(signed.at) })),
-    !signed && h("p", { class: "quiet" }, t("record.sign.lead"), !ended && ` ${t("record.sign.ends")}`),
+    h("h2", {}, t("record-sign")),
+    signed && h("p", {}, t("record-signed", { person: signed.person, moment: moment(signed.at) })),
+    !signed && h("p", { class: "quiet" }, t("record-sign-lead"), !ended && ` ${t("record-sign-ends")}`),
     place,
     past.map(({ person: by, at, unlocked, unlocked_by: owner, reason }) =>
       h(
         "p",
         { class: "quiet small" },
-        t("record.signed.past", { person: by, moment: moment(at), owner, unlocked: moment(unlocked), reason }),
+        t("record-signed-past", { person: by, moment: moment(at), owner, unlocked: moment(unlocked), reason }),
       ),
     ),
   );
@@ -81,11 +81,11 @@ function unlockForm(send, onClose) {
   return h(
     "form",
     { class: "stack", onsubmit: submit },
-    field(t("record.unlock.reason"), reason, t("record.unlock.reason.hint")),
+    field(t("record-unlock-reason"), reason, t("record-unlock-reason-hint")),
     h(
       "div",
       { class: "spread" },
-      h("button", { class: "btn" }, t("record.unlock.yes")),
+      h("button", { class: "btn" }, t("record-unlock-yes")),
       h("button", { type: "button", class: "btn", onclick: onClose }, t("cancel")),
     ),
   );

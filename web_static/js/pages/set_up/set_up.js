@@ -40,20 +40,20 @@ export async function show(app, root) {
     h(
       "div",
       { class: "door card" },
-      h("h1", { tabindex: "-1" }, t("setup.title")),
-      h("p", { class: "lead" }, t("setup.lead")),
+      h("h1", { tabindex: "-1" }, t("setup-title")),
+      h("p", { class: "lead" }, t("setup-lead")),
       h(
         "form",
         { class: "stack", onsubmit: submit },
-        field(t("setup.code"), code, t("setup.code.hint")),
-        field(t("sign-in.name"), name),
+        field(t("setup-code"), code, t("setup-code-hint")),
+        field(t("sign-in-name"), name),
         passwordField(
-          t("sign-in.password"),
+          t("sign-in-password"),
           password,
-          t("setup.password.hint", { count: REFERENCE.numbers.password_length }),
+          t("setup-password-hint", { count: REFERENCE.numbers.password_length }),
         ),
         problem,
-        h("button", { class: "btn go large" }, t("setup.go")),
+        h("button", { class: "btn go large" }, t("setup-go")),
       ),
     ),
   );

@@ -20,7 +20,7 @@ export function chairsCard(app, chairs, isOwner, signal) {
   const draw = () =>
     list.show(
       chairs.chairs.map((chair) => row(chair)),
-      h("p", { class: "quiet" }, t("chairs.none")),
+      h("p", { class: "quiet" }, t("chairs-none")),
     );
   /** @param {CustomEvent<string>} event */
   const readAgain = async ({ detail }) => {
@@ -39,7 +39,7 @@ export function chairsCard(app, chairs, isOwner, signal) {
     unpairing = null;
     await app.toasts.attempt(async () => {
       chairs = await app.api.remove(`/chairs/${chair.id}`);
-      app.toasts.show(t("chairs.unpaired", { name: chair.name }));
+      app.toasts.show(t("chairs-unpaired", { name: chair.name }));
     });
     draw();
   };
@@ -56,7 +56,7 @@ export function chairsCard(app, chairs, isOwner, signal) {
           { class: "grow" },
           h("b", {}, chair.name),
           " ",
-          h("span", { class: "quiet" }, t("chairs.address", { host: chair.host, port: chair.port })),
+          h("span", { class: "quiet" }, t("chairs-address", { host: chair.host, port: chair.port })),
           h("div", { class: "quiet small" }, factsOf(chair)),
         ),
         isOwner &&
@@ -65,8 +65,8 @@ export function chairsCard(app, chairs, isOwner, signal) {
             {
               type: "button",
               class: "icon-button",
-              "aria-label": t("chairs.unpair.label", { name: chair.name }),
-              title: t("chairs.unpair"),
+              "aria-label": t("chairs-unpair-label", { name: chair.name }),
+              title: t("chairs-unpair"),
               onclick: () => ask(chair),
             },
             icon("bin", 22),
@@ -77,7 +77,7 @@ export function chairsCard(app, chairs, isOwner, signal) {
   const offer = () =>
     put(
       below,
-      isOwner && h("button", { type: "button", class: "btn", onclick: openForm }, icon("plus", 20), t("chairs.pair")),
+      isOwner && h("button", { type: "button", class: "btn", onclick: openForm }, icon("plus", 20), t("chairs-pair")),
     );
   const openForm = () => {
     put(below, pairForm(app, { onPaired: showKey, onClose: offer }));
@@ -98,8 +98,8 @@ export function chairsCard(app, chairs, isOwner, signal) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("chairs.title")),
-    h("p", { class: "quiet small" }, t("chairs.lead")),
+    h("h2", {}, t("chairs-title")),
+    h("p", { class: "quiet small" }, t("chairs-lead")),
     list,
     below,
   );
@@ -108,20 +108,20 @@ export function chairsCard(app, chairs, isOwner, signal) {
 /** @param {Chair} chair */
 function factsOf({ speeds, key_id: key, paired }) {
   const figures = { forward: number(speeds.forward, 2), reverse: number(speeds.reverse, 2), when: day(paired) };
-  return `${t("chairs.facts", figures)} · ${t("chairs.key", { key })}`;
+  return `${t("chairs-facts", figures)} · ${t("chairs-key", { key })}`;
 }
 
 /** @param {Chair} chair @param {(chair: Chair) => void} onUnpair @param {() => void} onClose */
 function confirmation(chair, onUnpair, onClose) {
   return h(
     "div",
-    { class: "confirm", role: "group", "aria-label": t("chairs.unpair.label", { name: chair.name }) },
-    h("b", {}, t("chairs.unpair.title", { name: chair.name })),
-    h("p", {}, t("chairs.unpair.lead")),
+    { class: "confirm", role: "group", "aria-label": t("chairs-unpair-label", { name: chair.name }) },
+    h("b", {}, t("chairs-unpair-title", { name: chair.name })),
+    h("p", {}, t("chairs-unpair-lead")),
     h(
       "div",
       { class: "spread" },
-      h("button", { type: "button", class: "btn go", onclick: () => onUnpair(chair) }, t("chairs.unpair")),
+      h("button", { type: "button", class: "btn go", onclick: () => onUnpair(chair) }, t("chairs-unpair")),
       h("button", { type: "button", class: "btn", "data-first": true, onclick: onClose }, t("cancel")),
     ),
   );

@@ -23,7 +23,7 @@ export function limitsCard(app, clinic, isOwner, signal) {
   /** @param {keyof Speeds} name @param {number} value */
   const change = (name, value) => {
     wishes[name] = value;
-    write(state, t("limits.saving"));
+    write(state, t("limits-saving"));
     clearTimeout(timer);
     timer = setTimeout(send, REST);
   };
@@ -32,7 +32,7 @@ export function limitsCard(app, clinic, isOwner, signal) {
     write(problem, "");
     try {
       limits = await app.api.put("/limits", wishes);
-      write(state, t("limits.saved"));
+      write(state, t("limits-saved"));
     } catch (error) {
       write(state, "");
       write(problem, failureWords(error));
@@ -48,8 +48,8 @@ export function limitsCard(app, clinic, isOwner, signal) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("limits.title"), state),
-    h("p", { class: "quiet small" }, t("limits.lead")),
+    h("h2", {}, t("limits-title"), state),
+    h("p", { class: "quiet small" }, t("limits-lead")),
     problem,
     place,
   );
@@ -57,7 +57,7 @@ export function limitsCard(app, clinic, isOwner, signal) {
 
 /** @param {Speeds} clinic */
 function inWords(clinic) {
-  const list = facts(SPEEDS.map(({ name }) => `speed.${name}`));
-  for (const speed of SPEEDS) list.write(`speed.${speed.name}`, speedWords(speed, clinic[speed.name]));
+  const list = facts(SPEEDS.map(({ name }) => `speed-${name}`));
+  for (const speed of SPEEDS) list.write(`speed-${speed.name}`, speedWords(speed, clinic[speed.name]));
   return list.element;
 }

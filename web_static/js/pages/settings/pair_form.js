@@ -28,7 +28,7 @@ export function pairForm(app, { onPaired, onClose }) {
   /** @type {Speeds} */
   const speeds = { ...REFERENCE.numbers.first_speeds };
   const problem = h("p", { class: "problem", role: "alert" });
-  const go = h("button", { class: "btn go" }, t("pair.go"));
+  const go = h("button", { class: "btn go" }, t("pair-go"));
   /** @param {SubmitEvent} event */
   const submit = async (event) => {
     event.preventDefault();
@@ -45,16 +45,16 @@ export function pairForm(app, { onPaired, onClose }) {
   return h(
     "form",
     { class: "pair-form stack", onsubmit: submit },
-    h("h2", {}, t("pair.title")),
-    h("p", { class: "quiet small" }, t("pair.lead")),
-    field(t("pair.name"), name, t("pair.name.hint")),
-    field(t("pair.host"), host, t("pair.host.hint")),
-    field(t("pair.port"), port, t("pair.port.hint")),
+    h("h2", {}, t("pair-title")),
+    h("p", { class: "quiet small" }, t("pair-lead")),
+    field(t("pair-name"), name, t("pair-name-hint")),
+    field(t("pair-host"), host, t("pair-host-hint")),
+    field(t("pair-port"), port, t("pair-port-hint")),
     h(
       "details",
       {},
-      h("summary", {}, t("pair.speeds")),
-      h("p", { class: "quiet small" }, t("pair.speeds.hint")),
+      h("summary", {}, t("pair-speeds")),
+      h("p", { class: "quiet small" }, t("pair-speeds-hint")),
       speedRows(speeds, {}, (which, value) => (speeds[which] = value), { hasNumbers: true }).elements,
     ),
     problem,

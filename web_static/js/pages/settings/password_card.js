@@ -10,7 +10,7 @@ export function passwordCard(app) {
   const old = h("input", { type: "password", autocomplete: "current-password", required: true });
   const chosen = h("input", { type: "password", autocomplete: "new-password", required: true });
   const problem = h("p", { class: "problem", role: "alert" });
-  const go = h("button", { class: "btn" }, t("password.go"));
+  const go = h("button", { class: "btn" }, t("password-go"));
   /** @param {SubmitEvent} event */
   const submit = async (event) => {
     event.preventDefault();
@@ -19,7 +19,7 @@ export function passwordCard(app) {
     try {
       await app.api.put("/auth/password", { old: old.value, new: chosen.value });
       old.value = chosen.value = "";
-      app.toasts.show(t("password.changed"));
+      app.toasts.show(t("password-changed"));
     } catch (error) {
       problem.textContent = failureWords(error);
     }
@@ -28,13 +28,13 @@ export function passwordCard(app) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("password.title")),
-    h("p", { class: "quiet small" }, t("password.lead", { name: app.me?.name })),
+    h("h2", {}, t("password-title")),
+    h("p", { class: "quiet small" }, t("password-lead", { name: app.me?.name })),
     h(
       "form",
       { class: "stack", onsubmit: submit },
-      field(t("password.old"), old),
-      field(t("password.new"), chosen, t("setup.password.hint", { count: REFERENCE.numbers.password_length })),
+      field(t("password-old"), old),
+      field(t("password-new"), chosen, t("setup-password-hint", { count: REFERENCE.numbers.password_length })),
       problem,
       h("div", {}, go),
     ),

@@ -12,7 +12,7 @@ export function priorCard(app, prior, isOwner) {
   /** @param {PriorView} now */
   const show = ({ on, people, needed }) => {
     const enough = people >= needed ? "enough" : "few";
-    write(state, on ? t(`prior.${enough}`, { count: people, needed }) : t("prior.off"));
+    write(state, on ? t(`prior-${enough}`, { count: people, needed }) : t("prior-off"));
   };
   /** @param {boolean} on */
   const choose = (on) => app.toasts.attempt(async () => show(await app.api.put("/clinic-prior", { on })));
@@ -20,9 +20,9 @@ export function priorCard(app, prior, isOwner) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("prior.title")),
-    h("p", { class: "quiet small" }, t("prior.lead")),
-    isOwner && toggle(t("prior.on"), prior.on, choose),
+    h("h2", {}, t("prior-title")),
+    h("p", { class: "quiet small" }, t("prior-lead")),
+    isOwner && toggle(t("prior-on"), prior.on, choose),
     state,
   );
 }

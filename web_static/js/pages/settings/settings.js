@@ -25,11 +25,11 @@ export async function show(app, root, { signal }) {
     tabletsCard(app, signal),
     screens,
     role !== "reviewer" && priorCard(app, prior, isOwner),
-    role !== "reviewer" && linkedCard("plans.settings.lead", "plans.settings", "#/plans", "plans.link"),
-    isOwner && linkedCard("people.settings.lead", "rail.people", "#/people", "people.settings.go"),
-    isOwner && linkedCard("log.lead", "rail.log", "#/log", "log.settings.go"),
-    isOwner && linkedCard("computer.lead", "rail.computer", "#/computer", "computer.settings.go"),
-    isOwner && linkedCard("backup.lead", "rail.backup", "#/backup", "backup.settings.go"),
+    role !== "reviewer" && linkedCard("plans-settings-lead", "plans-settings", "#/plans", "plans-link"),
+    isOwner && linkedCard("people-settings-lead", "rail-people", "#/people", "people-settings-go"),
+    isOwner && linkedCard("log-lead", "rail-log", "#/log", "log-settings-go"),
+    isOwner && linkedCard("computer-lead", "rail-computer", "#/computer", "computer-settings-go"),
+    isOwner && linkedCard("backup-lead", "rail-backup", "#/backup", "backup-settings-go"),
     !app.me?.demo && passwordCard(app),
   ];
   put(
@@ -37,8 +37,8 @@ export async function show(app, root, { signal }) {
     h(
       "div",
       { class: "body" },
-      h("h1", { tabindex: "-1" }, t("settings.title")),
-      h("p", { class: "lead" }, t("settings.lead"), !isOwner && ` ${t("settings.read-only")}`),
+      h("h1", { tabindex: "-1" }, t("settings-title")),
+      h("p", { class: "lead" }, t("settings-lead"), !isOwner && ` ${t("settings-read-only")}`),
       h("div", { class: "settings-columns" }, limits, h("div", { class: "stack" }, right)),
     ),
   );

@@ -26,8 +26,8 @@ export function tabletsCard(app, signal) {
       url === null
         ? h("p", { class: "quiet" }, message)
         : [
-            h("p", {}, t("tablets.scan")),
-            h("img", { class: "qr", src: pictureOf(qr), alt: t("tablets.qr", { url }), width: 200, height: 200 }),
+            h("p", {}, t("tablets-scan")),
+            h("img", { class: "qr", src: pictureOf(qr), alt: t("tablets-qr", { url }), width: 200, height: 200 }),
             h("p", { class: "small" }, url),
           ],
     );
@@ -38,8 +38,8 @@ export function tabletsCard(app, signal) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("tablets.title")),
-    h("p", { class: "quiet small" }, t("tablets.lead")),
+    h("h2", {}, t("tablets-title")),
+    h("p", { class: "quiet small" }, t("tablets-lead")),
     link,
   );
 }

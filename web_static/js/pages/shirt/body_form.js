@@ -19,8 +19,8 @@ const CHOICES = /** @type {const} */ ({
 
 /** In one line who moves. @param {BodyConfig} body */
 export function bodyWords(body) {
-  if (body.kind === "person") return t(`body.person.${body.skill}`);
-  return body.kind === "recorded" ? t("body.recorded.now", { file: body.file }) : t("body.yours");
+  if (body.kind === "person") return t(`body-person-${body.skill}`);
+  return body.kind === "recorded" ? t("body-recorded-now", { file: body.file }) : t("body-yours");
 }
 
 /**
@@ -58,7 +58,7 @@ export function bodyForm(app, equipment, onUse, { kind: first, onKind }) {
         h(
           "button",
           { type: "button", class: "btn go", onclick: () => use(/** @type {BodyRequest} */ (recorded)) },
-          t("source.use"),
+          t("source-use"),
         ),
     );
   };
@@ -66,10 +66,10 @@ export function bodyForm(app, equipment, onUse, { kind: first, onKind }) {
   if (first === "recorded") choose(first);
   /** @type {import("../../widgets/fields.js").Choice<BodyChoice>[]} */
   const options = [
-    { value: "practised", label: t("body.person.practised"), hint: t("body.person.practised.hint") },
-    { value: "novice", label: t("body.person.novice"), hint: t("body.person.novice.hint") },
-    { value: "visitor", label: t("body.visitor"), hint: t("body.visitor.hint") },
-    { value: "recorded", label: t("body.recorded"), hint: t("body.recorded.hint") },
+    { value: "practised", label: t("body-person-practised"), hint: t("body-person-practised-hint") },
+    { value: "novice", label: t("body-person-novice"), hint: t("body-person-novice-hint") },
+    { value: "visitor", label: t("body-visitor"), hint: t("body-visitor-hint") },
+    { value: "recorded", label: t("body-recorded"), hint: t("body-recorded-hint") },
   ];
-  return h("div", { class: "stack" }, choices(t("body.title"), options, current || null, choose), more, problem);
+  return h("div", { class: "stack" }, choices(t("body-title"), options, current || null, choose), more, problem);
 }

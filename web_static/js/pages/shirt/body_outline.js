@@ -52,7 +52,7 @@ function face() {
 
 /** The words for left and right: seen from the front, the patient's right is at the left of the picture. @param {"front" | "back"} side */
 function sideWords(side) {
-  const [first, second] = side === "front" ? ["shirt.right", "shirt.left"] : ["shirt.left", "shirt.right"];
+  const [first, second] = side === "front" ? ["shirt-right", "shirt-left"] : ["shirt-left", "shirt-right"];
   return [
     s("text", { class: "side", x: 14, y: 225, "text-anchor": "middle" }, t(first)),
     s("text", { class: "side", x: WIDTH - 14, y: 225, "text-anchor": "middle" }, t(second)),

@@ -98,7 +98,7 @@ function figure(schema, value) {
   const input = h("input", { type: "number", value, ...limits, required: !isOptional(schema) });
   const read = () => (input.value === "" && isOptional(schema) ? null : Number(input.value));
   return {
-    element: field(unit ? t("source.unit", { value: title, unit: `(${unit})` }) : title, input, description),
+    element: field(unit ? t("source-unit", { value: title, unit: `(${unit})` }) : title, input, description),
     isNarrow: true,
     read,
   };
@@ -110,7 +110,7 @@ function offered({ title = "", description, unit = "", examples, enum: values },
   let chosen = value ?? all[0];
   const options = all.map((one) => ({
     value: String(one),
-    label: t("source.unit", { value: String(one), unit }).trim(),
+    label: t("source-unit", { value: String(one), unit }).trim(),
   }));
   const select = selection(
     options,
@@ -160,7 +160,7 @@ function signalFile({ title }, value, { files }) {
 /** @type {Maker} */
 function shirtKey({ title = "", description }, value, { keys }) {
   let key = keys.includes(value) ? value : "";
-  const options = ["", ...keys].map((name) => ({ value: name, label: name || t("source.key.none") }));
+  const options = ["", ...keys].map((name) => ({ value: name, label: name || t("source-key-none") }));
   const select = selection(options, key, (name) => (key = name));
   return { element: field(title, select, description), read: () => key || null };
 }
@@ -180,6 +180,6 @@ async function readDocument(file) {
   try {
     return JSON.parse(await file.text());
   } catch {
-    throw new Error(t("source.layout.wrong", { file: file.name }));
+    throw new Error(t("source-layout-wrong", { file: file.name }));
   }
 }

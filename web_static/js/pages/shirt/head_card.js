@@ -24,7 +24,7 @@ const OVER_NETWORK = { opentrack: "OpentrackConfig", freepie: "FreepieConfig" };
 
 /** In one line what is in use. @param {HeadSettings | null} config */
 export function headWords(config) {
-  return t(`head.${config?.kind ?? "none"}.now`, { port: config?.port, device: config?.device, file: config?.file });
+  return t(`head-${config?.kind ?? "none"}-now`, { port: config?.port, device: config?.device, file: config?.file });
 }
 
 /**
@@ -59,14 +59,14 @@ export function headForm(app, equipment, onUse, { kind: first, onKind }) {
     "form",
     { class: "stack", onsubmit: submit },
     choices(
-      t("head.title"),
-      KINDS.map((kind) => ({ value: kind, label: t(`head.${kind}`), hint: t(`head.${kind}.hint`) })),
+      t("head-title"),
+      KINDS.map((kind) => ({ value: kind, label: t(`head-${kind}`), hint: t(`head-${kind}-hint`) })),
       first || now?.kind || "none",
       choose,
     ),
     settings,
     problem,
-    h("button", { class: "btn go" }, t("source.use")),
+    h("button", { class: "btn go" }, t("source-use")),
   );
 }
 
@@ -77,13 +77,13 @@ export function headActions(app, head) {
   const ahead = () =>
     app.toasts.attempt(async () => {
       await app.api.post("/equipment/head/ahead", {});
-      app.toasts.show(t("head.ahead.done"));
+      app.toasts.show(t("head-ahead-done"));
     });
   return h(
     "div",
     { class: "stack" },
     head.config.kind === "tablet" && tabletHead(app),
-    h("button", { type: "button", class: "btn", onclick: ahead }, t("head.ahead")),
+    h("button", { type: "button", class: "btn", onclick: ahead }, t("head-ahead")),
   );
 }
 
@@ -98,8 +98,8 @@ function fieldsOf(app, kind, now, files) {
     return { element: field(t(label), element), read: () => element.value.trim() };
   };
   if (kind in OVER_NETWORK) {
-    const host = input("source.host", now?.host ?? "127.0.0.1");
-    const port = input("source.port", now?.port ?? Number(limitsOf(OVER_NETWORK[kind], "port").usual), {
+    const host = input("source-host", now?.host ?? "127.0.0.1");
+    const port = input("source-port", now?.port ?? Number(limitsOf(OVER_NETWORK[kind], "port").usual), {
       type: "number",
       ...numberLimits(OVER_NETWORK[kind], "port"),
     });
@@ -110,12 +110,12 @@ function fieldsOf(app, kind, now, files) {
     };
   }
   if (kind === "flock_of_birds") {
-    const device = input("head.device", now?.device ?? "/dev/ttyUSB0");
-    const baud = input("head.baud", now?.baud ?? Number(limitsOf("FlockOfBirdsConfig", "baud").usual), {
+    const device = input("head-device", now?.device ?? "/dev/ttyUSB0");
+    const baud = input("head-baud", now?.baud ?? Number(limitsOf("FlockOfBirdsConfig", "baud").usual), {
       type: "number",
       ...numberLimits("FlockOfBirdsConfig", "baud"),
     });
-    const address = input("head.address", now?.address ?? "", {
+    const address = input("head-address", now?.address ?? "", {
       type: "number",
       ...numberLimits("FlockOfBirdsConfig", "address"),
       required: false,
@@ -130,7 +130,7 @@ function fieldsOf(app, kind, now, files) {
     return {
       fields: [
         h("div", { class: "columns" }, device.element, baud.element, address.element),
-        h("p", { class: "quiet small" }, t("head.address.hint")),
+        h("p", { class: "quiet small" }, t("head-address-hint")),
       ],
       config,
     };

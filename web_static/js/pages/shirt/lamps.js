@@ -87,7 +87,7 @@ export function bodyLamps(layout, onPick) {
       const nearest = nearestLamp(picture, here, event);
       if (nearest) pick(nearest, false);
     });
-    return h("figure", {}, picture, h("figcaption", {}, t(`shirt.${side}`)));
+    return h("figure", {}, picture, h("figcaption", {}, t(`shirt-${side}`)));
   });
   if (lamps.length) set(lamps[0].element, { tabindex: "0" });
 
@@ -100,7 +100,7 @@ export function bodyLamps(layout, onPick) {
       lamp.element.replaceChildren(...lampSign(quality));
       set(lamp.element, {
         "data-quality": quality,
-        "aria-label": `${sensorName(lamp.channel)}, ${labels[lamp.channel.joint]}: ${t(`quality.${quality}`)}`,
+        "aria-label": `${sensorName(lamp.channel)}, ${labels[lamp.channel.joint]}: ${t(`quality-${quality}`)}`,
       });
     }
   };
@@ -114,7 +114,7 @@ export function bodyLamps(layout, onPick) {
   };
   show([]);
   return {
-    element: h("div", { class: "bodies", role: "radiogroup", "aria-label": t("shirt.sensors.label") }, sides),
+    element: h("div", { class: "bodies", role: "radiogroup", "aria-label": t("shirt-sensors-label") }, sides),
     show,
     mark,
   };

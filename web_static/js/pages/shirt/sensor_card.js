@@ -13,7 +13,7 @@ import { TraceCanvas } from "../../charts/traces.js";
  * @param {(isUnused: boolean) => void} onUnused
  */
 export function sensorCard(app, { channel, index, joint, isUnused, signal }, onUnused) {
-  const canvas = new TraceCanvas({ label: t("sensor.trace", { name: sensorName(channel) }), height: 96 });
+  const canvas = new TraceCanvas({ label: t("sensor-trace", { name: sensorName(channel) }), height: 96 });
   const lamp = s("svg", { viewBox: LAMP_BOX, width: 26, height: 26, "aria-hidden": "true" });
   const quality = h("b", {});
   const words = h("p", { class: "small", "aria-live": "polite" }); // figures are not live: they change all the time
@@ -25,15 +25,15 @@ export function sensorCard(app, { channel, index, joint, isUnused, signal }, onU
       lamp.dataset.quality = now;
       put(lamp, s("g", { class: "sensor", "data-quality": now }, lampSign(now)));
     }
-    write(quality, t(`quality.${now}`));
-    write(words, t(`quality.${now}.words`));
+    write(quality, t(`quality-${now}`));
+    write(words, t(`quality-${now}-words`));
     canvas.floor = QUIET_SPAN * (app.live.noise[index] ?? 0);
-    write(noise, t("sensor.noise", { noise: figure(app.live.noise[index]) }));
+    write(noise, t("sensor-noise", { noise: figure(app.live.noise[index]) }));
   };
   app.live.addEventListener("quality", showQuality, { signal });
   app.live.addEventListener(
     "tick",
-    ({ detail }) => write(value, t("sensor.now", { value: figure(detail.values?.[index]) })),
+    ({ detail }) => write(value, t("sensor-now", { value: figure(detail.values?.[index]) })),
     { signal },
   );
   drawTraces(app.live, [{ canvas, values: (now) => [now.values?.[index] ?? null] }], signal);
@@ -50,7 +50,7 @@ export function sensorCard(app, { channel, index, joint, isUnused, signal }, onU
         "div",
         { class: "grow" },
         h("h2", {}, sensorName(channel)),
-        h("span", { class: "quiet small" }, t("sensor.joint", { joint: joint.toLowerCase() })),
+        h("span", { class: "quiet small" }, t("sensor-joint", { joint: joint.toLowerCase() })),
       ),
       quality,
     ),
@@ -60,8 +60,8 @@ export function sensorCard(app, { channel, index, joint, isUnused, signal }, onU
     h(
       "div",
       { class: "spread" },
-      toggle(t("sensor.unused"), isUnused, onUnused),
-      h("span", { class: "quiet small" }, t("sensor.unused.hint")),
+      toggle(t("sensor-unused"), isUnused, onUnused),
+      h("span", { class: "quiet small" }, t("sensor-unused-hint")),
     ),
   );
 }

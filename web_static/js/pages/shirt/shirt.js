@@ -41,7 +41,7 @@ export async function show(app, root, { signal }) {
     const { has_profile: hasProfile = false, obstacle = null } = app.session ?? {};
     const step = hasProfile && obstacle?.page !== "calibrate" ? "drive" : "calibrate";
     onward.href = `#/${step}`;
-    write(onward, t(`shirt.${step}`));
+    write(onward, t(`shirt-${step}`));
     onward.hidden = !equipment.shirt || app.live.present?.shirt.alive === false; // first a shirt that sends
   };
   let drawn = new AbortController(); // aborted when the equipment is drawn again
@@ -61,7 +61,7 @@ export async function show(app, root, { signal }) {
       below,
       equipment.body?.kind === "visitor" && h("div", { class: "card pad-card" }, pads(app, drawn.signal).element),
       layout &&
-        h("section", { class: "card" }, h("h2", {}, t("traces.title")), jointStrips(app.live, layout, drawn.signal)),
+        h("section", { class: "card" }, h("h2", {}, t("traces-title")), jointStrips(app.live, layout, drawn.signal)),
     );
     drawRight();
     showWords(equipment.status.message);
@@ -91,8 +91,8 @@ export async function show(app, root, { signal }) {
       h(
         "h2",
         {},
-        t("shirt.sensors"),
-        layout.channels.length > 0 && h("span", { class: "quiet small" }, t("shirt.sensors.hint")),
+        t("shirt-sensors"),
+        layout.channels.length > 0 && h("span", { class: "quiet small" }, t("shirt-sensors-hint")),
       ),
       lamps.element,
       legend(),
@@ -193,11 +193,11 @@ export async function show(app, root, { signal }) {
     const all = app.live.quality.length;
     const good = app.live.quality.filter((quality) => quality === "good").length;
     const lost = app.live.latest?.shirt.lost ?? 0;
-    const sentence = equipment.shirt ? words : t("shirt.none");
+    const sentence = equipment.shirt ? words : t("shirt-none");
     const isNews = withoutFigures(sentence) !== withoutFigures(state.textContent);
     set(state, { "aria-live": isNews ? "polite" : "off" }); // a screen reader is silent about figures that count
     write(state, sentence);
-    const figures = [all ? t("shirt.words.count", { good, all }) : "", lost ? t("shirt.lost", { count: lost }) : ""];
+    const figures = [all ? t("shirt-words-count", { good, all }) : "", lost ? t("shirt-lost", { count: lost }) : ""];
     write(counts, figures.filter(Boolean).join(" "));
   };
   /** @param {CustomEvent<string>} event */
@@ -216,7 +216,7 @@ export async function show(app, root, { signal }) {
 
   put(
     root,
-    h("div", { class: "body" }, h("h1", { tabindex: "-1" }, t("shirt.title")), lead, columns, below),
+    h("div", { class: "body" }, h("h1", { tabindex: "-1" }, t("shirt-title")), lead, columns, below),
     h("div", { class: "foot" }, h("span", { class: "grow" }), onward),
   );
   draw();
@@ -241,7 +241,7 @@ function formsKeyOf({ head, files, shirt_keys }) {
  */
 function summary(name, words, isOpen, onToggle, makeForm) {
   const place = h("div", {});
-  const details = h("details", { open: isOpen }, h("summary", {}, t("source.change")), place);
+  const details = h("details", { open: isOpen }, h("summary", {}, t("source-change")), place);
   const fillIn = () => details.open && !place.firstChild && put(place, makeForm());
   details.addEventListener("toggle", () => {
     onToggle(details.open);
@@ -251,7 +251,7 @@ function summary(name, words, isOpen, onToggle, makeForm) {
   return h(
     "section",
     { class: "card", "data-card": name },
-    h("h2", {}, t(`${name}.title`)),
+    h("h2", {}, t(`${name}-title`)),
     h("p", {}, words),
     details,
   );
@@ -261,7 +261,7 @@ function legend() {
   return h(
     "details",
     { class: "lamp-legend" },
-    h("summary", {}, t("shirt.legend")),
+    h("summary", {}, t("shirt-legend")),
     h(
       "dl",
       {},
@@ -274,9 +274,9 @@ function legend() {
             { viewBox: LAMP_BOX, width: 22, height: 22, "aria-hidden": "true" },
             s("g", { class: "sensor", "data-quality": quality }, lampSign(quality)),
           ),
-          t(`quality.${quality}`),
+          t(`quality-${quality}`),
         ),
-        h("dd", {}, t(`quality.${quality}.words`)),
+        h("dd", {}, t(`quality-${quality}-words`)),
       ]),
     ),
   );

@@ -18,18 +18,18 @@ export function shirtSender(app, signal) {
     shown = key;
     put(
       element,
-      senders.shirt && h("p", { class: "quiet small" }, t("sender.now", { shirt: senders.shirt })),
+      senders.shirt && h("p", { class: "quiet small" }, t("sender-now", { shirt: senders.shirt })),
       senders.other &&
         h(
           "p",
           { class: "problem", id: "other-sender" },
-          t("sender.other", { shirt: senders.shirt, other: senders.other, others: senders.others }),
+          t("sender-other", { shirt: senders.shirt, other: senders.other, others: senders.others }),
         ),
       senders.other &&
         h(
           "button",
           { type: "button", class: "btn", "aria-describedby": "other-sender", onclick: () => use(senders.other) },
-          t("sender.use"),
+          t("sender-use"),
         ),
     );
   };
@@ -41,7 +41,7 @@ export function shirtSender(app, signal) {
   const use = async (sender) => {
     await app.toasts.attempt(async () => {
       await app.api.put("/equipment/sender", { sender });
-      app.toasts.show(t("sender.used", { sender }));
+      app.toasts.show(t("sender-used", { sender }));
     });
     await look();
   };

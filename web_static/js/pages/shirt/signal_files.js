@@ -10,13 +10,13 @@ import { size } from "../../widgets/format.js";
 import { sendUnderName } from "../../widgets/same_name.js";
 
 /** A selection among files that lie on the machine. @param {FileView[]} files @param {{file?: string}} config @param {string} [label] */
-export function fileField(files, config, label = t("source.file")) {
-  if (!files.length) return h("p", { class: "quiet small" }, t("source.no-file"));
+export function fileField(files, config, label = t("source-file")) {
+  if (!files.length) return h("p", { class: "quiet small" }, t("source-no-file"));
   const chosen = files.find(({ name }) => name === config.file)?.name ?? files[0].name;
   config.file = chosen;
   const options = files.map((file) => ({
     value: file.name,
-    label: t("source.file.option", { name: file.name, size: size(file.size) }),
+    label: t("source-file-option", { name: file.name, size: size(file.size) }),
   }));
   return field(
     label,
@@ -27,14 +27,14 @@ export function fileField(files, config, label = t("source.file")) {
 /** A button that brings a file to the machine; the page reads the equipment again by itself. @param {App} app */
 export function addFile(app) {
   const input = hiddenFileInput(".csv,.parquet", async (file) => {
-    app.toasts.show(t("source.adding", { file: file.name }));
+    app.toasts.show(t("source-adding", { file: file.name }));
     await app.toasts.attempt(async () => {
       const equipment = await sendUnderName(app.question, (sameName) =>
         app.api.upload(`/equipment/files?same_name=${sameName}`, file),
       );
       if (equipment) {
         app.dispatchEvent(new CustomEvent("equipment", { detail: equipment }));
-        app.toasts.show(t("source.added", { file: file.name }));
+        app.toasts.show(t("source-added", { file: file.name }));
       }
     });
     input.value = "";
@@ -42,8 +42,8 @@ export function addFile(app) {
   return h(
     "div",
     { class: "spread" },
-    h("button", { type: "button", class: "btn", onclick: () => input.click() }, t("source.add")),
+    h("button", { type: "button", class: "btn", onclick: () => input.click() }, t("source-add")),
     input,
-    h("span", { class: "quiet small" }, t("source.add.hint")),
+    h("span", { class: "quiet small" }, t("source-add-hint")),
   );
 }

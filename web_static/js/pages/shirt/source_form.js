@@ -13,7 +13,7 @@ import { configFields } from "./config_fields.js";
 
 /** In one line what is in use. @param {ShirtConfig | null} shirt @param {ShirtKind[]} shirts */
 export function sourceWords(shirt, shirts) {
-  if (!shirt) return t("source.none");
+  if (!shirt) return t("source-none");
   const form = shirts.find(({ kind }) => kind === shirt.kind)?.form;
   return (form?.in_use ?? shirt.kind).replace(/\{(\w+)\}/g, (_, name) => String(shirt[name]));
 }
@@ -59,16 +59,16 @@ export function sourceForm(app, equipment, shirts, onUse, { kind: first, onKind 
       problem.textContent = failureWords(error);
     }
   };
-  const use = h("button", { class: "btn go", hidden: true }, t("source.use"));
+  const use = h("button", { class: "btn go", hidden: true }, t("source-use"));
   if (first) show(first);
   return h(
     "form",
     { class: "stack", onsubmit: submit },
     choices(
-      t("source.title"),
+      t("source-title"),
       [
-        { words: t("source.worn"), options: kinds(false) },
-        { words: t("source.practice"), options: kinds(true) },
+        { words: t("source-worn"), options: kinds(false) },
+        { words: t("source-practice"), options: kinds(true) },
       ],
       first,
       choose,

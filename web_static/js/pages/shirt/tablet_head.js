@@ -18,14 +18,14 @@ export function tabletHead(app) {
   const words = h("p", { class: "quiet small", role: "status" });
   /** @param {string} sentence */
   const say = (sentence) => write(words, sentence);
-  const button = h("button", { type: "button", class: "btn" }, t("head.tablet.start"));
+  const button = h("button", { type: "button", class: "btn" }, t("head-tablet-start"));
   const start = async () => {
-    if (!window.isSecureContext) return say(t("head.tablet.insecure"));
-    if (!("DeviceOrientationEvent" in window)) return say(t("head.tablet.none"));
+    if (!window.isSecureContext) return say(t("head-tablet-insecure"));
+    if (!("DeviceOrientationEvent" in window)) return say(t("head-tablet-none"));
     /** @type {typeof DeviceOrientationEvent & {requestPermission?: () => Promise<string>}} asked for by Safari */
     const sensor = window.DeviceOrientationEvent;
     const answer = sensor.requestPermission ? await sensor.requestPermission().catch(() => "denied") : "granted";
-    if (answer !== "granted") return say(t("head.tablet.denied"));
+    if (answer !== "granted") return say(t("head-tablet-denied"));
     button.disabled = true;
     follow(app, say, () => (button.disabled = false));
   };
@@ -52,10 +52,10 @@ function follow(app, say, ended) {
     if (now - last < EVERY) return;
     last = now;
     app.live.send({ look: orientation(alpha, beta, gamma, screen.orientation?.angle ?? 0) });
-    tracking?.say(t("head.tablet.tells"));
+    tracking?.say(t("head-tablet-tells"));
   };
   const patience = setTimeout(() => {
-    tracking?.say(t("head.tablet.none"));
+    tracking?.say(t("head-tablet-none"));
     endTabletHead();
   }, PATIENCE);
   const end = () => {
@@ -65,7 +65,7 @@ function follow(app, say, ended) {
     tracking = null;
   };
   tracking = { say, ended, end };
-  say(t("head.tablet.waiting"));
+  say(t("head-tablet-waiting"));
   window.addEventListener("deviceorientation", tell);
 }
 

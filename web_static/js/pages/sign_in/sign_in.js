@@ -16,7 +16,7 @@ export async function show(app, root) {
   });
   const password = h("input", { type: "password", autocomplete: "current-password", required: true });
   const problem = h("p", { class: "problem", role: "alert" });
-  const go = h("button", { class: "btn go large" }, t("sign-in.go"));
+  const go = h("button", { class: "btn go large" }, t("sign-in-go"));
   const waiting = h("p", { class: "quiet", role: "status" });
   /** @param {boolean} is */
   const wait = (is) => {
@@ -39,8 +39,8 @@ export async function show(app, root) {
   const form = h(
     "form",
     { class: "stack", onsubmit: submit },
-    field(t("sign-in.name"), name),
-    passwordField(t("sign-in.password"), password),
+    field(t("sign-in-name"), name),
+    passwordField(t("sign-in-password"), password),
     problem,
     go,
     waiting,
@@ -50,9 +50,9 @@ export async function show(app, root) {
     h(
       "div",
       { class: "door card" },
-      h("h1", { tabindex: "-1" }, t("sign-in.title")),
-      h("p", { class: "lead" }, t("sign-in.lead")),
-      app.me?.demo ? h("p", {}, t("sign-in.demo")) : [form, h("p", { class: "quiet small" }, t("sign-in.invited"))],
+      h("h1", { tabindex: "-1" }, t("sign-in-title")),
+      h("p", { class: "lead" }, t("sign-in-lead")),
+      app.me?.demo ? h("p", {}, t("sign-in-demo")) : [form, h("p", { class: "quiet small" }, t("sign-in-invited"))],
     ),
   );
 }

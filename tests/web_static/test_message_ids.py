@@ -1,0 +1,103 @@
+"""Each message of the pages can be read, has one place, and is shown; each id that a page asks for has its message."""
+
+import json
+import re
+from collections import Counter
+
+import pytest
+from web_static.messages import (
+    COMPARED,
+    LITERAL,
+    TEMPLATE,
+    WORDS,
+    asked_for,
+    id_of,
+    ids_of,
+    ids_of_language,
+    is_made_by,
+    scripts,
+)
+
+from app.api.pages import ALONE
+from folders import ROOT
+
+# Of classes without a style, of an event, of an element, and of formats that the server names.
+OTHER_NAMES = {"sign-in", "adapt-nothing", "trial-view", "plan-files", "shirt-key", "signal-file"}
+CONTROLS = {"u1-plus", "u1-minus", "u2-plus", "u2-minus"}
+LANGUAGES = sorted(folder.name for folder in WORDS.iterdir())
+BY_FILE = ids_of_language()
+ALL = set().union(*BY_FILE.values())
+SCRIPTS = scripts()
+
+
+def catalogue_of(script: str) -> str:
+    """Return the file whose messages alone a module reads; any other module reads those of all other files."""
+    return {"help": "help", "tablet": "tablet", "tablet.js": "tablet"}.get(script.split("/", maxsplit=1)[0], "")
+
+
+def ids_for(script: str) -> set[str]:
+    alone = catalogue_of(script)
+    return BY_FILE[alone] if alone else ALL - set().union(*(BY_FILE[name] for name in ALONE))
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_an_id_has_one_message_and_the_form_of_an_id(language):
+    count = Counter(name for file in sorted((WORDS / language).glob("*.ftl")) for name in ids_of(file))
+    assert len(count) > 1000
+    assert [name for name, times in count.items() if times > 1] == []
+    assert [name for name in count if name != id_of(name)] == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_message_can_be_read(run_script, language):
+    """A browser leaves out what is no message, without a word."""
+    read = json.loads(run_script("texts.mjs", WORDS / language))
+    assert {file: set(texts) for file, texts in read.items()} == {
+        file.name: set(ids_of(file)) for file in (WORDS / language).iterdir()
+    }
+
+
+class Anything:
+    """Every value."""
+
+    def __contains__(self, _):
+        return True
+
+
+@pytest.mark.parametrize("name", SCRIPTS)
+def test_every_id_that_a_module_asks_for_has_a_message(name):
+    known, missing = ids_for(name), []
+    for argument in asked_for(SCRIPTS[name]):
+        bare = COMPARED.sub("", TEMPLATE.sub("", argument))
+        missing += [literal for literal in LITERAL.findall(bare) if literal not in known]
+        made = TEMPLATE.findall(argument)
+        missing += [each for each in made if not any(is_made_by(each, one, Anything()) for one in known)]
+    assert missing == []
+
+
+def test_the_ids_that_modules_ask_for_are_found():
+    asked = [argument for script in SCRIPTS.values() for argument in asked_for(script)]
+    assert len(asked) > 1500
+    assert len([each for each in asked if TEMPLATE.search(each)]) > 200
+
+
+def test_what_begins_as_an_id_is_one_or_the_name_of_something_else():
+    """An id also stands apart from the call that shows it, as in a list."""
+    beginnings = {name.split("-")[0] for name in ALL}
+    literals = set().union(*(LITERAL.findall(script) for script in SCRIPTS.values()))
+    alike = {each for each in literals if re.fullmatch(r"[a-z]\w*(-\w+)+", each) and each.split("-")[0] in beginnings}
+    assert len(alike & ALL) > 1000
+    styles = "".join(file.read_text() for file in (ROOT / "web_static" / "css").rglob("*.css"))
+    named = set(re.findall(r"[.#]([a-z][\w-]+)", styles)) | OTHER_NAMES
+    assert alike - ALL - named == set()
+
+
+def test_no_message_is_left_over():
+    """An id stands in a module, or a template makes it of a word that stands in the program."""
+    texts = [file.read_text() for file in (ROOT / "app").rglob("*.py")] + list(SCRIPTS.values())
+    words = set().union(*(LITERAL.findall(text) + re.findall(r"\w+", text) for text in texts))
+    values = {id_of(word) for word in words} | {id_of(word.lower()) for word in words} | {"", *CONTROLS} | ALL
+    named = set().union(*(LITERAL.findall(script) for script in SCRIPTS.values()))
+    templates = {each for script in SCRIPTS.values() for each in TEMPLATE.findall(script) if "-" in each}
+    left = {name for name in ALL - named if not any(is_made_by(each, name, values) for each in templates)}
+    assert left == set()

@@ -1,0 +1,75 @@
+### Texts of the page on how the calibration adapts.
+
+rail-adapt = What would change
+adapt-title = What would change, and why
+adapt-lead-calibration = Calibration { $version }, as it was recorded.
+adapt-lead-adaptation = Calibration { $version }, adapted.
+adapt-lead-donning = Calibration { $version }, fitted to how the shirt sits.
+adapt-lead-back = Calibration { $version }, taken back.
+adapt-link = What would change?
+adapt-link-proposed = A change of the calibration is suggested
+adapt-link-applied = The calibration was adapted
+adapt-none-title = Nothing is calibrated yet
+adapt-none-lead = A calibration has to be there before it can follow the person.
+adapt-looking = The last trials are being looked at…
+adapt-look = Look now
+adapt-apply = Apply
+adapt-later = Not now
+adapt-back = Back to version { $version }
+adapt-applied-toast = Version { $version } is in use. Drive a trial with it.
+adapt-back-toast = The calibration of version { $to } is in use again, as version { $version }.
+adapt-felt = Felt change
+adapt-felt-none = Nothing: the calibration stays as it is
+adapt-felt-little = The patient hardly notices it. From 5 % on there is a warning, from 10 % on it is refused.
+adapt-felt-warns = The patient will notice: tell them before the next trial. From 10 % on it is refused.
+adapt-in-use = Version { $version } of the calibration is in use.
+adapt-practise-none = A real chair does not arm this set yet: drive a trial with it on the virtual chair first.
+adapt-practise-next = Once applied, drive a trial with it on the virtual chair before a real one: a real chair arms only what was practised.
+adapt-practise-some =
+    { $count ->
+        [one] Driven in { $count } trial on the virtual chair: a real chair may arm exactly this set.
+       *[other] Driven in { $count } trials on the virtual chair: a real chair may arm exactly this set.
+    }
+adapt-joint-applied = changes
+adapt-joint-changed = changed
+adapt-joint-refused = refused
+adapt-joint-unchanged = stays
+adapt-row-turn = Turns by
+adapt-row-turn-asked = { $applied }° of { $asked }°
+adapt-row-evr = Fits the movement
+adapt-row-cross-talk = Moves along with it
+adapt-row-dead-zone = Counts from
+adapt-row-full = Full at
+adapt-row-felt = Felt
+adapt-others = No change: { $joints }.
+adapt-effect = The same movements of the last trial, read by the new calibration
+adapt-effect-alike = The same command
+adapt-effect-activations = Movements that count
+adapt-effect-false = Too brief to be meant
+adapt-effect-note = Replayed from the recording. With the new calibration the person would have seen the chair move differently, and moved differently too.
+adapt-mode = How this patient's calibration adapts
+adapt-mode-off = Off
+adapt-mode-off-hint = The calibration stays as it was recorded. You may look at any time what would change.
+adapt-mode-suggest = Suggest
+adapt-mode-suggest-hint = When trials on the virtual chair show that the calibration fits less well, this page shows what would change. You decide.
+adapt-mode-auto = By itself
+adapt-mode-auto-hint = Small changes, under 5 % felt, apply by themselves between trials on the virtual chair. Larger ones wait for you.
+adapt-mode-never = With a real chair nothing is ever adapted.
+adapt-versions = Versions of the calibration
+adapt-versions-lead = Nothing is overwritten: going back is a new version, too.
+adapt-version = Version
+adapt-when = When
+adapt-origin = How it came about
+adapt-origin-calibration = Calibrated
+adapt-origin-adaptation = Adapted from { $parent }
+adapt-origin-adaptation-itself = Adapted from { $parent }, by itself
+adapt-origin-donning = { $parent }, fitted to how the shirt sits
+adapt-origin-back = Back to { $to }, from { $parent }
+adapt-difference = What changed
+adapt-difference-joint = { $joint }: { $changes }
+adapt-difference-turn = { $angle }° turned
+adapt-difference-dead-zone = counts from { $value }
+adapt-difference-full = full at { $value }
+adapt-difference-range = range moved
+adapt-difference-felt = { $percent } felt
+adapt-trials = Trials

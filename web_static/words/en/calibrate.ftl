@@ -1,0 +1,139 @@
+### Texts of the calibration: steps, cues, result.
+
+calibrate-no-shirt = No shirt yet
+calibrate-no-shirt-lead = The calibration learns from the signals of the shirt: choose the shirt first.
+calibrate-no-shirt-go = Choose a shirt
+calibrate-step = Step { $step } of { $steps }
+calibrate-repetition = repetition { $repetition } of { $all }
+calibrate-steps = The steps of the calibration
+calibrate-step-waiting = not done yet
+calibrate-step-running = is being recorded
+calibrate-step-done = done
+calibrate-step-skipped = skipped
+calibrate-step-failed = has to be repeated
+calibrate-start = Start
+calibrate-again = Repeat this step
+calibrate-cancel = Stop recording
+calibrate-skip = Skip this movement
+calibrate-next = Next
+calibrate-auto = Go on by itself after each step
+calibrate-ready-self = The simulated person does as the circle says: tap { $button }.
+calibrate-ready-visitor = You are the body: hold the pads or keys as the circle says. Tap { $button }.
+calibrate-ready-patient = When the patient is ready, tap { $button }.
+calibrate-done = Done. Go on, or repeat it.
+calibrate-poor = Recorded, but it would not drive well: repeat it, or go on as it is.
+calibrate-going-on = Well done. Going on in a moment…
+calibrate-now = Ready to drive
+calibrate-now-lead = { $count } other people have moved in this shirt. Their movements stand in for this person's own, on the virtual chair. The movements that follow here make it better, one joint at a time, now or later.
+calibrate-now-go = Drive now
+calibrate-earlier = There is a calibration of { $day } (version { $version }). Do Rest and Move freely: then it can be used again, fitted to how the shirt sits today. One joint of it cannot be repeated alone, because the shirt was put on anew: a new calibration takes every step.
+calibrate-earlier-lead = The calibration of { $day } (version { $version }) can be used again: it is fitted to how the shirt sits today, and the controls stay as they are. The movements that follow here make a new calibration instead, which takes every step.
+calibrate-earlier-go = Drive with this calibration
+calibrate-wait = Wait
+calibrate-fitting = Working out what each movement looks like…
+cue-ready = Get ready
+cue-rest = Rest
+cue-free = Move freely
+cue-return = Slowly back
+cue-move = Move
+cue-move-elbow = Bend
+cue-move-wrist = Bend
+cue-move-shoulder = Push
+cue-end = the end of this step
+cue-seconds = { $seconds } s
+cue-next = Next: { $next }
+cue-trace = The shirt's signals, the last 10 seconds
+result-title = What this body can do
+result-lead = How clear each joint's main movement is, and what is expected of it. The marks show the 80 to 90 % of the 2008 study.
+result-repeat = Repeat
+result-evr = Clear main movement: { $percent }
+result-signal = Signal: { $word }
+result-repeats = Repeats { $word }
+signal-strong = strong
+signal-fair = fair
+signal-weak = weak
+repeats-well = well
+repeats-fairly = fairly
+repeats-poorly = poorly
+result-from-others = From other people
+result-from-both = From other people and own movement
+result-from-own = Own movement
+result-from-others-lead = { $count } other people taught this.
+result-expected-hits = Of 100 movements about { $value } are answered (± { $uncertainty }).
+result-expected-false = At rest it acts about { $value } times a minute (± { $uncertainty }).
+result-expected-prompted = After three repetitions of this movement the first figure is surer (± { $uncertainty }), and it is known how often it acts at rest.
+result-expected-hits-none = How many of 100 movements are answered is not known yet: nothing in the free movement went this way.
+result-expected-false-none = How often it acts at rest is known once this movement has been repeated.
+result-expected-own-hits = Of 100 movements about { $value } are answered; so few repetitions show only that it is at least { $bound }.
+result-expected-own-false = At rest it acts { $value } times a minute; so short a rest shows only that it is fewer than { $bound }.
+result-expected-none = How well it works is known once this movement has been repeated.
+result-sits-shifted = The shirt is turned on the { $joint }: by { $count } of { $sensors } sensors.
+result-sits-mirrored = The shirt is inside out or on the other side at the { $joint }.
+result-sits-lead = This calibration takes that into account. You can leave it so, or put the shirt right as the picture shows and begin the calibration anew. If you are sure that it sits right, say so.
+result-sits-right = It sits right
+result-sits-right-label = It sits right at the { $joint }: calibrate the shirt as it is worn
+result-sits-left = The shirt looks turned at the { $joint }, and is taken as it is worn: you said that it sits right.
+result-sits-follow = Take it as turned
+result-sits-follow-label = Take it as turned at the { $joint }, and allow for that
+result-sits-picture-mirrored = The sensors of one side of the { $joint } lie on the other side: turn the shirt the right side out, or put it on the other arm
+result-sits-side-front = front
+result-sits-side-back = back
+result-sits-side-outside = outer side
+result-sits-side-inside = inner side
+result-sits-picture = Turn the shirt round the { $joint } by { $count } of its { $sensors } sensors
+result-details = Details
+result-details-signal = Its full movement stands { $value } times above the noise at rest (signal to noise).
+result-details-repeats = The peaks of the repetitions lie within { $percent } of each other.
+result-details-evr = Share of the signal in one direction (explained variance ratio, EVR): { $percent }.
+result-again = Repeat this joint
+result-again-label = Repeat this joint: { $joint }
+result-maps-pca = Standard
+result-maps-guided = Learnt from the cues
+result-maps-choose = { $joint }: which calibration drives
+result-maps-better = Another calibration can drive
+result-maps-in-use-guided = The calibration learnt from the cues drives
+result-maps-in-use-prior = The calibration learnt from other people drives
+result-maps-prior = Learnt from other people
+result-maps-lead-prior =
+    { $count ->
+        [one] Each figure is of the { $count } repetition of this person. What other people taught was completed without it.
+       *[other] Each figure is of { $count } repetitions of this person. What other people taught was completed without the one it was tried on.
+    }
+result-maps-lead-guided =
+    { $count ->
+        [one] Both were learnt from this calibration. Each figure is of the { $count } repetition that was kept apart.
+       *[other] Both were learnt from this calibration. Each figure is of { $count } repetitions that were kept apart.
+    }
+result-maps-in-phase = Share of the drive that comes with the asked movement
+result-maps-hit = Share of the time of the asked movement in which it drives
+result-maps-false = Drives at rest, times a minute
+result-maps-kept-guided = The calibration learnt from the cues is not offered: it would not be better for this joint.
+result-maps-kept-prior = The calibration learnt from other people is not offered: it would not be better for this joint.
+result-maps-details = The standard calibration is the main direction of the movement (PCA), the other a linear map guided by the cues.
+result-bar = { $joint }: clear main movement { $percent }; the study had 80 to 90 %
+result-cross = When one movement is made, what else counts
+result-cross-lead = 1.00 is how strongly the asked movement counts. Small numbers beside it are good.
+result-cross-asked = asked: { $joint }
+result-left-out =
+    { $count ->
+        [one] { $count } sensor left out: { $which }
+       *[other] { $count } sensors left out: { $which }
+    }
+result-left-out-none = All sensors are in use.
+result-accept = Use this calibration
+result-accepted = This calibration is in use.
+result-go-on = Go on to the controls
+result-others-lead =
+    { $count ->
+        [one] { $count } movement was not prompted: there, other people's calibrations stand in. Drive now, or repeat that joint.
+       *[other] { $count } movements were not prompted: there, other people's calibrations stand in. Drive now, or repeat a joint.
+    }
+result-missing = The result comes when every step is done.
+result-missing-lead =
+    { $count ->
+        [one] One step is missing.
+       *[other] { $count } steps are missing.
+    }
+result-restart = Begin anew
+result-restart-ask = Begin the calibration anew? What was recorded so far no longer counts.
+result-restarted = The calibration begins anew.

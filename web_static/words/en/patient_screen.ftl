@@ -1,0 +1,77 @@
+### Texts of the patient's screen, and of the clinician's card that looks after it.
+
+patient-title = bodydrive · patient's screen
+patient-view = 3D view from the chair
+patient-plan = This screen cannot draw the 3D view: it shows the plan from above.
+patient-no-picture = No picture at the moment. The chair stops.
+patient-lost = No connection to the program
+patient-lost-why = We wait for the program: the picture comes back by itself.
+patient-stopped = Stopped
+patient-speed = Speed
+patient-backwards = backwards
+patient-stage = Part { $stage } of { $stages }
+patient-rest = Rest
+patient-go = Go
+patient-goal-name = Goal
+patient-goal = Goal reached
+patient-goal-why = Well done. Rest a little.
+patient-ended = Finished
+patient-ended-why = Rest a little.
+patient-arrow = Arrow to the goal: { $where }
+patient-arrow-ahead = ahead
+patient-arrow-left = left
+patient-arrow-right = right
+patient-arrow-behind = behind you
+patient-arrow-distance = { $distance } m
+patient-sound = Turn sound on
+patient-cue-ready = Get ready
+patient-cue-rest = Rest
+patient-cue-free = Move freely
+patient-cue-move = Move
+patient-cue-return = Slowly back
+patient-cue-next = Then: { $next }
+patient-over-title = Thank you
+patient-over-lead = The session is over, and this screen shows nothing of it any more.
+patient-over-next = You can close this page. For the next session, your clinician shows a new code: scan it, or type it here.
+patient-unpaired-title = This screen is not in use
+patient-unpaired-lead = It was unpaired on the clinician's page.
+patient-unpaired-next = To use it again, ask your clinician for a new code. Scan it with the camera of this screen, or type it here.
+patient-none-title = Pair this screen
+patient-none-lead = This screen does not know yet which session it belongs to.
+patient-none-next = On the clinician's page, choose Drive, then “The patient's screen” and “Pair a screen”. Scan the code there with the camera of this screen, or type it here.
+patient-code = Code from the clinician's page
+patient-code-go = Pair
+screens-title = Patient's screen
+screens-lead = A second screen for the patient: the view, large cues and the speed. Nothing on it can be changed.
+screens-nobody = A screen is paired with a session: choose a patient first.
+screens-pair = Pair a screen
+screens-scan = Scan this with the camera of the patient's screen, or open the link there. It works once, for { $minutes }.
+screens-type = Or open { $address } on the patient's screen and type this code:
+screens-minutes =
+    { $count ->
+        [one] { $count } more minute
+       *[other] { $count } more minutes
+    }
+screens-expired = This code is too old now: make a new one.
+screens-qr = QR code of the link for the patient's screen
+screens-link = Link for the patient's screen
+screens-copy = Copy the link
+screens-copied = The link was copied.
+screens-copy-failed = This browser does not let the page copy: mark the link and copy it yourself.
+screens-again = New code
+screens-close = Close
+screens-paired = A screen was paired.
+screens-name = Screen { $number }
+screens-connected = connected
+screens-away = not connected
+screens-since = paired { $when }
+screens-unpair = Unpair
+screens-unpair-label = Unpair screen { $number }
+screens-unpaired = Screen { $number } was unpaired, and shows nothing any more.
+screens-arrow = Arrow to the goal
+screens-sounds = Sounds: contact, goal, stop
+screens-large = Large text
+screens-plan = Drawn plan instead of the 3D view
+screens-picture-view = 3D view
+screens-picture-plan = drawn plan
+screens-picture-none = no picture
