@@ -2,7 +2,7 @@
 
 measure-of = de { $count }
 measure-details = Detalles: cómo se llaman en las publicaciones
-measure-details-words = La distancia recorrida es Dist del estudio de 2008 y el área fuera del recorrido es E_diff. En esta última, dos bucles de sentido opuesto alrededor de un mismo punto se anulan; la distancia recorrida cuenta ambos. La fluidez es la longitud de arco espectral (SPARC); la otra medida de la fluidez es el logaritmo del jerk adimensional. Un valor más próximo a cero indica más fluidez. La distancia o el error habituales son la raíz de la media cuadrática (rms).
+measure-details-words = La distancia recorrida es Dist del estudio de 2008 y el área fuera del recorrido es E_diff. En esta última, dos bucles de sentido opuesto alrededor de un mismo punto se anulan; la distancia recorrida cuenta ambos. La fluidez es la longitud de arco espectral (SPARC); la otra medida de la fluidez es el logaritmo del jerk adimensional. Un valor más próximo a cero indica más fluidez. La distancia o el error habituales son la media cuadrática (rms).
 interruption-halts =
     { $count ->
         [one] { $count } detención, { $seconds } s
@@ -15,8 +15,8 @@ interruption-pauses =
     }
 interruption-person-stops =
     { $count ->
-        [one] { $count } parada de una persona, { $seconds } s
-       *[other] { $count } paradas de una persona, { $seconds } s
+        [one] { $count } parada por una persona, { $seconds } s
+       *[other] { $count } paradas por una persona, { $seconds } s
     }
 interruption-left-out = Todas las medidas corresponden al tiempo en que la silla podía moverse.
 interruption-ask = Este ensayo solo cuenta si usted lo indica.
