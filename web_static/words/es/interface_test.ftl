@@ -20,7 +20,11 @@ test-result = Prueba { $number }
 test-session = Sesión { $number }
 test-number = Prueba
 test-reached = Dianas alcanzadas: { $acquired }. Dianas no alcanzadas en { $seconds } s: { $missed }.
-test-so-far = Hasta ese momento, a los { $seconds } s: { $count } dianas.
+test-so-far =
+    { $count ->
+        [one] Hasta ese momento, tras { $seconds } s: { $count } diana.
+       *[other] Hasta ese momento, tras { $seconds } s: { $count } dianas.
+    }
 test-end-by-hand = Esta prueba se terminó antes de tiempo, así que no cuenta.
 test-end-stopped = Esta prueba se detuvo, así que no cuenta.
 test-end-fault = Esta prueba se interrumpió porque la camiseta o el programa dejaron de enviar señales. No cuenta.
@@ -40,7 +44,7 @@ test-curve = Evolución de las pruebas
 test-one = A partir de la segunda prueba, aquí aparecen una curva y una comparación.
 test-against = La más reciente frente a la prueba { $number }
 test-noise = La variabilidad es cuánto difieren entre sí las pruebas de esta persona sin que haya un cambio; una valoración necesita cinco pruebas completas. Nunca se comparan pruebas con camiseta simulada y con camiseta puesta.
-test-workload = ¿Cuánto exigió?
+test-workload = Exigencia de la prueba
 test-workload-lead = Seis preguntas para el paciente, de 0 a 100. Se puede omitir cualquiera.
 test-workload-mental = Mente: ¿cuánto hubo que pensar?
 test-workload-physical = Cuerpo: ¿cuánto esfuerzo físico exigió?
