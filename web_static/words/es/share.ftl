@@ -24,7 +24,7 @@ share-values = { $first } en el primer ensayo, { $newest } en el más reciente.
 share-verdicts = La sesión más reciente frente a la anterior
 share-no-area = Ningún ensayo alcanzó la meta: el área de una parte del recorrido no dice nada.
 share-no-verdict = Demasiado pocos ensayos para una valoración.
-share-event-begin = La sesión comenzó
+share-event-begin = Comienzo de la sesión
 share-event-calibration =
     { $count ->
         [one] Calibración: { $count } grabación
@@ -38,6 +38,6 @@ share-event-stop = Parada
 share-event-drive = Conducción de la silla
 share-event-note = Nota
 share-event-comment = Comentario sobre el ensayo { $number } en { $t } s
-share-event-sign-off = Firmada
-share-event-unlock = Desbloqueada
-share-event-end = La sesión terminó
+share-event-sign-off = Firma
+share-event-unlock = Desbloqueo
+share-event-end = Fin de la sesión
