@@ -2,11 +2,11 @@
 
 rail-backup = Copias de seguridad
 backup-lead = Copias de todo el contenido de esta clínica en otro disco, y qué ocurre con los pacientes eliminados.
-backup-settings-go = Ver las copias de seguridad
-backup-owner = Solo un administrador gestiona las copias de seguridad: consulte con él.
+backup-settings-go = Ver las copias
+backup-owner = Solo los administradores gestionan las copias de seguridad. Pida ayuda a uno de ellos.
 backup-state-title = Copias de seguridad
 backup-last = La última copia de seguridad correcta es del { $when }. Se ha vuelto a leer entera.
-backup-now = Hacer una copia ahora
+backup-now = Copiar ahora
 backup-store = Copiando: { $done } de { $total }
 backup-verify = Comprobando: { $done } de { $total }
 backup-begins = La copia de seguridad comienza. Primero se copia la base de datos.

@@ -3,7 +3,7 @@
 rail-computer = Este equipo
 computer-lead = Si este equipo y las pantallas abiertas ahora son adecuados para conducir.
 computer-settings-go = Medir este equipo
-computer-owner = Solo un administrador mide este equipo: consulte con él.
+computer-owner = Solo los administradores miden este equipo. Pida ayuda a uno de ellos.
 computer-measured = Se mide si el bucle de control llega a tiempo, qué permisos le da el sistema, el espacio libre en el disco, el reloj, los puertos y cuántas imágenes por segundo dibuja cada pantalla abierta. Abra antes las pantallas que le interesan, mejor con la vista 3D.
 computer-go = Medir durante { $seconds } s
 computer-again = Medir otra vez

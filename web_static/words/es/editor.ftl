@@ -16,7 +16,7 @@ plans-open-label = Abrir “{ $title }”
 plans-delete-label = Eliminar “{ $title }”
 plans-deleted = Se ha eliminado “{ $title }”.
 plans-bundled = Planos incluidos en el programa
-plans-open-copy = Abrir una copia
+plans-open-copy = Abrir copia
 plans-open-copy-label = Abrir una copia de “{ $title }”
 plans-copy = Copia de { $title }
 plans-kept = Seguir con “{ $title }”, sin guardar
@@ -93,7 +93,7 @@ editor-done = Listo
 editor-drawn =
     { $count ->
         [one] { $count } punto
-       *[other] { $count } puntos, { $length } m.
+       *[other] { $count } puntos, { $length } m
     }
 editor-snap = Ajustar a 0.1 m
 editor-sheet = El plano. Con la herramienta Elegir, las flechas mueven el elemento elegido. Con las demás mueven una cruz, e Intro equivale a tocar en ella. Escape termina.

@@ -13,8 +13,8 @@ test-count =
         [one] { $count } diana alcanzada
        *[other] { $count } dianas alcanzadas
     }
-test-start = Empezar la prueba
-test-end-it = Terminar la prueba
+test-start = Empezar prueba
+test-end-it = Terminar prueba
 test-drive = Ir a conducir
 test-result = Prueba { $number }
 test-session = Sesión { $number }
@@ -59,7 +59,7 @@ test-workload-high-performance = Muy mal
 test-workload-none = Sin respuesta
 test-workload-leave-out = Omitir
 test-workload-clear = Omitir: { $question }
-test-workload-save = Guardar las respuestas
+test-workload-save = Guardar respuestas
 test-workload-saved = Guardado.
 test-workload-sum = Carga de trabajo (media de las seis): { $value } de 100.
 test-workload-of = prueba { $number }: { $value }
