@@ -26,8 +26,8 @@ calibrate-going-on = Muy bien. El siguiente paso empieza en un momento…
 calibrate-now = Todo listo para conducir
 calibrate-now-lead =
     { $count ->
-        [one] { $count } persona más se ha movido con esta camiseta. En la silla virtual, sus movimientos sustituyen a los de esta persona. Los movimientos siguientes mejoran la calibración, articulación por articulación, ahora o más tarde.
-       *[other] Otras { $count } personas se han movido con esta camiseta. En la silla virtual, sus movimientos sustituyen a los de esta persona. Los movimientos siguientes mejoran la calibración, articulación por articulación, ahora o más tarde.
+        [one] { $count } persona más se ha movido con esta camiseta. En la silla virtual se usan sus movimientos en lugar de los de esta persona. Los movimientos siguientes mejoran la calibración, articulación por articulación, ahora o más tarde.
+       *[other] Otras { $count } personas se han movido con esta camiseta. En la silla virtual se usan sus movimientos en lugar de los de esta persona. Los movimientos siguientes mejoran la calibración, articulación por articulación, ahora o más tarde.
     }
 calibrate-now-go = Conducir ya
 calibrate-earlier = Hay una calibración del { $day } (versión { $version }). Haga los pasos Reposo y Movimiento libre: después se puede volver a usar, ajustada a la colocación de la camiseta de hoy. No se puede repetir una sola articulación, porque la camiseta se ha puesto de nuevo. Una calibración nueva requiere todos los pasos.
@@ -75,7 +75,7 @@ result-expected-false-none = La frecuencia con que actúa en reposo se sabrá cu
 result-expected-own-hits = De 100 movimientos, obtienen respuesta unos { $value }. Con tan pocas repeticiones solo se puede asegurar que son al menos { $bound }.
 result-expected-own-false = En reposo actúa { $value } veces por minuto. Con un reposo tan corto solo se puede asegurar que son menos de { $bound }.
 result-expected-none = Se sabrá si funciona bien cuando se haya repetido este movimiento.
-result-sits-shifted = La camiseta está girada ({ $joint }): { $count } de { $sensors } sensores.
+result-sits-shifted = La camiseta está girada ({ $joint }) el equivalente a { $count } de { $sensors } sensores.
 result-sits-mirrored = La camiseta está del revés o en el otro lado ({ $joint }).
 result-sits-lead = Esta calibración lo tiene en cuenta. Puede dejarla así, o colocar bien la camiseta como muestra la imagen y empezar de nuevo la calibración. Si está seguro de que está bien colocada, indíquelo.
 result-sits-right = Bien colocada
@@ -88,9 +88,9 @@ result-sits-side-front = delante
 result-sits-side-back = detrás
 result-sits-side-outside = lado externo
 result-sits-side-inside = lado interno
-result-sits-picture = Gire la camiseta ({ $joint }): { $count } de sus { $sensors } sensores
+result-sits-picture = Gire la camiseta ({ $joint }) el equivalente a { $count } de sus { $sensors } sensores
 result-details = Detalles
-result-details-signal = El movimiento completo es { $value } veces mayor que el ruido en reposo (relación señal-ruido).
+result-details-signal = El movimiento completo es { $value } veces el ruido en reposo (relación señal-ruido).
 result-details-repeats = Los picos de las repeticiones difieren entre sí menos de un { $percent }.
 result-details-evr = Proporción de la señal en una sola dirección (proporción de varianza explicada, EVR): { $percent }.
 result-again = Repetir articulación

@@ -3,7 +3,7 @@
 rail-interface-test = Prueba de dos minutos
 test-lead = Aparecen dianas en una cruz, y el paciente lleva un punto hasta cada una con los movimientos de los controles. Mientras tanto no se mueve ninguna silla. La prueba muestra si los movimientos funcionan bien hoy, antes de conducir.
 test-cross = Cruz con una diana y un punto: arriba es más rápido, abajo es más lento, izquierda y derecha es girar
-test-before = El punto está en el centro. El paciente permanece en reposo, y la prueba comienza tres segundos después de tocar Empezar.
+test-before = El punto está en el centro. El paciente permanece en reposo, y la prueba comienza tres segundos después de tocar “Empezar prueba”.
 test-wait = La prueba comienza.
 test-phase-ready = Reposo. La primera diana aparece en un momento.
 test-phase-running = Lleve el punto hasta la diana y manténgalo allí un segundo.
