@@ -1,0 +1,75 @@
+### Texts of the page on how the calibration adapts.
+
+rail-adapt = Qué cambiaría
+adapt-title = Qué cambiaría y por qué
+adapt-lead-calibration = Calibración { $version }, tal como se grabó.
+adapt-lead-adaptation = Calibración { $version }, adaptada.
+adapt-lead-donning = Calibración { $version }, ajustada a la colocación de la camiseta.
+adapt-lead-back = Calibración { $version }, recuperada.
+adapt-link = ¿Qué cambiaría?
+adapt-link-proposed = Se sugiere un cambio de la calibración
+adapt-link-applied = La calibración se ha adaptado
+adapt-none-title = Todavía no hay ninguna calibración
+adapt-none-lead = Primero hace falta una calibración. Después puede adaptarse a la persona.
+adapt-looking = Se están examinando los últimos ensayos…
+adapt-look = Ver ahora
+adapt-apply = Aplicar
+adapt-later = Ahora no
+adapt-back = Volver a la versión { $version }
+adapt-applied-toast = La versión { $version } está en uso. Haga un ensayo con ella.
+adapt-back-toast = La calibración de la versión { $to } vuelve a estar en uso, como versión { $version }.
+adapt-felt = Cambio percibido
+adapt-felt-none = Ninguno: la calibración queda como está
+adapt-felt-little = El paciente apenas lo nota. A partir del 5 % aparece un aviso; a partir del 10 % se rechaza.
+adapt-felt-warns = El paciente lo notará: avísele antes del próximo ensayo. A partir del 10 % se rechaza.
+adapt-in-use = La versión { $version } de la calibración está en uso.
+adapt-practise-none = Todavía no se puede habilitar una silla real con esta configuración: haga antes un ensayo con ella en la silla virtual.
+adapt-practise-next = Después de aplicarla, haga un ensayo en la silla virtual antes de usar una silla real. Una silla real solo se habilita con lo que se ha practicado.
+adapt-practise-some =
+    { $count ->
+        [one] Se ha usado en { $count } ensayo con la silla virtual: una silla real puede habilitarse con exactamente esta configuración.
+       *[other] Se ha usado en { $count } ensayos con la silla virtual: una silla real puede habilitarse con exactamente esta configuración.
+    }
+adapt-joint-applied = cambia
+adapt-joint-changed = ha cambiado
+adapt-joint-refused = se rechaza
+adapt-joint-unchanged = sin cambios
+adapt-row-turn = Gira
+adapt-row-turn-asked = { $applied }° de { $asked }°
+adapt-row-evr = Se ajusta al movimiento
+adapt-row-cross-talk = Se mueve a la vez
+adapt-row-dead-zone = Cuenta desde
+adapt-row-full = Máximo en
+adapt-row-felt = Percibido
+adapt-others = Sin cambios: { $joints }.
+adapt-effect = Los mismos movimientos del último ensayo, leídos con la calibración nueva
+adapt-effect-alike = El mismo comando
+adapt-effect-activations = Movimientos que cuentan
+adapt-effect-false = Demasiado breves para ser voluntarios
+adapt-effect-note = Calculado a partir de la grabación. Con la calibración nueva, la persona habría visto moverse la silla de otra forma y también se habría movido de otra forma.
+adapt-mode = Cómo se adapta la calibración de este paciente
+adapt-mode-off = No
+adapt-mode-off-hint = La calibración queda tal como se grabó. Usted puede ver en cualquier momento qué cambiaría.
+adapt-mode-suggest = Sugerir
+adapt-mode-suggest-hint = Cuando los ensayos con la silla virtual muestran que la calibración se ajusta peor, esta página indica qué cambiaría. Usted decide.
+adapt-mode-auto = Automático
+adapt-mode-auto-hint = Los cambios pequeños, de menos del 5 % percibido, se aplican solos entre ensayos con la silla virtual. Los mayores esperan su decisión.
+adapt-mode-never = Con una silla real nunca se adapta nada.
+adapt-versions = Versiones de la calibración
+adapt-versions-lead = No se sobrescribe nada: volver a una versión anterior también crea una versión nueva.
+adapt-version = Versión
+adapt-when = Cuándo
+adapt-origin = Procedencia
+adapt-origin-calibration = Calibrada
+adapt-origin-adaptation = Adaptada a partir de { $parent }
+adapt-origin-adaptation-itself = Adaptada a partir de { $parent }, automáticamente
+adapt-origin-donning = { $parent }, ajustada a la colocación de la camiseta
+adapt-origin-back = Vuelta a { $to }, desde { $parent }
+adapt-difference = Qué cambió
+adapt-difference-joint = { $joint }: { $changes }
+adapt-difference-turn = giro de { $angle }°
+adapt-difference-dead-zone = cuenta desde { $value }
+adapt-difference-full = máximo en { $value }
+adapt-difference-range = rango desplazado
+adapt-difference-felt = cambio percibido: { $percent }
+adapt-trials = Ensayos

@@ -1,0 +1,29 @@
+### Texts of the movements that were found in a calibration.
+
+found-title = Todos los movimientos que puede hacer este cuerpo
+found-lead = Los mejores primero. La puntuación pondera las cuatro columnas siguientes; 100 sería perfecto. Se marca lo que más limita cada movimiento.
+found-take = Pasarlos a los controles
+found-take-later = Use primero esta calibración. Después, un toque en Controles aplica la sugerencia.
+found-gesture = Movimiento
+found-score = Puntuación
+found-signal-to-noise = Señal
+found-repeatability = Repetición
+found-cross-talk = Se mueve a la vez
+found-effort = Esfuerzo
+found-false = Falsos en reposo
+found-hits = Con respuesta
+found-means-score = 50 corresponde, de media, al límite de una articulación utilizable; 100 sería perfecto
+found-means-signal-to-noise = Cuánto supera un movimiento completo el ruido en reposo
+found-means-repeatability = Cuánto difieren los picos de las repeticiones
+found-means-cross-talk = Cuánto aparece con otro movimiento, u otro con él
+found-means-effort = Proporción del rango de la articulación que hay que mover para el efecto máximo; cuenta doble para un movimiento de vuelta
+found-means-false = Cuántas veces por minuto se espera que actúe en reposo
+found-means-hits = Proporción de movimientos que deberían alcanzar la mitad del máximo
+found-details = Detalles
+found-details-one = { $gesture }: relación señal-ruido { $signal }, diferencia entre repeticiones { $repeats }.
+found-weakest = Lo que más lo limita
+found-less = menos de { $value }
+found-check = ¿Qué seguridad hay?
+found-check-lead = Cada previsión se hizo con una parte de las grabaciones y se comprobó con el resto. Tan pocas repeticiones demuestran poco: los últimos números indican cuánto.
+found-check-rest = Previsión a partir del primer reposo: actúa { $predicted } veces por minuto. Contado en otros { $seconds } s: { $counted }. Los { $all } s en conjunto demuestran que son menos de { $bound } por minuto (95 %).
+found-check-hits = Previsión: { $predicted } de los movimientos obtienen respuesta. Contado, dejando fuera cada movimiento por turno: { $counted } de { $all }, es decir, al menos { $bound } (95 %).

@@ -1,0 +1,77 @@
+### Texts of the patient's screen, and of the clinician's card that looks after it.
+
+patient-title = bodydrive · pantalla del paciente
+patient-view = Vista 3D desde la silla
+patient-plan = Esta pantalla no puede dibujar la vista 3D: muestra el plano desde arriba.
+patient-no-picture = No hay imagen en este momento. La silla se detiene.
+patient-lost = Sin conexión con el programa
+patient-lost-why = Se está esperando al programa: la imagen vuelve sola.
+patient-stopped = Parada
+patient-speed = Velocidad
+patient-backwards = marcha atrás
+patient-stage = Parte { $stage } de { $stages }
+patient-rest = Reposo
+patient-go = ¡Ya!
+patient-goal-name = Meta
+patient-goal = Meta alcanzada
+patient-goal-why = Muy bien. Descanse un poco.
+patient-ended = Terminado
+patient-ended-why = Descanse un poco.
+patient-arrow = Flecha hacia la meta: { $where }
+patient-arrow-ahead = delante
+patient-arrow-left = izquierda
+patient-arrow-right = derecha
+patient-arrow-behind = detrás
+patient-arrow-distance = { $distance } m
+patient-sound = Activar sonido
+patient-cue-ready = Prepárese
+patient-cue-rest = Reposo
+patient-cue-free = Movimiento libre
+patient-cue-move = Mueva
+patient-cue-return = Vuelva despacio
+patient-cue-next = Después: { $next }
+patient-over-title = Gracias
+patient-over-lead = La sesión ha terminado, y esta pantalla ya no muestra nada de ella.
+patient-over-next = Puede cerrar esta página. En la próxima sesión, su profesional le mostrará un código nuevo: escanéelo o escríbalo aquí.
+patient-unpaired-title = Esta pantalla no está en uso
+patient-unpaired-lead = Se ha desvinculado en la página del profesional.
+patient-unpaired-next = Para volver a usarla, pida un código nuevo a su profesional. Escanéelo con la cámara de esta pantalla o escríbalo aquí.
+patient-none-title = Vincular esta pantalla
+patient-none-lead = Esta pantalla todavía no está vinculada a ninguna sesión.
+patient-none-next = En la página del profesional, elija Conducir, después “La pantalla del paciente” y “Vincular pantalla”. Escanee el código con la cámara de esta pantalla o escríbalo aquí.
+patient-code = Código de la página del profesional
+patient-code-go = Vincular
+screens-title = Pantalla del paciente
+screens-lead = Una segunda pantalla para el paciente: la vista, indicaciones grandes y la velocidad. En ella no se puede cambiar nada.
+screens-nobody = La pantalla se vincula a una sesión: elija primero un paciente.
+screens-pair = Vincular pantalla
+screens-scan = Escanee este código con la cámara de la pantalla del paciente, o abra allí el enlace. Funciona una sola vez. Tiempo restante: { $minutes }.
+screens-type = O abra { $address } en la pantalla del paciente y escriba este código:
+screens-minutes =
+    { $count ->
+        [one] { $count } minuto
+       *[other] { $count } minutos
+    }
+screens-expired = Este código ha caducado: cree uno nuevo.
+screens-qr = Código QR del enlace para la pantalla del paciente
+screens-link = Enlace para la pantalla del paciente
+screens-copy = Copiar el enlace
+screens-copied = Enlace copiado.
+screens-copy-failed = Este navegador no permite copiar desde la página: seleccione el enlace y cópielo usted.
+screens-again = Código nuevo
+screens-close = Cerrar
+screens-paired = Se ha vinculado una pantalla.
+screens-name = Pantalla { $number }
+screens-connected = conectada
+screens-away = sin conexión
+screens-since = vinculada: { $when }
+screens-unpair = Desvincular
+screens-unpair-label = Desvincular la pantalla { $number }
+screens-unpaired = La pantalla { $number } se ha desvinculado y ya no muestra nada.
+screens-arrow = Flecha hacia la meta
+screens-sounds = Sonidos: contacto, meta, parada
+screens-large = Texto grande
+screens-plan = Plano dibujado en lugar de la vista 3D
+screens-picture-view = vista 3D
+screens-picture-plan = plano dibujado
+screens-picture-none = sin imagen

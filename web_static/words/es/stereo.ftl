@@ -1,0 +1,36 @@
+### Texts of the stereo page.
+
+stereo-open = Dos ojos
+stereo-open-why = La vista del paciente en profundidad. En una pantalla vinculada, escriba en la dirección stereo.html en lugar de patient.html.
+stereo-open-link = Abrir
+stereo-title = bodydrive · vista estéreo
+stereo-settings = Cómo ven los dos ojos
+stereo-lost = Sin conexión con el programa. La imagen vuelve sola.
+stereo-waiting = No hay imagen en este momento. Aparece automáticamente cuando hay una sesión en marcha.
+stereo-refused-title = Esta pantalla todavía no puede mostrar la vista
+stereo-refused-clinician = Profesionales: entren en esta pantalla y abran otra vez esta página.
+stereo-refused-sign-in = Entrar
+stereo-refused-patient = Pantalla del paciente: se vincula con un código de la página del profesional. Escanéelo primero y abra otra vez esta página.
+stereo-mode = Imagen
+stereo-mode-side = Lado a lado
+stereo-mode-squeezed = Media anchura
+stereo-mode-red-cyan = Rojo y cian
+stereo-mode-side-why = Cada ojo tiene la mitad de la pantalla: para un teléfono en un soporte o dos proyectores.
+stereo-mode-squeezed-why = Las dos imágenes a la mitad de su anchura: para un proyector o televisor cuyo ajuste 3D es “lado a lado”.
+stereo-mode-red-cyan-why = Las dos imágenes en una, para gafas con rojo ante el ojo izquierdo y cian ante el derecho.
+stereo-apart = Distancia entre ojos
+stereo-apart-why = Separación de los ojos. Lo habitual son 63 mm; con menos es más cómodo y con 0 no hay profundidad.
+stereo-convergence = Distancia de pantalla
+stereo-convergence-why = Lo que está a esta distancia parece estar en la pantalla; lo más cercano sobresale de ella.
+stereo-far = Infinito
+stereo-swap-title = Ojos
+stereo-swap = Intercambiar
+stereo-swap-why = Si lo cercano parece estar detrás de lo lejano, los ojos están intercambiados.
+stereo-split-title = Línea divisoria
+stereo-split = Mostrar
+stereo-split-why = Una línea fina entre las dos imágenes ayuda a centrar un teléfono en su soporte.
+stereo-full = Pantalla completa
+stereo-full-enter = Pantalla completa
+stereo-full-leave = Salir de pantalla completa
+stereo-full-why = Las imágenes llegan hasta los bordes. Estos controles vuelven con un toque, un movimiento o una tecla.
+stereo-comfort = Comodidad: empiece con una distancia entre ojos pequeña y auméntela mientras resulte agradable. Si algo se ve doble, elija otra distancia de pantalla. Si los ojos se cansan o alguien se siente mal, ponga 0 mm o haga una pausa.
