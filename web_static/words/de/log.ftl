@@ -2,7 +2,7 @@
 ### erscheinen unverändert.
 
 log-what-adaptation-chosen = Anpassung der Kalibrierung gewählt
-log-what-another-clinic-s-id = Dokumentation einer anderen Klinik abgerufen
+log-what-another-clinic-s-id = Eintrag einer anderen Klinik angefragt
 log-what-armed = Rollstuhl freigegeben
 log-what-calibration-accepted = Kalibrierung in Gebrauch genommen
 log-what-dial-turned = Temporegler verstellt
