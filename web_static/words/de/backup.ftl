@@ -35,7 +35,7 @@ backup-kept = 7 tägliche, 4 wöchentliche und 6 monatliche Backups bleiben erha
 backup-save = Speichern
 backup-saved = Gespeichert.
 deleted-title = Gelöschte Patienten
-deleted-lead = Alles zu einem gelöschten Patienten wird sofort ausgeblendet und nach { $days } Tagen endgültig gelöscht. Ältere Backups enthalten es noch. Backups im Ordner werden innerhalb von 6 Monaten ersetzt. Einzelne Kopien müssen Sie selbst löschen.
+deleted-lead = Alles zu einem gelöschten Patienten wird sofort ausgeblendet und nach { $days } Tagen endgültig gelöscht. Ältere Backups enthalten es noch. Backups im Ordner werden innerhalb von 6 Monaten ersetzt. Einzelne Backup-Dateien müssen Sie selbst löschen.
 deleted-none = Niemand wurde gelöscht.
 deleted-left =
     { $count ->
@@ -51,8 +51,8 @@ deleted-what =
 deleted-undo = Rückgängig
 deleted-undo-label = Löschen von { $code } rückgängig machen
 deleted-undone = { $code } ist wieder da.
-deleted-erase = Jetzt endgültig löschen
-deleted-erase-label = Jetzt endgültig löschen: { $code }
+deleted-erase = Jetzt löschen
+deleted-erase-label = Jetzt löschen: { $code }
 deleted-erase-title = { $code } endgültig löschen?
 deleted-erase-lead = Sitzungen, Kalibrierungen, Durchgänge und Aufzeichnungen werden sofort gelöscht. Das lässt sich nicht rückgängig machen.
 deleted-erase-go = Endgültig löschen
@@ -73,6 +73,6 @@ incidents-patients =
        *[other] { $count } Patienten
     }
 incidents-lift = Sperre aufheben
-incidents-lift-label = Sperre des Vorkommnisses vom { $when } aufheben
+incidents-lift-label = Sperre aufheben: Vorkommnis vom { $when }
 incidents-lifted = Aufgehoben { $when }: { $reason }
 incidents-key = Fingerabdruck des Signaturschlüssels

@@ -76,7 +76,7 @@ neutral-no-shirt = Das Shirt sendet nicht. Über den Körper ist deshalb nichts 
 neutral-stop = Stopp-Geste: { $gestures }, gleichzeitig.
 neutral-no-stop = Keine Stopp-Geste zugeordnet: Der Patient kann den Rollstuhl nicht mit dem Körper stoppen. Ordnen Sie auf der Seite „Steuerung“ eine zu.
 arm-go = Freigeben
-arm-busy = Wird freigegeben …
+arm-busy = Freigabe …
 arm-ready = Alles ist bereit. Nach dem Freigeben fährt der Patient.
 arm-missing =
     { $count ->

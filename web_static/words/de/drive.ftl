@@ -1,6 +1,6 @@
 ### Texte der Seite „Fahren“: Strecke wählen, fahren, ein beendeter Durchgang.
 
-drive-none-title = Noch nichts zum Fahren
+drive-none-title = Fahren ist noch nicht möglich
 drive-none-lead = Zuerst die Kalibrierung: Sie lernt, welche Bewegungen dieser Körper machen kann.
 drive-none-go = Kalibrieren
 drive-no-path = Dieser Grundriss hat keine Strecke „{ $path }“ mehr. Wählen Sie eine andere Aufgabe.
@@ -115,7 +115,7 @@ trial-view-head-on = Folgen
 trial-view-pace = { $rate } Bilder pro Sekunde, { $age } ms alt
 trial-view-slow = Das Bild ist auf diesem Bildschirm langsam. Schließen Sie andere Seiten, oder verkleinern Sie das Fenster.
 trial-plots = Diagramme
-trial-end = Durchgang beenden
+trial-end = Beenden
 trial-ending = Wird ausgewertet …
 trial-ending-why = Der Durchgang ist beendet. Das Ergebnis erscheint hier von selbst. Ein langer Durchgang dauert länger.
 trial-moment = Einen Moment …

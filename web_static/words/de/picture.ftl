@@ -13,6 +13,6 @@ picture-back = Zurück zu „Fahren“
 picture-choose = Dieser Bildschirm kann die 3D-Ansicht nicht zeichnen: Sein Browser bietet kein WebGL 2. Durchgänge werden stattdessen in der Planansicht von oben gefahren. Auch eine Wiedergabe nutzt sie.
 drawn-label = Planansicht von { $plan } mit der Strecke „{ $path }“ und dem Rollstuhl
 drawn-group = Planansicht
-drawn-heading = Fahrtrichtung oben
+drawn-heading = Mitdrehen
 drawn-nearer = Näher
 drawn-farther = Weiter weg

@@ -6,7 +6,7 @@ shares-none = Es gibt keinen Link, der sich öffnen lässt.
 shares-all = Alle Sitzungen
 shares-session = Sitzung { $number }
 shares-state-open = Lässt sich öffnen
-shares-state-closed = Gesperrt: keine Einwilligung
+shares-state-closed = Ohne Einwilligung
 shares-state-revoked = Widerrufen
 shares-state-over = Abgelaufen
 shares-state-dead = Gesperrt: fünf falsche PINs
@@ -40,7 +40,7 @@ shares-days =
     }
 shares-make = Link erstellen
 shares-consent = Für einen geteilten Link muss der Patient in die Weitergabe nach außen einwilligen. Fragen Sie ihn, und tragen Sie die Einwilligung oben ein.
-shares-new = Der Link und seine PIN, nur dieses eine Mal gezeigt: { $what }
+shares-new = Link und PIN (werden nur einmal gezeigt): { $what }
 shares-new-lead = Senden Sie den Link. Teilen Sie die PIN auf anderem Weg mit, zum Beispiel am Telefon. Wer beides hat, kann die Dokumentation von { $code } lesen.
 shares-pin = PIN
 shares-done = Fertig
