@@ -5,10 +5,10 @@ backup-lead = Kopien aller Daten dieser Klinik auf einem anderen Datenträger, u
 backup-settings-go = Backups ansehen
 backup-owner = Nur Verantwortliche verwalten die Backups. Fragen Sie eine verantwortliche Person.
 backup-state-title = Backups
-backup-last = Das letzte gute Backup ist vom { $when }. Es wurde vollständig gegengelesen.
+backup-last = Das letzte gute Backup ist vom { $when }. Es wurde vollständig geprüft.
 backup-now = Jetzt sichern
 backup-store = Kopieren: { $done } von { $total }
-backup-verify = Gegenlesen: { $done } von { $total }
+backup-verify = Prüfen: { $done } von { $total }
 backup-begins = Das Backup beginnt. Zuerst wird die Datenbank kopiert.
 backup-progress = Fortschritt dieses Schritts
 backup-done = Das Backup ist fertig.
@@ -36,7 +36,7 @@ backup-save = Speichern
 backup-saved = Gespeichert.
 deleted-title = Gelöschte Patienten
 deleted-lead = Alles zu einem gelöschten Patienten wird sofort ausgeblendet und nach { $days } Tagen endgültig gelöscht. Ältere Backups enthalten es noch. Backups im Ordner werden innerhalb von 6 Monaten ersetzt. Einzelne Backup-Dateien müssen Sie selbst löschen.
-deleted-none = Niemand wurde gelöscht.
+deleted-none = Es ist kein Patient gelöscht.
 deleted-left =
     { $count ->
         [one] wird in { $count } Tag endgültig gelöscht

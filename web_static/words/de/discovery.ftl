@@ -1,6 +1,6 @@
 ### Texte zu den Bewegungen, die in einer Kalibrierung gefunden wurden.
 
-found-title = Alle Bewegungen, die dieser Körper machen kann
+found-title = Alle gefundenen Bewegungen
 found-lead = Die beste zuerst. Die Punktzahl fasst die vier Spalten danach zusammen, 100 wäre perfekt. Was die Punktzahl einer Bewegung am meisten senkt, ist markiert.
 found-take = In die Steuerung übernehmen
 found-take-later = Verwenden Sie zuerst diese Kalibrierung. Dann übernehmen Sie den Vorschlag unter „Steuerung“ mit einem Tippen.

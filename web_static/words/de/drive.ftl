@@ -1,7 +1,7 @@
 ### Texte der Seite „Fahren“: Strecke wählen, fahren, ein beendeter Durchgang.
 
 drive-none-title = Fahren ist noch nicht möglich
-drive-none-lead = Zuerst die Kalibrierung: Sie lernt, welche Bewegungen dieser Körper machen kann.
+drive-none-lead = Zuerst die Kalibrierung: Sie lernt, welche Bewegungen die Person machen kann.
 drive-none-go = Kalibrieren
 drive-no-path = Dieser Grundriss hat keine Strecke „{ $path }“ mehr. Wählen Sie eine andere Aufgabe.
 drive-title = Wohin?

@@ -34,6 +34,6 @@ patients-last = letzte Sitzung { $day }
 patients-delete = { $code } löschen
 patients-deleted = { $code } wurde gelöscht.
 patients-empty = Die Liste ist leer. Fügen Sie den ersten Patienten hinzu. Code und Pseudonym genügen.
-patients-none-found = Niemand passt zu „{ $words }“. Prüfen Sie die Schreibweise, oder fügen Sie einen neuen Patienten hinzu.
+patients-none-found = Kein Treffer für „{ $words }“. Prüfen Sie die Schreibweise, oder fügen Sie einen neuen Patienten hinzu.
 patients-alone = In dieser Klinik arbeitet noch niemand anderes.
 patients-ended = Die Sitzung ist beendet.

@@ -5,10 +5,10 @@ prior-lead = Aus jeder verwendeten Kalibrierung eines Patienten, der einwilligt,
 prior-on = Aus verwendeten Kalibrierungen lernen
 prior-few =
     { $count ->
-        [one] Vom verwendeten Shirt liegen Bewegungen von einem Patienten vor; { $needed } sind nötig.
-       *[other] Vom verwendeten Shirt liegen Bewegungen von { $count } Patienten vor; { $needed } sind nötig.
+        [one] Für das verwendete Shirt liegen Bewegungen von einem Patienten vor; { $needed } sind nötig.
+       *[other] Für das verwendete Shirt liegen Bewegungen von { $count } Patienten vor; { $needed } sind nötig.
     }
-prior-enough = Vom verwendeten Shirt liegen Bewegungen von { $count } Patienten vor.
+prior-enough = Für das verwendete Shirt liegen Bewegungen von { $count } Patienten vor.
 prior-off = Aus: Es wird nichts gelernt, und neue Patienten werden zuerst kalibriert.
 settings-title = Einstellungen
 settings-lead = Was für alle hier gilt.

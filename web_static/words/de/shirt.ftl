@@ -121,6 +121,6 @@ pads-keys-right-elbow = W  ↑
 pads-keys-left-elbow = S  ↓
 pads-keys-right-shoulder = A  ←
 pads-keys-left-shoulder = D  →
-pads-note = Halten bewegt, Loslassen geht zurück. Beide Ellbogen gleichzeitig sind die Stopp-Geste.
+pads-note = Gedrückt halten bewegt, Loslassen führt zurück. Beide Ellbogen gleichzeitig sind die Stopp-Geste.
 pads-gamepad = Gamepad: Schultertasten beugen die Ellbogen, Sticks schieben die Schultern nach vorn.
 pads-group = Tastfelder, die den Körper im Shirt bewegen
