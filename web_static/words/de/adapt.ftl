@@ -1,0 +1,75 @@
+### Texte der Seite, die zeigt, wie sich die Kalibrierung anpasst.
+
+rail-adapt = Anpassung
+adapt-title = Was sich ändern würde und warum
+adapt-lead-calibration = Kalibrierung { $version }, wie aufgezeichnet.
+adapt-lead-adaptation = Kalibrierung { $version }, angepasst.
+adapt-lead-donning = Kalibrierung { $version }, an den Sitz des Shirts angepasst.
+adapt-lead-back = Kalibrierung { $version }, wiederhergestellt.
+adapt-link = Was würde sich ändern?
+adapt-link-proposed = Eine Änderung der Kalibrierung wird vorgeschlagen
+adapt-link-applied = Die Kalibrierung wurde angepasst
+adapt-none-title = Noch nichts kalibriert
+adapt-none-lead = Erst wenn es eine Kalibrierung gibt, kann sie an die Person angepasst werden.
+adapt-looking = Die letzten Durchgänge werden ausgewertet …
+adapt-look = Jetzt prüfen
+adapt-apply = Übernehmen
+adapt-later = Nicht jetzt
+adapt-back = Zurück zu Version { $version }
+adapt-applied-toast = Version { $version } wird jetzt verwendet. Fahren Sie damit einen Durchgang.
+adapt-back-toast = Die Kalibrierung von Version { $to } wird wieder verwendet, als Version { $version }.
+adapt-felt = Spürbare Änderung
+adapt-felt-none = Keine: Die Kalibrierung bleibt, wie sie ist
+adapt-felt-little = Der Patient merkt davon kaum etwas. Ab 5 % erscheint eine Warnung, ab 10 % wird die Änderung abgelehnt.
+adapt-felt-warns = Der Patient wird die Änderung spüren. Sagen Sie es ihm vor dem nächsten Durchgang. Ab 10 % wird die Änderung abgelehnt.
+adapt-in-use = Version { $version } der Kalibrierung wird verwendet.
+adapt-practise-none = Mit diesem Set lässt sich noch kein echter Rollstuhl freigeben. Fahren Sie damit zuerst einen Durchgang mit dem virtuellen Rollstuhl.
+adapt-practise-next = Fahren Sie nach dem Übernehmen zuerst einen Durchgang mit dem virtuellen Rollstuhl. Ein echter Rollstuhl lässt sich nur mit einem geübten Set freigeben.
+adapt-practise-some =
+    { $count ->
+        [one] In { $count } Durchgang mit dem virtuellen Rollstuhl gefahren: Mit genau diesem Set darf ein echter Rollstuhl freigegeben werden.
+       *[other] In { $count } Durchgängen mit dem virtuellen Rollstuhl gefahren: Mit genau diesem Set darf ein echter Rollstuhl freigegeben werden.
+    }
+adapt-joint-applied = ändert sich
+adapt-joint-changed = geändert
+adapt-joint-refused = abgelehnt
+adapt-joint-unchanged = bleibt
+adapt-row-turn = Drehung
+adapt-row-turn-asked = { $applied }° von { $asked }°
+adapt-row-evr = Passt zur Bewegung
+adapt-row-cross-talk = Mitbewegung
+adapt-row-dead-zone = Zählt ab
+adapt-row-full = Voll ab
+adapt-row-felt = Spürbar
+adapt-others = Keine Änderung: { $joints }.
+adapt-effect = Dieselben Bewegungen des letzten Durchgangs, mit der neuen Kalibrierung berechnet
+adapt-effect-alike = Gleicher Fahrbefehl
+adapt-effect-activations = Bewegungen, die zählen
+adapt-effect-false = Zu kurz, wohl unbeabsichtigt
+adapt-effect-note = Aus der Aufzeichnung berechnet. Mit der neuen Kalibrierung hätte sich der Rollstuhl anders bewegt, und die Person hätte darauf auch anders reagiert.
+adapt-mode = So passt sich die Kalibrierung dieses Patienten an
+adapt-mode-off = Aus
+adapt-mode-off-hint = Die Kalibrierung bleibt, wie sie aufgezeichnet wurde. Sie können jederzeit ansehen, was sich ändern würde.
+adapt-mode-suggest = Vorschlagen
+adapt-mode-suggest-hint = Wenn Durchgänge mit dem virtuellen Rollstuhl zeigen, dass die Kalibrierung schlechter passt, zeigt diese Seite, was sich ändern würde. Sie entscheiden.
+adapt-mode-auto = Automatisch
+adapt-mode-auto-hint = Kleine Änderungen, spürbar unter 5 %, werden zwischen Durchgängen mit dem virtuellen Rollstuhl automatisch übernommen. Über größere entscheiden Sie.
+adapt-mode-never = Mit einem echten Rollstuhl wird nie etwas angepasst.
+adapt-versions = Versionen der Kalibrierung
+adapt-versions-lead = Nichts wird überschrieben: Auch eine wiederhergestellte Kalibrierung ist eine neue Version.
+adapt-version = Version
+adapt-when = Wann
+adapt-origin = Entstanden durch
+adapt-origin-calibration = Kalibrierung
+adapt-origin-adaptation = Anpassung von { $parent }
+adapt-origin-adaptation-itself = Automatische Anpassung von { $parent }
+adapt-origin-donning = { $parent }, an den Sitz des Shirts angepasst
+adapt-origin-back = Zurück zu { $to }, von { $parent }
+adapt-difference = Änderungen
+adapt-difference-joint = { $joint }: { $changes }
+adapt-difference-turn = um { $angle }° gedreht
+adapt-difference-dead-zone = zählt ab { $value }
+adapt-difference-full = voll ab { $value }
+adapt-difference-range = Bereich verschoben
+adapt-difference-felt = { $percent } spürbar
+adapt-trials = Durchgänge

@@ -1,0 +1,29 @@
+### Texte zu den Bewegungen, die in einer Kalibrierung gefunden wurden.
+
+found-title = Alle gefundenen Bewegungen
+found-lead = Die beste zuerst. Die Punktzahl fasst die vier Spalten danach zusammen, 100 wäre perfekt. Was die Punktzahl einer Bewegung am meisten senkt, ist markiert.
+found-take = In die Steuerung übernehmen
+found-take-later = Verwenden Sie zuerst diese Kalibrierung. Dann übernehmen Sie den Vorschlag unter „Steuerung“ mit einem Tippen.
+found-gesture = Bewegung
+found-score = Punkte
+found-signal-to-noise = Signal
+found-repeatability = Wiederholbar
+found-cross-talk = Mitbewegung
+found-effort = Aufwand
+found-false = In Ruhe ausgelöst
+found-hits = Erkannt
+found-means-score = 50 entspricht im Mittel den Grenzen eines brauchbaren Gelenks, 100 wäre perfekt
+found-means-signal-to-noise = Wie weit eine volle Bewegung über dem Rauschen in Ruhe liegt
+found-means-repeatability = Wie weit die Spitzenwerte der Wiederholungen auseinanderliegen
+found-means-cross-talk = Wie stark sie bei einer anderen Bewegung mit auftritt oder eine andere bei ihr
+found-means-effort = Anteil des Gelenkbereichs, der für die volle Wirkung nötig ist; bei einer Rückbewegung doppelt gezählt
+found-means-false = Wie oft pro Minute sie in Ruhe voraussichtlich auslöst
+found-means-hits = Anteil der Bewegungen, die die halbe volle Wirkung erreichen dürften
+found-details = Details
+found-details-one = { $gesture }: Signal-Rausch-Verhältnis { $signal }, Wiederholungen innerhalb von { $repeats }.
+found-weakest = Das senkt die Punktzahl am meisten
+found-less = unter { $value }
+found-check = Wie sicher ist das?
+found-check-lead = Jede Vorhersage stammt aus einem Teil der Aufzeichnungen und wurde am Rest geprüft. So wenige Wiederholungen belegen wenig. Die letzten Zahlen zeigen, wie wenig.
+found-check-rest = Vorhersage aus der ersten Ruhe: Die Bewegung löst { $predicted }-mal pro Minute aus. Gezählt in weiteren { $seconds } s: { $counted }. Alle { $all } s zusammen belegen weniger als { $bound } pro Minute (95 %).
+found-check-hits = Vorhersage: { $predicted } der Bewegungen erkannt. Gezählt, jede einmal ausgelassen: { $counted } von { $all }, also mindestens { $bound } (95 %).

@@ -1,0 +1,36 @@
+### Texte der Stereo-Seite.
+
+stereo-open = Zwei Augen
+stereo-open-why = Die Ansicht des Patienten räumlich. Schreiben Sie auf einem gekoppelten Bildschirm in der Adresse stereo.html statt patient.html.
+stereo-open-link = Öffnen
+stereo-title = bodydrive · Stereo-Ansicht
+stereo-settings = Wie die zwei Augen sehen
+stereo-lost = Keine Verbindung zum Programm. Das Bild kommt von selbst zurück.
+stereo-waiting = Zurzeit gibt es kein Bild. Es kommt von selbst, wenn eine Sitzung weitergeht.
+stereo-refused-title = Dieser Bildschirm darf die Ansicht noch nicht zeigen
+stereo-refused-clinician = Fachkräfte: Melden Sie sich auf diesem Bildschirm an, und öffnen Sie diese Seite dann noch einmal.
+stereo-refused-sign-in = Anmelden
+stereo-refused-patient = Patientenbildschirm: Er wird mit einem Code von der Seite der Fachkraft gekoppelt. Scannen Sie zuerst den Code, und öffnen Sie diese Seite dann noch einmal.
+stereo-mode = Bild
+stereo-mode-side = Nebeneinander
+stereo-mode-squeezed = Halbe Breite
+stereo-mode-red-cyan = Rot-Cyan
+stereo-mode-side-why = Jedes Auge hat die Hälfte des Bildschirms: für ein Telefon in einer Halterung oder zwei Projektoren.
+stereo-mode-squeezed-why = Beide Bilder in halber Breite: für einen Projektor oder Fernseher mit der 3D-Einstellung „side by side“.
+stereo-mode-red-cyan-why = Beide Bilder in einem, für Brillen mit Rot vor dem linken und Cyan vor dem rechten Auge.
+stereo-apart = Augenabstand
+stereo-apart-why = Wie weit die Augen auseinanderliegen. 63 mm sind üblich. Weniger ist ruhiger, 0 zeigt keine Tiefe.
+stereo-convergence = Bildschirmabstand
+stereo-convergence-why = Was so weit entfernt ist, scheint auf dem Bildschirm zu liegen. Näheres tritt daraus hervor.
+stereo-far = Unendlich
+stereo-swap-title = Augen
+stereo-swap = Links und rechts tauschen
+stereo-swap-why = Wenn Nahes hinter Fernem zu liegen scheint, sind die Augen vertauscht.
+stereo-split-title = Trennlinie
+stereo-split = Zeigen
+stereo-split-why = Eine dünne Linie zwischen beiden Bildern hilft, ein Telefon in der Halterung auszurichten.
+stereo-full = Vollbild
+stereo-full-enter = Vollbild
+stereo-full-leave = Vollbild beenden
+stereo-full-why = Die Bilder reichen bis zum Rand. Tippen, eine Bewegung oder eine Taste holt die Bedienelemente zurück.
+stereo-comfort = Verträglichkeit: Beginnen Sie mit kleinem Augenabstand, und erhöhen Sie ihn, solange es angenehm ist. Wenn etwas doppelt erscheint, wählen Sie einen anderen Bildschirmabstand. Wenn die Augen müde werden oder sich jemand unwohl fühlt, stellen Sie 0 mm ein, oder machen Sie eine Pause.
