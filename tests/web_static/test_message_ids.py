@@ -16,6 +16,7 @@ from web_static.messages import (
     ids_of_language,
     is_made_by,
     scripts,
+    values_of_language,
 )
 
 from app.api.pages import ALONE
@@ -55,6 +56,14 @@ def test_every_message_can_be_read(run_script, language):
     assert {file: set(texts) for file, texts in read.items()} == {
         file.name: set(ids_of(file)) for file in (WORDS / language).iterdir()
     }
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_language_is_complete_and_its_messages_hold_the_same_values(language):
+    english, translated = values_of_language("en"), values_of_language(language)
+    assert english.keys() - translated.keys() == set()
+    assert translated.keys() - english.keys() == set()
+    assert {key: translated[key] for key in english if translated[key] != english[key]} == {}
 
 
 class Anything:

@@ -61,7 +61,7 @@ assert.deepEqual(
   [
     ["calibrated", [1], ["1"]],
     ["calibration adapted", [5], ["2"]],
-    ["calibration taken back", [6], ["3"]],
+    ["calibration restored", [6], ["3"]],
   ],
 );
 assert.match(maps[1].hovertemplate[0], /^Calibration 2, adapted: from trial 5 on/);

@@ -34,5 +34,6 @@ for (const [before, now, sounds] of [
   [still, over, ["goal"]],
   [over, over, []],
   [still, { ...over, over: { id: 1, end: "by hand" } }, []],
-]) assert.deepEqual(soundsBetween(before, now), sounds, JSON.stringify([before, now]));
+])
+  assert.deepEqual(soundsBetween(before, now), sounds, JSON.stringify([before, now]));
 console.log("arrow and sounds hold");

@@ -35,7 +35,7 @@ backup-kept = 7 daily, 4 weekly and 6 monthly backups stay. Recordings are store
 backup-save = Save
 backup-saved = Saved.
 deleted-title = Deleted patients
-deleted-lead = Everything of a deleted patient is hidden at once, and erased after { $days } days. Older backups still hold it: in the folder they are replaced within 6 months, single files are yours to delete.
+deleted-lead = Everything of a deleted patient is hidden at once, and erased after { $days } days. Older backups still hold it. In the folder they are replaced within 6 months; backups that were saved as single files must be deleted by you.
 deleted-none = Nobody was deleted.
 deleted-left =
     { $count ->

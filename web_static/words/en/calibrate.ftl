@@ -24,7 +24,11 @@ calibrate-done = Done. Go on, or repeat it.
 calibrate-poor = Recorded, but it would not drive well: repeat it, or go on as it is.
 calibrate-going-on = Well done. Going on in a moment…
 calibrate-now = Ready to drive
-calibrate-now-lead = { $count } other people have moved in this shirt. Their movements stand in for this person's own, on the virtual chair. The movements that follow here make it better, one joint at a time, now or later.
+calibrate-now-lead =
+    { $count ->
+        [one] { $count } other person has moved in this shirt. Until this person's own movements are known, theirs are used, on the virtual chair only. Each movement that follows improves the calibration, one joint at a time, now or later.
+       *[other] { $count } other people have moved in this shirt. Until this person's own movements are known, theirs are used, on the virtual chair only. Each movement that follows improves the calibration, one joint at a time, now or later.
+    }
 calibrate-now-go = Drive now
 calibrate-earlier = There is a calibration of { $day } (version { $version }). Do Rest and Move freely: then it can be used again, fitted to how the shirt sits today. One joint of it cannot be repeated alone, because the shirt was put on anew: a new calibration takes every step.
 calibrate-earlier-lead = The calibration of { $day } (version { $version }) can be used again: it is fitted to how the shirt sits today, and the controls stay as they are. The movements that follow here make a new calibration instead, which takes every step.
@@ -58,7 +62,11 @@ repeats-poorly = poorly
 result-from-others = From other people
 result-from-both = From other people and own movement
 result-from-own = Own movement
-result-from-others-lead = { $count } other people taught this.
+result-from-others-lead =
+    { $count ->
+        [one] Learnt from the movements of { $count } other person.
+       *[other] Learnt from the movements of { $count } other people.
+    }
 result-expected-hits = Of 100 movements about { $value } are answered (± { $uncertainty }).
 result-expected-false = At rest it acts about { $value } times a minute (± { $uncertainty }).
 result-expected-prompted = After three repetitions of this movement the first figure is surer (± { $uncertainty }), and it is known how often it acts at rest.
@@ -96,15 +104,15 @@ result-maps-in-use-prior = The calibration learnt from other people drives
 result-maps-prior = Learnt from other people
 result-maps-lead-prior =
     { $count ->
-        [one] Each figure is of the { $count } repetition of this person. What other people taught was completed without it.
-       *[other] Each figure is of { $count } repetitions of this person. What other people taught was completed without the one it was tried on.
+        [one] Each figure is of { $count } repetition of this person. It had no part in the calibration that was learnt from other people.
+       *[other] Each figure is of { $count } repetitions of this person. Each repetition was tried with a calibration in which it had no part.
     }
 result-maps-lead-guided =
     { $count ->
         [one] Both were learnt from this calibration. Each figure is of the { $count } repetition that was kept apart.
        *[other] Both were learnt from this calibration. Each figure is of { $count } repetitions that were kept apart.
     }
-result-maps-in-phase = Share of the drive that comes with the asked movement
+result-maps-in-phase = Share of the effect that comes during the asked movement
 result-maps-hit = Share of the time of the asked movement in which it drives
 result-maps-false = Drives at rest, times a minute
 result-maps-kept-guided = The calibration learnt from the cues is not offered: it would not be better for this joint.
@@ -112,7 +120,7 @@ result-maps-kept-prior = The calibration learnt from other people is not offered
 result-maps-details = The standard calibration is the main direction of the movement (PCA), the other a linear map guided by the cues.
 result-bar = { $joint }: clear main movement { $percent }; the study had 80 to 90 %
 result-cross = When one movement is made, what else counts
-result-cross-lead = 1.00 is how strongly the asked movement counts. Small numbers beside it are good.
+result-cross-lead = 1.00 is the strength of the asked movement. The other numbers should be small.
 result-cross-asked = asked: { $joint }
 result-left-out =
     { $count ->

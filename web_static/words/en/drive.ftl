@@ -87,7 +87,7 @@ trial-contacts =
        *[other] { $count } contacts
     }
 trial-above = From above
-trial-above-line = Blue line: white on the floor
+trial-above-line = Blue line: it is white on the floor
 trial-speed = Speed
 trial-views = View
 trial-view-eye = Eye
@@ -107,7 +107,7 @@ trial-view-settings = The eye’s settings
 trial-view-fov-deg = Field of view
 trial-view-eye-height = Eye height
 trial-view-roll-share = Tilt of the head
-trial-view-roll-share-why = How much of it the picture shows. None is the most comfortable.
+trial-view-roll-share-why = How much of the tilt the picture shows. No tilt is the most comfortable.
 trial-view-reduced = This screen asks for reduced motion: the picture does not tilt.
 trial-view-head = Head tracker
 trial-view-head-why = Look where the head looks.

@@ -8,13 +8,17 @@ prior-few =
         [one] One patient has taught the shirt in use; { $needed } are needed.
        *[other] { $count } patients have taught the shirt in use; { $needed } are needed.
     }
-prior-enough = { $count } patients have taught the shirt in use.
+prior-enough =
+    { $count ->
+        [one] Movements of { $count } patient in the shirt in use are known.
+       *[other] Movements of { $count } patients in the shirt in use are known.
+    }
 prior-off = Off: nothing is learnt, and new patients are calibrated first.
 settings-title = Settings
 settings-lead = What holds for everybody here.
 settings-read-only = Only an owner changes these.
 limits-title = The clinic's limits
-limits-lead = Nobody drives faster than these. A set with higher numbers keeps them, but drives within these.
+limits-lead = Nobody drives faster than these limits. A set with higher numbers keeps its numbers, but the chair stays within these.
 limits-saving = saving…
 limits-saved = saved
 log-lead = Who signed in, looked, changed something, drove and stopped, and when. Rows are only ever added.

@@ -14,7 +14,11 @@ share-signed = Signed off
 share-unsigned = Not signed off
 share-simulated = simulated
 share-task = { $plan }: { $path }
-share-trajectories = Prescribed path (dashed) and { $count } trajectories
+share-trajectories =
+    { $count ->
+        [one] Prescribed path (dashed) and { $count } trajectory
+       *[other] Prescribed path (dashed) and { $count } trajectories
+    }
 share-curve = Area off the path (m²), trial by trial
 share-values = { $first } in the first trial, { $newest } in the newest.
 share-verdicts = Newest session against the one before

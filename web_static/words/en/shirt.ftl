@@ -46,7 +46,11 @@ quality-estimated-words = It is broken, and the movements that read it go on by 
 quality-unused-words = You left it out: the next calibration does without it.
 quality-silent-words = Nothing comes from it: check that the shirt is on and connected.
 traces-title = Live signals by joint
-traces-label = { $joint }, { $count } sensors
+traces-label =
+    { $count ->
+        [one] { $joint }, { $count } sensor
+       *[other] { $joint }, { $count } sensors
+    }
 head-title = Head tracker
 head-none = None
 head-none-hint = The view looks straight ahead.

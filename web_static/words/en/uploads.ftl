@@ -1,6 +1,6 @@
 ### Texts of uploads: names that are taken, objects of an improbable size, and files that were replaced.
 
-same-name-keep-both = Keep both, as { $name }
+same-name-keep-both = Keep both, the new one as { $name }
 same-name-replace = Replace it
 same-name-kept = What is replaced can be put back for { $days } days.
 object-scale-size = { $size } m

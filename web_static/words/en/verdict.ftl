@@ -7,7 +7,7 @@ verdict-noise = Within noise
 verdict-familiarisation = This is one of the first three trials of this task. They are for getting used to the task and are not compared.
 verdict-means = Noise is how much this person's own trials of this task differ without a change. A verdict needs five trials of the task in all, and from one session to the next also earlier sessions, or three other people of the clinic who did the task.
 verdict-chance = Only the three measures that lead in a task and how often the goal was reached have a verdict: where nothing changed, about one page in twenty says better or worse by chance.
-verdict-missed = Between sessions, a trial that missed the goal counts as no better than the worst tenth of those before it that reached it.
+verdict-missed = Between sessions, a trial that missed the goal counts at most as much as the worst tenth of the earlier trials that reached it.
 verdict-unpublished = No minimal detectable change has been published for these measures of wheelchair driving.
 verdict-sessions = Session { $later } ({ $second }) against session { $earlier } ({ $first })
 verdict-trials =
@@ -23,7 +23,7 @@ verdict-counts =
        *[other] { $count } of the { $all } trials of this task can be compared: the first three are for getting used to it.
     }
 verdict-counts-none = No trial of this task can be compared yet ({ $all } driven): the first three are for getting used to it.
-verdict-needed = A verdict needs { $count } that can be compared, from two sessions together: drive this task again.
+verdict-needed = A verdict needs { $count } trials that can be compared, from two sessions together: drive this task again.
 verdict-few =
     { $count ->
         [one] { $count } trial can be compared so far, { $needed } are needed.
