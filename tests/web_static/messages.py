@@ -31,12 +31,11 @@ def ids_of_language(language: str = "en") -> dict[str, set[str]]:
 
 def values_of_language(language: str) -> dict[tuple[str, str], set[str]]:
     """Return the names of the values that each message holds, by its file and id."""
-    values = {}
+    values: dict[tuple[str, str], set[str]] = {}
     for file in sorted((WORDS / language).glob("*.ftl")):
-        parts = BEGINNING.split(file.read_text(encoding="utf-8"))
-        values |= {
-            (file.stem, name): set(VARIABLE.findall(text)) for name, text in zip(parts[1::2], parts[2::2], strict=True)
-        }
+        _, *parts = BEGINNING.split(file.read_text(encoding="utf-8"))
+        messages = zip(parts[::2], parts[1::2], strict=True)
+        values |= {(file.stem, name): set(VARIABLE.findall(text)) for name, text in messages}
     return values
 
 
