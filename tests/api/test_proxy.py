@@ -146,10 +146,7 @@ def test_sockets_open_through_the_proxy_only(behind: Clinic) -> None:
     with behind.client.websocket_connect(url, headers={**PAGE, **cookie}) as socket:
         assert "control" in socket.receive_json()
     for headers in ({"Origin": "http://127.0.0.1:8080"}, {**PAGE, "X-Forwarded-Host": "evil.example"}):
-        with (
-            pytest.raises(WebSocketDisconnect),
-            behind.client.websocket_connect(url, headers={**headers, **cookie}),
-        ):
+        with pytest.raises(WebSocketDisconnect), behind.client.websocket_connect(url, headers={**headers, **cookie}):
             pass
 
 

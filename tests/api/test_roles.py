@@ -12,14 +12,7 @@ from starlette.websockets import WebSocketDisconnect
 from app.api.sign_in.identity import SCREEN_COOKIE
 from app.api.who_asks import who_asks
 
-ROLES = {
-    "nobody": 0,
-    "patient's screen": 0,
-    "reviewer of all": 1,
-    "reviewer by patient": 1,
-    "clinician": 2,
-    "owner": 3,
-}
+ROLES = {"nobody": 0, "patient's screen": 0, "reviewer of all": 1, "reviewer by patient": 1, "clinician": 2, "owner": 3}
 
 # What a person may do here is this table, and the code; a new route has to be put in both.
 FOR_EVERYONE = {

@@ -17,7 +17,7 @@ from app.store.log import LISTED, VIEWED
 ROWS = {VIEWED, "session viewed", "trial viewed", "export", "report exported"}
 LISTS = {LISTED, "patients viewed by attention"}  # rows of all patients
 SILENT = {
-    "/patients/{patient_id}/archive/room",  # how large the recordings are
+    "/patients/{patient_id}/archive/room"  # how large the recordings are
 }
 
 

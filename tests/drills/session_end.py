@@ -91,10 +91,7 @@ def _leave(demo, state, expect):
     """End the step, unless the full disk has ended it, and the session; sign out, and come in again."""
     cancel = demo.client.post("/calibration/steps/rest/cancel")
     expect(cancel.status_code in {200, 409}, f"the step could not be ended: {cancel.text}")
-    answers = [
-        demo.client.delete("/session"),
-        demo.client.post("/auth/sign-out"),
-    ]
+    answers = [demo.client.delete("/session"), demo.client.post("/auth/sign-out")]
     expect(not demo.client.get("/auth/me").json()["signed_in"], "still signed in")
     answers.append(demo.client.post("/auth/demo", json={"code": demo.code}))
     answers.append(demo.client.get("/session"))

@@ -177,10 +177,7 @@ def test_a_reader_who_does_not_read_does_not_hold_up_the_watch(started):
     receiver, sender = started()
     sender.arm()
     receiver.stop_reading()
-    for v in (
-        0.2,
-        0.8,
-    ) * 8:  # each way of 0.2 s is more than twenty lines of 80 bytes, and the pipe holds a page
+    for v in (0.2, 0.8) * 8:  # each way of 0.2 s is more than twenty lines of 80 bytes, and the pipe holds a page
         sender.drive(v)
         sender.wait_for(lambda told, v=v: told[8] == pytest.approx(v))
     sender.sending = False

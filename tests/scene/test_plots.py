@@ -2,14 +2,7 @@ import numpy as np
 import pytest
 
 from app.geometry import Pose
-from app.scene.plots import (
-    ERROR_SHOWN,
-    MOST_POINTS,
-    ErrorSamples,
-    PlotSeries,
-    trajectory_ranges,
-    trajectory_samples,
-)
+from app.scene.plots import ERROR_SHOWN, MOST_POINTS, ErrorSamples, PlotSeries, trajectory_ranges, trajectory_samples
 from app.world.path import Path
 
 CORNER = Path([(0, 0), (10, 0), (10, 5), (0, 5)])

@@ -110,9 +110,7 @@ def test_a_refusal_ends_nothing() -> None:
     assert not played(story, {"arm": LinkRefused("not now")})[0].killed
 
 
-def test_a_loop_that_stands_still_is_killed_and_given_more_time_while_it_opens(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_loop_that_stands_still_is_killed_and_given_more_time_while_it_opens(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(control_module, "WATCH_EVERY", 0.01)
 
     async def opening(control: ControlLink, opened: list[Process]) -> None:

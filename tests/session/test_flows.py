@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from clinic_rows import rows_in
+from processes.running_control import in_event_loop
 
 from app.messages import TICK
 from app.refusals import Conflict, Unavailable
@@ -53,7 +54,10 @@ def test_a_run_that_cannot_be_noted_is_not_left_running(tmp_path: Any) -> None:
 
 
 @pytest.mark.parametrize("refusal", [Unavailable("It did not answer."), Conflict("Nothing is being recorded.")])
-def test_a_run_whose_end_nobody_answers_is_open_no_more(database: Database, tmp_path: Any, refusal: Exception) -> None:
+@in_event_loop
+async def test_a_run_whose_end_nobody_answers_is_open_no_more(
+    database: Database, tmp_path: Any, refusal: Exception
+) -> None:
     """A control process that does not answer is ended (test_control_link.py), and so records no more."""
     with rows_in(database) as rows:
         session = rows.open_session()
@@ -64,14 +68,11 @@ def test_a_run_whose_end_nobody_answers_is_open_no_more(database: Database, tmp_
                 raise refusal
             return await super().call(do, **fields)
 
-    async def story() -> None:
-        runs = SessionRuns(database, SilentControl(), tmp_path, lambda: True)  # type: ignore[arg-type]
-        first = await runs.begin(session.id, "rest", (), {})
-        assert await runs.end() == first
-        assert runs.open is None
-        assert (await runs.begin(session.id, "rest", (), {})).id != first.id
-
-    asyncio.run(story())
+    runs = SessionRuns(database, SilentControl(), tmp_path, lambda: True)  # type: ignore[arg-type]
+    first = await runs.begin(session.id, "rest", (), {})
+    assert await runs.end() == first
+    assert runs.open is None
+    assert (await runs.begin(session.id, "rest", (), {})).id != first.id
     with database.transaction() as db:
         ended = [run.ended is not None for run in db.query(Run).order_by(Run.started)]
     assert ended == [True, False]
@@ -110,36 +111,31 @@ def test_a_run_is_followed_from_its_beginning_and_no_tick_before_it_is_read(
     assert asked == [first]
 
 
-def test_a_drive_is_over_though_the_database_is_gone(tmp_path: Any) -> None:
+@in_event_loop
+async def test_a_drive_is_over_though_the_database_is_gone(tmp_path: Any) -> None:
     told: list[str] = []
     flow = RealDriveFlow(LostDatabase(), FakeControl(), runs_with(FakeControl(), tmp_path), told.append, None)  # type: ignore[arg-type]
     flow.current = SimpleNamespace(id=1, run=None)  # type: ignore[assignment]
-
-    async def story() -> None:
-        with pytest.raises(OSError, match="gone"):
-            await flow._finish(flow.current, "fault")  # type: ignore[arg-type]
-
-    asyncio.run(story())
+    with pytest.raises(OSError, match="gone"):
+        await flow._finish(flow.current, "fault")  # type: ignore[arg-type]
     assert not flow.running
     assert told == ["drive"]
 
 
-def test_a_trial_is_over_though_the_database_is_gone(tmp_path: Any) -> None:
+@in_event_loop
+async def test_a_trial_is_over_though_the_database_is_gone(tmp_path: Any) -> None:
     control = FakeControl()
     told: list[Any] = []
     flow = TrialFlow(LostDatabase(), control, runs_with(control, tmp_path), told.append, None)  # type: ignore[arg-type]
     flow.current = SimpleNamespace(id=1, run=None, path=None)  # type: ignore[assignment]
-
-    async def story() -> None:
-        with pytest.raises(OSError, match="gone"):
-            await flow._finish(flow.current, "fault")  # type: ignore[arg-type]
-
-    asyncio.run(story())
+    with pytest.raises(OSError, match="gone"):
+        await flow._finish(flow.current, "fault")  # type: ignore[arg-type]
     assert not flow.running
     assert told == ["trial"]
 
 
-def test_a_trial_is_being_measured_from_when_its_end_is_asked_for_until_it_is_over(tmp_path: Any) -> None:
+@in_event_loop
+async def test_a_trial_is_being_measured_from_when_its_end_is_asked_for_until_it_is_over(tmp_path: Any) -> None:
     flow = TrialFlow(LostDatabase(), FakeControl(), runs_with(FakeControl(), tmp_path), [].append, None)  # type: ignore[arg-type]
     seen: list[bool] = []
 
@@ -148,21 +144,18 @@ def test_a_trial_is_being_measured_from_when_its_end_is_asked_for_until_it_is_ov
             seen.append(flow.measuring)
             return await super().end()
 
-    async def story() -> None:
-        flow._runs = Closing(LostDatabase(), FakeControl(), tmp_path, lambda: True)  # type: ignore[arg-type]
-        for asked in (False, True):
-            flow._end_asked.clear()
-            flow.current = SimpleNamespace(id=1, run=None, path=None)  # type: ignore[assignment]
-            flow._task = asyncio.create_task(asyncio.sleep(0))
+    flow._runs = Closing(LostDatabase(), FakeControl(), tmp_path, lambda: True)  # type: ignore[arg-type]
+    for asked in (False, True):
+        flow._end_asked.clear()
+        flow.current = SimpleNamespace(id=1, run=None, path=None)  # type: ignore[assignment]
+        flow._task = asyncio.create_task(asyncio.sleep(0))
+        seen.append(flow.measuring)
+        if asked:
+            await flow.end()
             seen.append(flow.measuring)
-            if asked:
-                await flow.end()
-                seen.append(flow.measuring)
-            with pytest.raises(OSError, match="gone"):
-                await flow._finish(flow.current, "by hand")  # type: ignore[arg-type]
-            seen.append(flow.measuring)
-
-    asyncio.run(story())
+        with pytest.raises(OSError, match="gone"):
+            await flow._finish(flow.current, "by hand")  # type: ignore[arg-type]
+        seen.append(flow.measuring)
     assert seen == [False, True, False, False, True, True, False]
 
 

@@ -58,10 +58,7 @@ def test_there_is_no_difference_exactly_when_both_have_one_hash(one: dict[str, A
     ("now", "expected"),
     [
         (changed(title="Gentle"), {"kind": "field", "name": "title", "before": "Standard", "now": "Gentle"}),
-        (
-            changed(speeds=Speeds(turn=0.6)),
-            {"kind": "field", "name": "turn", "before": 1.2, "now": 0.6},
-        ),
+        (changed(speeds=Speeds(turn=0.6)), {"kind": "field", "name": "turn", "before": 1.2, "now": 0.6}),
         (changed(turn_cruise_time=2.0), {"kind": "field", "name": "turn_cruise_time", "before": 3.0, "now": 2.0}),
         (
             gesture(dead_zone=0.25),

@@ -7,13 +7,7 @@ from sqlalchemy.orm import Session
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import standard_parameters
 from app.refusals import Conflict, NotFound
-from app.store.calibrations import (
-    begin_calibration,
-    calibration_steps,
-    fail_interrupted_steps,
-    recordings_of,
-    set_step,
-)
+from app.store.calibrations import begin_calibration, calibration_steps, fail_interrupted_steps, recordings_of, set_step
 from app.store.parameters import (
     as_document,
     current_parameters,

@@ -17,6 +17,7 @@ SCRIPTS = {
     "results/source_group": "worn trials come first in review, otherwise what was driven last",
     "results/verdict_words": "the verdict on a measure has its unit, and no arrow within noise",
     "tablet_head": "a tablet tells where it looks, as the head tracker",
+    "words": "a text has its values, numbers as given, and the right plural",
     "view/picture_age": "a picture is too old to drive by after a second, unless the page itself is late (S24)",
 }
 

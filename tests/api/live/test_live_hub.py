@@ -4,6 +4,7 @@ import asyncio
 from typing import ClassVar
 
 import pytest
+from processes.running_control import in_event_loop
 from pydantic import BaseModel
 from starlette.websockets import WebSocketState
 
@@ -31,7 +32,8 @@ class Page:
             self.application_state = WebSocketState.DISCONNECTED
 
 
-def test_one_bad_picture_is_not_the_last() -> None:
+@in_event_loop
+async def test_one_bad_picture_is_not_the_last() -> None:
     turns = iter([Shown(v=0.0), None, Shown(v=1.0)])
     page = Page()
 
@@ -41,32 +43,26 @@ def test_one_bad_picture_is_not_the_last() -> None:
             raise ValueError("no picture")
         return shown
 
-    async def story() -> None:
-        hub = LiveHub(picture)
-        hub.start()
-        async with asyncio.timeout(5):
-            await hub.serve(Viewer(page))  # type: ignore[arg-type]
-        await hub.close()
-
-    asyncio.run(story())
+    hub = LiveHub(picture)
+    hub.start()
+    async with asyncio.timeout(5):
+        await hub.serve(Viewer(page))  # type: ignore[arg-type]
+    await hub.close()
     assert page.sent == ['{"v":0.0}', '{"v":1.0}']
 
 
-def test_a_page_that_comes_after_a_pause_gets_no_picture_of_before(monkeypatch: pytest.MonkeyPatch) -> None:
+@in_event_loop
+async def test_a_page_that_comes_after_a_pause_gets_no_picture_of_before(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(hub_module, "EVERY", 0.001)
     shown = Shown()
     first, second = Page(), Page()
-
-    async def story() -> None:
-        hub = LiveHub(shown.model_copy)
-        hub.start()
-        async with asyncio.timeout(5):
-            await hub.serve(Viewer(first))  # type: ignore[arg-type]
-            shown.v = 1.0  # while nobody looks
-            await hub.serve(Viewer(second))  # type: ignore[arg-type]
-        await hub.close()
-
-    asyncio.run(story())
+    hub = LiveHub(shown.model_copy)
+    hub.start()
+    async with asyncio.timeout(5):
+        await hub.serve(Viewer(first))  # type: ignore[arg-type]
+        shown.v = 1.0  # while nobody looks
+        await hub.serve(Viewer(second))  # type: ignore[arg-type]
+    await hub.close()
     assert set(first.sent) == {'{"v":0.0}'}
     assert set(second.sent) == {'{"v":1.0}'}
 
@@ -99,7 +95,8 @@ def test_many_pages_leave_every_turn_of_the_event_loop_to_a_stop(monkeypatch: py
     assert most <= 2 * hub_module.AT_ONCE
 
 
-def test_a_page_that_takes_no_picture_for_long_is_cut_off(monkeypatch: pytest.MonkeyPatch) -> None:
+@in_event_loop
+async def test_a_page_that_takes_no_picture_for_long_is_cut_off(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(hub_module, "EVERY", 0.001)
     monkeypatch.setattr(hub_module, "SEND_LIMIT", 0.01)
     ended = asyncio.Event()
@@ -110,11 +107,8 @@ def test_a_page_that_takes_no_picture_for_long_is_cut_off(monkeypatch: pytest.Mo
         async def send_text(self, _text: str) -> None:
             await asyncio.Event().wait()
 
-    async def story() -> None:
-        hub = LiveHub(Shown)
-        hub.start()
-        await hub.serve(Viewer(StandsStill()))  # type: ignore[arg-type]
-        await hub.close()
-
-    asyncio.run(story())
+    hub = LiveHub(Shown)
+    hub.start()
+    await hub.serve(Viewer(StandsStill()))  # type: ignore[arg-type]
+    await hub.close()
     assert ended.is_set()

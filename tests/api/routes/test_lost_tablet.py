@@ -50,9 +50,7 @@ def test_a_page_that_is_loaded_again_in_the_middle_of_a_step_is_in_the_middle_of
     assert runs(signed_in) == kept  # both recordings, and none was begun again
 
 
-def test_a_tablet_that_is_lost_in_the_middle_of_a_step_loses_nothing_and_another_one_goes_on(
-    signed_in: Clinic,
-) -> None:
+def test_a_tablet_that_is_lost_in_the_middle_of_a_step_loses_nothing_and_another_one_goes_on(signed_in: Clinic) -> None:
     with ExitStack() as tablet:
         tablet.enter_context(signed_in.screen())
         live = tablet.enter_context(signed_in.socket("/live"))

@@ -2,10 +2,12 @@
 
 import asyncio
 import os
+from contextlib import asynccontextmanager
 
 import psutil
 import pytest
 from argon2 import PasswordHasher, extract_parameters
+from processes.running_control import in_event_loop
 
 from app.api.sign_in import hashing
 from app.api.sign_in.hashing import Busy, Hashing
@@ -14,15 +16,14 @@ from app.child_process import JsonChild
 from app.refusals import Unavailable
 
 
-def with_hashing(story):
-    async def run():
-        made = Hashing()
-        try:
-            return await story(made)
-        finally:
-            await made.close()
-
-    return asyncio.run(run())
+@asynccontextmanager
+async def started():
+    """Yield what hashes passwords; its process ends afterwards."""
+    made = Hashing()
+    try:
+        yield made
+    finally:
+        await made.close()
 
 
 def children():
@@ -30,8 +31,9 @@ def children():
     return [child for child in found if "app.api.sign_in.hashing_process" in child.cmdline()]
 
 
-def test_a_password_is_its_own_and_no_others():
-    async def story(made):
+@in_event_loop
+async def test_a_password_is_its_own_and_no_others():
+    async with started() as made:
         stored = await made.hash("correct horse battery")
         assert stored.startswith("$argon2id$")
         given = (
@@ -41,9 +43,7 @@ def test_a_password_is_its_own_and_no_others():
             ("junk", "x"),
             (await made.hash("äöü \u202e 🦩\n" * 20), "äöü \u202e 🦩\n" * 20),
         )
-        return [await made.matches(*one) for one in given]
-
-    assert with_hashing(story) == [True, False, False, False, True]
+        assert [await made.matches(*one) for one in given] == [True, False, False, False, True]
 
 
 class CountingHasher(PasswordHasher):
@@ -73,100 +73,90 @@ def test_somebody_unknown_costs_the_work_of_a_wrong_password():
     assert known == unknown
 
 
-def test_it_gives_way_to_every_other_process_and_ends_with_the_program():
-    async def story(made):
+@in_event_loop
+async def test_it_gives_way_to_every_other_process_and_ends_with_the_program():
+    async with started() as made:
         assert children() == []
         await made.hash("a password")
         (process,) = children()
-        return process, process.nice()
-
-    process, nice = with_hashing(story)
-    assert nice >= min(os.nice(0) + 10, 19)  # nothing is nicer than 19
+        assert process.nice() >= min(os.nice(0) + 10, 19)  # nothing is nicer than 19
     assert not process.is_running()
 
 
-def test_who_asks_at_the_same_time_gets_the_answer_of_the_own_password():
-    async def story(made):
+@in_event_loop
+async def test_who_asks_at_the_same_time_gets_the_answer_of_the_own_password():
+    async with started() as made:
         stored = await made.hash("a password")
-        return await asyncio.gather(*(made.matches(stored, given) for given in ("a password", "another", "a password")))
+        tries = (made.matches(stored, given) for given in ("a password", "another", "a password"))
+        assert await asyncio.gather(*tries) == [True, False, True]
 
-    assert with_hashing(story) == [True, False, True]
 
-
-def test_one_that_died_is_started_again():
-    async def story(made):
+@in_event_loop
+async def test_one_that_died_is_started_again():
+    async with started() as made:
         stored = await made.hash("a password")
         children()[0].kill()
         with pytest.raises(Unavailable, match="try again"):
             await made.matches(stored, "a password")
-        return await made.matches(stored, "a password")
-
-    assert with_hashing(story)
+        assert await made.matches(stored, "a password")
 
 
-def test_a_machine_without_room_for_another_process_is_a_sentence(monkeypatch):
+@in_event_loop
+async def test_a_machine_without_room_for_another_process_is_a_sentence(monkeypatch):
     async def no_room():
         raise BlockingIOError(11, "Resource temporarily unavailable")
 
-    async def story(made):
+    async with started() as made:
         with monkeypatch.context() as full:
             full.setattr(hashing, "_start", no_room)
             with pytest.raises(Unavailable, match="try again"):
                 await made.hash("a password")
         assert await made.hash("a password")
 
-    with_hashing(story)
 
-
-def test_one_that_does_not_answer_is_ended(monkeypatch):
+@in_event_loop
+async def test_one_that_does_not_answer_is_ended(monkeypatch):
     monkeypatch.setattr(hashing, "ANSWER_LIMIT", 0.2)
     monkeypatch.setattr(hashing, "END_LIMIT", 0.1)
-
-    async def story(made):
+    async with started() as made:
         pipe = asyncio.subprocess.PIPE
         process = await asyncio.create_subprocess_exec("sleep", "60", stdin=pipe, stdout=pipe)
         made._child = JsonChild(process)
         with pytest.raises(Unavailable):
             await made.hash("a password")
-        return process.returncode
-
-    assert with_hashing(story) is not None
+        assert process.returncode is not None
 
 
-def test_whoever_gives_up_leaves_no_answer_for_the_next():
-    async def story(made):
+@in_event_loop
+async def test_whoever_gives_up_leaves_no_answer_for_the_next():
+    async with started() as made:
         stored = await made.hash("a password")
         asking = asyncio.create_task(made.matches(stored, "a password"))
         await asyncio.sleep(0)
         asking.cancel()
         await asyncio.gather(asking, return_exceptions=True)
-        return await made.matches(stored, "another")
-
-    assert not with_hashing(story)
+        assert not await made.matches(stored, "another")
 
 
-def test_there_are_only_so_many_slots(monkeypatch):
+@in_event_loop
+async def test_there_are_only_so_many_slots(monkeypatch):
     monkeypatch.setattr(hashing, "MOST_AT_ONCE", 1)
-
-    async def story(made):
+    async with started() as made:
         async with made.slot():
             with pytest.raises(Busy):
                 async with made.slot():
                     pass
         async with made.slot():
-            return True
-
-    assert with_hashing(story)
+            pass
 
 
-def test_it_ends_without_a_word_when_the_web_process_is_gone(capfd):
-    async def story(made):
+@in_event_loop
+async def test_it_ends_without_a_word_when_the_web_process_is_gone(capfd):
+    async with started() as made:
         await made.hash("a password")
         process = made._child._process
         process.stdin.write(b'{"do": "hash", "password": "another"}\n')
         process._transport.get_pipe_transport(1).close()  # as when the one that reads is killed
         process.stdin.close()
-        return await process.wait()
-
-    assert with_hashing(story) == 0
+        assert await process.wait() == 0
     assert capfd.readouterr().err == ""

@@ -111,10 +111,7 @@ def test_the_live_socket_shows_nothing_of_a_patient_while_locked_and_stops(owned
         assert [do for do, _ in owned.process.told if do == "move"] == []
         owned.good("POST", "/auth/unlock", json=PASSWORD)
         assert next_message(socket, lambda m: not m["hidden"])["session"] == session
-    with (
-        owned.as_person(dict(owned.client.cookies)),
-        owned.socket("/live") as socket,
-    ):
+    with owned.as_person(dict(owned.client.cookies)), owned.socket("/live") as socket:
         later(11)
         next_message(socket, lambda m: m["hidden"])
 

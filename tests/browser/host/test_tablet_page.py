@@ -159,8 +159,7 @@ def test_a_first_owner_drives_the_pages_over_https(
 
 
 @pytest.mark.parametrize(
-    ("name", "error"),
-    [(NAME, "ERR_EMPTY_RESPONSE"), (FOREIGN, "ERR_CERT_INVALID|ERR_CERT_NAME_CONSTRAINT_VIOLATION")],
+    ("name", "error"), [(NAME, "ERR_EMPTY_RESPONSE"), (FOREIGN, "ERR_CERT_INVALID|ERR_CERT_NAME_CONSTRAINT_VIOLATION")]
 )
 def test_chromium_trusts_the_root_for_this_machine_and_not_for_the_internet(
     trusting: BrowserContext, lan: ServedLan, tmp_path: Path, name: str, error: str

@@ -46,11 +46,7 @@ def test_a_clinician_comes_to_it_from_the_review(open_for):
 
 @pytest.mark.parametrize(
     ("role", "headers", "has_stop"),
-    [
-        ("reviewer", {}, True),
-        ("reviewer", {"Via": "1.1 proxy"}, False),
-        ("clinician", {"Via": "1.1 proxy"}, True),
-    ],
+    [("reviewer", {}, True), ("reviewer", {"Via": "1.1 proxy"}, False), ("clinician", {"Via": "1.1 proxy"}, True)],
 )
 def test_who_has_a_stop(open_for, role, headers, has_stop):
     page = open_for("Rhea", role, "review/1")

@@ -15,7 +15,7 @@ PATIENCE = 60_000  # ms: how long a busy machine may take; what a person waits f
 
 HOME = {"start", "equipment", "attention"}
 TRIAL = {"trials/2", "trials", "floorplans", "floorplans/follow_me.easy"} | {
-    *("trials/2/verdicts", "trials/2/timeline", "trials/2/comments", "replays"),
+    *("trials/2/verdicts", "trials/2/timeline", "trials/2/comments", "replays")
 }
 
 

@@ -8,14 +8,7 @@ from sqlalchemy.orm import Session
 
 from app.clock import utc_now
 from app.features.consents.service import give_consent, withdraw_consent
-from app.features.prior.entries import (
-    entries_of_others,
-    is_prior_on,
-    may_add,
-    put_entry,
-    remove_entries,
-    switch_prior,
-)
+from app.features.prior.entries import entries_of_others, is_prior_on, may_add, put_entry, remove_entries, switch_prior
 from app.store.tables import Patient
 
 SHIRT = "a" * 64

@@ -147,8 +147,7 @@ LIVE_PLACES: dict[str, Open] = {
     ),
     "controls, consent": without_consent,
     "shirt, estimated": steps(
-        lambda _, clinic: estimated_lamps(clinic),
-        *(at("shirt"), shows("text=49 of 52 sensors are good"), open_legend),
+        lambda _, clinic: estimated_lamps(clinic), *(at("shirt"), shows("text=49 of 52 sensors are good"), open_legend)
     ),
     "shirt, silent": silent_shirt("shirt"),
     "drive, silent": silent_shirt("drive"),
