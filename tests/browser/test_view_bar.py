@@ -6,6 +6,7 @@ from itertools import pairwise
 import pytest
 from browser.script import SCRIPTS
 from browser.sizes import window
+from served_reference import served_reference
 
 from app.settings import static_folder
 
@@ -19,22 +20,29 @@ CLINICIANS = "posts.findLast(({ path }) => path === '/view/clinician/camera').bo
 PATIENTS = "posts.findLast(({ path }) => path === '/view/patient/camera').body"
 
 
-def answer(route):
+@pytest.fixture(scope="module")
+def reference():
+    return served_reference()
+
+
+def answer(route, reference):
     path = route.request.url.removeprefix(ORIGIN)
     if path == "/":
         route.fulfill(body=PAGE, content_type="text/html")
+    elif path == "/api/v1/reference":
+        route.fulfill(body=reference, content_type="application/json")
     else:
         file = static_folder() / path.lstrip("/")
         route.fulfill(body=file.read_bytes(), content_type=mimetypes.guess_type(file.name)[0] or "text/plain")
 
 
 @pytest.fixture
-def open_bar(browser, page_log, until):
+def open_bar(browser, page_log, until, reference):
     log = page_log(ORIGIN)
 
     def opened(**options):
         page = log.watch(browser.new_page(in_3d=True, viewport=window("768x1024"), **options))
-        page.route(f"{ORIGIN}/**", answer)
+        page.route(f"{ORIGIN}/**", lambda route: answer(route, reference))
         page.goto(f"{ORIGIN}/")
         until(page, "window.ready && posts.length > 1")
         return page

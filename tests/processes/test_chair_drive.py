@@ -169,26 +169,24 @@ async def test_a_control_process_that_is_held_for_200_ms_finds_its_chair_stopped
         assert slowing == sorted(slowing, reverse=True)  # no line shows a rising speed
 
 
-def test_a_receiver_that_is_killed_is_silent_and_one_that_is_back_is_armed_anew(chair, tmp_path):
-    async def story():
-        async with cruising(chair, tmp_path) as control:
-            killed = monotonic()
-            await asyncio.to_thread(chair.kill)
-            tick = await tick_with(control, lambda tick: tick["state"] == State.FAULT)
-            assert tick["fault"] == Fault.CHAIR_SILENT
-            ticks = control.since(0)
-            last = ticks["t"][ticks["state"] == State.ARMED][-1]
-            assert last - killed < 0.3 + 0.02 + LOAD
-            await tick_with(control, lambda tick: tick["chair_age"] > 0.35)
-            assert "does not answer" in await refusal(control, "clear", stops=int(tick["stops"]))
-            await asyncio.to_thread(chair.start)
-            await tick_with(control, lambda tick: tick["chair_age"] < 0.3)
-            assert "press and release" not in (await control.call("status"))["chair"]["words"]
-            await clear(control)
-            await armed(control, CRUISING.hash)
-            assert not any(line["v"] for line in chair.since(last + 1.0))
-
-    asyncio.run(story())
+@in_event_loop
+async def test_a_receiver_that_is_killed_is_silent_and_one_that_is_back_is_armed_anew(chair, tmp_path):
+    async with cruising(chair, tmp_path) as control:
+        killed = monotonic()
+        await asyncio.to_thread(chair.kill)
+        tick = await tick_with(control, lambda tick: tick["state"] == State.FAULT)
+        assert tick["fault"] == Fault.CHAIR_SILENT
+        ticks = control.since(0)
+        last = ticks["t"][ticks["state"] == State.ARMED][-1]
+        assert last - killed < 0.3 + 0.02 + LOAD
+        await tick_with(control, lambda tick: tick["chair_age"] > 0.35)
+        assert "does not answer" in await refusal(control, "clear", stops=int(tick["stops"]))
+        await asyncio.to_thread(chair.start)
+        await tick_with(control, lambda tick: tick["chair_age"] < 0.3)
+        assert "press and release" not in (await control.call("status"))["chair"]["words"]
+        await clear(control)
+        await armed(control, CRUISING.hash)
+        assert not any(line["v"] for line in chair.since(last + 1.0))
 
 
 @in_event_loop

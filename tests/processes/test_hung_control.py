@@ -17,24 +17,22 @@ from app.session.control_link import HANG_LIMIT, STOP_LIMIT
 LOAD = 1.0  # s of lateness of a busy machine
 
 
-def test_stop_is_answered_and_a_new_one_takes_its_place():
-    async def story():
-        async with linked() as (control, opened, states):
-            assert await control.stop()
-            os.kill(opened[0].pid, signal.SIGSTOP)
-            before = monotonic()
-            assert not await control.stop()
-            assert monotonic() - before < STOP_LIMIT + LOAD
-            await until(lambda: len(opened) == 2 and control.state == "alive")
-            assert monotonic() - before > HANG_LIMIT - 0.5  # a short pause is no reason to kill
-            assert states[0] == "lost"
-            assert not psutil.pid_exists(opened[0].pid)
-            await until(lambda: control.newest() is not None and control.newest()["has_frame"])
-            tick = control.newest()
-            assert (State(int(tick["state"])), float(tick["v"])) == (State.DISARMED, 0.0)
-            assert await control.stop()
-
-    asyncio.run(story())
+@in_event_loop
+async def test_stop_is_answered_and_a_new_one_takes_its_place():
+    async with linked() as (control, opened, states):
+        assert await control.stop()
+        os.kill(opened[0].pid, signal.SIGSTOP)
+        before = monotonic()
+        assert not await control.stop()
+        assert monotonic() - before < STOP_LIMIT + LOAD
+        await until(lambda: len(opened) == 2 and control.state == "alive")
+        assert monotonic() - before > HANG_LIMIT - 0.5  # a short pause is no reason to kill
+        assert states[0] == "lost"
+        assert not psutil.pid_exists(opened[0].pid)
+        await until(lambda: control.newest() is not None and control.newest()["has_frame"])
+        tick = control.newest()
+        assert (State(int(tick["state"])), float(tick["v"])) == (State.DISARMED, 0.0)
+        assert await control.stop()
 
 
 @in_event_loop

@@ -164,25 +164,23 @@ def test_200_odd_addresses_of_a_chair_are_taken_or_refused_in_a_sentence(tmp_pat
         ("head", {"kind": "opentrack", "host": "head.slow", "port": 0}),
     ],
 )
-def test_a_name_that_takes_5_s_to_resolve_holds_nothing_up(monkeypatch, do, config):
+@in_event_loop
+async def test_a_name_that_takes_5_s_to_resolve_holds_nothing_up(monkeypatch, do, config):
     slow = Path(__file__).parent / "slow_names"
     monkeypatch.setenv("PYTHONPATH", f"{slow}{os.pathsep}{os.environ.get('PYTHONPATH', '')}")
 
-    async def story():
-        async with running(screen=None) as control:
-            await tick_with(control, lambda _tick: True)
-            begun = int(control.newest()["number"])
-            opening = asyncio.create_task(refusal(control, do, config=config))
-            await asyncio.sleep(0.5)
-            assert "being opened" in await refusal(control, "arm", hash="0" * 64)
-            assert not opening.done()
-            sentence = await opening
-            ticks = control.since(begun)
-            assert len(ticks) > 150  # in 5 s at 50 Hz, on a busy machine
-            assert config["host"] in sentence
-            assert (await control.call("status"))["late"] < 20
-
-    asyncio.run(story())
+    async with running(screen=None) as control:
+        await tick_with(control, lambda _tick: True)
+        begun = int(control.newest()["number"])
+        opening = asyncio.create_task(refusal(control, do, config=config))
+        await asyncio.sleep(0.5)
+        assert "being opened" in await refusal(control, "arm", hash="0" * 64)
+        assert not opening.done()
+        sentence = await opening
+        ticks = control.since(begun)
+        assert len(ticks) > 150  # in 5 s at 50 Hz, on a busy machine
+        assert config["host"] in sentence
+        assert (await control.call("status"))["late"] < 20
 
 
 @in_event_loop

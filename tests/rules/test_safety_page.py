@@ -12,7 +12,8 @@ NAMED = re.findall(r"`([\w/]+\.py)::(\w+)`", PAGE)
 
 
 def functions_of(file):
-    return {node.name for node in ast.walk(ast.parse(file.read_text())) if isinstance(node, ast.FunctionDef)}
+    nodes = ast.walk(ast.parse(file.read_text()))
+    return {node.name for node in nodes if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)}
 
 
 def test_every_test_that_the_page_names_is_there():

@@ -8,14 +8,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from served_reference import served_reference
 
 from api_types import NODE
-from app.api.app import create_app
 from app.api.pages import word_modules
-from app.api.routes.reference import reference_of
-from app.computing_process import ComputingProcess
-from app.process.supervisor import ControlProcess
-from app.settings import Settings, static_folder
+from app.settings import static_folder
 
 
 @pytest.fixture(scope="session")
@@ -34,8 +31,7 @@ def modules(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def reference_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A file with what the pages look up, as the server answers it; `served.mjs` gives it to the modules."""
     file = tmp_path_factory.mktemp("reference") / "reference.json"
-    app = create_app(Settings(state=Path("unused")), ControlProcess.start, ComputingProcess())
-    file.write_text(reference_of(app).model_dump_json(), encoding="utf-8")
+    file.write_text(served_reference(), encoding="utf-8")
     return file
 
 

@@ -18,17 +18,29 @@ const main = /** @type {HTMLElement} */ (document.getElementById("main"));
 
 const OPENED = "share opened"; // in this tab: the link whose PIN was given, so that another link asks for its own
 
+/** The reference is read while the PIN is typed, so that the records are then one answer away. */
+const firstReading = referenceIsRead();
+
 /** Show what is shared, or ask for the PIN when it was not given here, or no longer holds. */
 async function show() {
   if (sessionStorage.getItem(OPENED) !== location.hash) {
     askPin("");
     return;
   }
-  const answer = await fetch(HERE).catch(() => null);
-  if (answer?.ok) {
-    await readReference();
-    showShared(await answer.json());
-  } else askPin(answer ? "" : t("share-failed"));
+  const [answer, hasReference] = await Promise.all([
+    fetch(HERE).catch(() => null),
+    firstReading.then((isRead) => isRead || referenceIsRead()),
+  ]);
+  if (answer?.ok && hasReference) showShared(await answer.json());
+  else askPin(answer && !answer.ok ? "" : t("share-failed"));
+}
+
+/** Read the reference; return whether the server answered. */
+function referenceIsRead() {
+  return readReference().then(
+    () => true,
+    () => false,
+  );
 }
 
 /** @param {string} words of a refusal, or empty */

@@ -13,7 +13,7 @@ FAR = {"offline": False, "latency": 300, "downloadThroughput": 500_000, "uploadT
 PATIENCE = 60_000  # ms: how long a busy machine may take; what a person waits for is the number of round trips
 
 
-HOME = {"start", "equipment", "attention"}
+HOME = {"start", "reference", "equipment", "attention"}
 TRIAL = {"trials/2", "trials", "floorplans", "floorplans/follow_me.easy"} | {
     *("trials/2/verdicts", "trials/2/timeline", "trials/2/comments", "replays")
 }

@@ -81,3 +81,16 @@ def test_a_share_link_on_a_phone_far_away(browser, link) -> None:
     page.keyboard.press("Escape")
     expect(page.get_by_role("button", name="What is this page for?")).to_be_focused()
     keep(page, "share-390")
+
+
+def test_a_page_without_its_reference_says_so_and_reads_it_after_the_next_pin(browser, link) -> None:
+    page = browser.new_page(viewport=window("390x844"))
+    page.route("**/api/v1/reference", lambda route: route.abort())
+    page.goto(link)
+    page.get_by_label("PIN of this link").fill(PIN)
+    page.get_by_role("button", name="Open").click()
+    expect(page.get_by_role("alert")).to_contain_text("does not answer", timeout=20_000)
+    page.unroute("**/api/v1/reference")
+    page.get_by_label("PIN of this link").fill(PIN)
+    page.get_by_role("button", name="Open").click()
+    expect(page.get_by_role("heading", name="Records of P-1")).to_be_visible(timeout=20_000)
