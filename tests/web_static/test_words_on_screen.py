@@ -2,10 +2,13 @@
 
 import ast
 import json
+from typing import get_args
 
 from cli.symbols import symbols_in
-from web_static.messages import WORDS
+from web_static.messages import WORDS, id_of, ids_of
 
+from app.calibration.grades import SIGNAL_TO_NOISE_LIMITS, SPREAD_LIMITS, repeats_word, signal_word
+from app.features.registration import EventKind
 from folders import ROOT
 
 # Texts about the picture of a floor plan that a robot has drawn: a ROS map.
@@ -63,3 +66,18 @@ def test_no_sentence_that_a_page_shows_has_a_symbol():
             if symbols_in(text) and text not in ROWS_OF_THE_LOG | ONLY_IN_EXPORTS:
                 found.setdefault(str(file.relative_to(ROOT)), []).append(text)
     assert found == {}
+
+
+NEAR = 1e-6
+
+
+def test_the_pages_and_the_server_have_the_same_words(answered, reference_file):
+    signals = [value for limit in SIGNAL_TO_NOISE_LIMITS for value in (limit - NEAR, limit, limit + NEAR)]
+    spreads = [value for limit in SPREAD_LIMITS for value in (limit - NEAR, limit, limit + NEAR)]
+    words = answered("grade_words.mjs", {"signals": signals, "spreads": spreads}, reference_file)
+    assert words == [[signal_word(value) for value in signals], [repeats_word(value) for value in spreads]]
+
+
+def test_each_kind_of_event_has_its_text() -> None:
+    found = {name for name in ids_of(WORDS / "en" / "share.ftl") if name.startswith("share-event-")}
+    assert found == {f"share-event-{id_of(kind)}" for kind in get_args(EventKind)}

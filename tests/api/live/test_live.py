@@ -2,9 +2,13 @@
 
 from typing import Any
 
+import numpy as np
 import pytest
 from api.fake_clinic import next_message
 from starlette.websockets import WebSocketDisconnect
+
+from app.api.live.live_picture import lamps
+from building import make_layout
 
 
 def test_the_newest_tick_twenty_times_a_second(signed_in: Any) -> None:
@@ -81,3 +85,13 @@ def test_without_a_control_process_the_chair_is_shown_standing(signed_in: Any) -
         assert message["fault"]["name"] == "control_lost"
         signed_in.process.die()
         assert next_message(socket, lambda m: m["control"] == "alive")["state"] == "disarmed"
+
+
+def test_a_channel_that_its_neighbours_stand_in_for_has_a_lamp_of_its_own():
+    layout = make_layout(8)
+    frames = np.random.default_rng(1).normal(size=(100, 8))
+    frames[:, 3] = np.nan
+    assert lamps(layout, frames, 100.0, ["c5"])[3] == "nan"
+    shown = lamps(layout, frames, 100.0, ["c5"], estimated=1 << 3 | 1 << 5)
+    assert [shown[3], shown[5]] == ["estimated", "unused"]
+    assert "estimated" not in shown[:3]

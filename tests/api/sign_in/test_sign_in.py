@@ -3,8 +3,8 @@
 from typing import Any
 
 import pytest
-from api.fake_clinic import BASE
-from api.people_of_clinic import OWNER
+from api.fake_clinic import BASE, Clinic
+from api.people_of_clinic import OWNER, accepted, invited
 
 from app.api.sign_in import set_up
 from app.api.sign_in.hashing import Hashing
@@ -121,3 +121,14 @@ def test_our_own_origin_is_the_address_that_was_asked(signed_in: Any) -> None:
     )
     assert answer.status_code == 201
     assert BASE.startswith("http://127")
+
+
+def test_what_one_person_put_away_stays_away_for_this_person_only(owned: Clinic) -> None:
+    ben = accepted(owned, invited(owned, "Ben", "reviewer"))
+    assert owned.good("GET", "/start")["me"]["introduced"] is False
+    assert owned("POST", "/auth/introduction").status_code == 204
+    assert owned.good("GET", "/start")["me"]["introduced"] is True
+    with owned.as_person(ben):
+        assert owned.good("GET", "/auth/me")["introduced"] is False
+    owned("POST", "/auth/sign-out")
+    assert owned.good("GET", "/auth/me")["introduced"] is False  # nobody is signed in
