@@ -67,7 +67,8 @@ async def test_a_page_that_comes_after_a_pause_gets_no_picture_of_before(monkeyp
     assert set(second.sent) == {'{"v":1.0}'}
 
 
-def test_many_pages_leave_every_turn_of_the_event_loop_to_a_stop(monkeypatch: pytest.MonkeyPatch) -> None:
+@in_event_loop
+async def test_many_pages_leave_every_turn_of_the_event_loop_to_a_stop(monkeypatch: pytest.MonkeyPatch) -> None:
     """With 200 slow pages beside 20 others a Stop took 102.6 ms (p99), because a picture went to all in one turn."""
     monkeypatch.setattr(hub_module, "EVERY", 0.001)
     pages = [Page() for _ in range(220)]
@@ -81,16 +82,13 @@ def test_many_pages_leave_every_turn_of_the_event_loop_to_a_stop(monkeypatch: py
             sent = sum(len(page.sent) for page in pages)
             most, before = max(most, sent - before), sent
 
-    async def story() -> None:
-        hub = LiveHub(Shown)
-        watching = asyncio.create_task(watch())
-        hub.start()
-        async with asyncio.timeout(60):
-            await asyncio.gather(*(hub.serve(Viewer(page)) for page in pages))  # type: ignore[arg-type]
-        watching.cancel()
-        await hub.close()
-
-    asyncio.run(story())
+    hub = LiveHub(Shown)
+    watching = asyncio.create_task(watch())
+    hub.start()
+    async with asyncio.timeout(60):
+        await asyncio.gather(*(hub.serve(Viewer(page)) for page in pages))  # type: ignore[arg-type]
+    watching.cancel()
+    await hub.close()
     assert all(len(page.sent) == 2 for page in pages)
     assert most <= 2 * hub_module.AT_ONCE
 

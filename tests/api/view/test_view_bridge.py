@@ -13,6 +13,7 @@ import websockets
 from browser.served.view_app import running
 from fastapi import FastAPI, HTTPException
 from fastapi.testclient import TestClient
+from processes.running_control import in_event_loop
 from starlette.websockets import WebSocketDisconnect
 
 from app.api.view import view_bridge
@@ -64,22 +65,21 @@ async def eventually(condition):
 
 
 @pytest.mark.parametrize("slash", ["", "/"])
-def test_a_browser_gets_the_scene_and_its_camera_arrives(served, slash):
-    async def story():
-        async with socket_of(served, slash=slash) as browser:
-            assert browser.subprotocol == SUBPROTOCOL
-            assert len(await browser.recv()) > 1000
-            await browser.send(camera())
-            await eventually(lambda: len(clients_of(served, "clinician")) == 1)
-            (client,) = clients_of(served, "clinician").values()
-            assert (client.camera.image_width, client.camera.image_height) == (250, 500)
-            assert not clients_of(served, "patient")
-        await eventually(lambda: not clients_of(served, "clinician"))
-
-    asyncio.run(story())
+@in_event_loop
+async def test_a_browser_gets_the_scene_and_its_camera_arrives(served, slash):
+    async with socket_of(served, slash=slash) as browser:
+        assert browser.subprotocol == SUBPROTOCOL
+        assert len(await browser.recv()) > 1000
+        await browser.send(camera())
+        await eventually(lambda: len(clients_of(served, "clinician")) == 1)
+        (client,) = clients_of(served, "clinician").values()
+        assert (client.camera.image_width, client.camera.image_height) == (250, 500)
+        assert not clients_of(served, "patient")
+    await eventually(lambda: not clients_of(served, "clinician"))
 
 
-def test_what_may_not_pass_does_not_arrive_and_the_view_goes_on(served):
+@in_event_loop
+async def test_what_may_not_pass_does_not_arrive_and_the_view_goes_on(served):
     arrived = []
     server = served.scene_thread.scene._servers["patient"]._websock_server
     original = server._handle_incoming_message
@@ -89,31 +89,25 @@ def test_what_may_not_pass_does_not_arrive_and_the_view_goes_on(served):
         await original(client_id, message)
 
     server._handle_incoming_message = noted
-
-    async def story():
-        async with socket_of(served, "patient") as browser:
-            for content in (b"", b"\xc1\xff", msgspec.msgpack.encode({"type": "ShareUrlRequest"})):
-                await browser.send(content)
-            await browser.send("words")
-            await browser.send(msgspec.msgpack.encode({"type": "GuiUpdateMessage", "uuid": "a", "updates": {}}))
-            await browser.send(camera())
-            await eventually(lambda: len(clients_of(served, "patient")) == 1)
-            assert await browser.recv()
-
-    asyncio.run(story())
+    async with socket_of(served, "patient") as browser:
+        for content in (b"", b"\xc1\xff", msgspec.msgpack.encode({"type": "ShareUrlRequest"})):
+            await browser.send(content)
+        await browser.send("words")
+        await browser.send(msgspec.msgpack.encode({"type": "GuiUpdateMessage", "uuid": "a", "updates": {}}))
+        await browser.send(camera())
+        await eventually(lambda: len(clients_of(served, "patient")) == 1)
+        assert await browser.recv()
     server._handle_incoming_message = original
     assert arrived == ["ViewerCameraMessage"]
 
 
 @pytest.mark.parametrize("change", [{"subprotocols": None}, {"subprotocols": ["viser-v1.0.0"]}, {"role": "reviewer"}])
-def test_a_wrong_version_and_an_unknown_role_are_refused_before_they_are_accepted(served, change):
-    async def story():
-        with pytest.raises(websockets.InvalidStatus) as refused:
-            async with socket_of(served, **change):
-                pass
-        assert refused.value.response.status_code == 403
-
-    asyncio.run(story())
+@in_event_loop
+async def test_a_wrong_version_and_an_unknown_role_are_refused_before_they_are_accepted(served, change):
+    with pytest.raises(websockets.InvalidStatus) as refused:
+        async with socket_of(served, **change):
+            pass
+    assert refused.value.response.status_code == 403
 
 
 def test_a_browser_that_takes_nothing_is_cut_off(served, monkeypatch):

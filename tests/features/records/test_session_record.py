@@ -3,9 +3,11 @@
 from datetime import date
 
 import pytest
+from api.fake_clinic import Clinic
 from clinic_rows import ClinicRows, rows_in
 from sqlalchemy import delete, select, update
 from sqlalchemy.orm import Session
+from store.keeping.filled_clinic import mentions
 from stored_interface_test import store_interface_test
 
 from app import __version__
@@ -185,3 +187,29 @@ def test_a_session_that_is_not_signed_is_free_beside_one_that_is(db: Session, se
     with pytest.raises(Conflict, match="signed off"):
         write_goal(db, session.id, "To the garden.")
     db.expire(session)
+
+
+WORD = "Kestrel"
+TOTAL = 41.625
+
+
+def test_no_name_or_total_of_a_scale_and_no_reason_stays_in_the_log(calibrated: Clinic) -> None:
+    settings = calibrated.settings
+    session, patient = int(calibrated.session), calibrated.patient["id"]
+    trial = calibrated.drive_trial()["id"]
+    calibrated.good("POST", f"/trials/{trial}/discard", json={"reason": f"{WORD} was tired"})
+    scale = {"name": f"{WORD} scale", "total": TOTAL, "day": "2026-01-01"}
+    for _ in range(2):
+        added = calibrated.good("POST", f"/sessions/{session}/scales", json=scale)["scales"][-1]["id"]
+    calibrated.good("DELETE", f"/sessions/{session}/scales/{added}")
+    calibrated.good("POST", f"/sessions/{session}/sign-off")
+    calibrated.good("POST", f"/sessions/{session}/unlock", json={"reason": f"{WORD}'s wrong scale"})
+    calibrated.good("DELETE", f"/patients/{patient}", json={"reason": f"{WORD} moved away"})
+    calibrated.good("POST", f"/deleted-patients/{patient}/erasure")
+    rows = {row.what: row.details for row in calibrated.log()}
+    assert str(TOTAL) not in str(rows)
+    assert list(mentions(settings.state, WORD)) == []
+    assert rows["scale removed"]["scale"] == rows["scale added"]["scale"] == added
+    assert rows["patient deleted"]["reason_given"]
+    assert rows["patient erased"]["reason_given"]
+    assert calibrated.good("GET", "/log/check")["whole"]
