@@ -111,27 +111,16 @@ def test_a_run_is_followed_from_its_beginning_and_no_tick_before_it_is_read(
     assert asked == [first]
 
 
+@pytest.mark.parametrize(("kind", "event"), [(RealDriveFlow, "drive"), (TrialFlow, "trial")])
 @in_event_loop
-async def test_a_drive_is_over_though_the_database_is_gone(tmp_path: Any) -> None:
-    told: list[str] = []
-    flow = RealDriveFlow(LostDatabase(), FakeControl(), runs_with(FakeControl(), tmp_path), told.append, None)  # type: ignore[arg-type]
-    flow.current = SimpleNamespace(id=1, run=None)  # type: ignore[assignment]
+async def test_a_run_is_over_though_the_database_is_gone(tmp_path: Any, kind: Any, event: str) -> None:
+    events: list[str] = []
+    flow = kind(LostDatabase(), FakeControl(), runs_with(FakeControl(), tmp_path), events.append, None)
+    flow.current = SimpleNamespace(id=1, run=None, path=None)
     with pytest.raises(OSError, match="gone"):
-        await flow._finish(flow.current, "fault")  # type: ignore[arg-type]
+        await flow._finish(flow.current, "fault")
     assert not flow.running
-    assert told == ["drive"]
-
-
-@in_event_loop
-async def test_a_trial_is_over_though_the_database_is_gone(tmp_path: Any) -> None:
-    control = FakeControl()
-    told: list[Any] = []
-    flow = TrialFlow(LostDatabase(), control, runs_with(control, tmp_path), told.append, None)  # type: ignore[arg-type]
-    flow.current = SimpleNamespace(id=1, run=None, path=None)  # type: ignore[assignment]
-    with pytest.raises(OSError, match="gone"):
-        await flow._finish(flow.current, "fault")  # type: ignore[arg-type]
-    assert not flow.running
-    assert told == ["trial"]
+    assert events == [event]
 
 
 @in_event_loop

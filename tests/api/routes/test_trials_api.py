@@ -6,8 +6,9 @@ from typing import Any
 
 import anyio
 import anyio.to_thread
-from api.fake_clinic import WHERE
+from api.fake_clinic import WHERE, Clinic
 
+from app.api.one_controller import ANOTHER
 from app.session.trial import TrialFlow
 
 
@@ -173,3 +174,17 @@ def test_the_next_task_is_the_first_one_and_then_the_last_one(calibrated: Any) -
     calibrated.drive_trial()
     assert calibrated.good("GET", next_task) == {"floorplan": "apartment", "path": "main", "reason": "again"}
     assert calibrated("GET", "/patients/99/next-task").status_code == 404
+
+
+def test_only_who_started_a_trial_goes_on_and_ends_it_and_anybody_stops(calibrated: Clinic) -> None:
+    calibrated.start_trial()
+    with calibrated.as_person(calibrated.cookies_of("Other")):
+        assert calibrated.good("POST", "/control/stop")["state"] == "fault"
+        for path, body in (
+            ("/control/clear", {"stops": 1}),
+            ("/control/dial", {"share": 0.5}),
+            ("/trials/current/end", {"reason": "by hand"}),
+        ):
+            assert calibrated.refused(409, "POST", path, json=body) == ANOTHER
+    calibrated.good("POST", "/control/clear", json={"stops": 1})
+    calibrated.end_trial()

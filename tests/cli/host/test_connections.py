@@ -7,6 +7,7 @@ from types import SimpleNamespace
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from processes.running_control import in_event_loop
 from uvicorn.config import Config
 from uvicorn.protocols.utils import ClientDisconnected
 from uvicorn.server import ServerState
@@ -213,23 +214,20 @@ def test_a_websocket_that_is_about_to_end_gives_way():
     asyncio.run(served(exchange, end_after_sending, connections))
 
 
-def test_many_websockets_are_opened_one_after_another(monkeypatch):
+@in_event_loop
+async def test_many_websockets_are_opened_one_after_another(monkeypatch):
     """Two hundred that came together took the event loop for half a second, in which no Stop was answered."""
     monkeypatch.setattr(module, "NEXT_WEBSOCKET", 0.0)
     opened = []
-
-    async def story():
-        turn, most = InTurn(), 0
-        for number in range(200):
-            turn.call(lambda number=number: opened.append(number))
-        assert opened == [0]  # the first one at once
-        while len(opened) < 200:
-            before = len(opened)
-            await asyncio.sleep(0)
-            most = max(most, len(opened) - before)
-        return most
-
-    assert asyncio.run(story()) == 1
+    turn, most = InTurn(), 0
+    for number in range(200):
+        turn.call(lambda number=number: opened.append(number))
+    assert opened == [0]  # the first one at once
+    while len(opened) < 200:
+        before = len(opened)
+        await asyncio.sleep(0)
+        most = max(most, len(opened) - before)
+    assert most == 1
     assert opened == list(range(200))
 
 
