@@ -110,12 +110,12 @@ def viewer(role: Role, connection: HTTPConnection, database: Db, person: WhoAsks
 
     401 for nobody, 423 for a locked sign-in.
     """
-    viewing = find_viewer(database, connection) if role == "patient" else person
-    if viewing is None:
+    admitted = find_viewer(database, connection) if role == "patient" else person
+    if admitted is None:
         raise HTTPException(401, NOBODY)
-    if isinstance(viewing, SignedInPerson) and viewing.locked:
+    if isinstance(admitted, SignedInPerson) and admitted.locked:
         raise HTTPException(423, LOCKED)
-    return viewing
+    return admitted
 
 
 async def clinician(person: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:

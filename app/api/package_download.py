@@ -86,14 +86,14 @@ class ExportCourseView(Document):
 @router.get("/exports")
 def export_course(course: CourseWord, person: Exporter, exports: ExportsPart) -> ExportCourseView | None:
     """Return how far an export of the person who asks is, by the word that it was begun with; null when none has it."""
-    course_of_export = exports.of(person.person_id, course)
-    if course_of_export is None:
+    progress = exports.of(person.person_id, course)
+    if progress is None:
         return None
     return ExportCourseView(
-        packed=course_of_export.packed,
-        recordings=course_of_export.recordings,
-        sent=course_of_export.sent,
-        state=course_of_export.state,
+        packed=progress.packed,
+        recordings=progress.recordings,
+        sent=progress.sent,
+        state=progress.state,
     )
 
 

@@ -37,7 +37,7 @@ KINDS: Final = {
     ".webmanifest": "application/manifest+json",
 }
 FIRST: Final = {"index.html": ["js/pages/drive/drive.js"]}  # modules that an entry imports as soon as it has started
-FOREIGN: Final = "vendor/"  # scripts of others: large, so that one is compressed when a page first asks for it
+LARGE: Final = 200_000  # bytes: such a script is compressed when a page first asks for it, not at the start
 FOR_EVER: Final = "public, max-age=31536000, immutable"
 ASK_AGAIN: Final = "no-cache"  # a browser asks each time whether its copy is still good
 
@@ -90,7 +90,7 @@ class Pages:
             styles = f"{name.removesuffix('.html')}.css"
             contents[styles] = b"".join(contents[style] for style in STYLE.findall(text))
             contents[name] = self._entry(text, styles, _needed([*ENTRY.findall(text), *FIRST.get(name, [])], contents))
-        self._foreign = {name: contents.pop(name) for name in list(contents) if name.startswith(FOREIGN)}
+        self._large = {name: contents.pop(name) for name in list(contents) if len(contents[name]) > LARGE}
         self._files = {name: _page_file(name, content) for name, content in contents.items()}
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -116,8 +116,8 @@ class Pages:
         return self._files[name].content.decode()
 
     async def _file(self, name: str) -> PageFile:
-        if name in self._foreign and name not in self._files:
-            self._files[name] = await run_in_threadpool(_page_file, name, self._foreign[name])
+        if name in self._large and name not in self._files:
+            self._files[name] = await run_in_threadpool(_page_file, name, self._large[name])
         if name not in self._files:
             raise HTTPException(404)
         return self._files[name]

@@ -53,10 +53,10 @@ def grade(measured: JointMeasurements) -> tuple[Grade, str]:
     sentences = [*_of_movement(measured), *_of_prompts(measured), *_of_channels(measured)]
     sentences.sort(key=lambda finding: -ORDER[finding[0]])
     worst: Grade = sentences[0][0] if sentences else "good"
-    sentence = [sentence for _, sentence in sentences if sentence]
+    texts = [text for _, text in sentences if text]
     if worst == "good":
-        sentence.insert(0, _good_sentence(measured))
-    return worst, " ".join(sentence)
+        texts.insert(0, _good_sentence(measured))
+    return worst, " ".join(texts)
 
 
 def _of_movement(measured: JointMeasurements) -> list[tuple[Grade, str]]:

@@ -127,21 +127,21 @@ class LinearMap(Document):
         A map from other people is offered unless enough repetitions are worse with it; a map from own prompts only
         where they are better with it.
         """
-        guided, pca = self.check, self.pca_check
-        if guided is None or pca is None:
+        linear, pca = self.check, self.pca_check
+        if linear is None or pca is None:
             return self.people > 0
         if not self.people:
             return (
-                guided.in_phase >= pca.in_phase + LEAST_GAIN
-                and guided.hit_rate >= pca.hit_rate - LARGEST_LOSS
-                and guided.false_count <= pca.false_count + 1
+                linear.in_phase >= pca.in_phase + LEAST_GAIN
+                and linear.hit_rate >= pca.hit_rate - LARGEST_LOSS
+                and linear.false_count <= pca.false_count + 1
             )
         if self.repetitions < FEWEST_JUDGED:
             return True
         # A map from other people may have fewer hits than PCA: its dead-zone is other people's, and that of PCA is
         # fitted to these repetitions. It is rejected where it has fewer hits and gains no in-phase share either. A map
         # whose activation lies mostly outside of the movement is rejected also where the PCA map is never active.
-        gain, loss = guided.in_phase - pca.in_phase, pca.hit_rate - guided.hit_rate
+        gain, loss = linear.in_phase - pca.in_phase, pca.hit_rate - linear.hit_rate
         gains_nothing = gain < LEAST_GAIN and loss > LARGEST_LOSS
-        does_its_work = guided.in_phase >= MOSTLY_IN_PHASE and guided.hit_rate >= LEAST_HITS
+        does_its_work = linear.in_phase >= MOSTLY_IN_PHASE and linear.hit_rate >= LEAST_HITS
         return does_its_work and gain >= -LARGEST_LOSS and not gains_nothing

@@ -1,4 +1,4 @@
-"""`bodydrive demo` and `bodydrive serve`: the web process, from its start to its end."""
+"""`bodydrive demo`, with its throw-away clinic, and `bodydrive serve`: the web process, from its start to its end."""
 
 import os
 import socket

@@ -1,4 +1,4 @@
-"""What is connected and loaded: shirt, body, chair, limits, parameters, world; and the chain made of these."""
+"""What is connected and loaded (shirt, body, head tracker, chair, limits, parameters, world), and their chain."""
 
 import math
 from typing import Protocol, cast

@@ -186,9 +186,9 @@ def _change_sentences(name: str, learning: LearningCurve, change: CourseChange, 
     return f"{sentence}{caution}"
 
 
-def session_sentences(name: str, retention: Retention) -> str:
+def session_sentences(name: str, kept_change: Retention) -> str:
     """Say what changed within a session, and how much of it was kept until the next one."""
-    measure, (within, between) = TRIAL_MEASURES[name], retention
+    measure, (within, between) = TRIAL_MEASURES[name], kept_change
     if within.is_noise and between.is_noise:
         return (
             "Neither the change within a session nor the one over the pause to the next is more than noise "
@@ -232,12 +232,12 @@ def _is_change(change: CourseChange) -> bool:
     return change.word in ("better", "worse")
 
 
-def session_statistics(name: str, retention: Retention) -> str:
+def session_statistics(name: str, kept_change: Retention) -> str:
     """Return the changes within and between sessions with their intervals."""
     measure = TRIAL_MEASURES[name]
     return (
-        f"In the mean of {retention.within.sessions} sessions it {_interval(measure, retention.within)} within a "
-        f"session, and {_interval(measure, retention.between)} from its last trials to the first of the next."
+        f"In the mean of {kept_change.within.sessions} sessions it {_interval(measure, kept_change.within)} within a "
+        f"session, and {_interval(measure, kept_change.between)} from its last trials to the first of the next."
     )
 
 

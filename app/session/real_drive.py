@@ -57,19 +57,19 @@ class RealDriveFlow(RunFlow[RunningDrive]):
     )
 
     async def start(
-        self, session: PatientSession, person: Starter, chair: PairedChair, parameters_id: int, digest: str
+        self, session: PatientSession, starter: Starter, chair: PairedChair, parameters_id: int, digest: str
     ) -> int:
         """Begin a drive and return its id: recorded, armed with the parameter set of this hash."""
         async with self._alone():
             meta = {"chair": chair.name, "key_id": chair.key_id, "hash": digest}
             return await self._arm(
-                session.id, meta, digest, partial(self._add, session, person, chair, parameters_id, digest)
+                session.id, meta, digest, partial(self._add, session, starter, chair, parameters_id, digest)
             )
 
     def _add(
         self,
         session: PatientSession,
-        person: Starter,
+        starter: Starter,
         chair: PairedChair,
         parameters_id: int,
         digest: str,
@@ -84,8 +84,8 @@ class RealDriveFlow(RunFlow[RunningDrive]):
                 parameters_id=parameters_id,
                 digest=digest,
             )
-            write_log(db, person.name, "armed", drive=drive.id, chair=chair.id, parameters=parameters_id, hash=digest)
-            return RunningDrive(drive.id, person.person_id, person.screen, run, DriveWatch())
+            write_log(db, starter.name, "armed", drive=drive.id, chair=chair.id, parameters=parameters_id, hash=digest)
+            return RunningDrive(drive.id, starter.person_id, starter.screen, run, DriveWatch())
 
     async def _measure(self, current: RunningDrive, figures: RunFigures) -> None:
         """Read the length (m) of the line that the chair drove by its own report."""

@@ -120,14 +120,14 @@ class TrialFlow(RunFlow[RunningTrial]):
         still_closing="The trial is still being measured: look at it again in a moment.",
     )
 
-    async def start(self, session: PatientSession, person: Starter, plan: FloorPlan, path: PrescribedPath) -> int:
+    async def start(self, session: PatientSession, starter: Starter, plan: FloorPlan, path: PrescribedPath) -> int:
         """Begin a trial and return its id: chair on the start, recording, armed."""
         async with self._alone():
             parameters_id, parameters_hash = await asyncio.to_thread(self._parameters, session.patient_id)
             await self._control.call("world", floorplan=plan.model_dump(mode="json"), path=path.name)
-            meta = {"floorplan": plan.name, "path": path.name, "picture": person.picture}
+            meta = {"floorplan": plan.name, "path": path.name, "picture": starter.picture}
             return await self._arm(
-                session.id, meta, parameters_hash, partial(self._add, session, parameters_id, person, plan, path)
+                session.id, meta, parameters_hash, partial(self._add, session, parameters_id, starter, plan, path)
             )
 
     def _parameters(self, patient_id: int) -> tuple[int, str]:
@@ -139,7 +139,7 @@ class TrialFlow(RunFlow[RunningTrial]):
         self,
         session: PatientSession,
         parameters_id: int,
-        person: Starter,
+        starter: Starter,
         plan: FloorPlan,
         path: PrescribedPath,
         run: SessionRun,
@@ -155,8 +155,8 @@ class TrialFlow(RunFlow[RunningTrial]):
                 path=path.name,
                 path_points=[[x, y] for x, y in path.points],
             )
-            write_log(db, person.name, "armed", trial=trial.id, parameters=parameters_id, picture=person.picture)
-            return RunningTrial(trial.id, person.person_id, person.screen, run, TrialWatch(plan, path), plan, path)
+            write_log(db, starter.name, "armed", trial=trial.id, parameters=parameters_id, picture=starter.picture)
+            return RunningTrial(trial.id, starter.person_id, starter.screen, run, TrialWatch(plan, path), plan, path)
 
     async def _measure(self, current: RunningTrial, figures: RunFigures) -> None:
         folder = current.run.folder

@@ -78,7 +78,7 @@ def test_a_suggestion_is_looked_at_applied_and_taken_back(tablet):
     page.get_by_role("link", name="A change of the calibration is suggested").click()
     expect(page.get_by_text("Felt change")).to_be_visible()
     expect(page.locator(".adapt-joint").first).to_contain_text("of the time of its movements does not count")
-    expect(page.locator(".adapt-head")).to_contain_text("a real chair arms only what was practised")
+    expect(page.locator(".adapt-head")).to_contain_text("A real chair can be armed only with a set that was practised")
     fits(page, "main .btn, main .choice")
     keep("adapt-suggested")
 
@@ -86,7 +86,7 @@ def test_a_suggestion_is_looked_at_applied_and_taken_back(tablet):
     take_back_a_stop(page, apply)
     apply.click()
     expect(page.locator(".adapt-head")).to_contain_text("Version 2 of the calibration is in use.")
-    expect(page.locator(".adapt-head")).to_contain_text("A real chair does not arm this set yet")
+    expect(page.locator(".adapt-head")).to_contain_text("A real chair cannot be armed with this set yet")
     versions = page.locator(".map-versions tbody tr")
     expect(versions.first).to_contain_text("Adapted from 1")
     keep("adapt-applied")

@@ -61,7 +61,7 @@ def test_the_calibration_is_walked_through_and_survives_a_reload(tablets, end):
     for one in (page, follower):
         expect(one.get_by_role("heading", name="What this body can do")).to_be_visible(timeout=4 * STEP_LIMIT)
         expect(one.get_by_text("When one movement is made, what else counts")).to_be_visible()
-        expect(one.get_by_text(re.compile(r"^Of 100 movements about \d+ are answered")).first).to_be_visible()
+        expect(one.get_by_text(re.compile(r"^About \d+ of 100 movements are recognised")).first).to_be_visible()
     keep("calibrate-result")
     page.get_by_role("button", name="Use this calibration").click()
     expect(page.get_by_role("heading", name="Which movement does what")).to_be_visible()

@@ -119,7 +119,7 @@ def test_a_context_that_is_lost_halts_the_trial_until_there_is_a_picture(opened,
         """Take the graphics away until that is what halts the trial; a busy machine may miss the page first."""
         for _ in range(STOPS):
             page.evaluate(LOSE)
-            expect(card).to_contain_text("the browser took its graphics away")
+            expect(card).to_contain_text("the browser has switched off the graphics")
             if "lost the picture" in card.inner_text():
                 return
             page.evaluate("() => window.taken.restoreContext()")

@@ -221,7 +221,7 @@ def test_a_drawing_and_a_bundled_plan_are_opened_as_copies(tablet):
     expect(page.get_by_text("Which layers are walls?")).to_be_visible()
     keep("import")
     assert not page.get_by_label("DIMENSIONS").is_checked()
-    preview = page.get_by_role("region", name="What the file became")
+    preview = page.get_by_role("region", name="Plan made from the file")
     expect(preview.get_by_text("m large, as given, in cm.")).to_be_visible()
     expect(preview.get_by_text("DIMENSIONS")).to_be_visible()
     page.get_by_label("DIMENSIONS").check()

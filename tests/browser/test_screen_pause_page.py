@@ -38,7 +38,7 @@ def is_paused(page):
     before = clock_of(page)
     page.wait_for_timeout(LEFT_FOR)
     assert clock_of(page) == before
-    expect(page.locator(".pause-card")).to_contain_text("The chair and the clock stand")
+    expect(page.locator(".pause-card")).to_contain_text("The chair stands, and the clock is paused")
     expect(page.locator(".bar .speed .big")).to_contain_text("0.00")
 
 
@@ -64,11 +64,11 @@ def test_a_hidden_page_pauses_the_trial_and_the_third_pause_offers_the_drawn_pla
 
     note = page.locator(".interruptions")
     expect(note).to_contain_text(re.compile(r"Paused \d+ times for the screen, \d+ s"))
-    expect(note).to_contain_text("This trial counts when you say so.")
+    expect(note).to_contain_text("This trial counts only after you tap")
     photographed(page, "over")
     page.get_by_role("button", name="Count it").click()
     expect(page.get_by_role("button", name="Discard…")).to_be_visible()
-    expect(note).not_to_contain_text("when you say so")
+    expect(note).not_to_contain_text("only after you tap")
     page.get_by_role("button", name="Undo").click()
     expect(page.get_by_role("button", name="Count it")).to_be_visible()
     for address, words in (("#/review/1", "Paused"), ("#/session", "Paused")):

@@ -32,7 +32,7 @@ def test_another_sender_is_named_and_becomes_the_shirt_by_a_tap(own_demo, open_p
         with closing(WaveSender(port)) as second:
             take = card.get_by_role("button", name="Use the new sender")
             expect(take).to_be_visible()
-            expect(card.get_by_text(f"Frames come from {second.name}, too.")).to_be_visible()
+            expect(card.get_by_text(f"Another sender, {second.name}, also sends frames.")).to_be_visible()
             for size in each_size(page, settle=0):
                 take.scroll_into_view_if_needed()
                 assert take.bounding_box()["height"] >= 44

@@ -132,7 +132,7 @@ def the_loss_of_the_control_process_is_said(page, keep, process):
 
 def become_the_body(page):
     """Choose the visitor as the body in front of the simulated shirt."""
-    card = page.locator("section.card", has=page.get_by_role("heading", name="Body inside"))
+    card = page.locator("section.card", has=page.get_by_role("heading", name="Simulated body"))
     card.locator("summary").click()
     card.get_by_role("radio", name="You").check(force=True)
     expect(page.get_by_text("You move this body").first).to_be_visible()

@@ -88,7 +88,7 @@ for (time = 0; time < 1000; time += 10) window.dispatchEvent(event(30, 90, 0));
 assert.ok(sent.length >= 20 && sent.length <= 30, `${sent.length} a second`);
 assert.ok(Math.abs(sent[0].look.yaw - 30 * RADIANS) < 1e-9);
 assert.equal(timers.size, 0);
-assert.match(shown.words(), /tells where it looks/);
+assert.match(shown.words(), /reports its direction/);
 endTabletHead();
 window.dispatchEvent(event(30, 90, 0));
 assert.ok(sent.length <= 30 && !shown.button.disabled);

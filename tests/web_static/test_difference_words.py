@@ -26,7 +26,10 @@ CASES = [
     (changed(bindings=()), "Faster: right_elbow, gain 1 → nothing."),
     (changed(profile=small_profile(("right_elbow", "left_elbow", "left_wrist"))), "The calibration is another one."),
     (changed(gestures=STANDARD.gestures[1:]), "right_elbow: no longer used."),
-    (changed(gestures=tuple(reversed(STANDARD.gestures))), "The same movements and numbers, noted in another order."),
+    (
+        changed(gestures=tuple(reversed(STANDARD.gestures))),
+        "The movements and numbers are the same, but saved in another order.",
+    ),
 ]
 EVERY_SPEED = [changed(speeds=Speeds(**{name: getattr(HIGHEST_SPEEDS, name)})) for name in Speeds.model_fields]
 

@@ -70,7 +70,9 @@ class ScreenPictures:
 
     def unpair(self, screen_id: int) -> None:
         """Forget one of the patient's screens for good: no trial waits for it."""
-        for socket in [opened for opened, (shown_screen, _) in self._patients.items() if shown_screen == screen_id]:
+        for socket in [
+            known_socket for known_socket, (shown_screen, _) in self._patients.items() if shown_screen == screen_id
+        ]:
             self.forget(socket)
         self._away.pop(screen_id, None)
 

@@ -47,10 +47,10 @@ async def patient_live(
     graphics: GraphicsPart,
 ) -> None:
     """Send the picture 20 times a second, and receive the screen's reports."""
-    person = await sockets.admit_screen(websocket)
-    if person is None:
+    screen = await sockets.admit_screen(websocket)
+    if screen is None:
         return
-    session_id = person.session_id
+    session_id = screen.session_id
 
     def _read() -> None:
         with every_patient(), database.reading() as db:
@@ -59,12 +59,12 @@ async def patient_live(
     await run_in_threadpool(_read)
     await websocket.accept()
     viewer = Viewer(websocket)
-    async with sockets.guarded(websocket, person):
+    async with sockets.guarded(websocket, screen):
         graphics.opened(websocket, "A patient's screen")
         live.notify("screens")
         sending = asyncio.create_task(patient_hub.serve(viewer))
         try:
-            await _receive(websocket, person.screen_id, pictures, live, graphics)
+            await _receive(websocket, screen.screen_id, pictures, live, graphics)
         except RuntimeError:
             pass  # closed by us
         finally:

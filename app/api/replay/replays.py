@@ -39,20 +39,20 @@ class Replays:
     def find(self, word: str, person_id: int) -> Replay:
         """Return a replay of this person; NotFound when there is none, or it was closed."""
         with self._lock:
-            replay = self._open.get(word)
-            if replay is None or replay.person_id != person_id:
+            opened = self._open.get(word)
+            if opened is None or opened.person_id != person_id:
                 raise NotFound("This replay was closed: open it again.")
             self._open[word] = self._open.pop(word)
-        return replay.replay
+        return opened.replay
 
     def close(self, word: str, person_id: int) -> None:
         """Close a replay of this person; do nothing when it is closed already."""
         with self._lock:
-            replay = self._open.get(word)
-            if replay is None or replay.person_id != person_id:
+            opened = self._open.get(word)
+            if opened is None or opened.person_id != person_id:
                 return
             del self._open[word]
-        replay.replay.stop()
+        opened.replay.stop()
 
     def close_of(self, person_id: int) -> None:
         """Close all replays of a person whose rights have changed."""

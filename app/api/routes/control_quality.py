@@ -63,13 +63,13 @@ def quality(
         newest = newest_profile(db, patient_id)
         log_viewing(db, person.name, patient_id)
     assessments = qualities.assessments([trial for trial in trials if trial.run.source.group == source])
-    warnings = computing.ask(control_warnings, assessments, None if newest is None else newest.version)
+    answer = computing.ask(control_warnings, assessments, None if newest is None else newest.version)
     return QualityView(
         source=source,
         trials=[_row(assessment) for assessment in assessments],
         labels={joint.name: joint.label for assessment in assessments for joint in assessment.quality.joints},
-        warnings=warnings.warnings,
-        note=warnings.note,
+        warnings=answer.warnings,
+        note=answer.note,
     )
 
 

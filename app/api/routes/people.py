@@ -89,9 +89,7 @@ def _view(db: Transaction, person: Person, own_id: int) -> PersonView:
 
 async def _link(settings: Settings, request: Request, person: PersonView, invitation: MadeInvitation) -> LinkView:
     address = await asyncio.to_thread(own_address, settings, request)
-    url = (
-        f"{address.base}#invite={invitation.code}"  # the part behind # is not sent to a server, so it appears in no log
-    )
+    url = f"{address.base}#invite={invitation.code}"  # what is behind # is not sent to a server: no log has it
     return LinkView(
         person=person,
         url=url,

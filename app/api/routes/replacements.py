@@ -69,11 +69,11 @@ async def restore(
 
 def _restored_plan(replaced: ReplacedFiles, own_plans: OwnPlans, identity: str) -> str:
     """Save a replaced floor plan again, under the name in its document."""
-    name, content = replaced.content("floorplan", identity)
+    file, content = replaced.content("floorplan", identity)
     try:
         plan = FloorPlan.model_validate_json(content)
     except ValidationError as error:
         raise HTTPException(409, "This floor plan can no longer be read: save it again as it was drawn.") from error
     saved = own_plans.add(plan, "keep-both", replaced)
-    replaced.discard(name)
+    replaced.discard(file)
     return saved.name

@@ -77,10 +77,10 @@ class PasswordCheck:
             await self.limits.require(attempt)
         try:
             async with self.hashing.slot():
-                account = await run_in_threadpool(self._find, request, name)
-                if attempt.wait and account.browser is not None:
-                    attempt = self.limits.password_in(account.browser)
-                is_right = not attempt.wait and await self.hashing.matches(account.stored, password)
+                credentials = await run_in_threadpool(self._find, request, name)
+                if attempt.wait and credentials.browser is not None:
+                    attempt = self.limits.password_in(credentials.browser)
+                is_right = not attempt.wait and await self.hashing.matches(credentials.stored, password)
         except Busy:
             attempt.take_back()
             await self.limits.refuse(503, BUSY, BUSY_FOR)

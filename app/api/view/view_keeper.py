@@ -148,13 +148,13 @@ async def may_view(websocket: WebSocket, role: Role) -> AsyncIterator[bool]:
     """
     parts = parts_of(websocket.app)
     sockets, session = parts[OpenSockets], parts[SessionFlow]
-    person = await (sockets.admit_viewer if role == "patient" else sockets.admit)(websocket)
-    if person is None:
+    viewer = await (sockets.admit_viewer if role == "patient" else sockets.admit)(websocket)
+    if viewer is None:
         yield False
         return
-    if not person.sees(session.patient_id):
+    if not viewer.sees(session.patient_id):
         await websocket.close(NOT_VISIBLE)
         yield False
         return
-    async with sockets.guarded(websocket, person, lambda now: now.sees(session.patient_id)):
+    async with sockets.guarded(websocket, viewer, lambda now: now.sees(session.patient_id)):
         yield True

@@ -114,16 +114,16 @@ def signal_to_noise(full: float, noise: float) -> float:
     return min(MOST_SIGNAL_TO_NOISE, full / noise) if noise > 0 else MOST_SIGNAL_TO_NOISE
 
 
-def cross_talk(rates: NDArray[np.float64], floor: float = 0.05) -> NDArray[np.float64]:
+def cross_talk(activation: NDArray[np.float64], floor: float = 0.05) -> NDArray[np.float64]:
     """Return each joint's mean activation during each joint's prompts, as a share of that during its own.
 
     Parameters
     ----------
-    rates : (k, k) array
+    activation : (k, k) array
         Mean activation, row: joint that was prompted, column: joint that answered.
     floor : float
         Smallest activation to divide by, for joints that hardly answered their own prompts.
     """
-    shares: NDArray[np.float64] = rates / np.maximum(np.diag(rates), floor)
+    shares: NDArray[np.float64] = activation / np.maximum(np.diag(activation), floor)
     np.fill_diagonal(shares, 1.0)
     return shares

@@ -128,12 +128,12 @@ class _Answer:
 
 
 def _shares(
-    answer: _Answer, joint: str, stretches: Sequence[Frames], repetitions: Sequence[RepetitionRates]
+    answer: _Answer, joint: str, own_windows: Sequence[Frames], repetitions: Sequence[RepetitionRates]
 ) -> dict[str, float]:
     """Return the activation during whole repetitions of each other joint, as a share of that during its own."""
-    if not stretches:
+    if not own_windows:
         return {}
-    least = max(answer.seconds(stretches), LEAST_ACTIVATION)
+    least = max(answer.seconds(own_windows), LEAST_ACTIVATION)
     others = dict.fromkeys(repetition.joint for repetition in repetitions if repetition.joint != joint)
     return {
         other: answer.seconds([repetition.whole for repetition in repetitions if repetition.joint == other]) / least

@@ -118,7 +118,7 @@ def _repetition_rates(
     last = min(len(rates), rows.stop + min(late, (rows.stop - rows.start + 1) // 2))
     end = last if back.stop == back.start else min(len(rates), back.stop + late)
     there, way_back = slice(rows.start, last), slice(back.start, end)
-    joint_repetitions = [
+    columns = [
         index for index, joint_map in enumerate(profile.joints) if joint_map.name == joint
     ]  # none when it has no map
     return RepetitionRates(
@@ -126,8 +126,8 @@ def _repetition_rates(
         rates[there],
         rates[way_back],
         rates[rows.start : end],
-        _travel(places[there, joint_repetitions]),
-        _travel(places[way_back, joint_repetitions]),
+        _travel(places[there, columns]),
+        _travel(places[way_back, columns]),
     )
 
 

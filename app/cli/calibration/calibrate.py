@@ -1,4 +1,4 @@
-"""`bodydrive calibrate`: the calibration on a file, and what it prints of the result, for people and as JSON."""
+"""`bodydrive calibrate`: the calibration on a file, the choice of maps, and what it prints of the result."""
 
 import json
 from collections.abc import Mapping

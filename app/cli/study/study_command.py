@@ -63,7 +63,7 @@ def study(
     as_json: AsJson = False,
 ) -> None:
     """Let a simulated person calibrate, then drive a path again and again, and score every trial."""
-    from app.cli.study.study_runs import Asked, study_interface, study_sessions, study_trials
+    from app.cli.study.study_runs import StudyRequest, study_interface, study_sessions, study_trials
     from app.realtime import collect_seldom
 
     if seed + seeds - 1 > LARGEST_SEED:
@@ -92,7 +92,7 @@ def study(
         run = partial(study_interface, person=person, sessions=sessions)
     else:
         run = partial(study_trials, learns=not no_learning, figures=figures, overwrite=overwrite)
-    asked = Asked(
+    asked = StudyRequest(
         out,
         trials=trials or (STUDY_TRIALS if run.func is study_trials else SESSION_TRIALS),
         seeds=range(seed, seed + seeds),

@@ -36,7 +36,7 @@ TEST_ROWS, TEST_TABLE, TEST_SUMMARY = "interface_tests.csv", "interface_table.tx
 Row = TypeVar("Row")
 
 
-class Asked(NamedTuple):
+class StudyRequest(NamedTuple):
     """What every kind of study is asked for."""
 
     out: Path
@@ -59,7 +59,7 @@ def _refused(out: Path) -> Iterator[None]:
         raise InputError(f"--out {out} cannot be written ({error.strerror}): choose another place") from error
 
 
-def study_trials(asked: Asked, *, learns: bool, figures: FigureChoice, overwrite: bool) -> None:
+def study_trials(asked: StudyRequest, *, learns: bool, figures: FigureChoice, overwrite: bool) -> None:
     """Run every seed; write tables and figures.
 
     Raises
@@ -115,7 +115,7 @@ def _report_seed(result: StudyResult) -> None:
     sys.stderr.write(f"seed {result.seed}: {len(result.trials)} trials driven\n")
 
 
-def study_sessions(asked: Asked, *, adapt: Mode, person: PersonKind, map_kind: StudyMap, sessions: int) -> None:
+def study_sessions(asked: StudyRequest, *, adapt: Mode, person: PersonKind, map_kind: StudyMap, sessions: int) -> None:
     """Run every seed with a fixed map and with one in the mode `adapt`; write rows, table and summary.
 
     Raises
@@ -156,7 +156,7 @@ def _report_session_trials(rows: Sequence[StudySessionTrial]) -> None:
         )
 
 
-def study_interface(asked: Asked, *, person: PersonKind, sessions: int) -> None:
+def study_interface(asked: StudyRequest, *, person: PersonKind, sessions: int) -> None:
     """Run every seed; write a row for each session, the table and the summary.
 
     Raises
@@ -194,7 +194,7 @@ def _write_summary(file: Path, document: Mapping[str, object], table_file: Path,
     file.write_text(json.dumps(document, indent=1, allow_nan=False) + "\n", encoding="utf-8")
 
 
-def _report_results(asked: Asked, document: Mapping[str, object], text: str, what: str, started: float) -> None:
+def _report_results(asked: StudyRequest, document: Mapping[str, object], text: str, what: str, started: float) -> None:
     """Print a study's summary as JSON, or its table, what was done, and how long it took since `started` (s)."""
     if asked.as_json:
         typer.echo(json.dumps({"out": str(asked.out), **document}, allow_nan=False))

@@ -84,15 +84,15 @@ class BackupFolder:
 
         Parts that are stored already are not written again. What reads back wrongly is stored again, once.
         """
-        parts = self._known_parts()
+        stored_parts = self._known_parts()
         for _ in range(2):
-            files = self._stored(contents.sources, parts, progress)
+            files = self._stored(contents.sources, stored_parts, progress)
             now = utc_now()
             manifest = Manifest(now.isoformat(), version, contents.rows, with_keys, contents.left_out, tuple(files))
             wrong = self._wrong_parts(manifest, progress)
             if not wrong:
                 break
-            parts = {part: stored for part, stored in parts.items() if part not in wrong}
+            stored_parts = {part: stored for part, stored in stored_parts.items() if part not in wrong}
         else:
             raise Refusal(f"{len(wrong)} files in {self.folder} read back wrongly: this disk is damaged, take another.")
         name = now.strftime(STAMP)

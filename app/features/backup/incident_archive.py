@@ -253,9 +253,9 @@ def _recorded(settings: Settings, runs: list[str]) -> Iterator[tuple[str, Path]]
     Of a recording that is going on, what is written by now is archived.
     """
     for run in runs:
-        folders: set[Path] = set()
-        while more := sorted({*(settings.runs / run).glob("*")} - folders):
-            folders.update(more)
+        yielded: set[Path] = set()
+        while more := sorted({*(settings.runs / run).glob("*")} - yielded):
+            yielded.update(more)
             yield from ((f"recordings/{run}/{file.name}", file) for file in more)
 
 

@@ -70,10 +70,10 @@ def require_empty(settings: Settings) -> None:
 def _read_into(state: Path, backup: Path, secret: Secret | None) -> Manifest:
     def store(file: StoredFile, content: Reader) -> tuple[int, str]:
         with QuietWriter(state / file.path) as out:
-            digest = copy_hashed(content, out)
+            size_and_digest = copy_hashed(content, out)
             out.keep()
         os.utime(state / file.path, ns=(file.changed, file.changed))
-        return digest
+        return size_and_digest
 
     return read_backup(backup, secret, store)
 

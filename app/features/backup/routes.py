@@ -198,7 +198,7 @@ async def choose(
 def _choose(
     body: BackupSettings,
     person: str,
-    clinic: Settings,
+    settings: Settings,
     database: Database,
     computing: ComputingProcess,
     backups: NightBackups,
@@ -206,7 +206,7 @@ def _choose(
     if backups.course is not None:
         raise Conflict("A backup is being made: wait until it is done.")
     passphrase = "" if body.passphrase is None else body.passphrase.get_secret_value()
-    secret_before = read_secret(clinic.backup) if body.encrypted else None
+    secret_before = read_secret(settings.backup) if body.encrypted else None
     if body.encrypted and not passphrase and secret_before is None:
         raise Conflict("Give a passphrase of at least 8 characters.")
     if body.folder is not None:
@@ -214,18 +214,18 @@ def _choose(
         if not folder.is_absolute():
             raise Conflict(NOT_ABSOLUTE)
         place = folder.resolve()
-        if place.is_relative_to(clinic.state.resolve()) or clinic.state.resolve().is_relative_to(place):
+        if place.is_relative_to(settings.state.resolve()) or settings.state.resolve().is_relative_to(place):
             raise Conflict(INSIDE)
         given = passphrase if body.encrypted else ""
-        secret, why_not = computing.ask(opened_folder, folder, given, secret_before, clinic_mark(clinic))
+        secret, why_not = computing.ask(opened_folder, folder, given, secret_before, clinic_mark(settings))
         if why_not:
             raise Conflict(why_not)
-        clinic.backup.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
-        keep_secret(clinic.backup, secret)
+        settings.backup.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
+        keep_secret(settings.backup, secret)
     with database.transaction() as db:
-        settings = backup_settings(db)
-        settings.folder, settings.hour, settings.with_keys = body.folder, body.hour, body.with_keys
-        db.add(settings)
+        chosen = backup_settings(db)
+        chosen.folder, chosen.hour, chosen.with_keys = body.folder, body.hour, body.with_keys
+        db.add(chosen)
         details = {"hour": body.hour, "with_keys": body.with_keys, "encrypted": body.encrypted}
         write_log(db, person, "backup settings changed", has_folder=body.folder is not None, **details)
 

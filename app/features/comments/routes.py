@@ -78,7 +78,7 @@ def unread_comments(
         unread = comments_of(db, patient_id=patient, not_read_by=person.person_id)
         for patient_id in dict.fromkeys(comment.patient_id for comment in unread):
             log_viewing(db, person.name, patient_id)
-        return [_view(db, patient_id, person, unread=True) for patient_id in unread]
+        return [_view(db, comment, person, unread=True) for comment in unread]
 
 
 @router.get("/trials/{trial_id}/comments")
@@ -108,7 +108,7 @@ def new_comment(trial_id: RowId, body: NewComment, person: Anyone, database: Db,
 
 @router.post("/trials/{trial_id}/comments/read", status_code=204)
 @any_session(LOOKS)
-def read_comments(trial_id: RowId, person: Anyone, database: Db) -> None:
+def mark_comments_read(trial_id: RowId, person: Anyone, database: Db) -> None:
     """Store that the person who asks has read the comments of a trial."""
     with database.transaction() as db:
         mark_read(db, _trial(db, trial_id).id, person.person_id)

@@ -26,6 +26,8 @@ from app.source import source_description
 if TYPE_CHECKING:
     import pyarrow as pa
 
+UNKNOWN = "unknown"
+
 
 def channel_names(meta: dict[str, Any]) -> list[str]:
     """Return the names of the shirt's channels, in the order of a frame's values."""
@@ -100,9 +102,6 @@ def write_parquet(run: RunGroups, facts: dict[str, Any], folder: Path, stem: str
         writer.write_table(table.cast(writer.schema))
     writer.close()
     return [file]
-
-
-UNKNOWN = "unknown"
 
 
 def _recorded_with(folder: Path) -> str:

@@ -77,13 +77,13 @@ def exported_material(
         if form != "fhir":
             _require_room(recorded, place)
         tasks = {
-            (row.trial.floorplan, row.trial.path, row.source.group): list[dict[str, Any]]()
-            for row in recorded
-            if row.trial is not None
+            (run.trial.floorplan, run.trial.path, run.source.group): list[dict[str, Any]]()
+            for run in recorded
+            if run.trial is not None
         }
         for floorplan, path, group in tasks:
             counted = counted_trials(db, patient_id, floorplan, path)
-            tasks[floorplan, path, group] += [row.row() for row in counted if row.group == group]
+            tasks[floorplan, path, group] += [trial.row() for trial in counted if trial.group == group]
         mark = clinic_mark(db)
         write_log(db, person, "export", patient=patient_id, session=session, form=form, runs=len(recorded))
     exported_tasks = tuple(ExportedTask(rows, spreads_of(*task)) for task, rows in tasks.items())

@@ -37,10 +37,10 @@ def fhir_bundle(material: ExportMaterial, verdicts: dict[int, dict[str, str]]) -
             )
         else:
             continue
-        person = {"subject": {"reference": patient}, "device": {"reference": device}}
+        references = {"subject": {"reference": patient}, "device": {"reference": device}}
         entries += [
-            _entry(_address(clinic, material.code, f"{run.folder.name}/{name}"), {**measure, **person})
-            for name, measure in observations.items()
+            _entry(_address(clinic, material.code, f"{run.folder.name}/{name}"), {**observation, **references})
+            for name, observation in observations.items()
         ]
     return {"resourceType": "Bundle", "type": "collection", "entry": entries}
 

@@ -22,7 +22,6 @@ from app.package import FAST, Step, add_file, entry
 from app.recording.groups import RunGroups, read_in_groups
 
 IGNORED = "trials.csv\ninterface_tests.csv\nexport.json\n*.missing.txt\n"  # of a BIDS validator
-UNKNOWN = "unknown"
 
 
 def export_steps(material: ExportMaterial, form: Form) -> list[Step]:

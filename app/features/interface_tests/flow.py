@@ -69,7 +69,7 @@ class InterfaceTestFlow(RunFlow[RunningInterfaceTest]):
     )
     plan_of: Callable[[int], CursorPlan] = staticmethod(lambda number: CursorPlan(seed=number))
 
-    async def start(self, session: PatientSession, person: Starter) -> int:
+    async def start(self, session: PatientSession, starter: Starter) -> int:
         """Begin an interface test and return its id; its number decides the order of the targets."""
         tick = self._control.newest()
         if tick is not None and int(tick["state"]) == State.FAULT:
@@ -78,14 +78,14 @@ class InterfaceTestFlow(RunFlow[RunningInterfaceTest]):
             parameters_id, number = await asyncio.to_thread(self._prepared, session.patient_id)
             plan = self.plan_of(number)
             run = await self._runs.begin(session.id, "interface_test", (), {"test": number}, plan)
-            return self._go_on(await self._begin(run, partial(self._add, session, parameters_id, person, plan)))
+            return self._go_on(await self._begin(run, partial(self._add, session, parameters_id, starter, plan)))
 
     def _prepared(self, patient_id: int) -> tuple[int, int]:
         with self._database.reading() as db:
             return current_parameters(db, patient_id)[0].id, next_number(db, patient_id)
 
     def _add(
-        self, session: PatientSession, parameters_id: int, person: Starter, plan: CursorPlan, run: SessionRun
+        self, session: PatientSession, parameters_id: int, starter: Starter, plan: CursorPlan, run: SessionRun
     ) -> RunningInterfaceTest:
         with self._database.transaction() as db:
             test = add_interface_test(
@@ -95,8 +95,8 @@ class InterfaceTestFlow(RunFlow[RunningInterfaceTest]):
                 parameters_id=parameters_id,
                 plan=plan.model_dump(mode="json"),
             )
-            write_log(db, person.name, "test started", test=test.id, parameters=parameters_id)
-            return RunningInterfaceTest(test.id, person.person_id, person.screen, run, InterfaceTestWatch(plan))
+            write_log(db, starter.name, "test started", test=test.id, parameters=parameters_id)
+            return RunningInterfaceTest(test.id, starter.person_id, starter.screen, run, InterfaceTestWatch(plan))
 
     async def _measure(self, current: RunningInterfaceTest, figures: RunFigures) -> None:
         plan, folder = current.watch.task.plan, current.run.folder

@@ -51,7 +51,7 @@ class LogView(Document):
 
 @router.get("")
 def read_log_page(
-    _person: Owner,
+    _owner: Owner,
     database: Db,
     person: Annotated[str | None, Query(max_length=80)] = None,
     patient: Annotated[int | None, Query(ge=1, le=2**31)] = None,
@@ -88,6 +88,6 @@ def export(form: Literal["csv", "jsonl"], person: Owner, database: Db) -> Stream
 
 
 @router.get("/check")
-def check_log(_person: Owner, settings: SettingsPart) -> LogCheckView:
+def check_log(_owner: Owner, settings: SettingsPart) -> LogCheckView:
     """Check every row of the log, and its newest rows against its head."""
     return LogCheckView.of(verify_log(settings.database))

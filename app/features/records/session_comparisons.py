@@ -63,7 +63,7 @@ def pairs_of_tests(db: Transaction, earlier: PatientSession, later: PatientSessi
         if not any(tests_of_sides):
             continue
         complete = [
-            [side for side in each if side.end == COMPLETE and side.measures is not None] for each in tests_of_sides
+            [test for test in each if test.end == COMPLETE and test.measures is not None] for each in tests_of_sides
         ]
         views = [
             InterfaceTestView.of_row(each[-1], session.number) if each else None
@@ -71,7 +71,7 @@ def pairs_of_tests(db: Transaction, earlier: PatientSession, later: PatientSessi
         ]
         counts = (len(complete[0]), len(complete[1]))
         shown = ComparedTests(source=group, complete=counts, earlier=views[0], later=views[1], verdicts={})
-        counted = counted_tests([StoredTest(side.number, side.end, side.plan, side.measures) for side, _ in tests])
+        counted = counted_tests([StoredTest(test.number, test.end, test.plan, test.measures) for test, _ in tests])
         pairs.append(PairOfTests(shown, counted))
     return pairs
 
@@ -124,25 +124,23 @@ def compare_two(
     Differences of the last parameter sets are null when one session has none.
     """
     with database.transaction(closing=True) as db:
-        pair = [find_session(db, parameter_set) for parameter_set in (session_id, other)]
+        pair = [find_session(db, row_id) for row_id in (session_id, other)]
         if pair[0].id == pair[1].id:
             raise Conflict(SAME_SESSION)
         if pair[0].patient_id != pair[1].patient_id:
             raise Conflict(OTHER_PATIENT)
-        earlier, later = sorted(pair, key=lambda parameter_set: parameter_set.number)
+        earlier, later = sorted(pair, key=lambda session: session.number)
         write_log(db, person.name, "sessions compared", patient=earlier.patient_id, sessions=[earlier.id, later.id])
-        trials = [trials_of_session(db, parameter_set.id) for parameter_set in (earlier, later)]
+        trials = [trials_of_session(db, session.id) for session in (earlier, later)]
         driven = [Counter(map(_task, of_session)) for of_session in trials]
-        titles = {
-            _task(parameter_set): parameter_set.floorplan_title for of_session in trials for parameter_set in of_session
-        }
+        titles = {_task(trial): trial.floorplan_title for of_session in trials for trial in of_session}
         rows = {}
         for task in titles:
             counted = counted_trials(db, earlier.patient_id, task.floorplan, task.path)
-            rows[task] = [parameter_set.row() for parameter_set in counted if parameter_set.group == task.group]
+            rows[task] = [trial.row() for trial in counted if trial.group == task.group]
         pairs = pairs_of_tests(db, earlier, later)
         views = record_view(db, earlier), record_view(db, later)
-        sets = [_last_set(db, parameter_set) for parameter_set in (earlier, later)]
+        sets = [_last_set(db, session) for session in (earlier, later)]
         changes = _changes(db, sets[0], sets[1])
     spreads = [spread.of_others(task, earlier.patient_id) for task in rows]
     given = list(zip(rows.values(), spreads, strict=True))

@@ -59,7 +59,7 @@ def dot(x: float, y: float, radius: float, colour: str, *, hollow: bool = False)
 
 
 def label(x: float, y: float, text: str, *, anchor: str = "start", colour: str = "quiet") -> str:
-    """Return a label; `text` are the program's own, numbers and units."""
+    """Return a label; `text` is the program's own: numbers and units."""
     place = f'x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"'
     return f'<text class="f-{colour}" {place} fill="{COLOURS[colour]}">{text}</text>'
 

@@ -140,16 +140,12 @@ def report_material(
 
 
 def _own_material(db: Transaction, patient: Patient, session: int | None, settings: Settings) -> ReportMaterial:
-    every = [
-        past_session
-        for past_session in reversed(sessions_of(db, patient.id))
-        if session is None or past_session.number <= session
-    ]
-    reported = [past_session for past_session in every if session is None or past_session.number == session]
+    every = [row for row in reversed(sessions_of(db, patient.id)) if session is None or row.number <= session]
+    reported = [row for row in every if session is None or row.number == session]
     if not reported:
         raise NotFound(NO_SESSION if session is None else NOT_THIS_SESSION.format(number=session))
-    numbers = {past_session.id: past_session.number for past_session in reported}
-    driven = {past_session.id: trials_of_session(db, past_session.id) for past_session in reported}
+    numbers = {row.id: row.number for row in reported}
+    driven = {row.id: trials_of_session(db, row.id) for row in reported}
     trials = [trial for task_trials in driven.values() for trial in task_trials]
     drives = reported_drives(db, patient.id, numbers)
     last, origins = every[-1].number, origins_of(db, patient.id)
@@ -159,16 +155,11 @@ def _own_material(db: Transaction, patient: Patient, session: int | None, settin
         clinic=db.get_one(Clinic, patient.clinic_id).name,
         made=utc_now(),
         session=session,
-        sessions=tuple(
-            _session(db, past_session, driven[past_session.id], origins.get(past_session.id))
-            for past_session in reported
-        ),
+        sessions=tuple(_session(db, row, driven[row.id], origins.get(row.id)) for row in reported),
         tasks=tuple(_tasks(db, patient, trials, last, settings)),
         tests=tuple(_tests(db, patient, set(numbers.values()), last)),
         drives=tuple(drives),
-        comments=tuple(
-            remark for past_session in features().values() for remark in past_session.remarks(db, patient.id)
-        ),
+        comments=tuple(remark for feature in features().values() for remark in feature.remarks(db, patient.id)),
         parameters=_parameters(db, [*trials, *drives]),
     )
 

@@ -47,7 +47,7 @@ def task_report(task: TaskMaterial, session: int | None, *, name_source: bool) -
 
     `name_source` says whether the tasks of the report have several sources, so that each must name its own.
 
-    Recordings are read for the trajectories; one that cannot be read is left out, and counted in the words.
+    Recordings are read for the trajectories; one that cannot be read is left out, and counted in the description.
     """
     rows = task.rows
     newest = max(row["session"] for row in rows)
@@ -214,9 +214,9 @@ def interface_test_report(
     Those that the newest test is compared with stand among them, whichever session they are of.
     `name_source` says whether the report has several sources, so that each table must name its own.
     """
-    counted = counted_tests([test.test for test in material.tests])
-    numbers = {test.test.number for test in material.tests if session in (None, test.session)}
-    compared = [test for test in interface_verdicts(counted) if test.later in numbers]
+    counted = counted_tests([reported.test for reported in material.tests])
+    numbers = {reported.test.number for reported in material.tests if session in (None, reported.session)}
+    compared = [pair for pair in interface_verdicts(counted) if pair.later in numbers]
     shown = _shown(material.tests, numbers, compared, course=session is None)
     source = f"{material.source}. " if name_source else ""
     left_out = len(material.tests) - len(shown)
@@ -226,7 +226,7 @@ def interface_test_report(
         lead=f"{source}{amount(len(counted), 'complete test')}{until}.{others}",
         table=ReportTable(
             ("Test", *(measure.name for measure in TEST_MEASURES.values()), WORKLOAD_NAME),
-            tuple(_row(test) for test in shown) + tuple(_verdicts(test) for test in compared),
+            tuple(map(_row, shown)) + tuple(map(_verdicts, compared)),
         ),
     )
 
@@ -234,9 +234,9 @@ def interface_test_report(
 def _shown(
     tests: tuple[ReportedTest, ...], own_numbers: set[int], compared: list[InterfaceVerdicts], *, course: bool
 ) -> list[ReportedTest]:
-    newest = {test.test.number for test in tests[-MOST_ROWS + 1 :]} if course else own_numbers
-    numbers = newest | {test.earlier for test in compared}
-    return [test for test in tests if test.test.number in numbers]
+    newest = {reported.test.number for reported in tests[-MOST_ROWS + 1 :]} if course else own_numbers
+    numbers = newest | {pair.earlier for pair in compared}
+    return [reported for reported in tests if reported.test.number in numbers]
 
 
 def _row(reported: ReportedTest) -> tuple[str, ...]:

@@ -125,7 +125,7 @@ def attention(person: Anyone, database: Db, deteriorations: DeteriorationsPart) 
     page asks again after some seconds.
     """
     with database.transaction(closing=True) as db:
-        reasons_of = patients_and_reasons(db, person.person_id)
+        patients = patients_and_reasons(db, person.person_id)
         tasks = counted_tasks(db)
         write_log(db, person.name, "patients viewed by attention")
     deteriorations_of = deteriorations.known(tasks)
@@ -138,14 +138,11 @@ def attention(person: Anyone, database: Db, deteriorations: DeteriorationsPart) 
             )
             worse[task.patient_id].append(reason)
     listed = [
-        _view(deterioration, [*worse[deterioration.id], *reasons], pending=deterioration.id in pending)
-        for deterioration, reasons in reasons_of
+        _view(patient, [*worse[patient.id], *reasons], pending=patient.id in pending) for patient, reasons in patients
     ]
     return sorted(
         listed,
-        key=lambda deterioration: (
-            URGENCY.index(deterioration.reasons[0].reason) if deterioration.reasons else len(URGENCY)
-        ),
+        key=lambda view: URGENCY.index(view.reasons[0].reason) if view.reasons else len(URGENCY),
     )
 
 

@@ -88,10 +88,10 @@ class NewLinks:
         """Make a link to one session, or to all sessions of a patient."""
 
         def whose(db: Transaction) -> int:
-            owner_id = patient_id if session_id is None else find_session(db, session_id).patient_id
-            find_patient(db, owner_id)
-            require_consent(db, owner_id, "sharing")
-            return owner_id
+            of_patient = patient_id if session_id is None else find_session(db, session_id).patient_id
+            find_patient(db, of_patient)
+            require_consent(db, of_patient, "sharing")
+            return of_patient
 
         def check() -> None:
             with self.database.reading() as db:

@@ -3,7 +3,7 @@
 Five figures of each gesture are added up over the trials (CUSUM), each as its distance from what would be no loss, in
 standard deviations of this person: noise at rest, size of the strokes (both ways), time missed, blindness of the
 direction, and the time that S5 silenced. They are of the rate that the decoder gives, whatever kind of map the joint
-has. There is a sentence only on figures with a loss.
+has. There is a sentence only on figures with a loss. The figures of one trial are computed here, too.
 """
 
 import math

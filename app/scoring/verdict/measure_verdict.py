@@ -241,7 +241,7 @@ def people_variances(people: Mapping[int, Rows]) -> PeopleVariances:
 def clinic_spreads(variances: PeopleVariances, person: int | None = None) -> dict[str, Spread]:
     """Return the median spread of everybody but `person`, for each measure that enough people have."""
     medians = {
-        name: median_spread([own_spread for other, own_spread in people.items() if other != person])
+        name: median_spread([variance for other, variance in people.items() if other != person])
         for name, people in variances.items()
     }
     return {name: spread for name, spread in medians.items() if spread is not None}

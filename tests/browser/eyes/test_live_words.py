@@ -60,7 +60,7 @@ def test_a_picture_that_goes_and_comes_does_not_say_the_fault_again(page, clinic
     page.evaluate("() => showFault('')")
     page.wait_for_timeout(0)  # until the observer has run
     assert with_words(said(page), "The shirt is silent.") == ["polite"]
-    for why, words in (("stale", "older than a second"), ("context", "took its graphics away"), ("", "")):
+    for why, words in (("stale", "older than a second"), ("context", "switched off the graphics"), ("", "")):
         assert words in page.evaluate("(why) => showFault(why)", why)
         rows = said(page)
         assert not words or with_words(rows, words) == ["polite"], rows

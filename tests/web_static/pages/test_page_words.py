@@ -36,16 +36,19 @@ def test_each_forecast_has_its_uncertainty_and_what_is_not_known_is_said(answere
     ]
     known, unknown = answered("pages/expected_words.mjs", given)
     assert known == [
-        "Of 100 movements about 71 are answered (± 11).",
-        "At rest it acts about 1.8 times a minute (± 1.2).",
+        "About 71 of 100 movements are recognised (± 11).",
+        "At rest this movement is recognised by mistake about 1.8 times a minute (± 1.2).",
     ]
-    assert unknown[0].startswith("How many of 100 movements are answered is not known yet")
-    assert unknown[1] == "How often it acts at rest is known once this movement has been repeated."
+    assert unknown[0].startswith("It is not known yet how many of 100 movements are recognised")
+    assert (
+        unknown[1]
+        == "It is not known yet how often this movement is recognised by mistake at rest: it must be repeated first."
+    )
 
 
 def test_before_any_prompt_it_says_what_prompts_would_bring(answered: Any) -> None:
     without = {"value": 70.8, "uncertainty": 17.9}
     given = [{"hits": without, "hits_with_prompts": HITS, "false_per_minute": None}]
     ((hits, _, prompted),) = answered("pages/expected_words.mjs", given)
-    assert hits == "Of 100 movements about 71 are answered (± 18)."
-    assert prompted.startswith("After three repetitions of this movement the first figure is surer (± 11)")
+    assert hits == "About 71 of 100 movements are recognised (± 18)."
+    assert prompted.startswith("Three repetitions of this movement make the first figure more certain (± 11)")

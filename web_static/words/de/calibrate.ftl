@@ -44,7 +44,7 @@ cue-seconds = { $seconds } s
 cue-next = Danach: { $next }
 cue-trace = Die Signale des Shirts, die letzten 10 Sekunden
 result-title = Mögliche Bewegungen
-result-lead = Wie klar die Hauptbewegung jedes Gelenks ist und was davon zu erwarten ist. Die Marken zeigen die 80 bis 90 % der Studie von 2008.
+result-lead = Jede Karte zeigt, wie klar die Hauptbewegung eines Gelenks ist und wie gut sie voraussichtlich funktioniert. Die Marken zeigen die 80 bis 90 % der Studie von 2008.
 result-repeat = Wiederholen
 result-evr = Klare Hauptbewegung: { $percent }
 result-signal = Signal: { $word }
@@ -89,10 +89,10 @@ result-again = Gelenk wiederholen
 result-again-label = Gelenk wiederholen: { $joint }
 result-maps-pca = Standard
 result-maps-guided = Aus Vorgaben gelernt
-result-maps-choose = { $joint }: welche Kalibrierung steuert
-result-maps-better = Eine andere Kalibrierung kann steuern
-result-maps-in-use-guided = Die aus den Vorgaben gelernte Kalibrierung steuert
-result-maps-in-use-prior = Die von anderen Personen gelernte Kalibrierung steuert
+result-maps-choose = { $joint }: welche Kalibrierung verwendet wird
+result-maps-better = Eine andere Kalibrierung ist verfügbar
+result-maps-in-use-guided = Die aus den Vorgaben gelernte Kalibrierung wird verwendet
+result-maps-in-use-prior = Die von anderen Personen gelernte Kalibrierung wird verwendet
 result-maps-prior = Von anderen gelernt
 result-maps-lead-prior =
     { $count ->
@@ -125,8 +125,8 @@ result-accepted = Diese Kalibrierung wird verwendet.
 result-go-on = Weiter zur Steuerung
 result-others-lead =
     { $count ->
-        [one] { $count } Bewegung wurde nicht vorgegeben: Dafür dienen Kalibrierungen anderer Personen als Ersatz. Fahren Sie jetzt, oder wiederholen Sie dieses Gelenk.
-       *[other] { $count } Bewegungen wurden nicht vorgegeben: Dafür dienen Kalibrierungen anderer Personen als Ersatz. Fahren Sie jetzt, oder wiederholen Sie ein Gelenk.
+        [one] { $count } Bewegung wurde noch nicht aufgezeichnet. Bis dahin werden dafür Kalibrierungen anderer Personen verwendet. Fahren Sie jetzt, oder zeichnen Sie zuerst die Bewegung auf.
+       *[other] { $count } Bewegungen wurden noch nicht aufgezeichnet. Bis dahin werden dafür Kalibrierungen anderer Personen verwendet. Fahren Sie jetzt, oder zeichnen Sie zuerst die Bewegungen auf.
     }
 result-missing = Das Ergebnis erscheint, wenn alle Schritte fertig sind.
 result-missing-lead =

@@ -19,6 +19,6 @@ interruption-person-stops =
        *[other] { $count }-mal von einer Person gestoppt, { $seconds } s
     }
 interruption-left-out = Alle Messwerte gelten für die Zeit, in der der Rollstuhl fahren durfte.
-interruption-ask = Dieser Durchgang zählt, wenn Sie es bestätigen.
+interruption-ask = Dieser Durchgang zählt erst, wenn Sie auf „Zählen lassen“ tippen.
 interruption-column = Unterbrechungen
 interruption-none = keine

@@ -14,11 +14,15 @@ share-signed = Abgezeichnet
 share-unsigned = Nicht abgezeichnet
 share-simulated = simuliert
 share-task = { $plan }: { $path }
-share-trajectories = Vorgegebene Strecke (gestrichelt) und { $count } Fahrspuren
+share-trajectories =
+    { $count ->
+        [one] Vorgegebene Strecke (gestrichelt) und { $count } Fahrspur
+       *[other] Vorgegebene Strecke (gestrichelt) und { $count } Fahrspuren
+    }
 share-curve = Fläche neben der Strecke (m²), Durchgang für Durchgang
 share-values = { $first } im ersten Durchgang, { $newest } im neuesten.
 share-verdicts = Neueste Sitzung gegen die vorherige
-share-no-area = Kein Durchgang erreichte das Ziel. Die Fläche neben einem Teil der Strecke sagt nichts aus.
+share-no-area = Kein Durchgang erreichte das Ziel. Deshalb gibt es keine Fläche neben der Strecke: Sie lässt sich nur für die ganze Strecke vergleichen.
 share-no-verdict = Zu wenige Durchgänge für eine Bewertung.
 share-event-begin = Sitzung begonnen
 share-event-calibration =

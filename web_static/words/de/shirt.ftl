@@ -42,11 +42,15 @@ quality-railed-words = Er bleibt am Ende seines Messbereichs. Lockern Sie das Sh
 quality-flat-words = Er ändert sich gar nicht. Prüfen Sie den Stecker, oder lassen Sie ihn aus.
 quality-noisy-words = Er schwankt stärker als seine Nachbarn. Prüfen Sie den Stecker.
 quality-nan-words = Er liefert unmögliche Werte. Prüfen Sie das Kabel, oder lassen Sie ihn aus.
-quality-estimated-words = Er ist defekt. Bewegungen, die ihn nutzen, werden aus seinen Nachbarn geschätzt. Prüfen Sie das Kabel.
+quality-estimated-words = Er ist defekt. Sein Wert wird aus seinen Nachbarn geschätzt, damit die Bewegungen weiter funktionieren. Prüfen Sie das Kabel.
 quality-unused-words = Sie haben ihn ausgelassen. Die nächste Kalibrierung kommt ohne ihn aus.
 quality-silent-words = Von ihm kommt nichts. Prüfen Sie, ob das Shirt eingeschaltet und verbunden ist.
 traces-title = Live-Signale nach Gelenk
-traces-label = { $joint }, { $count } Sensoren
+traces-label =
+    { $count ->
+        [one] { $joint }, { $count } Sensor
+       *[other] { $joint }, { $count } Sensoren
+    }
 head-title = Kopftracker
 head-none = Keiner
 head-none-hint = Der Blick geht geradeaus.
@@ -65,7 +69,7 @@ head-tablet-hint = Vor den Augen gehalten oder befestigt. Die Seite auf dem Tabl
 head-tablet-now = Sensor eines Tablets.
 head-tablet-start = Dieses Tablet verwenden
 head-tablet-waiting = Warten auf den Sensor …
-head-tablet-tells = Dieses Tablet meldet, wohin es blickt.
+head-tablet-tells = Dieses Tablet meldet jetzt seine Richtung.
 head-tablet-none = Dieses Gerät hat keinen solchen Sensor. Öffnen Sie diese Seite auf einem Tablet oder Telefon.
 head-tablet-denied = Der Browser erlaubt den Sensor nicht. Erlauben Sie in seinen Einstellungen dieser Seite die Bewegungssensoren.
 head-tablet-insecure = Browser geben den Sensor nur für Seiten über https frei. Öffnen Sie diese Seite über https oder auf diesem Rechner selbst.
@@ -79,8 +83,8 @@ head-device = Serielle Schnittstelle
 head-baud = Baud
 head-address = Adresse
 head-address-hint = Nur bei einer Gruppe von Geräten. Bei einem einzelnen leer lassen.
-head-ahead = Hier ist geradeaus
-head-ahead-done = Wohin der Kopf jetzt blickt, ist geradeaus.
+head-ahead = Als geradeaus festlegen
+head-ahead-done = Die jetzige Richtung des Kopfes gilt nun als geradeaus.
 source-title = Quelle
 source-change = Ändern
 source-use = Verwenden
@@ -100,7 +104,7 @@ source-add-hint = CSV oder Parquet, höchstens 64 MB.
 source-added = { $file } wurde hinzugefügt.
 source-adding = { $file } wird hinzugefügt …
 source-file-option = { $name } ({ $size })
-body-title = Körper im Shirt
+body-title = Simulierter Körper
 body-person-practised = Simulierte Person, geübt
 body-person-practised-hint = Fährt allein und gut.
 body-person-novice = Simulierte Person, ungeübt

@@ -1,10 +1,10 @@
 ### Texte der Stereo-Seite.
 
-stereo-open = Zwei Augen
-stereo-open-why = Die Ansicht des Patienten räumlich. Schreiben Sie auf einem gekoppelten Bildschirm in der Adresse stereo.html statt patient.html.
+stereo-open = Stereoansicht
+stereo-open-why = Die Stereoansicht zeigt die Ansicht des Patienten räumlich. Um sie auf einem gekoppelten Bildschirm zu öffnen, schreiben Sie in der Adresse stereo.html statt patient.html.
 stereo-open-link = Öffnen
 stereo-title = bodydrive · Stereo-Ansicht
-stereo-settings = Wie die zwei Augen sehen
+stereo-settings = Einstellungen der Stereoansicht
 stereo-lost = Keine Verbindung zum Programm. Das Bild kommt von selbst zurück.
 stereo-waiting = Zurzeit gibt es kein Bild. Es kommt von selbst, wenn eine Sitzung weitergeht.
 stereo-refused-title = Dieser Bildschirm darf die Ansicht noch nicht zeigen

@@ -12,8 +12,8 @@ attention-pending =
     }
 attention-deterioration =
     { $count ->
-        [one] { $count } measure worse than noise
-       *[other] { $count } measures worse than noise
+        [one] { $count } measure has become worse, beyond noise
+       *[other] { $count } measures have become worse, beyond noise
     }
 attention-drive =
     { $count ->

@@ -18,10 +18,10 @@ calibrate-skip = Skip this movement
 calibrate-next = Next
 calibrate-auto = Go on by itself after each step
 calibrate-ready-self = The simulated person does as the circle says: tap { $button }.
-calibrate-ready-visitor = You are the body: hold the pads or keys as the circle says. Tap { $button }.
+calibrate-ready-visitor = You move the simulated body: hold the pads or keys as the circle says. When you are ready, tap { $button }.
 calibrate-ready-patient = When the patient is ready, tap { $button }.
 calibrate-done = Done. Go on, or repeat it.
-calibrate-poor = Recorded, but it would not drive well: repeat it, or go on as it is.
+calibrate-poor = This step was recorded, but the chair could not be driven well with it. Repeat it, or go on anyway.
 calibrate-going-on = Well done. Going on in a moment…
 calibrate-now = Ready to drive
 calibrate-now-lead =
@@ -48,7 +48,7 @@ cue-seconds = { $seconds } s
 cue-next = Next: { $next }
 cue-trace = The shirt's signals, the last 10 seconds
 result-title = What this body can do
-result-lead = How clear each joint's main movement is, and what is expected of it. The marks show the 80 to 90 % of the 2008 study.
+result-lead = Each card shows how clear the main movement of a joint is, and how well that movement is expected to work. The marks show the 80 to 90 % of the 2008 study.
 result-repeat = Repeat
 result-evr = Clear main movement: { $percent }
 result-signal = Signal: { $word }
@@ -67,22 +67,22 @@ result-from-others-lead =
         [one] Learnt from the movements of { $count } other person.
        *[other] Learnt from the movements of { $count } other people.
     }
-result-expected-hits = Of 100 movements about { $value } are answered (± { $uncertainty }).
-result-expected-false = At rest it acts about { $value } times a minute (± { $uncertainty }).
-result-expected-prompted = After three repetitions of this movement the first figure is surer (± { $uncertainty }), and it is known how often it acts at rest.
-result-expected-hits-none = How many of 100 movements are answered is not known yet: nothing in the free movement went this way.
-result-expected-false-none = How often it acts at rest is known once this movement has been repeated.
-result-expected-own-hits = Of 100 movements about { $value } are answered; so few repetitions show only that it is at least { $bound }.
-result-expected-own-false = At rest it acts { $value } times a minute; so short a rest shows only that it is fewer than { $bound }.
-result-expected-none = How well it works is known once this movement has been repeated.
+result-expected-hits = About { $value } of 100 movements are recognised (± { $uncertainty }).
+result-expected-false = At rest this movement is recognised by mistake about { $value } times a minute (± { $uncertainty }).
+result-expected-prompted = Three repetitions of this movement make the first figure more certain (± { $uncertainty }). They also show how often it is recognised by mistake at rest.
+result-expected-hits-none = It is not known yet how many of 100 movements are recognised: the free movement had none in this direction.
+result-expected-false-none = It is not known yet how often this movement is recognised by mistake at rest: it must be repeated first.
+result-expected-own-hits = About { $value } of 100 movements are recognised. So few repetitions prove only that at least { $bound } are.
+result-expected-own-false = At rest this movement is recognised by mistake { $value } times a minute. So short a rest proves only that it is fewer than { $bound } times.
+result-expected-none = It is not known yet how well this movement works: it must be repeated first.
 result-sits-shifted = The shirt is turned on the { $joint }: by { $count } of { $sensors } sensors.
 result-sits-mirrored = The shirt is inside out or on the other side at the { $joint }.
 result-sits-lead = This calibration takes that into account. You can leave it so, or put the shirt right as the picture shows and begin the calibration anew. If you are sure that it sits right, say so.
 result-sits-right = It sits right
 result-sits-right-label = It sits right at the { $joint }: calibrate the shirt as it is worn
-result-sits-left = The shirt looks turned at the { $joint }, and is taken as it is worn: you said that it sits right.
-result-sits-follow = Take it as turned
-result-sits-follow-label = Take it as turned at the { $joint }, and allow for that
+result-sits-left = The shirt looks turned at the { $joint }. The calibration does not correct for that, because you said that the shirt sits right.
+result-sits-follow = Treat it as turned
+result-sits-follow-label = Treat it as turned at the { $joint }, and correct for that
 result-sits-picture-mirrored = The sensors of one side of the { $joint } lie on the other side: turn the shirt the right side out, or put it on the other arm
 result-sits-side-front = front
 result-sits-side-back = back
@@ -97,10 +97,10 @@ result-again = Repeat this joint
 result-again-label = Repeat this joint: { $joint }
 result-maps-pca = Standard
 result-maps-guided = Learnt from the cues
-result-maps-choose = { $joint }: which calibration drives
-result-maps-better = Another calibration can drive
-result-maps-in-use-guided = The calibration learnt from the cues drives
-result-maps-in-use-prior = The calibration learnt from other people drives
+result-maps-choose = { $joint }: which calibration to use
+result-maps-better = Another calibration is available
+result-maps-in-use-guided = The calibration learnt from the cues is in use
+result-maps-in-use-prior = The calibration learnt from other people is in use
 result-maps-prior = Learnt from other people
 result-maps-lead-prior =
     { $count ->
@@ -113,8 +113,8 @@ result-maps-lead-guided =
        *[other] Both were learnt from this calibration. Each figure is of { $count } repetitions that were kept apart.
     }
 result-maps-in-phase = Share of the effect that comes during the asked movement
-result-maps-hit = Share of the time of the asked movement in which it drives
-result-maps-false = Drives at rest, times a minute
+result-maps-hit = Share of the asked movement's time in which it has an effect
+result-maps-false = Effects at rest, times a minute
 result-maps-kept-guided = The calibration learnt from the cues is not offered: it would not be better for this joint.
 result-maps-kept-prior = The calibration learnt from other people is not offered: it would not be better for this joint.
 result-maps-details = The standard calibration is the main direction of the movement (PCA), the other a linear map guided by the cues.
@@ -133,8 +133,8 @@ result-accepted = This calibration is in use.
 result-go-on = Go on to the controls
 result-others-lead =
     { $count ->
-        [one] { $count } movement was not prompted: there, other people's calibrations stand in. Drive now, or repeat that joint.
-       *[other] { $count } movements were not prompted: there, other people's calibrations stand in. Drive now, or repeat a joint.
+        [one] { $count } movement has not been recorded yet. Until then, other people's calibrations are used for it. Drive now, or record the movement first.
+       *[other] { $count } movements have not been recorded yet. Until then, other people's calibrations are used for them. Drive now, or record the movements first.
     }
 result-missing = The result comes when every step is done.
 result-missing-lead =

@@ -3,8 +3,8 @@
 rail-computer = This computer
 computer-lead = Whether this computer, and the screens that are open now, are good enough for driving.
 computer-settings-go = Measure this computer
-computer-owner = Only an owner measures this computer: ask one.
-computer-measured = This measures whether the control loop comes in time, what the system grants it, the free disk, the clock and the ports, and how many pictures a second each open screen draws. First open the screens that you want to know about, best with the 3D view.
+computer-owner = Only an owner can measure this computer: ask an owner.
+computer-measured = This measures whether the control loop runs on time, which rights the system gives it, the free disk space, the clock and the ports, and how many pictures a second each open screen draws. First open the screens that you want to measure, if possible with the 3D view.
 computer-go = Measure for { $seconds } s
 computer-again = Measure again
 computer-measuring = Measuring. { $left } s to go.

@@ -20,7 +20,11 @@ test-result = Test { $number }
 test-session = Session { $number }
 test-number = Test
 test-reached = { $acquired } targets reached, { $missed } missed within { $seconds } s.
-test-so-far = Until then, after { $seconds } s: { $count } targets.
+test-so-far =
+    { $count ->
+        [one] { $count } target was reached before the test ended, after { $seconds } s.
+       *[other] { $count } targets were reached before the test ended, after { $seconds } s.
+    }
 test-end-by-hand = This test was ended early, so it does not count.
 test-end-stopped = This test was stopped, so it does not count.
 test-end-fault = This test was interrupted, because the shirt or the program fell silent. It does not count.

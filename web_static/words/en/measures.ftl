@@ -2,7 +2,7 @@
 
 measure-of = of { $count }
 measure-details = Details: what these are called in publications
-measure-details-words = The distance driven is Dist of the 2008 study, the area off the path its E_diff: two loops around one place in opposite directions cancel in it, and the distance driven counts both. Smoothness is the spectral arc length (SPARC), the other measure of it the log dimensionless jerk: nearer to zero is smoother. A usual distance or error is the root of the mean square (rms).
+measure-details-words = The distance driven is Dist of the 2008 study, and the area off the path is E_diff. Two loops around one place in opposite directions cancel each other in E_diff; the distance driven counts both. Smoothness is the spectral arc length (SPARC), and the second measure of smoothness is the log dimensionless jerk. In both, a value nearer to zero is smoother. A usual distance or error is the root mean square (rms).
 interruption-halts =
     { $count ->
         [one] Halted once, { $seconds } s
@@ -18,7 +18,7 @@ interruption-person-stops =
         [one] Stopped once by a person, { $seconds } s
        *[other] Stopped { $count } times by a person, { $seconds } s
     }
-interruption-left-out = All measures are of the time in which the chair was permitted to move.
-interruption-ask = This trial counts when you say so.
+interruption-left-out = All measures cover only the time in which the chair was permitted to move.
+interruption-ask = This trial counts only after you tap “Count it”.
 interruption-column = Interruptions
 interruption-none = none

@@ -1,12 +1,12 @@
 ### Texts of the settings: what the owner allows here, and the chairs that are paired.
 
 prior-title = Help for new patients
-prior-lead = Each calibration that is taken into use, of a patient who consents, teaches the shirt how people move. A new patient can then drive the virtual chair after ten seconds of movement.
+prior-lead = From each calibration in use of a patient who consents, the program learns how people move in this shirt. A new patient can then drive the virtual chair after ten seconds of movement.
 prior-on = Learn from calibrations in use
 prior-few =
     { $count ->
-        [one] One patient has taught the shirt in use; { $needed } are needed.
-       *[other] { $count } patients have taught the shirt in use; { $needed } are needed.
+        [one] Movements of one patient in the shirt in use are known; { $needed } patients are needed.
+       *[other] Movements of { $count } patients in the shirt in use are known; { $needed } patients are needed.
     }
 prior-enough =
     { $count ->
@@ -15,13 +15,13 @@ prior-enough =
     }
 prior-off = Off: nothing is learnt, and new patients are calibrated first.
 settings-title = Settings
-settings-lead = What holds for everybody here.
-settings-read-only = Only an owner changes these.
+settings-lead = These settings apply to the whole clinic.
+settings-read-only = Only an owner can change these settings.
 limits-title = The clinic's limits
 limits-lead = Nobody drives faster than these limits. A set with higher numbers keeps its numbers, but the chair stays within these.
 limits-saving = saving…
 limits-saved = saved
-log-lead = Who signed in, looked, changed something, drove and stopped, and when. Rows are only ever added.
+log-lead = The log says who signed in, looked at something, changed something, drove or stopped, and when. Rows are added, but never changed or removed.
 log-checking = The log is being checked…
 log-check = Check again
 tablets-title = Tablets

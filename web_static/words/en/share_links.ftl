@@ -1,14 +1,14 @@
 ### Texts of the share links of a patient, which clinicians make, list and revoke.
 
 shares-title = Share links
-shares-lead = For somebody outside the clinic: read only, named by the code, for at most 14 days, with a PIN. The log has each opening. A report, made on Review, is a file that stays with whoever gets it.
+shares-lead = A share link shows the records to somebody outside the clinic. It can only be read, names the patient by the code, lasts at most 14 days, and needs a PIN. The log records each opening. A report, made on Review, is a file: whoever gets it can keep it.
 shares-none = There is no link that can be opened.
 shares-all = All sessions
 shares-session = Session { $number }
 shares-state-open = Can be opened
 shares-state-closed = Closed: no consent
 shares-state-revoked = Revoked
-shares-state-over = Its time is over
+shares-state-over = Expired
 shares-state-dead = Closed: five wrong PINs
 shares-until = Until { $moment }
 shares-openings-none = Not opened yet

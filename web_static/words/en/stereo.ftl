@@ -1,10 +1,10 @@
 ### Texts of the stereo page.
 
-stereo-open = Two eyes
-stereo-open-why = The patient’s view in depth. On a paired screen, write stereo.html in place of patient.html in the address.
+stereo-open = Stereo view
+stereo-open-why = The stereo view shows the patient’s view with depth. To open it on a paired screen, write stereo.html in place of patient.html in the address.
 stereo-open-link = Open
 stereo-title = bodydrive · stereo view
-stereo-settings = How the two eyes see
+stereo-settings = Settings of the stereo view
 stereo-lost = No connection to the program. The picture comes back by itself.
 stereo-waiting = There is no picture at the moment. It comes by itself when a session goes on.
 stereo-refused-title = This screen may not see the view yet
@@ -21,7 +21,7 @@ stereo-mode-red-cyan-why = Both pictures in one, for glasses with red before the
 stereo-apart = Eye distance
 stereo-apart-why = How far apart the eyes are. 63 mm is usual; less is calmer, 0 shows no depth.
 stereo-convergence = Screen distance
-stereo-convergence-why = What is this far away seems to lie on the screen; nearer things stand out of it.
+stereo-convergence-why = Things at this distance appear to be at the screen. Nearer things appear in front of it.
 stereo-far = Infinity
 stereo-swap-title = Eyes
 stereo-swap = Swap left and right

@@ -5,8 +5,8 @@ verdict-title = Better, or noise?
 verdict-column = Verdict
 verdict-noise = Within noise
 verdict-familiarisation = This is one of the first three trials of this task. They are for getting used to the task and are not compared.
-verdict-means = Noise is how much this person's own trials of this task differ without a change. A verdict needs five trials of the task in all, and from one session to the next also earlier sessions, or three other people of the clinic who did the task.
-verdict-chance = Only the three measures that lead in a task and how often the goal was reached have a verdict: where nothing changed, about one page in twenty says better or worse by chance.
+verdict-means = Noise is how much this person's own trials of this task differ without a change. A verdict needs five trials of the task in all. A verdict between two sessions also needs earlier sessions, or the trials of three other people of the clinic in this task.
+verdict-chance = Only the three leading measures of a task, and how often the goal was reached, have a verdict. Where nothing changed, about one page in twenty says better or worse by chance.
 verdict-missed = Between sessions, a trial that missed the goal counts at most as much as the worst tenth of the earlier trials that reached it.
 verdict-unpublished = No minimal detectable change has been published for these measures of wheelchair driving.
 verdict-sessions = Session { $later } ({ $second }) against session { $earlier } ({ $first })
@@ -29,5 +29,5 @@ verdict-few =
         [one] { $count } trial can be compared so far, { $needed } are needed.
        *[other] { $count } trials can be compared so far, { $needed } are needed.
     }
-verdict-few-sessions = { $count } trials can be compared, which is enough; to compare sessions, one more session is needed, or three other people of the clinic who did this task.
+verdict-few-sessions = { $count } trials can be compared, which is enough. To compare sessions, one more session is needed, or the trials of three other people of the clinic in this task.
 verdict-compare = Compare sessions

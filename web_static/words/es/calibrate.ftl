@@ -18,7 +18,7 @@ calibrate-skip = Omitir este movimiento
 calibrate-next = Siguiente
 calibrate-auto = Seguir automáticamente después de cada paso
 calibrate-ready-self = La persona simulada sigue las indicaciones del círculo: toque “{ $button }”.
-calibrate-ready-visitor = Usted es el cuerpo: mantenga pulsados los botones o las teclas como indica el círculo. Toque “{ $button }”.
+calibrate-ready-visitor = Usted mueve el cuerpo simulado: mantenga pulsados los botones o las teclas como indica el círculo. Cuando esté listo, toque “{ $button }”.
 calibrate-ready-patient = Cuando el paciente esté listo, toque “{ $button }”.
 calibrate-done = Hecho. Siga adelante o repita el paso.
 calibrate-poor = Se ha grabado, pero no serviría para conducir bien: repita el paso o siga así.
@@ -48,7 +48,7 @@ cue-seconds = { $seconds } s
 cue-next = Después: { $next }
 cue-trace = Las señales de la camiseta, últimos 10 segundos
 result-title = Lo que puede hacer este cuerpo
-result-lead = La claridad del movimiento principal de cada articulación y lo que se espera de él. Las marcas indican el 80 al 90 % del estudio de 2008.
+result-lead = Cada tarjeta muestra la claridad del movimiento principal de una articulación y el funcionamiento que se espera de él. Las marcas indican el 80 al 90 % del estudio de 2008.
 result-repeat = Repetir
 result-evr = Movimiento principal claro: { $percent }
 result-signal = Señal: { $word }
@@ -67,13 +67,13 @@ result-from-others-lead =
         [one] Aprendido de { $count } persona más.
        *[other] Aprendido de otras { $count } personas.
     }
-result-expected-hits = De 100 movimientos, obtienen respuesta unos { $value } (± { $uncertainty }).
-result-expected-false = En reposo actúa unas { $value } veces por minuto (± { $uncertainty }).
-result-expected-prompted = Con tres repeticiones de este movimiento, la primera cifra es más segura (± { $uncertainty }) y se sabe con qué frecuencia actúa en reposo.
-result-expected-hits-none = Todavía no se sabe cuántos de 100 movimientos obtienen respuesta: en el movimiento libre no hubo ninguno en esta dirección.
-result-expected-false-none = La frecuencia con que actúa en reposo se sabrá cuando se haya repetido este movimiento.
-result-expected-own-hits = De 100 movimientos, obtienen respuesta unos { $value }. Con tan pocas repeticiones solo se puede asegurar que son al menos { $bound }.
-result-expected-own-false = En reposo actúa { $value } veces por minuto. Con un reposo tan corto solo se puede asegurar que son menos de { $bound }.
+result-expected-hits = De 100 movimientos, se reconocen unos { $value } (± { $uncertainty }).
+result-expected-false = En reposo, este movimiento se reconoce por error unas { $value } veces por minuto (± { $uncertainty }).
+result-expected-prompted = Con tres repeticiones de este movimiento, la primera cifra es más segura (± { $uncertainty }). También se sabe entonces con qué frecuencia se reconoce por error en reposo.
+result-expected-hits-none = Todavía no se sabe cuántos de 100 movimientos se reconocen: en el movimiento libre no hubo ninguno en esta dirección.
+result-expected-false-none = Todavía no se sabe con qué frecuencia se reconoce este movimiento por error en reposo: antes hay que repetirlo.
+result-expected-own-hits = De 100 movimientos, se reconocen unos { $value }. Con tan pocas repeticiones solo se puede asegurar que son al menos { $bound }.
+result-expected-own-false = En reposo, este movimiento se reconoce por error { $value } veces por minuto. Con un reposo tan corto solo se puede asegurar que son menos de { $bound }.
 result-expected-none = Se sabrá si funciona bien cuando se haya repetido este movimiento.
 result-sits-shifted = La camiseta está girada ({ $joint }) el equivalente a { $count } de { $sensors } sensores.
 result-sits-mirrored = La camiseta está del revés o en el otro lado ({ $joint }).
@@ -133,8 +133,8 @@ result-accepted = Esta calibración está en uso.
 result-go-on = Seguir a los controles
 result-others-lead =
     { $count ->
-        [one] { $count } movimiento no se ha pedido: lo sustituyen calibraciones de otras personas. Conduzca ya o repita esa articulación.
-       *[other] { $count } movimientos no se han pedido: los sustituyen calibraciones de otras personas. Conduzca ya o repita una articulación.
+        [one] { $count } movimiento todavía no se ha grabado. Hasta entonces se usan para él calibraciones de otras personas. Conduzca ya o grabe antes el movimiento.
+       *[other] { $count } movimientos todavía no se han grabado. Hasta entonces se usan para ellos calibraciones de otras personas. Conduzca ya o grabe antes los movimientos.
     }
 result-missing = El resultado aparece cuando se han hecho todos los pasos.
 result-missing-lead =

@@ -19,6 +19,6 @@ interruption-person-stops =
        *[other] { $count } paradas por una persona, { $seconds } s
     }
 interruption-left-out = Todas las medidas corresponden al tiempo en que la silla podía moverse.
-interruption-ask = Este ensayo solo cuenta si usted lo indica.
+interruption-ask = Este ensayo solo cuenta si toca “Contarlo”.
 interruption-column = Interrupciones
 interruption-none = ninguna

@@ -60,5 +60,5 @@ replay-picture = Imagen de la reproducción
 replay-picture-off = La reproducción en 3D está desactivada: { $why }
 replay-picture-loading = La imagen está en camino…
 replay-picture-webgl = Esta pantalla no puede dibujar la vista 3D (su navegador no ofrece WebGL 2), así que la reproducción se muestra en el plano dibujado.
-replay-picture-context = el navegador le ha retirado los gráficos. Elija Plano o espere a que vuelvan.
+replay-picture-context = el navegador ha desactivado los gráficos de esta página. Elija Plano o espere a que vuelvan.
 replay-picture-again = Mostrarla en 3D

@@ -1,27 +1,27 @@
 ### Texts of the settings: what the owner allows here, and the chairs that are paired.
 
 prior-title = Ayuda para pacientes nuevos
-prior-lead = Cada calibración que se pone en uso, de un paciente que da su consentimiento, enseña a la camiseta cómo se mueven las personas. Así, un paciente nuevo puede conducir la silla virtual tras diez segundos de movimiento.
+prior-lead = De cada calibración en uso de un paciente que da su consentimiento, el programa aprende cómo se mueven las personas con esta camiseta. Así, un paciente nuevo puede conducir la silla virtual tras diez segundos de movimiento.
 prior-on = Aprender de las calibraciones en uso
 prior-few =
     { $count ->
-        [one] Un paciente ha enseñado a la camiseta en uso; se necesitan { $needed }.
-       *[other] { $count } pacientes han enseñado a la camiseta en uso; se necesitan { $needed }.
+        [one] Se conocen los movimientos de un paciente con la camiseta en uso; se necesitan { $needed } pacientes.
+       *[other] Se conocen los movimientos de { $count } pacientes con la camiseta en uso; se necesitan { $needed } pacientes.
     }
 prior-enough =
     { $count ->
-        [one] { $count } paciente ha enseñado a la camiseta en uso.
-       *[other] { $count } pacientes han enseñado a la camiseta en uso.
+        [one] Se conocen los movimientos de { $count } paciente con la camiseta en uso.
+       *[other] Se conocen los movimientos de { $count } pacientes con la camiseta en uso.
     }
 prior-off = Desactivado: no se aprende nada y los pacientes nuevos se calibran primero.
 settings-title = Ajustes
-settings-lead = Lo que vale para todos aquí.
+settings-lead = Estos ajustes se aplican a toda la clínica.
 settings-read-only = Solo los administradores pueden cambiar estos ajustes.
 limits-title = Los límites de la clínica
 limits-lead = Nadie conduce más rápido. Una configuración con valores mayores los conserva, pero se conduce dentro de estos límites.
 limits-saving = guardando…
 limits-saved = guardado
-log-lead = Quién entró, consultó, cambió algo, condujo y paró, y cuándo. Solo se añaden filas.
+log-lead = El registro indica quién entró, consultó algo, cambió algo, condujo o paró, y cuándo. Las filas se añaden, pero nunca se cambian ni se quitan.
 log-checking = Comprobando el registro…
 log-check = Comprobar
 tablets-title = Tabletas

@@ -1,10 +1,10 @@
 ### Texts of the stereo page.
 
-stereo-open = Dos ojos
-stereo-open-why = La vista del paciente en profundidad. En una pantalla vinculada, escriba en la dirección stereo.html en lugar de patient.html.
+stereo-open = Vista estéreo
+stereo-open-why = La vista estéreo muestra la vista del paciente con profundidad. Para abrirla en una pantalla vinculada, escriba en la dirección stereo.html en lugar de patient.html.
 stereo-open-link = Abrir
 stereo-title = bodydrive · vista estéreo
-stereo-settings = Cómo ven los dos ojos
+stereo-settings = Ajustes de la vista estéreo
 stereo-lost = Sin conexión con el programa. La imagen vuelve sola.
 stereo-waiting = No hay imagen en este momento. Aparece automáticamente cuando hay una sesión en marcha.
 stereo-refused-title = Esta pantalla todavía no puede mostrar la vista

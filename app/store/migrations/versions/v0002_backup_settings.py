@@ -9,6 +9,13 @@ down_revision = "0001"
 SETTINGS = "folder, hour, with_keys"
 
 
+def _rename(before: str, now: str) -> None:
+    """Rename a column of `made_backup`, which a program without the feature `backup` has not made."""
+    if sa.inspect(op.get_bind()).has_table("made_backup"):
+        with op.batch_alter_table("made_backup") as table:
+            table.alter_column(before, new_column_name=now)
+
+
 def upgrade() -> None:
     """Move folder, hour and keys out of `record_keeping`."""
     op.create_table(
@@ -22,14 +29,12 @@ def upgrade() -> None:
     with op.batch_alter_table("record_keeping") as table:
         for name in ("folder", "hour", "with_keys"):
             table.drop_column(name)
-    with op.batch_alter_table("made_backup") as table:
-        table.alter_column("words", new_column_name="message")
+    _rename("words", "message")
 
 
 def downgrade() -> None:
     """Move them back."""
-    with op.batch_alter_table("made_backup") as table:
-        table.alter_column("message", new_column_name="words")
+    _rename("message", "words")
     with op.batch_alter_table("record_keeping") as table:
         table.add_column(sa.Column("folder", sa.String()))
         table.add_column(sa.Column("hour", sa.Integer(), nullable=False, server_default="2"))

@@ -69,5 +69,5 @@ CALIBRATE_PLACES: dict[str, Open] = {
     "calibrate, missing": steps(calibration_at("result"), viewed(lacking)),
     "calibrate, turned": sits_otherwise("It sits right", arrangement=Arrangement(shift=3)),
     "calibrate, mirrored": sits_otherwise("It sits right", arrangement=Arrangement(mirrored=True)),
-    "calibrate, as worn": sits_otherwise("Take it as turned", as_worn=Arrangement(shift=3)),
+    "calibrate, as worn": sits_otherwise("Treat it as turned", as_worn=Arrangement(shift=3)),
 }
