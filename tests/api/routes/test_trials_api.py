@@ -6,7 +6,9 @@ from typing import Any
 
 import anyio
 import anyio.to_thread
+import pytest
 from api.fake_clinic import WHERE, Clinic
+from clinic_rows import plan_at
 
 from app.api.one_controller import ANOTHER
 from app.session.trial import TrialFlow
@@ -188,3 +190,18 @@ def test_only_who_started_a_trial_goes_on_and_ends_it_and_anybody_stops(calibrat
             assert calibrated.refused(409, "POST", path, json=body) == ANOTHER
     calibrated.good("POST", "/control/clear", json={"stops": 1})
     calibrated.end_trial()
+
+
+EVEN = (2.0, 2.1, 1.9, 2.0, 2.05, 1.95, 2.0, 2.1, 1.9, 2.0)  # m2 off the path
+
+
+@pytest.mark.parametrize(
+    ("newest", "expected"), [(2.0, ("door.medium", "next level")), (9.0, ("door.easy", "again"))], ids=["even", "worse"]
+)
+def test_the_next_level_waits_while_a_trial_is_worse_than_noise(signed_in: Any, newest: float, expected: Any) -> None:
+    good = {"time": 60.0, "path_length": 5.0, "reached": True, "collisions": 0}
+    with signed_in.rows() as rows:
+        patient = rows.patient()
+        rows.course(patient, plan_at("door.easy"), [[{**good, "e_diff": area} for area in (*EVEN, newest)]])
+    found = signed_in.good("GET", f"/patients/{patient.id}/next-task", params={"source": "simulated"})
+    assert (found["floorplan"], found["reason"]) == expected
