@@ -3,11 +3,12 @@
 from typing import Any
 
 import pytest
-from clinic_rows import WORN, ClinicRows
+from clinic_rows import SIMULATED, WORN, ClinicRows
 from sqlalchemy import Connection, event
 
 from app.clock import utc_now
 from app.source import UNKNOWN_SOURCE
+from app.store.adaptation_material import material_for
 from app.store.learning_trials import (
     compared_trials,
     count_of_everybody,
@@ -97,3 +98,13 @@ def test_a_patients_trials_in_a_task_are_found_without_reading_everybodys(rows: 
     counted_trials(rows.db, patient.id, "room", "ahead")
     assert len(plans) == 1
     assert "(patient_id=? AND floorplan=? AND path=?" in plans[0]
+
+
+def test_worn_simulated_and_unknown_trials_are_never_material_together(rows: ClinicRows) -> None:
+    """Safety S26: a movement that nobody made does not change the map of a person, nor the other way round."""
+    session = rows.open_session()
+    for name, source in (("worn", WORN), ("simulated", SIMULATED), ("unknown", UNKNOWN_SOURCE)):
+        rows.trial(session, source=source, run=name)
+    for simulated, name in ((False, "worn"), (True, "simulated"), (None, "unknown")):
+        material = material_for(rows.db, session.patient_id, session.id, simulated=simulated)
+        assert (material.run_ids, material.fresh, [past.run_id for past in material.past]) == ([name], 1, [name])

@@ -187,4 +187,3 @@ def test_a_clinic_without_the_tables_of_a_feature_is_upgraded_too(tmp_path: Path
         connection.execute("DROP TABLE made_backup")
     assert "made_backup" not in rows_of(migrated(file))
     down_to(file, FIRST)
-    assert revision_of(file) == FIRST

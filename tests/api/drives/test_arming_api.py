@@ -3,8 +3,7 @@
 from typing import Any
 
 import pytest
-from api.drives.chair_drives import arm
-from api.fake_clinic import WHERE, WORD, Clinic, sentence_of
+from api.fake_clinic import WHERE, WORD, Clinic, arm, sentence_of
 
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.hardware.shirt.kind import NO_KEY

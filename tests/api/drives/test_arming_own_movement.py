@@ -3,8 +3,7 @@
 from typing import Any
 
 import pytest
-from api.drives.chair_drives import arm
-from api.fake_clinic import sentence_of
+from api.fake_clinic import arm, sentence_of
 from api.fake_process import profile_for
 
 from building import AGREES, taught_by_others

@@ -4,8 +4,7 @@ import time
 from typing import Any
 
 import pytest
-from api.drives.chair_drives import arm
-from api.fake_clinic import WHERE, WORD
+from api.fake_clinic import WHERE, WORD, arm
 
 from app.api.live.live_picture import ClinicLive
 from app.faults import Fault, State

@@ -4,7 +4,7 @@ from datetime import timedelta
 from typing import Any
 
 import pytest
-from api.drives.chair_drives import arm
+from api.fake_clinic import arm
 
 from app.clock import utc_now
 from app.store import log
