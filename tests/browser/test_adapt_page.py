@@ -76,7 +76,7 @@ def test_a_suggestion_is_looked_at_applied_and_taken_back(tablet):
     drive_for_a_while(page)
     drive_for_a_while(page)
     page.get_by_role("link", name="A change of the calibration is suggested").click()
-    expect(page.get_by_text("Felt change")).to_be_visible()
+    expect(page.get_by_text("Felt change", exact=True)).to_be_visible()
     expect(page.locator(".adapt-joint").first).to_contain_text("of the time of its movements does not count")
     expect(page.locator(".adapt-head")).to_contain_text("A real chair can be armed only with a set that was practised")
     fits(page, "main .btn, main .choice")
