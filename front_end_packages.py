@@ -48,7 +48,6 @@ class CopiedFile(NamedTuple):
     source: str
     name: str  # of the copy, in web_static/vendor/PACKAGE/
     module: str = ""  # the name by which other modules import it; TypeScript finds its types by this name
-    end: str = ""  # what the copy has more, at its end
 
     @property
     def place(self) -> str:
@@ -65,9 +64,6 @@ FILES: Final = (
     CopiedFile("preact", "hooks/dist/hooks.mjs", "hooks.js", "preact/hooks"),
     CopiedFile("@preact/signals", "dist/signals.mjs", "signals.js", "@preact/signals"),
     CopiedFile("@preact/signals-core", "dist/signals-core.mjs", "signals-core.js", "@preact/signals-core"),
-    # As a module uPlot is only there with all its white space: 42 kB instead of 22 kB, compressed.
-    CopiedFile("uplot", "dist/uPlot.iife.min.js", "uplot.js", "uplot", end="\nexport default uPlot;\n"),
-    CopiedFile("uplot", "dist/uPlot.min.css", "uplot.css"),
     CopiedFile("plotly.js-basic-dist-min", "plotly-basic.min.js", "plotly-basic.min.js"),
 )
 MODULES: Final = {file.module: file for file in FILES if file.module}
@@ -166,7 +162,8 @@ def _copy(root: Path, node_modules: Path, folder: Path) -> None:
         copy = folder / file.place
         copy.write_text(_linked(text, file) if file.module else text, "utf-8")
         if file.module:
-            copy.with_suffix(".d.ts").write_text(_types(file), "utf-8")
+            # The types of the copy are those of the package in node_modules.
+            copy.with_suffix(".d.ts").write_text(f'export * from "{file.module}";\n', "utf-8")
 
 
 def _licence(root: Path, node_modules: Path, package: LockedPackage) -> str:
@@ -193,13 +190,7 @@ def _linked(text: str, file: CopiedFile) -> str:
         path = relpath(MODULES[found[1]].place, file.package)
         return f'from"{path if path.startswith("../") else f"./{path}"}"'
 
-    return IMPORTED.sub(relative, SEVERAL_ON_A_LINE.sub(r"\1\n", SOURCE_MAP.sub("", text))) + file.end
-
-
-def _types(file: CopiedFile) -> str:
-    """Return the types of a copy: those of the package in node_modules."""
-    names = "{ default }" if "export default" in file.end else "*"
-    return f'export {names} from "{file.module}";\n'
+    return IMPORTED.sub(relative, SEVERAL_ON_A_LINE.sub(r"\1\n", SOURCE_MAP.sub("", text)))
 
 
 if __name__ == "__main__":

@@ -57,7 +57,7 @@ def notices(root: Path, foreign: list[Foreign]) -> str:
     for name, version, licence, pattern, text in foreign:
         files = sorted(file.relative_to(root).as_posix() for file in root.glob(pattern) if file != root / text)
         if not files:
-            raise FileNotFoundError(f"The licence of {name} should be {pattern}, and there is no such file")
+            raise FileNotFoundError(f"A wheel would lack {name}: there is no file {pattern}")
         parts.append(f"{notice_head(name, version, licence, ', '.join(files))}\n{(root / text).read_text()}")
     return f"\n{'=' * 80}\n\n".join(parts)
 

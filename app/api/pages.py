@@ -42,6 +42,7 @@ FOR_EVER: Final = "public, max-age=31536000, immutable"
 ASK_AGAIN: Final = "no-cache"  # a browser asks each time whether its copy is still good
 
 WORDS: Final = "words"  # the folder of the messages in Fluent: words/LANGUAGE/*.ftl
+LANGUAGES: Final = ("en",)  # that the pages offer
 ALONE: Final = frozenset({"help", "tablet"})  # files of messages that are loaded only where they are shown
 SHARED: Final = "pages"  # the module with the messages of all other files
 
@@ -193,10 +194,11 @@ def word_modules(folder: Path) -> dict[str, bytes]:
     have the pages' version and are loaded at once with the others, as nothing else would be.
     """
     parts: dict[str, list[str]] = defaultdict(list)
-    for file in sorted((folder / WORDS).glob("*/*.ftl")):
-        module = file.stem if file.stem in ALONE else SHARED
-        lines = file.read_text(encoding="utf-8").splitlines()
-        parts[f"{WORDS}/{file.parent.name}/{module}.ftl.js"] += [line for line in lines if not line.startswith("#")]
+    for language in LANGUAGES:
+        for file in sorted((folder / WORDS / language).glob("*.ftl")):
+            module = file.stem if file.stem in ALONE else SHARED
+            lines = file.read_text(encoding="utf-8").splitlines()
+            parts[f"{WORDS}/{language}/{module}.ftl.js"] += [line for line in lines if not line.startswith("#")]
     texts = {name: json.dumps("\n".join(lines), ensure_ascii=False) for name, lines in parts.items()}
     return {name: f"export default {text};\n".encode() for name, text in texts.items()}
 

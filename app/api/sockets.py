@@ -81,21 +81,21 @@ class OpenSockets:
 
     async def _admit(self, websocket: WebSocket, find: Find[Who]) -> Who | None:
         if host_is_ours(self._settings, websocket.headers) and origin_is_ours(websocket):
-            person = await asyncio.to_thread(find, self._database, websocket)
-            if person is not None:
-                return person
+            viewer = await asyncio.to_thread(find, self._database, websocket)
+            if viewer is not None:
+                return viewer
         await websocket.close(SIGNED_OUT)
         return None
 
     @asynccontextmanager
     async def guarded(
-        self, websocket: WebSocket, person: SignedInPerson | PairedScreen, sees: Sees = lambda _person: True
+        self, websocket: WebSocket, viewer: SignedInPerson | PairedScreen, sees: Sees = lambda _viewer: True
     ) -> AsyncIterator[None]:
         """Close the accepted websocket within CHECK_EVERY of the end of the sign-in or pairing, however it ends.
 
         It is closed, too, when the person may no longer see (`sees`) what it shows.
         """
-        self._open[websocket] = Guarded(person, sees)
+        self._open[websocket] = Guarded(viewer, sees)
         if self._watching is None or self._watching.done():
             self._watching = asyncio.create_task(self._watch())
         try:
@@ -123,16 +123,16 @@ class OpenSockets:
             of_cookie[kind, cookie].append(websocket)
         ending: dict[WebSocket, int] = {}
         for (kind, _), those in of_cookie.items():
-            person = await self._find_again(kind, those[0])
+            viewer = await self._find_again(kind, those[0])
             for websocket in those:
                 if websocket not in self._open:
                     continue  # it ended by itself meanwhile
-                if person is None:
+                if viewer is None:
                     ending[websocket] = SIGNED_OUT
                     continue
                 sees = self._open[websocket].sees
-                self._open[websocket] = Guarded(person, sees)
-                if not sees(person):
+                self._open[websocket] = Guarded(viewer, sees)
+                if not sees(viewer):
                     ending[websocket] = NOT_VISIBLE
         await self._close(ending)
 
@@ -175,12 +175,12 @@ class OpenSockets:
     async def close_ended_screens(self) -> None:
         """Close every websocket of a patient's screen that was unpaired or whose session has ended."""
         await self._check(
-            [websocket for websocket, (person, _) in self._open.items() if isinstance(person, PairedScreen)]
+            [websocket for websocket, (viewer, _) in self._open.items() if isinstance(viewer, PairedScreen)]
         )
 
     def screens(self) -> set[int]:
         """Return the ids of the patient's screens that are connected."""
-        return {person.screen_id for person, _ in list(self._open.values()) if isinstance(person, PairedScreen)}
+        return {viewer.screen_id for viewer, _ in list(self._open.values()) if isinstance(viewer, PairedScreen)}
 
     async def close_all(self) -> None:
         """Close every websocket: the process is about to end."""

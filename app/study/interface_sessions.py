@@ -106,7 +106,7 @@ def run_interface_sessions(
 
 
 def run_interface_seeds(
-    person: PersonKind,
+    kind: PersonKind,
     seeds: Sequence[int],
     sessions: int,
     trials: int,
@@ -115,13 +115,13 @@ def run_interface_seeds(
     processes: int = 1,
 ) -> Iterator[list[InterfaceSession]]:
     """Return all sessions of one seed after the other; the results do not depend on `processes`."""
-    return each_seed(partial(_run_seed, person, sessions, trials, floorplan, path), seeds, processes)
+    return each_seed(partial(_run_seed, kind, sessions, trials, floorplan, path), seeds, processes)
 
 
 def _run_seed(
-    person: PersonKind, sessions: int, trials: int, floorplan: FloorPlan, path: PrescribedPath, seed: int
+    kind: PersonKind, sessions: int, trials: int, floorplan: FloorPlan, path: PrescribedPath, seed: int
 ) -> list[InterfaceSession]:
-    return run_interface_sessions(calibrated_participant(person, seed), sessions, trials, floorplan, path)
+    return run_interface_sessions(calibrated_participant(kind, seed), sessions, trials, floorplan, path)
 
 
 def interface_summary(rows: Sequence[InterfaceSession]) -> InterfaceSummary:

@@ -66,24 +66,24 @@ class StudySessionTrial:
 class CalibratedParticipant:
     """A participant just after the calibration; each condition of the study begins with one, equal by its seed."""
 
-    who: PersonKind
+    kind: PersonKind
     seed: int
     participant: Participant
     profile: CalibrationProfile
 
 
-def calibrated_participant(person: PersonKind, seed: int, map_kind: StudyMap = "pca") -> CalibratedParticipant:
+def calibrated_participant(kind: PersonKind, seed: int, map_kind: StudyMap = "pca") -> CalibratedParticipant:
     """Return a participant with this seed, with the profile of the calibration.
 
     For a map from other people the participant wears the simulated shirt that a prior ships for; for the others, a
     shirt of one's own.
     """
     if map_kind == "prior":
-        participant = Participant(SimulatedPerson(PERSONS[person], seed), shirt_layout(), SAMPLE_RATE, GARMENT)
+        participant = Participant(SimulatedPerson(PERSONS[kind], seed), shirt_layout(), SAMPLE_RATE, GARMENT)
         participant.wear(seed + SEEDS_APART)
-        return CalibratedParticipant(person, seed, participant, calibrate_with_prior(participant, _other_people()))
-    participant = Participant(SimulatedPerson(PERSONS[person], seed), shirt_layout(), SAMPLE_RATE, seed + SEEDS_APART)
-    return CalibratedParticipant(person, seed, participant, calibrate(participant, map_kind))
+        return CalibratedParticipant(kind, seed, participant, calibrate_with_prior(participant, _other_people()))
+    participant = Participant(SimulatedPerson(PERSONS[kind], seed), shirt_layout(), SAMPLE_RATE, seed + SEEDS_APART)
+    return CalibratedParticipant(kind, seed, participant, calibrate(participant, map_kind))
 
 
 def run_sessions(
@@ -136,7 +136,7 @@ def begin_session(
     """
     participant = first.participant
     participant.person.begin_session(session)
-    if first.who != "redonned" or session == 1:
+    if first.kind != "redonned" or session == 1:
         return parameters
     participant.don_again()
     free = _free_movement(participant)
@@ -155,7 +155,7 @@ def each_seed(run: Callable[[int], Rows], seeds: Sequence[int], processes: int) 
 
 
 def run_participants(
-    person: PersonKind,
+    kind: PersonKind,
     seeds: Sequence[int],
     modes: Sequence[Mode],
     sessions: int,
@@ -170,12 +170,12 @@ def run_participants(
 
     Up to `processes` seeds are driven at once; the results do not depend on their number.
     """
-    run = partial(_run_participant, person, modes, sessions, trials, floorplan, path, map_kind)
+    run = partial(_run_participant, kind, modes, sessions, trials, floorplan, path, map_kind)
     return each_seed(run, seeds, processes)
 
 
 def _run_participant(
-    person: PersonKind,
+    kind: PersonKind,
     modes: Sequence[Mode],
     sessions: int,
     trials: int,
@@ -187,7 +187,7 @@ def _run_participant(
     return [
         row
         for mode in modes
-        for row in run_sessions(mode, calibrated_participant(person, seed, map_kind), sessions, trials, floorplan, path)
+        for row in run_sessions(mode, calibrated_participant(kind, seed, map_kind), sessions, trials, floorplan, path)
     ]
 
 

@@ -20,6 +20,7 @@ from bench.children import module
 from bench.period import measure_period
 from bench.processes.junk import KEY_ID
 from bench.processes.measured_chair import MeasuredChair
+from bench.turn import PARTS, measure_turn
 from bench.web.stop import measure_stop
 
 
@@ -92,3 +93,10 @@ def test_it_answers_a_hello_and_notes_the_commands_that_it_accepts() -> None:
         send(2, STOP)  # noted although it makes a new nonce
         wait_for(2)
         assert [noted.flags for _, noted in chair.commands] == [0, STOP]
+
+
+def test_every_part_of_a_turn_is_measured() -> None:
+    rows = measure_turn(runs=1, frames=200, echoes=20)
+    assert [row.what.partition(": ")[2] for row in rows] == list(PARTS.values())
+    assert all(row.figure >= 0.0 for row in rows)
+    assert sum(row.figure > 0.0 for row in rows) >= len(rows) - 1  # a busy machine may have no waking to see

@@ -1,7 +1,6 @@
 """A real control process for tests, with a heartbeat."""
 
 import asyncio
-import functools
 from contextlib import asynccontextmanager, suppress
 
 import pytest
@@ -24,16 +23,6 @@ ROOM = {
 
 
 IN_VIEW = {"screen_age": 0.0, "screen": "in view"}
-
-
-def in_event_loop(test):
-    """Run a test that is a coroutine function in an event loop of its own."""
-
-    @functools.wraps(test)
-    def run(*arguments, **keywords):
-        asyncio.run(test(*arguments, **keywords))
-
-    return run
 
 
 @asynccontextmanager

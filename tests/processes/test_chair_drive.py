@@ -7,7 +7,7 @@ from contextlib import asynccontextmanager
 
 import pytest
 from processes.chair_process import ReceiverProcess
-from processes.running_control import ROOM, armed, clear, in_event_loop, refusal, running, tick_with, until, worn
+from processes.running_control import ROOM, armed, clear, refusal, running, tick_with, until, worn
 from processes.udp_shirt import paired_key_file
 
 from app.clock import monotonic
@@ -15,6 +15,7 @@ from app.faults import Fault, State
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.recording.reader import read_run
 from building import make_parameters
+from event_loop import in_event_loop
 
 CRUISING = make_parameters()  # acceleration mode: after one stroke the chair cruises while the hands rest
 VELOCITY = CRUISING.model_copy(update={"mode_u1": "velocity"})

@@ -11,18 +11,7 @@ from contextlib import closing
 
 import numpy as np
 import pytest
-from processes.running_control import (
-    PATIENCE,
-    ROOM,
-    SIMULATED,
-    in_event_loop,
-    linked,
-    refusal,
-    running,
-    tick_with,
-    until,
-    worn,
-)
+from processes.running_control import PATIENCE, ROOM, SIMULATED, linked, refusal, running, tick_with, until, worn
 from processes.udp_shirt import RATE, free_port, shirt_config
 
 from app.faults import Fault, State
@@ -31,6 +20,7 @@ from app.process.command_channel import LinkLost
 from app.process.supervisor import ControlProcess, launch
 from app.recording.reader import read_run
 from building import make_parameters
+from event_loop import in_event_loop
 
 
 @in_event_loop

@@ -6,13 +6,14 @@ import signal
 
 import psutil
 import pytest
-from processes.running_control import in_event_loop, linked, until
+from processes.running_control import linked, until
 
 from app.clock import monotonic
 from app.faults import State
 from app.refusals import Unavailable
 from app.session import control_link as control_module
 from app.session.control_link import HANG_LIMIT, STOP_LIMIT
+from event_loop import in_event_loop
 
 LOAD = 1.0  # s of lateness of a busy machine
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from odd_values import odd_values
-from processes.running_control import SIMULATED, in_event_loop, refusal, running, tick_with
+from processes.running_control import SIMULATED, refusal, running, tick_with
 
 from app.api.app import create_app
 from app.computing_process import ComputingProcess
@@ -21,6 +21,7 @@ from app.store.database import Database
 from app.store.people import add_clinic
 from app.visible_text import visible_line
 from building import make_layout
+from event_loop import in_event_loop
 
 with warnings.catch_warnings():
     # Starlette announces the successor of httpx, which is not needed here.

@@ -2,13 +2,14 @@
 
 import numpy as np
 import pytest
-from processes.running_control import ROOM, SIMULATED, armed, in_event_loop, refusal, running, tick_with, worn
+from processes.running_control import ROOM, SIMULATED, armed, refusal, running, tick_with, worn
 
 from app.faults import Fault, State
 from app.pipeline.replay.exact_rerun import Rerun, replay_run
 from app.pipeline.replay.rerun import decode_run
 from app.recording.reader import read_run
 from building import make_parameters
+from event_loop import in_event_loop
 
 SOURCE = {"shirt": "simulator", "body": "person", "chair": "virtual", "simulated": True}
 

@@ -4,13 +4,14 @@ import asyncio
 
 import numpy as np
 import pytest
-from processes.running_control import IN_VIEW, ROOM, armed, in_event_loop, running, tick_with, worn
+from processes.running_control import IN_VIEW, ROOM, armed, running, tick_with, worn
 
 from app.faults import Fault, State
 from app.pipeline.replay.exact_rerun import Rerun, replay_run
 from app.recording.reader import read_run
 from app.session.recordings import measure_again
 from building import make_parameters
+from event_loop import in_event_loop
 
 
 @in_event_loop

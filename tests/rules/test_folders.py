@@ -1,5 +1,6 @@
 """The rules for folders and files: one subject each, few enough to be seen at once, named once."""
 
+import ast
 import subprocess
 from collections import defaultdict
 from pathlib import PurePosixPath
@@ -85,4 +86,14 @@ def test_a_test_has_a_name_of_its_own():
     places = defaultdict(list)
     for file in tests:
         places[file.name].append(str(file))
+    assert {name: files for name, files in places.items() if len(files) > 1} == {}
+
+
+def test_a_class_name_has_one_meaning() -> None:
+    """Who reads a name knows which class is meant."""
+    places: dict[str, list[str]] = defaultdict(list)
+    for file in (ROOT / "app").rglob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text())):
+            if isinstance(node, ast.ClassDef):
+                places[node.name].append(str(file.relative_to(ROOT)))
     assert {name: files for name, files in places.items() if len(files) > 1} == {}

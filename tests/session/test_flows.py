@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 import pytest
 from clinic_rows import rows_in
-from processes.running_control import in_event_loop
 
 from app.messages import TICK
 from app.refusals import Conflict, Unavailable
@@ -19,6 +18,7 @@ from app.session.trial import TrialFlow
 from app.source import UNKNOWN_SOURCE
 from app.store.database import Database
 from app.store.tables import Run
+from event_loop import in_event_loop
 
 
 class FakeControl:

@@ -179,11 +179,7 @@ def test_the_settings_of_backups_go_with_their_table_and_come_back(tmp_path: Pat
     assert after["made_backup"][0]["message"] == VALUES[str]
     down_to(file, FIRST)
     assert rows_of(file)["record_keeping"] == before
-
-
-def test_a_clinic_without_the_tables_of_a_feature_is_upgraded_too(tmp_path: Path) -> None:
-    file = migrated(tmp_path / "clinic.sqlite", FIRST)
     with closing(sqlite3.connect(file)) as connection, connection:
-        connection.execute("DROP TABLE made_backup")
+        connection.execute("DROP TABLE made_backup")  # of a program that never had the feature
     assert "made_backup" not in rows_of(migrated(file))
     down_to(file, FIRST)

@@ -12,12 +12,12 @@ class ClinicPlaces:
     """Finds the places to drive in by name; `folder` is that of the clinic's own floor plans."""
 
     def __init__(self, folder: Path) -> None:
-        self.own = folder
+        self.folder = folder
 
     def all(self) -> dict[str, DrivingPlace]:
         """Return all places by name: scenes, buildings, then the clinic's own plans that can be read."""
         places: dict[str, DrivingPlace] = {}
-        for file in sorted(self.own.glob("*.json")):
+        for file in sorted(self.folder.glob("*.json")):
             with suppress(ValueError):
                 places[file.stem] = DrivingPlace(load_floorplan(file))
         bundled = bundled_places()
@@ -25,7 +25,7 @@ class ClinicPlaces:
 
     def plan(self, name: str) -> FloorPlan | None:
         """Return a floor plan by its name, None when there is none; ValueError when it cannot be read."""
-        return find_floorplan(self.own, name)
+        return find_floorplan(self.folder, name)
 
     def first(self) -> tuple[FloorPlan, str] | tuple[None, None]:
         """Return the first readable floor plan and its first path, for the view before the first trial."""

@@ -99,7 +99,7 @@ def needed_plan(places: ClinicPlaces, name: str) -> FloorPlan:
     try:
         plan = places.plan(name)
     except ValueError as error:
-        reason = str(error).removeprefix(f"{places.own / name}.json").lstrip(":, ")
+        reason = str(error).removeprefix(f"{places.folder / name}.json").lstrip(":, ")
         raise HTTPException(
             409, f"The floor plan '{name}' cannot be used: {reason}, then save or import it again."
         ) from error

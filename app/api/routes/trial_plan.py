@@ -22,7 +22,7 @@ class TrialPlan(Document):
 
 @router.get("/view/{role}/plan")
 def shown_plan(
-    person: Annotated[SignedInPerson | PairedScreen, Depends(viewer)],
+    requester: Annotated[SignedInPerson | PairedScreen, Depends(viewer)],
     trial_flow: TrialFlowPart,
     session_flow: SessionFlowPart,
 ) -> TrialPlan | None:
@@ -31,6 +31,6 @@ def shown_plan(
     The patient's is for the patient's screens, too.
     """
     trial = trial_flow.current
-    if trial is None or not person.sees(session_flow.patient_id):
+    if trial is None or not requester.sees(session_flow.patient_id):
         return None
     return TrialPlan(trial=trial.id, floorplan=trial.plan, path=trial.path.name)

@@ -150,7 +150,7 @@ def compare_two(
             floorplan=task.floorplan,
             floorplan_title=titles[task],
             path=task.path,
-            path_title=path_title(places.own, task.floorplan, task.path),
+            path_title=path_title(places.folder, task.floorplan, task.path),
             source=task.group,
             trials=(driven[0][task], driven[1][task]),
             counted=(_of_session(task_rows, earlier), _of_session(task_rows, later)),

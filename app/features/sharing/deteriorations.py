@@ -67,7 +67,7 @@ class Deteriorations:
     def _work(self) -> None:
         try:
             while (task := self._next()) is not None:
-                self._keep(task, self._found(task))
+                self._keep(task, self._computed(task))
         except (Refusal, OSError, ValueError, RuntimeError) as error:
             LOG.warning("What has become worse is not known for every patient: %s", error)
             with self._lock:
@@ -86,7 +86,7 @@ class Deteriorations:
             self._known.store({task: deterioration})
             self._missing.pop(task, None)
 
-    def _found(self, task: CountedTask) -> Deterioration | None:
+    def _computed(self, task: CountedTask) -> Deterioration | None:
         with every_patient(), self._database.reading() as db:
             patient = db.get(Patient, task.patient_id)
             if patient is None:  # deleted meanwhile

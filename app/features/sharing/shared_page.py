@@ -95,16 +95,16 @@ class SharedLearning:
     def _of_task(
         self, task: Task, patient_id: int, shown: list[CountedTrial], until: list[CountedTrial]
     ) -> TaskLearning:
-        rows = [shown_trial.row() for shown_trial in shown]
+        rows = [counted.row() for counted in shown]
         clinic = self.spread.of_others(task, patient_id)
-        compared = self.computing.ask(task_verdicts, [shown_trial.row() for shown_trial in until], clinic, ()).sessions
+        compared = self.computing.ask(task_verdicts, [counted.row() for counted in until], clinic, ()).sessions
         verdicts = compared[0].verdicts if compared else {}
-        newest = [shown_trial.trial for shown_trial in shown[-MOST_TRAJECTORIES:]]
+        newest = [counted.trial for counted in shown[-MOST_TRAJECTORIES:]]
         recordings = [(trial.number, self.runs.folder_of(trial.run_id)) for trial in newest]
         return TaskLearning(
             floorplan_title=newest[-1].floorplan_title,
             path_name=task.path,
-            path_title=path_title(self.places.own, task.floorplan, task.path),
+            path_title=path_title(self.places.folder, task.floorplan, task.path),
             source=task.group,
             trials=rows,
             curves=self.computing.ask(learning_curves, rows, tuple(TRIAL_MEASURES), clinic),

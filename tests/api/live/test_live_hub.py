@@ -4,13 +4,13 @@ import asyncio
 from typing import ClassVar
 
 import pytest
-from processes.running_control import in_event_loop
 from pydantic import BaseModel
 from starlette.websockets import WebSocketState
 
 from app.api.live import hub as hub_module
 from app.api.live.hub import LiveHub, Viewer
 from app.api.sockets import CUT_OFF
+from event_loop import in_event_loop
 
 
 class Shown(BaseModel):

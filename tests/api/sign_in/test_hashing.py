@@ -7,13 +7,13 @@ from contextlib import asynccontextmanager
 import psutil
 import pytest
 from argon2 import PasswordHasher, extract_parameters
-from processes.running_control import in_event_loop
 
 from app.api.sign_in import hashing
 from app.api.sign_in.hashing import Busy, Hashing
 from app.api.sign_in.hashing_process import answer
 from app.child_process import JsonChild
 from app.refusals import Unavailable
+from event_loop import in_event_loop
 
 
 @asynccontextmanager

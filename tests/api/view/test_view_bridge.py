@@ -13,7 +13,6 @@ import websockets
 from browser.served.view_app import running
 from fastapi import FastAPI, HTTPException
 from fastapi.testclient import TestClient
-from processes.running_control import in_event_loop
 from starlette.websockets import WebSocketDisconnect
 
 from app.api.view import view_bridge
@@ -21,6 +20,7 @@ from app.api.view.view_bridge import page_headers, view_router
 from app.api.view.view_controls import view_controls
 from app.scene.client_messages import SUBPROTOCOL
 from app.world.floorplan import bundled_floorplans, load_floorplan
+from event_loop import in_event_loop
 
 PLAN = load_floorplan(bundled_floorplans()["corridors"])
 

@@ -7,7 +7,6 @@ from types import SimpleNamespace
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from processes.running_control import in_event_loop
 from uvicorn.config import Config
 from uvicorn.protocols.utils import ClientDisconnected
 from uvicorn.server import ServerState
@@ -25,6 +24,7 @@ from app.cli.host.connections import (
     limited,
     most_connections,
 )
+from event_loop import in_event_loop
 
 MANY = 8
 
