@@ -104,7 +104,7 @@ class RequestBody:
         self._until = math.inf  # monotonic s
 
     async def begin(self) -> None:
-        """Refuse what its own announcement says to be too large, or of nobody who may send as much."""
+        """Refuse a body that is announced as too large, or whose sender may not send that much."""
         if self._length is not None:
             await self._judge(self._length)
         expected = self._limit if self._length is None else self._length

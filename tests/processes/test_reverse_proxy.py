@@ -1,5 +1,6 @@
 """bodydrive behind real reverse proxies, each with its configuration of docs/proxy, over https."""
 
+import asyncio
 import json
 import os
 import socket
@@ -9,14 +10,14 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import httpx
 import pytest
 from browser.served.recorded_clinic import furnish
 from processes.served_demo import OWNER, SessionClient, free_port, printed_link, running_program
+from websockets.asyncio.client import connect
 from websockets.exceptions import ConnectionClosed
-from websockets.sync.client import ClientConnection, connect
 
 from app.api.proxy import INCOMPLETE
 from app.scene.client_messages import SUBPROTOCOL
@@ -99,20 +100,21 @@ class Browser(SessionClient):
         self._port, self._trust = port, ssl.create_default_context(cafile=str(certificate))
         super().__init__(f"https://{NAME}:{port}", transport=ThroughLoopback(verify=self._trust))
 
-    def socket(self, path: str, **more: object) -> ClientConnection:
-        """Open a websocket, as a page of the proxy's address does."""
+    def first_message(self, path: str, **more: Any) -> str | bytes:
+        """Return the first message of a websocket that is opened as a page of the proxy's address does.
+
+        It is read and written by one thread: OpenSSL's connections are not for two.
+        """
+        return asyncio.run(self._first_message(path, more))
+
+    async def _first_message(self, path: str, more: dict[str, Any]) -> str | bytes:
         address = f"{NAME}:{self._port}"
         cookie = "; ".join(f"{name}={value}" for name, value in self.cookies.items())
         plain = socket.create_connection(("127.0.0.1", self._port))
-        return connect(
-            f"wss://{address}{path}",
-            sock=plain,
-            ssl=self._trust,
-            additional_headers={"Cookie": cookie},
-            origin=f"https://{address}",  # type: ignore[arg-type]
-            open_timeout=OPENED_WITHIN,
-            **more,  # type: ignore[arg-type]
-        )
+        page: dict[str, Any] = {"additional_headers": {"Cookie": cookie}, "origin": f"https://{address}", **more}
+        opening = connect(f"wss://{address}{path}", sock=plain, ssl=self._trust, open_timeout=OPENED_WITHIN, **page)
+        async with opening as opened:
+            return await asyncio.wait_for(opened.recv(), 30)
 
 
 @pytest.fixture(scope="module")
@@ -203,8 +205,7 @@ def walk_through(browser: Browser, code: str) -> None:
     page = browser.get(f"{browser.headers['Origin']}/")
     assert page.status_code == 200
     assert f"wss://{page.request.url.netloc.decode()}" in page.headers["content-security-policy"]
-    with browser.socket("/api/v1/live") as live:
-        assert "control" in json.loads(live.recv(timeout=30))
+    assert "control" in json.loads(browser.first_message("/api/v1/live"))
     # larger than the 1 MB that nginx takes unless it is told otherwise
     rows = "\n".join(f"{i / 100},{i},{i}" for i in range(80_000))
     sent = browser.post("/equipment/files", files={"file": ("arm.csv", f"t,a,b\n{rows}\n")})
@@ -252,8 +253,7 @@ def first_picture(browser: Browser, path: str) -> str | bytes:
     until = time.monotonic() + OPENED_WITHIN
     while True:
         try:
-            with browser.socket(path, subprotocols=[SUBPROTOCOL]) as view:
-                return view.recv(timeout=30)
+            return browser.first_message(path, subprotocols=[SUBPROTOCOL])
         except ConnectionClosed:
             assert time.monotonic() < until
             time.sleep(0.2)

@@ -1,22 +1,25 @@
 """A real `bodydrive serve --lan`: https for other machines, and over http only the page that explains."""
 
+import asyncio
 import plistlib
 import re
 import socket
 import ssl
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 from urllib.parse import urlsplit
 
 import httpx
 import pytest
 from processes.host.served_lan import HOSTS, NAME, OWNER, ServedLan, served_lan
 from processes.served_demo import bodydrive
+from websockets.asyncio.client import connect
 from websockets.exceptions import InvalidStatus
-from websockets.sync.client import connect
 from websockets.typing import Origin
 
 from app.api.pages import word_modules
+from event_loop import in_event_loop
 from folders import ROOT
 
 FLUENT = "/vendor/@fluent/bundle/"
@@ -50,7 +53,8 @@ def test_a_client_that_trusts_the_authority_gets_the_pages_by_every_name(lan: Se
         httpx.get(f"https://{HOSTS[0]}:{lan.port}/")
 
 
-def test_a_person_signs_in_over_https_and_gets_the_live_socket(lan: ServedLan) -> None:
+@in_event_loop  # a thread more would share the TLS connection, which OpenSSL does not allow
+async def test_a_person_signs_in_over_https_and_gets_the_live_socket(lan: ServedLan) -> None:
     with lan.client(HOSTS[1]) as client:
         assert client.post("/api/v1/auth/sign-in", json=OWNER).json()["signed_in"]
         names = {cookie.name for cookie in client.cookies.jar}
@@ -59,15 +63,15 @@ def test_a_person_signs_in_over_https_and_gets_the_live_socket(lan: ServedLan) -
         cookie = f"__Host-bodydrive_sign_in={client.cookies['__Host-bodydrive_sign_in']}"
     base = f"https://{HOSTS[1]}:{lan.port}"
     address = f"{base.replace('https', 'wss')}/api/v1/live"
-    with connect(address, ssl=lan.trust, origin=Origin(base), additional_headers={"Cookie": cookie}) as live:
-        assert live.recv(timeout=60)
+    page: dict[str, Any] = {"ssl": lan.trust, "additional_headers": {"Cookie": cookie}}
+    async with connect(address, origin=Origin(base), **page) as live:
+        assert await asyncio.wait_for(live.recv(), 60)
     with pytest.raises(InvalidStatus):
-        connect(
-            address, ssl=lan.trust, origin=Origin(base.replace("https", "http")), additional_headers={"Cookie": cookie}
-        )
+        await connect(address, origin=Origin(base.replace("https", "http")), **page)
 
 
-def test_over_http_there_is_the_page_that_explains_and_nothing_else(lan: ServedLan) -> None:
+@in_event_loop
+async def test_over_http_there_is_the_page_that_explains_and_nothing_else(lan: ServedLan) -> None:
     """Request every route of the application, every page and file, and the sockets."""
     with lan.client() as client:
         client.post("/api/v1/auth/sign-in", json=OWNER)
@@ -100,7 +104,7 @@ def test_over_http_there_is_the_page_that_explains_and_nothing_else(lan: ServedL
     }
     for path in ("/api/v1/live", "/view/clinician/"):
         with pytest.raises(InvalidStatus):
-            connect(f"{lan.page.replace('http', 'ws').rstrip('/')}{path}", additional_headers={"Cookie": cookie})
+            await connect(f"{lan.page.replace('http', 'ws').rstrip('/')}{path}", additional_headers={"Cookie": cookie})
 
 
 def test_the_pages_answer_http_on_the_loopback_address_of_this_machine_only(lan: ServedLan) -> None:
