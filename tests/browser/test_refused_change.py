@@ -99,13 +99,13 @@ def test_without_a_shirt_the_way_to_one_is_in_view_and_the_page_keeps_its_place(
     page.get_by_role("radio", name="Simulated shirt").check(force=True)
     use = page.get_by_role("button", name="Use this")
     expect(use).to_be_in_viewport(ratio=1)
-    side = "(one) => Math.round(one.closest('.stack').getBoundingClientRect().left)"
-    before = use.evaluate("(one) => Math.round(one.closest('.shirt-columns > .stack').getBoundingClientRect().left)")
+    side = "Math.round(document.querySelector('[data-card=source]').closest('.stack').getBoundingClientRect().left)"
+    before = page.evaluate(side)  # in one step: a card that was looked up before may be drawn anew meanwhile
     use.click()
     card = page.locator("[data-card=source]")
     expect(card).to_contain_text("Simulated shirt, 100 frames a second")
     expect(card).to_be_in_viewport()
-    assert card.evaluate(side) == before
+    assert page.evaluate(side) == before
     expect(page.locator(".lamps .lamp").first).not_to_have_text("No shirt yet")
 
 
