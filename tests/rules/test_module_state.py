@@ -11,6 +11,7 @@ CONSTANT_KINDS = ("getLogger", "APIRouter", "Typer", "ViewPage", "attrgetter")
 PROCESS_WIDE = {
     "app/hardware/chair/link.py: _sequence": "the numbers of commands go on when a chair is opened again",
     "app/isolated_reader.py: _one_at_a_time": "two readers at once could use twice the memory that is allowed",
+    "app/texts.py: _language": "a context variable: each request and each thread has its own value",
     "app/scene/bridge_secret.py: _guarded": "viser asks a function of the module, not an object of ours",
 }
 

@@ -51,6 +51,7 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
     "what a device's counter and clock say of its frames is judged without the socket that they come by": (
         "app.hardware.shirt.frame_order",
     ),
+    "the control process passes ids on and loads no catalogue": ("app.fluent_catalogue",),
     "the map of one joint is fitted apart from what a profile makes of all joints": ("app.calibration.fit.joint_fit",),
     "the help of a command loads no library; what the command runs loads many": ("app.cli.study.study_runs",),
     "the arithmetic of every frame is measured and compiled apart from the decoder": ("app.pipeline.map_readings",),

@@ -1,0 +1,53 @@
+"""The catalogue of sentences: web_static/words/LANGUAGE/, read by fluent.runtime; numbers and lists by Babel.
+
+Only `app/texts.py` imports it, when the first sentence is made: the control process makes none.
+"""
+
+from collections.abc import Sequence
+from functools import cache
+from typing import Any, Final
+
+from babel.lists import format_list
+from babel.numbers import get_decimal_symbol
+from fluent.runtime import FluentBundle, FluentResource
+from fluent.runtime.types import fluent_number
+
+from app.settings import static_folder
+
+MINUS: Final = "\u2212"
+LOCALES: Final = {"en": "en_GB"}  # for dates and lists, where it is not the language: "a, b and c"
+
+
+def sentence(language: str, message: str, values: dict[str, Any]) -> str:
+    """Return a message with its values in a language; its id where the catalogue has no such message."""
+    bundle = _bundle(language)
+    pattern = bundle.get_message(message).value if bundle.has_message(message) else None
+    return message if pattern is None else str(bundle.format_pattern(pattern, values)[0])
+
+
+def number(value: float) -> Any:
+    """Return a number as it is, for a message that chooses a plural by it."""
+    return fluent_number(value, useGrouping=False, maximumFractionDigits=20)
+
+
+def figure(language: str, value: float, digits: int) -> str:
+    """Return a number with a fixed count of decimals, and the sign for minus."""
+    written = f"{round(value, digits) + 0.0:.{digits}f}"  # + 0.0: never -0
+    return written.replace("-", MINUS).replace(".", get_decimal_symbol(_locale(language)))
+
+
+def joined(language: str, items: Sequence[str]) -> str:
+    """Return "a, b and c"."""
+    return format_list(items, locale=_locale(language))
+
+
+def _locale(language: str) -> str:
+    return LOCALES.get(language, language)
+
+
+@cache
+def _bundle(language: str) -> FluentBundle:
+    bundle = FluentBundle([_locale(language)], use_isolating=False)
+    for file in sorted((static_folder() / "words" / language).rglob("*.ftl")):
+        bundle.add_resource(FluentResource(file.read_text(encoding="utf-8")))
+    return bundle

@@ -1,0 +1,150 @@
+"""Texts for people: an id with values, and its sentence in Fluent (projectfluent.org) in the reader's language.
+
+The sentences stand in web_static/words/LANGUAGE/, those that only the server shows in its folder server/. The program
+passes and stores ids with values; the sentence is made where somebody reads it.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from typing import Any, Final, NamedTuple, Union
+
+from pydantic import GetCoreSchemaHandler
+from pydantic_core import CoreSchema, core_schema
+
+ENGLISH: Final = "en"
+
+_language: ContextVar[str] = ContextVar("language", default=ENGLISH)
+
+
+class Figure(NamedTuple):
+    """A number with a fixed count of decimals; its point or comma is that of the language."""
+
+    number: float
+    digits: int = 0
+
+
+Value = Union[str, int, float, Figure, "Text", Exception, Sequence["Value"]]
+"""A value of a text. A list becomes "a, b and c"; an exception stands for the text that it was raised with."""
+
+
+class Text:
+    """A sentence or a name for people: its id in the catalogue, and the values that stand in it.
+
+    `str(text)` is the sentence in the language of the reader (`reader_language`).
+    """
+
+    __slots__ = ("id", "values")
+
+    def __init__(self, id: str, /, **values: Value) -> None:  # noqa: A002
+        self.id = id
+        self.values: Mapping[str, Value] = {name: _kept(value) for name, value in values.items()}
+
+    def __str__(self) -> str:
+        from app import fluent_catalogue as catalogue  # noqa: PLC0415  # the control process never gets here
+
+        language = _language.get()
+        values = {name: _shown(value, language) for name, value in self.values.items()}
+        return catalogue.sentence(language, self.id, values)
+
+    def __repr__(self) -> str:
+        return f"Text({self.id!r}, {self.values!r})"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Text) and (self.id, self.values) == (other.id, other.values)
+
+    def __hash__(self) -> int:
+        return hash(self.id)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _remade, (self.id, dict(self.values))
+
+    @classmethod
+    def __get_pydantic_core_schema__(cls, source: object, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Return the schema of a field: given as a text, or as a plain string such as a name; sent as a sentence."""
+        return core_schema.union_schema(
+            [core_schema.is_instance_schema(cls), core_schema.str_schema()],
+            mode="left_to_right",
+            serialization=core_schema.to_string_ser_schema(),
+        )
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: Any) -> dict[str, str]:
+        """Return what it is in JSON."""
+        return {"type": "string"}
+
+
+def text_of(error: Exception) -> Text | str:
+    """Return the text that an exception was raised with, its message when it was raised with a string."""
+    first = error.args[0] if len(error.args) == 1 else None
+    return first if isinstance(first, Text) else str(error)
+
+
+def to_document(text: Text | str) -> Any:
+    """Return a text as JSON that can be stored and is shown later in any language; a string is kept as it is."""
+    if isinstance(text, str):
+        return text
+    return {"text": text.id} | {name: _value_document(value) for name, value in text.values.items()}
+
+
+def from_document(document: Any) -> Text | str:
+    """Return the text that `to_document` made JSON of."""
+    if isinstance(document, str):
+        return document
+    values = {name: _value_of(value) for name, value in document.items() if name != "text"}
+    return Text(document["text"], **values)
+
+
+@contextmanager
+def reader_language(language: str) -> Iterator[None]:
+    """Make sentences in this language, of `languages`, within the block and what it calls."""
+    token = _language.set(language)
+    try:
+        yield
+    finally:
+        _language.reset(token)
+
+
+def _kept(value: Value) -> Value:
+    if isinstance(value, Exception):
+        return text_of(value)
+    if isinstance(value, str | int | float | Figure | Text):
+        return value
+    return tuple(_kept(item) for item in value)
+
+
+def _remade(id: str, values: dict[str, Value]) -> Text:  # noqa: A002
+    return Text(id, **values)
+
+
+def _value_document(value: Value) -> Any:
+    if isinstance(value, Text):
+        return to_document(value)
+    if isinstance(value, Figure):
+        return {"number": value.number, "digits": value.digits}
+    if isinstance(value, str | int | float):
+        return value
+    assert not isinstance(value, Exception)  # a text has none
+    return [_value_document(item) for item in value]
+
+
+def _value_of(document: Any) -> Value:
+    if isinstance(document, list):
+        return tuple(_value_of(item) for item in document)
+    if isinstance(document, dict):
+        return from_document(document) if "text" in document else Figure(**document)
+    value: str | int | float = document
+    return value
+
+
+def _shown(value: Value, language: str) -> Any:
+    """Return a value as it stands in the sentence."""
+    from app import fluent_catalogue as catalogue  # noqa: PLC0415  # the control process never gets here
+
+    if isinstance(value, Figure):
+        return catalogue.figure(language, value.number, value.digits)
+    if isinstance(value, str | Text | Exception):
+        return str(value)
+    if isinstance(value, int | float):
+        return catalogue.number(value)
+    return catalogue.joined(language, [str(_shown(item, language)) for item in value])
