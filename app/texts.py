@@ -13,6 +13,7 @@ from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
 ENGLISH: Final = "en"
+LANGUAGES: Final = (ENGLISH,)  # that a person can choose
 
 _language: ContextVar[str] = ContextVar("language", default=ENGLISH)
 
@@ -95,9 +96,14 @@ def from_document(document: Any) -> Text | str:
     return Text(document["text"], **values)
 
 
+def current_language() -> str:
+    """Return the language in which sentences are made now."""
+    return _language.get()
+
+
 @contextmanager
 def reader_language(language: str) -> Iterator[None]:
-    """Make sentences in this language, of `languages`, within the block and what it calls."""
+    """Make sentences in this language, one of LANGUAGES, within the block and what it calls."""
     token = _language.set(language)
     try:
         yield
