@@ -14,6 +14,7 @@ from fluent.runtime.types import fluent_number
 
 from app.settings import static_folder
 
+LARGEST: Final = 1e9  # of a number that Fluent writes
 MINUS: Final = "\u2212"
 LOCALES: Final = {"en": "en_GB"}  # for dates and lists, where it is not the language: "a, b and c"
 
@@ -26,8 +27,10 @@ def sentence(language: str, message: str, values: dict[str, Any]) -> str:
 
 
 def number(value: float) -> Any:
-    """Return a number as it is, for a message that chooses a plural by it."""
-    return fluent_number(value, useGrouping=False, maximumFractionDigits=20)
+    """Return a number as it is, by which a message may choose a plural; Babel cannot write one of very many digits."""
+    if not abs(value) < LARGEST:
+        return str(value)
+    return fluent_number(value, useGrouping=False, maximumFractionDigits=15)
 
 
 def figure(language: str, value: float, digits: int) -> str:

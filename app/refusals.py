@@ -1,10 +1,12 @@
 """Refusals of a request: exceptions whose message is one sentence for the person, with what to do."""
 
-NO_ROOM = "The disk is full, and nothing was kept of this: make room, then try again."
+from app.texts import Text
+
+NO_ROOM = Text("refused-no-room")
 
 
 class Refusal(Exception):  # noqa: N818
-    """A request that cannot be carried out; the message says why and what to do."""
+    """A request that cannot be carried out, with the text that says why and what to do."""
 
 
 class NotFound(Refusal):
@@ -14,7 +16,7 @@ class NotFound(Refusal):
 class OtherClinicRow(NotFound):
     """The requested row belongs to another clinic: answered like `NotFound`, and noted in the log."""
 
-    def __init__(self, sentence: str, kind: str, row_id: int) -> None:
+    def __init__(self, sentence: Text | str, kind: str, row_id: int) -> None:
         super().__init__(sentence)
         self.kind = kind  # name of the table
         self.row_id = row_id

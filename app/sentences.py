@@ -1,28 +1,50 @@
 """Turns the validation errors of a document into one sentence for the person who wrote it."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any, Final
 
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-LONGEST_QUOTE = 40
+from app.texts import Text, Value, text_of
+
+LONGEST_QUOTE: Final = 40
+
+# pydantic's kinds of problems, each with the end of its message's id and the field of its context that is the limit.
+KINDS: Final[Mapping[str, tuple[str, str]]] = {
+    "greater_than": ("greater-than", "gt"),
+    "greater_than_equal": ("greater-than-equal", "ge"),
+    "less_than": ("less-than", "lt"),
+    "less_than_equal": ("less-than-equal", "le"),
+    "finite_number": ("finite-number", ""),
+    **dict.fromkeys(("float_type", "float_parsing"), ("number", "")),
+    **dict.fromkeys(("int_type", "int_parsing", "int_parsing_size", "int_from_float"), ("whole-number", "")),
+    **dict.fromkeys(("bool_type", "bool_parsing"), ("truth", "")),
+    "string_type": ("text", ""),
+    "string_too_short": ("text-longer", "min_length"),
+    "string_too_long": ("text-shorter", "max_length"),
+    **dict.fromkeys(("list_type", "tuple_type", "set_type", "frozen_set_type"), ("list", "")),
+    **dict.fromkeys(("dict_type", "model_type", "model_attributes_type", "dataclass_type"), ("object", "")),
+    **dict.fromkeys(("date_type", "date_parsing", "date_from_datetime_parsing"), ("date", "")),
+    "none_required": ("nothing", ""),
+}
 
 
-def one_sentence(error: ValidationError, where: str) -> str:
+def one_sentence(error: ValidationError, where: Text | str) -> Text:
     """Return one sentence: what is wrong, where in `where` (a file or a form), and what to do."""
     return sentence_of(error.errors(include_url=False), where)
 
 
-def sentence_of(problems: Sequence[ErrorDetails], where: str) -> str:
+def sentence_of(problems: Sequence[ErrorDetails], where: Text | str) -> Text:
     """Return one sentence on pydantic's list of problems: what is wrong, where in `where`, and what to do."""
     first = problems[0]
-    place = _place(first["loc"])
-    start = f"{where}, {place}" if place else where
-    sentence = f"{start}: {_problem(first)}"
-    remaining = len(problems) - 1
-    if remaining:
-        sentence += f" ({remaining} more {'problem' if remaining == 1 else 'problems'} in it)"
-    return sentence
+    place, problem = _place(first["loc"]), _problem(first)
+    if place:
+        sentence = Text("invalid-at", where=where, place=place, problem=problem)
+    else:
+        sentence = Text("invalid-in", where=where, problem=problem)
+    more = len(problems) - 1
+    return Text("invalid-more", sentence=sentence, count=more) if more else sentence
 
 
 def _place(location: tuple[int | str, ...]) -> str:
@@ -37,30 +59,37 @@ def _place(location: tuple[int | str, ...]) -> str:
     return place
 
 
-def _problem(problem: ErrorDetails) -> str:
-    """Return a problem as half a sentence: what is wrong, and what to do."""
-    kind: str = problem["type"]
-    message: str = problem["msg"]
-    if kind == "value_error":
-        return message.removeprefix("Value error, ")
-    if kind == "missing":
-        return "this is missing, add it"
-    if kind == "extra_forbidden":
-        return "this is not known here, leave it out"
-    if kind == "json_invalid":
-        return f"this is not JSON, correct it ({message.removeprefix('Invalid JSON: ')})"
-    if kind == "union_tag_invalid":
-        return (
-            f"{problem['ctx']['discriminator']} must be one of {problem['ctx']['expected_tags']}, choose one of these"
-        )
-    if kind == "union_tag_not_found":
-        return f"{problem['ctx']['discriminator']} is missing, add it"
-    bounds = problem.get("ctx", {})
-    if kind == "too_long":
-        return f"there may be at most {bounds['max_length']}, but there are {bounds['actual_length']}, remove some"
-    if kind == "too_short":
-        return f"there must be at least {bounds['min_length']}, but there are {bounds['actual_length']}, add some"
-    quoted = repr(problem.get("input"))
-    if len(quoted) > LONGEST_QUOTE:
-        quoted = quoted[:LONGEST_QUOTE] + "..."
-    return f"{message[:1].lower()}{message[1:]}, but it is {quoted}: correct it"
+def _problem(problem: ErrorDetails) -> Text | str:
+    """Return a problem as the end of a sentence: what is wrong, and what to do."""
+    kind, message = problem["type"], problem["msg"]
+    context: dict[str, Any] = problem.get("ctx", {})
+    match kind:
+        case "value_error":
+            return text_of(context["error"])
+        case "missing":
+            return Text("invalid-missing")
+        case "extra_forbidden":
+            return Text("invalid-unknown-field")
+        case "json_invalid":
+            return Text("invalid-not-json", problem=message.removeprefix("Invalid JSON: "))
+        case "union_tag_invalid":
+            return Text("invalid-kind", field=context["discriminator"], kinds=context["expected_tags"])
+        case "union_tag_not_found":
+            return Text("invalid-kind-missing", field=context["discriminator"])
+        case "too_long":
+            return Text("invalid-too-many", most=context["max_length"], count=context["actual_length"])
+        case "too_short":
+            return Text("invalid-too-few", least=context["min_length"], count=context["actual_length"])
+    value = _quoted(problem.get("input"))
+    if kind in {"literal_error", "enum"}:
+        return Text("invalid-choice", choices=context["expected"].replace(" or ", ", "), value=value)
+    if kind not in KINDS:
+        return Text("invalid-other", problem=message[:1].lower() + message[1:], value=value)
+    name, limit = KINDS[kind]
+    limits: dict[str, Value] = {"limit": context[limit]} if limit else {}
+    return Text(f"invalid-{name}", value=value, **limits)
+
+
+def _quoted(value: object) -> str:
+    quoted = repr(value)
+    return quoted if len(quoted) <= LONGEST_QUOTE else quoted[:LONGEST_QUOTE] + "..."

@@ -20,7 +20,7 @@ class Whole(Document):
         ('{"name": "x"}', "a form, parts: this is missing, add it"),
         (
             '{"name": "x", "parts": [{"size": 1.0}, {"size": "3"}]}',
-            "a form, parts[1].size: input should be a valid number",
+            "a form, parts[1].size: this must be a number",
         ),
         ('{"name": "x", "parts": [], "hue": 1}', "a form, hue: this is not known here, leave it out"),
         ('{"name": "x", ', "a form: this is not JSON, correct it"),
@@ -31,7 +31,7 @@ class Whole(Document):
 def test_a_validation_error_is_one_sentence_with_its_place(document, words):
     with pytest.raises(ValidationError) as refusal:
         Whole.model_validate_json(document)
-    sentence = one_sentence(refusal.value, "a form")
+    sentence = str(one_sentence(refusal.value, "a form"))
     assert words in sentence
     assert "\n" not in sentence
     assert len(sentence) < 200

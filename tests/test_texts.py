@@ -73,5 +73,11 @@ def test_what_is_stored_is_the_same_text_afterwards(value):
     assert pickle.loads(pickle.dumps(text)) == text
 
 
+@given(VALUES, st.sampled_from(["en", "es", "de"]))
+def test_every_value_can_be_shown(value, language):
+    with reader_language(language):
+        assert str(Text("drive-no-path", path=value)) != "drive-no-path"
+
+
 def test_a_text_without_a_message_shows_its_id():
     assert str(Text("no-such-message")) == "no-such-message"

@@ -25,6 +25,7 @@ from app.api.patient_screen import routes as patient_screen
 from app.api.proxy import BehindProxy
 from app.api.refusals import REFUSALS, install_refusals
 from app.api.replay import replay_view, trial_replay
+from app.api.request_language import RequestLanguage
 from app.api.routes import (
     adaptation,
     calibration,
@@ -151,6 +152,7 @@ def create_app(
     app.add_middleware(PagesFirst, pages=pages)
     app.add_middleware(Guard, settings=settings)
     app.add_middleware(BehindProxy, settings=settings)  # before all others, which see what the browser sent
+    app.add_middleware(RequestLanguage)
     return app
 
 

@@ -1,4 +1,4 @@
-"""Turn every exception into an answer `{"detail": sentence}` without a traceback."""
+"""Turn every exception into an answer `{"detail": sentence}` without a traceback, in the reader's language."""
 
 import errno
 import logging
@@ -12,6 +12,7 @@ from pydantic_core import ErrorDetails
 from starlette.exceptions import HTTPException
 
 from app.api.parts import parts_of
+from app.api.request_language import language_of
 from app.api.sign_in.identity import find_sign_in
 from app.quantities import Document
 from app.refusals import NO_ROOM, Conflict, DiskFull, NotFound, OtherClinicRow, PatientHere, Refusal, Unavailable
@@ -20,6 +21,7 @@ from app.sentences import sentence_of
 from app.store.database import Database
 from app.store.files.name_conflicts import NameTaken
 from app.store.log import write_log
+from app.texts import Text, reader_language
 
 STATUS: dict[type[Exception], int] = {
     NotFound: 404,
@@ -72,23 +74,27 @@ REFUSALS: Final[dict[int | str, dict[str, Any]]] = {
 }
 """The answers of every route that FastAPI does not know of; the handlers below write them."""
 
-WHERE = {"body": "What was sent", "query": "The address", "path": "The address", "header": "A header"}
-WORDS = {
-    404: "There is nothing at this address: check it.",
-    405: "This cannot be done at this address: check the method.",
+WHERE: Final = {
+    "body": Text("refused-in-body"),
+    "query": Text("refused-in-address"),
+    "path": Text("refused-in-address"),
+    "header": Text("refused-in-header"),
 }
+BY_FRAMEWORK: Final = {404: Text("refused-no-address"), 405: Text("refused-no-method")}
 
 
-def _answer(status: int, sentence: str) -> JSONResponse:
+def _answer(status: int, text: Text | str) -> JSONResponse:
+    sentence = str(text)
     whole = sentence[:1].upper() + sentence[1:].removesuffix(".") + "."
     return JSONResponse({"detail": whole}, status)
 
 
 async def _broken(request: Request, error: Exception) -> JSONResponse:
-    if isinstance(error, OSError) and error.errno == errno.ENOSPC:
-        return _answer(507, NO_ROOM)
-    logging.getLogger("bodydrive").error("%s %s failed", request.method, request.url.path, exc_info=error)
-    return _answer(500, "Something went wrong inside the program: try again, and report it if it happens again.")
+    with reader_language(language_of(request)):  # this handler stands outside of the middleware
+        if isinstance(error, OSError) and error.errno == errno.ENOSPC:
+            return _answer(507, NO_ROOM)
+        logging.getLogger("bodydrive").error("%s %s failed", request.method, request.url.path, exc_info=error)
+        return _answer(500, Text("refused-broken"))
 
 
 def _note(request: Request, error: OtherClinicRow) -> None:
@@ -128,23 +134,23 @@ def install_refusals(app: FastAPI) -> None:
     @app.exception_handler(HTTPException)
     async def _http(_request: Request, error: HTTPException) -> JSONResponse:
         if error.status_code == 400:  # raised by the framework only, for a body that it cannot parse
-            return _answer(422, "What was sent cannot be read: correct it.")
+            return _answer(422, Text("refused-unreadable"))
         plain = error.detail in {"Not Found", "Method Not Allowed"}
-        sentence = WORDS.get(error.status_code, error.detail) if plain else error.detail
-        return JSONResponse({"detail": sentence}, error.status_code, headers=error.headers)
+        sentence = BY_FRAMEWORK.get(error.status_code, error.detail) if plain else error.detail
+        return JSONResponse({"detail": str(sentence)}, error.status_code, headers=error.headers)
 
     @app.exception_handler(RequestValidationError)
     async def _invalid(_request: Request, error: RequestValidationError) -> JSONResponse:
         first = error.errors()[0]
         if first["type"] == "json_invalid":
-            return _answer(422, "What was sent is not JSON: correct it.")
+            return _answer(422, Text("refused-not-json"))
         if isinstance(error.body, bytes) and first["loc"] == ("body",):
-            return _answer(415, "What was sent is not declared as JSON: send it as application/json.")
+            return _answer(415, Text("refused-not-declared"))
         if first["type"] == "value_error" and "UploadFile" in first["msg"]:
-            return _answer(422, "What was sent as a file is none: choose a file, then add it again.")
+            return _answer(422, Text("refused-no-file"))
         problems = cast(
             "list[ErrorDetails]", [{**problem, "loc": tuple(problem["loc"])[1:]} for problem in error.errors()]
         )
-        return _answer(422, sentence_of(problems, WHERE.get(str(first["loc"][0]), "What was sent")))
+        return _answer(422, sentence_of(problems, WHERE.get(str(first["loc"][0]), WHERE["body"])))
 
     app.add_exception_handler(Exception, _broken)

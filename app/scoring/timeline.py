@@ -345,7 +345,7 @@ def _state_event(state: int, fault: int, t: float) -> Event:
         }
         return _event(t, kinds[state])
     reason = Fault(fault)
-    return _event(t, "stop" if reason in PEOPLE_STOPS else "fault", EXPLANATIONS[reason].happened)
+    return _event(t, "stop" if reason in PEOPLE_STOPS else "fault", str(EXPLANATIONS[reason].happened))
 
 
 def _contacts(contacts: NDArray[np.generic], t: NDArray[np.float64]) -> list[Event]:

@@ -82,4 +82,4 @@ def test_tags_in_a_text_are_shown_and_not_obeyed() -> None:
 def test_the_clinicians_page_explains_every_stop_in_the_words_of_the_screen() -> None:
     text = re.sub(r"\s+", " ", (DOCS / "clinicians.md").read_text(encoding="utf-8"))
     for fault in Fault:
-        assert fault is Fault.NONE or EXPLANATIONS[fault].happened in text, fault
+        assert fault is Fault.NONE or str(EXPLANATIONS[fault].happened) in text, fault

@@ -167,10 +167,12 @@ def test_a_fault_that_is_found_counts_too():
 
 def test_every_fault_of_the_gate_has_words():
     assert set(EXPLANATIONS) == set(Fault)
-    assert all(words.happened.endswith(".") and words.next_step.endswith(".") for words in EXPLANATIONS.values())
+    assert all(
+        str(words.happened).endswith(".") and str(words.next_step).endswith(".") for words in EXPLANATIONS.values()
+    )
 
 
 def test_what_to_do_when_nothing_runs_does_not_name_continue():
-    assert EXPLANATIONS[Fault.SHIRT_SILENT].remedy == "Check its battery and cable on the Shirt page."
-    assert not [words for words in EXPLANATIONS.values() if "Continue" in words.remedy]
-    assert all(words.remedy.endswith(".") and ".." not in words.remedy for words in EXPLANATIONS.values())
+    assert str(EXPLANATIONS[Fault.SHIRT_SILENT].remedy) == "Check its battery and cable on the Shirt page."
+    assert not [words for words in EXPLANATIONS.values() if "Continue" in str(words.remedy)]
+    assert all(str(words.remedy).endswith(".") and ".." not in str(words.remedy) for words in EXPLANATIONS.values())

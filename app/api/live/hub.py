@@ -1,4 +1,4 @@
-"""Send the live picture: one message per 50 ms, made once and sent to every open page."""
+"""Send the live picture: one message per 50 ms, made once for each language and sent to every open page."""
 
 import asyncio
 import json
@@ -6,7 +6,7 @@ import logging
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
-from typing import Generic, TypeVar
+from typing import Generic, NamedTuple, TypeVar
 
 from fastapi import WebSocket
 from pydantic import BaseModel
@@ -14,6 +14,7 @@ from starlette.websockets import WebSocketState
 
 from app.api.sockets import cut_off
 from app.clock import monotonic
+from app.texts import current_language, reader_language
 
 EVERY = 0.05  # s
 SEND_LIMIT = 3.0  # s: a page that does not take a message within this time is cut off; a slow one takes 16 kB/s
@@ -24,12 +25,23 @@ logger = logging.getLogger("bodydrive")
 Message = TypeVar("Message", bound=BaseModel)
 
 
+class PictureText(NamedTuple):
+    """A picture as JSON."""
+
+    whole: str = ""
+    bare: str = ""  # without the patient; empty when nobody needs it
+
+
+NOTHING = PictureText()
+
+
 @dataclass(slots=True, eq=False)
 class Viewer:
     """One open page; while `may_see` returns False, it gets the picture without a patient."""
 
     websocket: WebSocket
     may_see: Callable[[], bool] = lambda: True
+    language: str = field(default_factory=current_language)  # of the request that opened the socket
     events: dict[str, None] = field(default_factory=dict)  # names of changes that were not sent yet, in order
     fresh: asyncio.Event = field(default_factory=asyncio.Event)  # set when there is a newer picture
 
@@ -51,8 +63,7 @@ class LiveHub(Generic[Message]):
         self._quality = quality
         self._without_patient = without_patient
         self._viewers: set[Viewer] = set()
-        self._text = ""
-        self._bare_text = ""  # for those who may not see the patient
+        self._pictures: dict[str, PictureText] = {}  # by language
         self._task: asyncio.Task[None] | None = None
 
     def start(self) -> None:
@@ -78,7 +89,8 @@ class LiveHub(Generic[Message]):
             while viewer.websocket.application_state is WebSocketState.CONNECTED:
                 await viewer.fresh.wait()
                 viewer.fresh.clear()
-                text = self._text if viewer.may_see() else self._bare_text
+                newest = self._pictures.get(viewer.language, NOTHING)
+                text = newest.whole if viewer.may_see() else newest.bare
                 if not text:
                     continue  # the page may see nothing since just now: the next picture is made for it
                 if viewer.events:
@@ -102,10 +114,10 @@ class LiveHub(Generic[Message]):
         while True:
             deadline = max(deadline + EVERY, monotonic())
             if self._viewers:
-                texts = self._messages(with_quality=turn % round(1 / EVERY) == 0)
+                pictures = self._made(with_quality=turn % round(1 / EVERY) == 0)
                 turn += 1
-                if texts is not None:
-                    self._text, self._bare_text = texts
+                if pictures is not None:
+                    self._pictures = pictures
                     await self._wake()
             await asyncio.sleep(max(deadline - monotonic(), 0.0))
 
@@ -116,21 +128,27 @@ class LiveHub(Generic[Message]):
             if number % AT_ONCE == 0:
                 await asyncio.sleep(0)
 
-    def _messages(self, with_quality: bool) -> tuple[str, str] | None:
-        """Return the current picture as JSON, whole and without the patient; the second is empty when nobody needs it.
+    def _made(self, with_quality: bool) -> dict[str, PictureText] | None:
+        """Return the current picture in the languages of the viewers; None, with the error logged, when it cannot be.
 
-        None, with the error logged, when it cannot be made.
+        The chair may drive while this fails: the pages need the next pictures.
         """
         try:
-            picture = self._picture()
-            text = picture.model_dump_json()
-            bare = any(not viewer.may_see() for viewer in self._viewers)
-            bare_text = self._without_patient(picture).model_dump_json() if bare else ""
-            quality = self._quality() if with_quality else None
-            return text if quality is None else _joined(text, quality.model_dump_json()), bare_text
-        except Exception:  # go on: the pages need the next pictures of a chair that may drive
+            picture, quality = self._picture(), self._quality() if with_quality else None
+            made = {}
+            for language in {viewer.language for viewer in self._viewers}:
+                with reader_language(language):
+                    made[language] = self._in_language(picture, quality)
+        except Exception:
             logger.exception("The live picture could not be made")
             return None
+        return made
+
+    def _in_language(self, picture: Message, quality: BaseModel | None) -> PictureText:
+        text = picture.model_dump_json()
+        bare = any(not viewer.may_see() for viewer in self._viewers)
+        bare_text = self._without_patient(picture).model_dump_json() if bare else ""
+        return PictureText(text if quality is None else _joined(text, quality.model_dump_json()), bare_text)
 
 
 def _joined(first: str, other: str) -> str:

@@ -8,6 +8,7 @@ from typing import Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from app.session.chair_messages import ChairMoment, StateName
+from app.texts import Text
 
 Number = float | None
 TestPhase = Literal["ready", "running", "over"]
@@ -23,9 +24,9 @@ class FaultMessage(MessagePart):
     """A fault in words."""
 
     name: str
-    happened: str
-    next_step: str
-    remedy: str = Field(description="The next step without the word of the button.")
+    happened: Text
+    next_step: Text
+    remedy: Text = Field(description="The next step without the word of the button.")
 
 
 class HeadMoment(MessagePart):

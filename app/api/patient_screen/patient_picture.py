@@ -12,13 +12,14 @@ from app.session.patient_messages import Actor, patient_message
 from app.session.runs import SessionRuns
 from app.session.trial import TrialFlow
 from app.store.patient_screens import ScreenSettings
+from app.texts import Text
 
 
 class PatientFault(MessagePart):
     """A fault in words for the patient."""
 
     name: str
-    message: str
+    message: Text
 
 
 class Waiting(MessagePart):
@@ -27,7 +28,7 @@ class Waiting(MessagePart):
     model_config = ConfigDict(populate_by_name=True)
 
     actor: Actor = Field(alias="for")
-    message: str
+    message: Text
 
 
 class PatientTrial(MessagePart):
@@ -97,7 +98,7 @@ class PatientPicture:
         common = {name: getattr(live, name) for name in CommonMessage.model_fields}
         return PatientMessage(
             **common,
-            fault=None if fault is None else PatientFault(name=fault.name, message=message.happened),
+            fault=None if fault is None else PatientFault(name=fault.name, message=message.happened or ""),
             waits=Waiting(actor=message.actor, message=message.wait),
             trial=None
             if live.trial is None

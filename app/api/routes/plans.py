@@ -63,7 +63,7 @@ def _parsed(content: bytes) -> FloorPlan:
     try:
         return FloorPlan.model_validate_json(content)
     except ValidationError as error:
-        raise HTTPException(422, one_sentence(error, WHERE) + ".") from error
+        raise HTTPException(422, f"{one_sentence(error, WHERE)}.") from error
 
 
 def _checked(content: bytes) -> CheckView:
@@ -76,7 +76,7 @@ def _checked(content: bytes) -> CheckView:
         cause = first.get("ctx", {}).get("error")
         return CheckView(
             good=False,
-            sentence=one_sentence(error, WHERE) + ".",
+            sentence=f"{one_sentence(error, WHERE)}.",
             place=list(first["loc"]),
             at=(cause.x, cause.y) if isinstance(cause, ClearanceError) else None,
         )

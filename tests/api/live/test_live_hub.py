@@ -10,6 +10,7 @@ from starlette.websockets import WebSocketState
 from app.api.live import hub as hub_module
 from app.api.live.hub import LiveHub, Viewer
 from app.api.sockets import CUT_OFF
+from app.texts import Text
 from event_loop import in_event_loop
 
 
@@ -17,6 +18,12 @@ class Shown(BaseModel):
     """A picture."""
 
     v: float = 0.0
+
+
+class Titled(BaseModel):
+    """A picture with a text."""
+
+    title: Text
 
 
 class Page:
@@ -110,3 +117,17 @@ async def test_a_page_that_takes_no_picture_for_long_is_cut_off(monkeypatch: pyt
     await hub.serve(Viewer(StandsStill()))  # type: ignore[arg-type]
     await hub.close()
     assert ended.is_set()
+
+
+@in_event_loop
+async def test_each_page_gets_the_picture_in_its_language(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(hub_module, "EVERY", 0.001)
+    pages = {"en": Page(), "de": Page()}
+    hub = LiveHub(lambda: Titled(title=Text("drive-title")))
+    hub.start()
+    async with asyncio.timeout(5):
+        viewers = [Viewer(page, language=language) for language, page in pages.items()]  # type: ignore[arg-type]
+        await asyncio.gather(*map(hub.serve, viewers))
+    await hub.close()
+    assert set(pages["en"].sent) == {'{"title":"Where to?"}'}
+    assert set(pages["de"].sent) == {'{"title":"Wohin?"}'}

@@ -1,0 +1,46 @@
+"""The language of a request: the reader's choice in a cookie, otherwise what the browser asks for."""
+
+from collections.abc import Iterator
+from typing import Final
+
+from starlette.requests import HTTPConnection
+from starlette.types import ASGIApp, Receive, Scope, Send
+
+from app.texts import ENGLISH, LANGUAGES, reader_language
+
+COOKIE: Final = "language"  # the pages set and read it
+
+
+class RequestLanguage:
+    """Middleware that makes all sentences of a request's answer in the reader's language."""
+
+    def __init__(self, app: ASGIApp) -> None:
+        self._app = app
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Pass the request on."""
+        if scope["type"] == "lifespan":
+            await self._app(scope, receive, send)
+            return
+        with reader_language(language_of(HTTPConnection(scope))):
+            await self._app(scope, receive, send)
+
+
+def language_of(request: HTTPConnection) -> str:
+    """Return the language of a request, English where it names none of LANGUAGES."""
+    chosen = request.cookies.get(COOKIE)
+    if chosen in LANGUAGES:
+        return chosen
+    return next(_wanted(request.headers.get("accept-language", "")), ENGLISH)
+
+
+def _wanted(header: str) -> Iterator[str]:
+    """Yield the languages of an Accept-Language header (RFC 9110, 12.5.4) that there are, the most wanted first."""
+    weights = {}
+    for part in header.split(","):
+        name, _, weight = part.partition(";q=")
+        try:
+            weights[name.strip().partition("-")[0].lower()] = float(weight or 1)
+        except ValueError:
+            continue
+    yield from sorted(weights.keys() & set(LANGUAGES), key=weights.__getitem__, reverse=True)
