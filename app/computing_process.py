@@ -18,12 +18,13 @@ from typing import Final, ParamSpec, TypeVar, cast
 from app.child_process import prepare_child, start_connected
 from app.clock import monotonic
 from app.refusals import Conflict, DiskFull, Unavailable
+from app.texts import Figure, Text, current_language, reader_language, text_of
 
 IDLE_LIMIT: Final = 300.0  # s without a question, after which the process ends and gives its memory back
 ANSWER_LIMIT: Final = 120.0  # s
 POLL_INTERVAL: Final = 0.05  # s between two checks whether the answer is still wanted
-ENDED: Final = "The process that computes figures has ended: try again."
-TOO_LONG: Final = f"This took more than {ANSWER_LIMIT:.0f} s to compute: close other programs, then try again."
+ENDED: Final = Text("computing-ended")
+TOO_LONG: Final = Text("computing-too-long", limit=Figure(ANSWER_LIMIT))
 
 # What the functions import late. The process loads them while nobody asks, in the order in which they are used.
 SLOW_LIBRARIES: Final = (
@@ -185,7 +186,7 @@ class _Running:
         """Return the error that the question raised, or None, and its answer."""
         until, before = monotonic() + ANSWER_LIMIT, progress()
         try:
-            self._connection.send(question)
+            self._connection.send((current_language(), question))
             while not self._connection.poll(POLL_INTERVAL):
                 if leave_off():
                     raise _NoLongerWantedError
@@ -212,7 +213,9 @@ def main(descriptor: int) -> None:
         libraries = iter(SLOW_LIBRARIES)
         while True:
             if web.poll() or (name := next(libraries, None)) is None:
-                web.send(answer(web.recv()))
+                language, question = web.recv()
+                with reader_language(language):
+                    web.send(answer(question))
             else:
                 import_module(name)
 
@@ -222,7 +225,7 @@ def answer(question: Callable[[], object]) -> tuple[Exception | None, object]:
     try:
         return None, question()
     except ValueError as error:
-        return ValueError(str(error)), None
+        return ValueError(text_of(error)), None
     except OSError as error:
         return OSError(str(error)), None
     except (Conflict, DiskFull) as error:

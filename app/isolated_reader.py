@@ -11,10 +11,11 @@ import threading
 from typing import Any, Final
 
 from app.child_process import ChildEndedError, ChildLimits, ask_once, command, prepare_child, questions, respond
+from app.texts import Text, from_document, text_of, to_document
 
 LIMITS: Final = ChildLimits(computing=60, file_size=50_000_000)
 LONGEST_WAIT: Final = 120.0  # s
-FAILED: Final = "this file could not be read, or takes too long: save it anew or make it smaller"
+FAILED: Final = Text("reading-failed")
 COMMAND: Final = command("app.isolated_reader")
 
 _one_at_a_time = threading.Lock()
@@ -38,11 +39,11 @@ def read_isolated(module: str, question: dict[str, Any]) -> dict[str, Any]:
         try:
             answer = ask_once([*COMMAND, module], question, LONGEST_WAIT)
         except TimeoutError as error:
-            raise ReadingTimeoutError("reading this file takes too long: make it smaller, then add it again") from error
+            raise ReadingTimeoutError(Text("reading-too-long")) from error
         except ChildEndedError as error:
             raise ValueError(FAILED) from error
     if "problem" in answer:
-        raise ValueError(str(answer["problem"]))
+        raise ValueError(from_document(answer["problem"]))
     return answer
 
 
@@ -52,9 +53,9 @@ def main(module: str) -> None:
     try:
         respond(importlib.import_module(module).answer(next(questions())))
     except ValueError as error:
-        respond({"problem": str(error)})
+        respond({"problem": to_document(text_of(error))})
     except MemoryError:
-        respond({"problem": "this needs too much memory, make it smaller"})
+        respond({"problem": to_document(Text("reading-memory"))})
 
 
 if __name__ == "__main__":

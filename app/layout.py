@@ -6,6 +6,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from app.quantities import Document, Fraction, Name, Title
+from app.texts import Text
 
 MAX_CHANNELS = 64
 MAX_JOINTS = 16
@@ -51,38 +52,32 @@ class ShirtLayout(Document):
     def _names_are_unique_and_known(self) -> Self:
         channels = [channel.name for channel in self.channels]
         joints = [joint.name for joint in self.joints]
-        for noun, names in (("channel", channels), ("joint", joints)):
+        for message, names in (("layout-channel-twice", channels), ("layout-joint-twice", joints)):
             for name in names:
                 if names.count(name) > 1:
-                    raise ValueError(f"{noun} '{name}' stands there twice: give each its own name")
+                    raise ValueError(Text(message, name=name))
         for channel in self.channels:
             if channel.joint not in joints:
-                raise ValueError(
-                    f"channel '{channel.name}' names joint '{channel.joint}', which is not among the joints: "
-                    f"add it or use one of {', '.join(joints)}"
-                )
+                text = Text("layout-no-joint", channel=channel.name, joint=channel.joint, joints=", ".join(joints))
+                raise ValueError(text)
         for joint in joints:
             if not any(channel.joint == joint for channel in self.channels):
-                raise ValueError(f"joint '{joint}' has no channel: give it one or leave it out")
+                raise ValueError(Text("layout-no-channel", joint=joint))
         return self
 
     @model_validator(mode="after")
     def _rings_are_whole(self) -> Self:
         for channel in self.channels:
             if channel.ring is None and channel.place is not None:
-                raise ValueError(
-                    f"channel '{channel.name}' has a place but no ring: name its ring or leave out the place"
-                )
+                raise ValueError(Text("layout-no-ring", channel=channel.name))
         for ring in {channel.ring for channel in self.channels} - {None}:
             members = [channel for channel in self.channels if channel.ring == ring]
             if len({channel.joint for channel in members}) > 1:
-                raise ValueError(f"ring '{ring}' goes round several joints: give each joint a ring of its own")
+                raise ValueError(Text("layout-ring-of-several", ring=str(ring)))
             places = [channel.place for channel in members if channel.place is not None]
             if places and sorted(places) != list(range(len(members))):
-                raise ValueError(
-                    f"ring '{ring}' has {len(members)} sensors, so that their places must be 0 to {len(members) - 1}, "
-                    f"each once, or left out for all of them"
-                )
+                count = len(members)
+                raise ValueError(Text("layout-ring-places", ring=str(ring), count=count, last=count - 1))
         return self
 
     @property

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from datetime import datetime
 
-FIRST = "A device that warns of the certificate opens {page} first: the page there explains what to do."
+from app.texts import Text
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +47,7 @@ class NetworkService:
     @property
     def certificate_hint(self) -> str:
         """Return what a device that does not know the clinic's authority needs first; empty when there is none."""
-        return "" if self.trust.root is None else FIRST.format(page=self.page_link())
+        return "" if self.trust.root is None else str(Text("network-page-first", page=self.page_link()))
 
     @property
     def best_host(self) -> str:

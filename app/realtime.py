@@ -10,6 +10,8 @@ import resource
 import sys
 from collections.abc import Callable
 
+from app.texts import Text
+
 LOOP_PRIORITY = 10  # of SCHED_FIFO: above every ordinary program, below the kernel's own threads
 RECORDER_PRIORITY = 5  # below the loop, above programs that could preempt the recorder while it holds the interpreter
 LOWEST_NICENESS = 19
@@ -24,7 +26,7 @@ MCL_CURRENT, MCL_FUTURE, MCL_ONFAULT = 1, 2, 4
 LOCK = MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT  # lock pages when they are first used, not when they are reserved
 
 
-def go_real_time() -> list[str]:
+def go_real_time() -> list[Text]:
     """Request real-time scheduling for this thread, lock the memory, freeze the garbage collector.
 
     Returns one sentence on each request: granted or not. The program goes on without what is not granted.
@@ -101,14 +103,14 @@ def take_lowest_priority() -> None:
         ctypes.CDLL(None, use_errno=True).syscall(number, 1, 0, IDLE_DISK_CLASS)  # 1: a process, 0: this one
 
 
-def _take_loop_priority() -> str:
+def _take_loop_priority() -> Text:
     if take_priority(LOOP_PRIORITY):
-        return "The control loop has real-time scheduling."
-    return "Real-time scheduling was not granted: close other programs while driving."
+        return Text("realtime-granted")
+    return Text("realtime-refused")
 
 
-def _lock_memory() -> str:
-    refused = "Memory is not locked: a machine short of memory may delay the control loop."
+def _lock_memory() -> Text:
+    refused = Text("realtime-memory-refused")
     if sys.platform != "linux":
         return refused
     limit, _ = resource.getrlimit(resource.RLIMIT_MEMLOCK)
@@ -116,4 +118,4 @@ def _lock_memory() -> str:
         return refused  # with a limit, allocations beyond it would fail later
     if ctypes.CDLL(None, use_errno=True).mlockall(LOCK) != 0:
         return refused
-    return "The control loop's memory is locked."
+    return Text("realtime-memory-locked")

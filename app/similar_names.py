@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import Final
 
 from app.refusals import Conflict
+from app.texts import Text
 
 # Characters that look like a Latin letter or a digit (the common ones of Unicode's list of confusables).
 PAIRS: Final = (
@@ -34,14 +35,17 @@ def mixed_word(name: str) -> str | None:
     return next((word for word in WORD.findall(name) if len(_scripts(word)) > 1), None)
 
 
-def require_distinct(name: str, others: Iterable[str], noun: str) -> None:
-    """Raise Conflict when a word of a name is of two scripts, or the name looks like one of the others."""
+def require_distinct(name: str, others: Iterable[str], message: str) -> None:
+    """Raise Conflict when a word of a name is of two scripts, or the name looks like one of the others.
+
+    `message`: the id of the text for the second case, with the values `other` and `name`.
+    """
     word = mixed_word(name)
     if word is not None:
-        raise Conflict(f"In '{word}' letters of two scripts stand together: type it in one script.")
+        raise Conflict(Text("names-two-scripts", word=word))
     other = similar_name(name, others)
     if other is not None:
-        raise Conflict(f"There is {noun} '{other}' already, and '{name}' looks the same: choose another name.")
+        raise Conflict(Text(message, other=other, name=name))
 
 
 def _scripts(word: str) -> set[str]:

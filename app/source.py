@@ -1,11 +1,12 @@
 """The source of a recording: its shirt, the body inside a simulated shirt, its chair; and its description."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Annotated, Literal
 
 from pydantic import Field, ValidationError
 
 from app.quantities import Document
+from app.texts import Text
 
 UNKNOWN = "unknown"
 
@@ -13,9 +14,9 @@ Kind = Annotated[str, Field(min_length=1, max_length=32)]
 SourceGroup = Literal["worn", "simulated", "unknown"]
 """Trials of different groups are never in one curve, one assessment or one warning."""
 
-SHIRT_NAMES = {"simulator": "Simulated shirt", "replay": "Recorded signals", "udp": "Worn shirt"}
-BODY_NAMES = {"person": "simulated person", "visitor": "moved on the screen", "recorded": "recorded body"}
-CHAIR_NAMES = {"virtual": "virtual chair", "udp": "real chair", UNKNOWN: "chair not recorded"}
+NAMED_SHIRTS = frozenset({"simulator", "replay", "udp", UNKNOWN})
+NAMED_BODIES = frozenset({"person", "visitor", "recorded"})
+NAMED_CHAIRS = frozenset({"virtual", "udp", UNKNOWN})
 
 
 class Source(Document):
@@ -35,15 +36,17 @@ class Source(Document):
 
 
 def source_description(source: Source) -> str:
-    """Return the description of a source on pages, in reports and in exports."""
-    if source.shirt == UNKNOWN:
-        shirt = "Shirt not recorded"
-    else:
-        shirt = SHIRT_NAMES.get(source.shirt, f"Shirt of the kind '{source.shirt}'")
-    body = "" if source.body is None else f" ({BODY_NAMES.get(source.body, source.body)})"
-    chair = CHAIR_NAMES.get(source.chair, f"chair of the kind '{source.chair}'")
-    practice = ": practice only" if source.simulated else ""
-    return f"{shirt}{body}, {chair}{practice}"
+    """Return the description of a source on pages, in reports and in exports, in the reader's language."""
+    shirt = _name("source-shirt", source.shirt, NAMED_SHIRTS)
+    if source.body is not None:
+        body = Text(f"source-body-{source.body}") if source.body in NAMED_BODIES else source.body
+        shirt = Text("source-shirt-with-body", shirt=shirt, body=body)
+    signals = Text("source-signals", shirt=shirt, chair=_name("source-chair", source.chair, NAMED_CHAIRS))
+    return str(Text("source-practice", source=signals) if source.simulated else signals)
+
+
+def _name(message: str, kind: str, named: Collection[str]) -> Text:
+    return Text(f"{message}-{kind}") if kind in named else Text(f"{message}-other", kind=kind)
 
 
 STUDY_SOURCE = Source(shirt="simulator", body="person", chair="virtual", simulated=True)  # of all studies

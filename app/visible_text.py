@@ -4,6 +4,8 @@ import unicodedata
 from collections.abc import Collection
 from typing import Final
 
+from app.texts import Text
+
 # Categories of Unicode 15.0, section 4.5: control characters, format characters (among them the right-to-left
 # overrides, joiners and marks), surrogates, line and paragraph separators.
 INVISIBLE: Final = frozenset({"Cc", "Cf", "Cs", "Zl", "Zp"})
@@ -29,8 +31,6 @@ def visible_lines(text: str) -> str:
 def _check_visible(text: str, allowed: Collection[str]) -> str:
     for place, character in enumerate(text, start=1):
         if unicodedata.category(character) in INVISIBLE and character not in allowed:
-            name = unicodedata.name(character, "a control character")
-            raise ValueError(
-                f"character {place} is U+{ord(character):04X} ({name.lower()}), which nobody sees: leave it out"
-            )
+            code, name = f"U+{ord(character):04X}", unicodedata.name(character, "a control character").lower()
+            raise ValueError(Text("invalid-invisible", place=place, code=code, name=name))
     return text

@@ -29,7 +29,7 @@ def test_names_that_look_alike_have_one_skeleton(first: str, second: str) -> Non
 @pytest.mark.parametrize("name", ["P\u0430ul", "\u0391da", "Ad\u0430-2"])
 def test_a_word_of_two_scripts_is_refused(name: str) -> None:
     with pytest.raises(Conflict, match="of two scripts"):
-        require_distinct(name, (), "a patient")
+        require_distinct(name, (), "names-code-taken")
 
 
 @pytest.mark.parametrize(
@@ -38,7 +38,7 @@ def test_a_word_of_two_scripts_is_refused(name: str) -> None:
 )
 def test_a_name_of_one_script_in_each_word_is_taken(name: str) -> None:
     assert mixed_word(name) is None
-    require_distinct(name, ("Heron", "P-1", "P-2"), "a patient")
+    require_distinct(name, ("Heron", "P-1", "P-2"), "names-code-taken")
 
 
 def test_other_letters_and_marks_do_not_look_alike() -> None:

@@ -161,7 +161,9 @@ def _run(
     from app.cli.server import run_clinic
 
     warning = python_warning(sys.version_info[:3])
-    run_clinic(settings, launch, listening, "\n".join([*sentences, *filter(None, [warning])]), other_machines)
+    run_clinic(
+        settings, launch, listening, "\n".join([*sentences, *([str(warning)] if warning else [])]), other_machines
+    )
 
 
 def _leave() -> None:

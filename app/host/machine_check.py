@@ -14,6 +14,7 @@ from typing import Literal
 from app.clock import Clock
 from app.disk_room import LITTLE_ROOM, ROOM_TO_RECORD
 from app.settings import PACKAGE
+from app.texts import Text
 
 PERIOD = 0.01  # s: the loop's, when the shirt sends at 100 Hz
 FEW = 0.001  # share of late ticks that a drive does not feel
@@ -58,9 +59,9 @@ def lateness_finding(lateness: Sequence[float]) -> Finding:
     return Finding("bad", f"{message} This machine is too busy or too slow to drive a chair.")
 
 
-def real_time_findings(sentences: Sequence[str]) -> list[Finding]:
-    """Return the findings of what `app.realtime.go_real_time` was granted, one for each of its sentences."""
-    return [Finding("attention" if " not " in sentence else "good", sentence) for sentence in sentences]
+def real_time_findings(texts: Sequence[Text]) -> list[Finding]:
+    """Return the findings of what `app.realtime.go_real_time` was granted, one for each of its texts."""
+    return [Finding("attention" if text.id.endswith("-refused") else "good", str(text)) for text in texts]
 
 
 def disk_finding(free: int) -> Finding:

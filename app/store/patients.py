@@ -37,8 +37,8 @@ def add_patient(db: Session, code: str, pseudonym: str, note: str) -> Patient:
             f"or undo the deletion of patient {same.id}."
         )
     codes = select(Patient.code)
-    require_distinct(code, db.scalars(codes, execution_options=WITH_DELETED), "a patient of the code")
-    require_distinct(pseudonym, (), "")
+    require_distinct(code, db.scalars(codes, execution_options=WITH_DELETED), "names-code-taken")
+    require_distinct(pseudonym, (), "names-code-taken")
     patient = Patient(
         clinic_id=own_clinic_id(db),
         code=code,

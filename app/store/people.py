@@ -53,7 +53,7 @@ def add_person(
     """
     if find_person(db, name) is not None:
         raise Conflict(f"There is already somebody called '{name}': choose another name to sign in with.")
-    require_distinct(name, db.scalars(select(Person.name)), "somebody called")
+    require_distinct(name, db.scalars(select(Person.name)), "names-person-taken")
     person = Person(
         clinic_id=clinic.id,
         name=name,

@@ -23,6 +23,7 @@ from app.host.machine_check import (
     screen_finding,
     summary,
 )
+from app.texts import Text
 
 NOW = dt.datetime(2026, 5, 1, tzinfo=dt.UTC)
 
@@ -66,8 +67,8 @@ def test_room_clock_and_rights_in_words(tmp_path: Path) -> None:
     assert [clock_finding(NOW, NOW, is_kept=kept).verdict for kept in (True, None, False)] == [
         *("good", "good", "attention")
     ]
-    sentences = ["The control loop has real-time scheduling.", "Memory is not locked: a machine short of memory ..."]
-    assert [finding.verdict for finding in real_time_findings(sentences)] == ["good", "attention"]
+    texts = [Text("realtime-granted"), Text("realtime-memory-refused")]
+    assert [finding.verdict for finding in real_time_findings(texts)] == ["good", "attention"]
 
 
 def test_a_port_is_free_taken_or_the_clinics_own() -> None:

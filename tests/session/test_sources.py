@@ -5,9 +5,9 @@ import pytest
 from app.hardware.configs import SHIRTS
 from app.hardware.registry import BODIES, CHAIRS
 from app.source import (
-    BODY_NAMES,
-    CHAIR_NAMES,
-    SHIRT_NAMES,
+    NAMED_BODIES,
+    NAMED_CHAIRS,
+    NAMED_SHIRTS,
     UNKNOWN_SOURCE,
     Source,
     source_description,
@@ -18,9 +18,9 @@ from app.source import (
 def test_every_source_declares_whether_it_is_simulated_and_has_its_words() -> None:
     assert all(isinstance(driver.simulated, bool) for driver in SHIRTS.values())
     assert {kind for kind, driver in SHIRTS.items() if driver.simulated} == {"simulator", "replay"}
-    assert set(SHIRT_NAMES) == set(SHIRTS)
-    assert set(BODY_NAMES) == set(BODIES)
-    assert set(CHAIR_NAMES) == {*CHAIRS, "unknown"}
+    assert {*SHIRTS, "unknown"} == NAMED_SHIRTS
+    assert set(BODIES) == NAMED_BODIES
+    assert {*CHAIRS, "unknown"} == NAMED_CHAIRS
 
 
 @pytest.mark.parametrize(

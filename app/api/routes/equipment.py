@@ -40,6 +40,7 @@ from app.store.files.disk_watch import disk_room
 from app.store.files.name_conflicts import SameName, log_details
 from app.store.keeping.patient_files import add_patient_file
 from app.store.log import write_log
+from app.texts import from_document
 
 router = APIRouter(prefix="/equipment", tags=["equipment"])
 
@@ -192,7 +193,7 @@ class EquipmentState:
             alive=bool(shirt.get("alive", False)),
             sample_rate=float(shirt.get("sample_rate") or equipment.sample_rate),
             lost=int(shirt.get("lost") or 0),
-            realtime=[str(sentence) for sentence in status.get("realtime", [])],
+            realtime=[str(from_document(text)) for text in status.get("realtime", [])],
             control=self.control.state,
         )
         message = self.head.failure or str((status.get("head") or {}).get("words", ""))

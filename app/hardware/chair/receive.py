@@ -171,7 +171,7 @@ def main(arguments: Sequence[str] | None = None, program: str = "python -m app.h
         *go_real_time(),
         *slowness(clock),
     ):
-        _complain(sentence)
+        _complain(str(sentence))
     try:
         loop.run()
     finally:

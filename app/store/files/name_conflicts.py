@@ -40,7 +40,7 @@ def name_for(name: str, taken: Collection[str], same_name: SameName, *, may_repl
     standing = next((other for other in sorted(taken) if other.lower() == name.lower()), None)
     if standing is None:
         if same_name == "ask":
-            require_distinct(name, taken, "a file or plan")
+            require_distinct(name, taken, "names-file-taken")
         return name
     proposed = free_name(name, taken)
     if same_name == "keep-both":

@@ -50,3 +50,5 @@ invalid-date = this must be a date, but it is { $value }: correct it
 invalid-nothing = this must be empty, but it is { $value }: correct it
 # $problem: what the library that reads the value says, in English.
 invalid-other = { $problem }, but it is { $value }: correct it
+# $place: the number of the character in the text; $code: such as U+200B; $name: its name in Unicode, English.
+invalid-invisible = character { $place } is { $code } ({ $name }), which nobody sees: leave it out
