@@ -71,11 +71,11 @@ class Explanation(NamedTuple):
 
 
 def _explanation(fault: Fault) -> Explanation:
-    message = f"fault-{fault.name.lower().replace('_', '-')}"
-    remedy = Text(f"{message}-remedy")
+    name = fault.name.lower().replace("_", "-")
+    remedy = Text(f"fault-{name}-remedy")
     continued = fault not in NOT_CONTINUED
-    next_step = Text("fault-remedy-continue", remedy=remedy) if continued else remedy
-    return Explanation(Text(message), remedy, next_step, Text(f"{message}-patient"))
+    next_step = Text("remedy-continue", remedy=remedy) if continued else remedy
+    return Explanation(Text(f"fault-{name}"), remedy, next_step, Text(f"fault-{name}-patient"))
 
 
 EXPLANATIONS: Final = {fault: _explanation(fault) for fault in Fault}

@@ -1,6 +1,6 @@
 """The source of a recording: its shirt, the body inside a simulated shirt, its chair; and its description."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from typing import Annotated, Literal
 
 from pydantic import Field, ValidationError
@@ -37,16 +37,16 @@ class Source(Document):
 
 def source_description(source: Source) -> str:
     """Return the description of a source on pages, in reports and in exports, in the reader's language."""
-    shirt = _name("source-shirt", source.shirt, NAMED_SHIRTS)
+    shirt, chair = Text("source-other-shirt", kind=source.shirt), Text("source-other-chair", kind=source.chair)
+    if source.shirt in NAMED_SHIRTS:
+        shirt = Text(f"source-shirt-{source.shirt}")
+    if source.chair in NAMED_CHAIRS:
+        chair = Text(f"source-chair-{source.chair}")
     if source.body is not None:
         body = Text(f"source-body-{source.body}") if source.body in NAMED_BODIES else source.body
-        shirt = Text("source-shirt-with-body", shirt=shirt, body=body)
-    signals = Text("source-signals", shirt=shirt, chair=_name("source-chair", source.chair, NAMED_CHAIRS))
-    return str(Text("source-practice", source=signals) if source.simulated else signals)
-
-
-def _name(message: str, kind: str, named: Collection[str]) -> Text:
-    return Text(f"{message}-{kind}") if kind in named else Text(f"{message}-other", kind=kind)
+        shirt = Text("source-with-body", shirt=shirt, body=body)
+    signals = Text("source-signals", shirt=shirt, chair=chair)
+    return str(Text("source-practice-only", source=signals) if source.simulated else signals)
 
 
 STUDY_SOURCE = Source(shirt="simulator", body="person", chair="virtual", simulated=True)  # of all studies

@@ -13,7 +13,7 @@ function words(part) {
 }
 
 const texts = {};
-for (const file of readdirSync(language)) {
+for (const file of readdirSync(language).filter((name) => name.endsWith(".ftl"))) {
   const { body } = new FluentResource(readFileSync(`${language}/${file}`, "utf8"));
   texts[file] = Object.fromEntries(body.map(({ id, value }) => [id, words(value)]));
 }

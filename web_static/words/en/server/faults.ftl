@@ -2,7 +2,7 @@
 ### clinician, those with -patient for the patient, who reads no technical details.
 
 # The next step of a fault after which Continue goes on with the trial or the drive.
-fault-remedy-continue = { $remedy } Then tap Continue.
+remedy-continue = { $remedy } Then tap Continue.
 
 fault-none = Nothing is wrong.
 fault-none-remedy = Go on.

@@ -30,17 +30,17 @@ source-shirt-simulator = Simulated shirt
 source-shirt-replay = Recorded signals
 source-shirt-udp = Worn shirt
 source-shirt-unknown = Shirt not recorded
-source-shirt-other = Shirt of the kind '{ $kind }'
+source-other-shirt = Shirt of the kind '{ $kind }'
 source-body-person = simulated person
 source-body-visitor = moved on the screen
 source-body-recorded = recorded body
 source-chair-virtual = virtual chair
 source-chair-udp = real chair
 source-chair-unknown = chair not recorded
-source-chair-other = chair of the kind '{ $kind }'
-source-shirt-with-body = { $shirt } ({ $body })
+source-other-chair = chair of the kind '{ $kind }'
+source-with-body = { $shirt } ({ $body })
 source-signals = { $shirt }, { $chair }
-source-practice = { $source }: practice only
+source-practice-only = { $source }: practice only
 
 ## The layout of a shirt: the end of a sentence that begins with the file or form.
 
