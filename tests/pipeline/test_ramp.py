@@ -80,6 +80,19 @@ def test_a_chair_that_brakes_softly_may_still_set_off_briskly():
     assert min(change for *_, change, _ in followed(brisk, [(0.0, 0.01)] * 300, speed=0.8)) == pytest.approx(-0.5)
 
 
+@pytest.mark.parametrize(
+    ("away", "rate", "after"),
+    [
+        (0.125, 0.0, 0.125),  # as far as one step goes whose rate falls to 0 in the next
+        (0.0625, -0.5, 0.0625),  # the rate changes by as much as it may
+        (0.0625, -0.75, 0.03125),  # it would have to change by more
+        (0.25, 2.0, 0.125),  # further than one step: the rate could not be 0 in the next
+    ],
+)
+def test_the_target_is_reached_in_one_step_when_the_rate_may_be_0_in_the_next(away, rate, after):
+    assert FORWARD.towards(0.0, rate, away, 0.125) == after  # a step changes the rate by at most 1
+
+
 @pytest.mark.parametrize("dt", [0.0, -0.01, math.nan])
 def test_without_time_nothing_changes(dt):
     assert FORWARD.bounded(0.3, 0.2, 0.8, dt) == 0.3
