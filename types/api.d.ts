@@ -474,6 +474,42 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/auth/language": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["LanguageChoice"];
+                };
+            };
+            responses: {
+                204: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/auth/password": {
         parameters: {
             query?: never;
@@ -6499,6 +6535,9 @@ export interface components {
             reason: string;
             label: string;
         };
+        LanguageChoice: {
+            language: string;
+        };
         LatestPractice: {
             hash: string;
             title: string;
@@ -6748,6 +6787,8 @@ export interface components {
             demo: boolean;
             needs_setup: boolean;
             version: string;
+            language: string;
+            languages: string[];
         };
         Measure: {
             name: string;
@@ -8077,6 +8118,7 @@ export type JointLines = components['schemas']['JointLines'];
 export type JointMap = components['schemas']['JointMap'];
 export type JointQuality = components['schemas']['JointQuality'];
 export type JointView = components['schemas']['JointView'];
+export type LanguageChoice = components['schemas']['LanguageChoice'];
 export type LatestPractice = components['schemas']['LatestPractice'];
 export type LeadingMeasures = components['schemas']['LeadingMeasures'];
 export type LearningView = components['schemas']['LearningView'];

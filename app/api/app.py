@@ -48,7 +48,7 @@ from app.api.routes import (
     trial_plan,
     trials,
 )
-from app.api.sign_in import accept_invitation, auth, introduction, own_password
+from app.api.sign_in import accept_invitation, auth, introduction, own_language, own_password
 from app.api.sockets import OpenSockets
 from app.api.view.view_bridge import view_router
 from app.api.view.view_controls import view_controls
@@ -71,6 +71,7 @@ ROUTES = (
     reference,
     auth,
     accept_invitation,
+    own_language,
     own_password,
     introduction,
     people,

@@ -4,11 +4,14 @@ from collections.abc import Iterator
 from typing import Final
 
 from starlette.requests import HTTPConnection
+from starlette.responses import Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 
+from app.api.sign_in.cookies import read_cookie, set_cookie
 from app.texts import ENGLISH, LANGUAGES, reader_language
 
-COOKIE: Final = "language"  # the pages set and read it
+COOKIE: Final = "language"
+KEPT_FOR: Final = 31_536_000  # s: a year
 
 
 class RequestLanguage:
@@ -28,10 +31,15 @@ class RequestLanguage:
 
 def language_of(request: HTTPConnection) -> str:
     """Return the language of a request, English where it names none of LANGUAGES."""
-    chosen = request.cookies.get(COOKIE)
+    chosen = read_cookie(request, COOKIE)
     if chosen in LANGUAGES:
         return chosen
     return next(_wanted(request.headers.get("accept-language", "")), ENGLISH)
+
+
+def keep_language(request: HTTPConnection, response: Response, language: str) -> None:
+    """Make a language that of this browser's later requests."""
+    set_cookie(request, response, COOKIE, language, max_age=KEPT_FOR)
 
 
 def _wanted(header: str) -> Iterator[str]:

@@ -18,7 +18,7 @@ def three_languages(monkeypatch):
 
 def request(**headers):
     sent = [(name.replace("_", "-").encode(), value.encode("latin-1")) for name, value in headers.items()]
-    return {"type": "http", "method": "GET", "path": "/", "headers": sent}
+    return {"type": "http", "scheme": "http", "method": "GET", "path": "/", "headers": sent}
 
 
 @pytest.mark.parametrize(

@@ -24,6 +24,7 @@ FOR_EVERYONE = {
     "POST /auth/invitation/accept",
     "POST /auth/sign-out",
     "GET /auth/me",
+    "PUT /auth/language",
     "GET /start",
     "GET /reference",
     "POST /control/stop",

@@ -10,6 +10,7 @@ from pydantic import Field
 from app import __version__
 from app.api.deps import NOBODY, Db, ForEveryone, SettingsPart, SetUpPart, SignInLimitsPart, SocketsPart
 from app.api.page_session import SIGN_IN, any_session
+from app.api.request_language import keep_language
 from app.api.sign_in.cookies import delete_cookie, read_cookie, set_cookie
 from app.api.sign_in.identity import COOKIE, SignedInPerson
 from app.api.sign_in.passwords import BROWSER_COOKIE, BROWSER_PATH, Passwords, weakness
@@ -22,6 +23,7 @@ from app.store.access.sign_ins import sign_in, sign_out, unlock
 from app.store.browsers import KNOWN_FOR, remember_browser
 from app.store.database import Database, Transaction
 from app.store.people import add_clinic, add_person, count_people, find_person, the_clinic
+from app.texts import LANGUAGES, current_language
 
 router = APIRouter(prefix="/auth", tags=["sign-in"], dependencies=[ForEveryone])
 
@@ -64,6 +66,8 @@ class Me(Document):
     demo: bool
     needs_setup: bool
     version: str
+    language: str  # of the pages: the one that this person chose, otherwise that of the browser
+    languages: tuple[str, ...]  # that can be chosen
 
 
 class OwnPassword(Document):
@@ -84,6 +88,7 @@ def _me(settings: Settings, database: Database, name: str | None, role: str | No
         needs_setup = not settings.demo and count_people(db) == 0
         person = None if name is None else find_person(db, name)
         introduced = person is not None and person.introduced
+        chosen = None if person is None else person.language
     return Me(
         signed_in=name is not None,
         locked=locked,
@@ -93,6 +98,8 @@ def _me(settings: Settings, database: Database, name: str | None, role: str | No
         demo=settings.demo,
         needs_setup=needs_setup,
         version=__version__,
+        language=chosen or current_language(),
+        languages=LANGUAGES,
     )
 
 
@@ -105,11 +112,13 @@ def let_in(settings: Settings, database: Database, request: Request, response: R
         person = find_person(db, name)
         if person is None or person.disabled is not None:
             raise HTTPException(401, "This person may no longer sign in: ask an owner.")
-        token, role = sign_in(db, person, how), person.role
+        token, role, language = sign_in(db, person, how), person.role, person.language
         cookie = f"{BROWSER_COOKIE}{person.id}"
         known_browser = read_cookie(request, cookie, BROWSER_PATH)
         browser = None if person.password_hash is None else remember_browser(db, person, known_browser)
     set_cookie(request, response, COOKIE, token)
+    if language is not None:
+        keep_language(request, response, language)
     if browser is not None:
         lifetime = int(KNOWN_FOR.total_seconds())
         set_cookie(request, response, cookie, browser, BROWSER_PATH, max_age=lifetime, samesite="strict")

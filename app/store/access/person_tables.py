@@ -22,6 +22,7 @@ class Person(Table):
     created: Mapped[datetime]
     disabled: Mapped[datetime | None]
     introduced: Mapped[bool] = mapped_column(server_default="0")  # has put the sentences for a first time away
+    language: Mapped[str | None] = mapped_column(String(8))  # None: that of the browser
 
 
 class SignIn(Table):

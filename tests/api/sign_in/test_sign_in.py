@@ -21,6 +21,8 @@ def test_the_code_of_the_link_signs_in_as_often_as_it_is_opened(clinic: Any) -> 
         "introduced": False,
         "needs_setup": False,
         "version": "0.2.0",
+        "language": "en",
+        "languages": ["en"],
     }
     assert clinic("POST", "/auth/demo", json={"code": "another"}).status_code == 401
     for _ in range(2):

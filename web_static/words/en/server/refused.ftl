@@ -9,6 +9,9 @@ refused-not-json = What was sent is not JSON: correct it.
 refused-not-declared = What was sent is not declared as JSON: send it as application/json.
 refused-no-file = What was sent as a file is none: choose a file, then add it again.
 
+# $language, $languages: as abbreviations: en, es.
+language-not-offered = There is no language “{ $language }” here: choose one of { $languages }.
+
 ## Where something is wrong: the beginning of a sentence that names a field and the problem.
 
 refused-in-body = What was sent

@@ -1,0 +1,34 @@
+"""A reader chooses a language once: it is the browser's, and follows the person to other browsers."""
+
+import pytest
+from api.fake_clinic import Clinic, sentence_of
+
+from app.api import request_language
+from app.api.sign_in import own_language
+
+
+@pytest.fixture(autouse=True)
+def three_languages(monkeypatch: pytest.MonkeyPatch) -> None:
+    for module in (own_language, request_language):
+        monkeypatch.setattr(module, "LANGUAGES", ("en", "es", "de"))
+
+
+def test_the_choice_is_of_the_browser_and_of_the_person(owned: Clinic) -> None:
+    assert owned.good("GET", "/auth/me")["language"] == "en"
+    assert owned("PUT", "/auth/language", json={"language": "de"}).status_code == 204
+    assert owned.good("GET", "/auth/me")["language"] == "de"
+    owned.client.cookies.delete("language")
+    assert owned.good("GET", "/auth/me")["language"] == "de"
+    owned("POST", "/auth/sign-out")
+    assert owned.good("GET", "/auth/me")["language"] == "en"
+
+
+def test_before_the_sign_in_it_is_of_the_browser_alone(owned: Clinic) -> None:
+    owned("POST", "/auth/sign-out")
+    assert owned("PUT", "/auth/language", json={"language": "es"}).status_code == 204
+    assert owned.good("GET", "/auth/me")["language"] == "es"
+
+
+def test_a_language_that_is_not_offered_is_refused(owned: Clinic) -> None:
+    answer = owned("PUT", "/auth/language", json={"language": "xx"})
+    assert sentence_of(answer, 422) == "There is no language “xx” here: choose one of en, es and de."
