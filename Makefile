@@ -17,7 +17,7 @@ unexport PYTHONDONTWRITEBYTECODE
 
 .PHONY: demo test browser check format lint python-types javascript-types api-types
 .PHONY: safety compiled drills worlds soak long-recording people-soak large-clinic photographs
-.PHONY: bench bench-compare verdicts page shipped pins clean
+.PHONY: words bench bench-compare verdicts page shipped pins clean
 
 $(VENV)/.installed: pyproject.toml hatch_build.py front_end_packages.py package-lock.json requirements/run.txt requirements/build.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -130,6 +130,10 @@ bench: $(VENV)/.installed-test
 # Simulated people who are called better or worse than noise: the tables of docs/learning/verdicts.md; about five minutes.
 verdicts: $(VENV)/.installed-test
 	$(BIN)/python -m bench.learning.verdicts --people $(or $(PEOPLE),1000)
+
+# What a language of the pages lacks (docs/translating.md).
+words: $(VENV)/.installed-test
+	@PYTHONPATH=tests $(BIN)/python -m words $(or $(LANGUAGE),$(error name a language, as in: make words LANGUAGE=es))
 
 bench-compare: $(VENV)/.installed-test
 	$(BIN)/python -m bench.compare $(or $(COMMIT),$(error name a commit, as in: make bench-compare COMMIT=main)) $(PART)

@@ -13,10 +13,9 @@ from fluent.syntax import ast as fluent
 
 from app.texts import LANGUAGES
 from folders import ROOT
+from words import WORDS, differences, messages_of
 
-WORDS = ROOT / "web_static" / "words"
 FILES = sorted((ROOT / "app").rglob("*.py"))
-VARIABLE = re.compile(r"\$(\w+)")
 
 
 def entries(file: Path) -> Iterator[fluent.EntryType]:
@@ -25,15 +24,11 @@ def entries(file: Path) -> Iterator[fluent.EntryType]:
 
 
 @cache
-def messages(language: str) -> dict[str, set[str]]:
+def messages() -> dict[str, set[str]]:
     """Return the messages of the server, each with the names of its values."""
-    found = {}
-    for file in sorted((WORDS / language / "server").glob("*.ftl")):
-        text = file.read_text(encoding="utf-8")
-        for entry in FluentParser().parse(text).body:
-            if isinstance(entry, fluent.Message) and entry.span is not None:
-                found[entry.id.name] = set(VARIABLE.findall(text[entry.span.start : entry.span.end]))
-    return found
+    return {
+        name: values for file in (WORDS / "en" / "server").glob("*.ftl") for name, values in messages_of(file).items()
+    }
 
 
 @cache
@@ -76,15 +71,12 @@ def test_each_message_can_be_read_and_has_one_place(language):
 
 @pytest.mark.parametrize("language", LANGUAGES)  # that people can choose
 def test_a_language_has_each_message_with_the_same_values(language):
-    english, translated = messages("en"), messages(language)
-    assert english.keys() - translated.keys() == set()
-    assert translated.keys() - english.keys() == set()
-    assert {name: translated[name] for name in english if translated[name] != english[name]} == {}
+    assert differences(language) == []
 
 
 @pytest.mark.parametrize("path", [path for path, tree in trees().items() if any(texts_of(tree))])
 def test_a_text_has_a_message_and_is_given_its_values(path):
-    known, wrong = messages("en"), []
+    known, wrong = messages(), []
     for call in texts_of(trees()[path]):
         pattern = pattern_of(call.args[0])
         if pattern is None:
@@ -110,5 +102,5 @@ def test_no_message_is_left_over():
         for call in texts_of(tree)
         if isinstance(call.args[0], ast.JoinedStr) and (pattern := pattern_of(call.args[0])) is not None
     ]
-    left = {name for name in messages("en") if name not in literals and not any(ids.fullmatch(name) for ids in made)}
+    left = {name for name in messages() if name not in literals and not any(ids.fullmatch(name) for ids in made)}
     assert left == set()
