@@ -6,8 +6,8 @@ from typing import Literal, get_args
 import numpy as np
 from pydantic import BaseModel, ConfigDict
 
+from app.hardware.chair.link_texts import reason_text
 from app.hardware.chair.reasons import Reason
-from app.hardware.chair.telemetry import reason_text
 from app.pipeline.safety_gate import CHAIR_SILENT
 
 StateName = Literal["disarmed", "checking", "armed", "fault"]

@@ -14,7 +14,7 @@ from app.faults import State
 from app.geometry import STANDSTILL, Pose, Twist
 from app.hardware.base import ORIGIN, HardwareError
 from app.hardware.chair.key import Key, KeyRefused, read_key
-from app.hardware.chair.key_texts import lost_key, refusal_text
+from app.hardware.chair.link_texts import lost_key, refusal_text
 from app.hardware.chair.odometry import arc
 from app.hardware.chair.packet import (
     DIGEST_BYTES,

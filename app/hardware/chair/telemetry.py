@@ -3,8 +3,8 @@
 import math
 from typing import NamedTuple
 
+from app.hardware.chair.link_texts import reason_text
 from app.hardware.chair.packet import Telemetry
-from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.texts import Figure, Text
 
 SILENT = 0.3  # s without telemetry, which comes every 0.1 s
@@ -135,10 +135,3 @@ def telemetry_description(name: str, place: str, telemetry: Telemetry) -> Text:
         battery=Figure(100 * telemetry.battery) if known else "unknown",
         reason=reason_text(telemetry.fault) or "none",
     )
-
-
-def reason_text(fault: int) -> Text | None:
-    """Return why a chair stands, by the fault code of its telemetry; None for no fault, and for an unknown one."""
-    if fault == Reason.NONE or fault not in DESCRIPTIONS:
-        return None
-    return Text("chairdev-reason", reason=Reason(fault).name.lower())

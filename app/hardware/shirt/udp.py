@@ -13,7 +13,7 @@ from app.clock import Clock
 from app.hardware.addresses import Host
 from app.hardware.base import HardwareError
 from app.hardware.chair.key import Key, KeyRefused, read_key
-from app.hardware.chair.key_texts import lost_key, refusal_text
+from app.hardware.chair.link_texts import lost_key, refusal_text
 from app.hardware.shirt.frame_order import Lateness, Sequence
 from app.hardware.shirt.kind import (
     FieldTexts,

@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.hardware.chair.key import SENTENCES, Key, KeyRefused, new_key, read_key, write_key
-from app.hardware.chair.key_texts import refusal_text
+from app.hardware.chair.link_texts import refusal_text
 from app.hardware.chair.packet import (
     ChairCommand,
     Telemetry,

@@ -5,10 +5,10 @@ import math
 import pytest
 from hardware.chair.commanded_receiver import PERIOD, CommandedReceiver
 
+from app.hardware.chair.link_texts import reason_text
 from app.hardware.chair.packet import DRIVE, STOP, VIRTUAL
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.hardware.chair.receiver import Receiver, ReceiverState
-from app.hardware.chair.telemetry import reason_text
 from app.pipeline import safety_gate
 
 DISARMED, CHECKING, ARMED, FAULT = ReceiverState
