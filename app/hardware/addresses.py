@@ -7,6 +7,7 @@ from typing import Annotated
 from pydantic import AfterValidator, Field
 
 from app.quantities import Line
+from app.texts import Text
 
 LONGEST_QUOTE = 40
 _LABEL = re.compile(r"[A-Za-z0-9_]([A-Za-z0-9_-]{0,61}[A-Za-z0-9_])?")
@@ -16,16 +17,14 @@ _NUMBER = re.compile(r"[0-9]+|0[xX][0-9A-Fa-f]*")  # a numeric last label belong
 def checked_host(text: str) -> str:
     """Return a valid host name, IPv4 or IPv6 address; ValueError for any other text."""
     if not _is_host(text):
-        raise ValueError(
-            f"{_quoted(text)} is no address: write a name such as chair.local, or an address such as 192.168.1.20"
-        )
+        raise ValueError(Text("device-no-host", given=_quoted(text)))
     return text
 
 
 def checked_line(text: str) -> str:
     """Return the valid name of a serial line; ValueError for any other file or device."""
     if not re.fullmatch(r"/dev/(tty|cu\.|pts/|rfcomm|serial/)[A-Za-z0-9._:+/-]*|COM[0-9]{1,3}", text) or ".." in text:
-        raise ValueError(f"{_quoted(text)} is no serial line: write a name such as /dev/ttyUSB0 or COM3")
+        raise ValueError(Text("device-no-line", given=_quoted(text)))
     return text
 
 

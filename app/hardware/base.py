@@ -15,13 +15,14 @@ from app.hardware.shirt.sender_choice import SenderChoice
 from app.layout import ShirtLayout
 from app.messages import ChairState, HeadPose, SensorFrame, Tick
 from app.speed_limits import Speeds
+from app.texts import Text
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 ORIGIN = Pose(0.0, 0.0, 0.0)
 
 
 class HardwareError(Exception):
-    """Why a device cannot be used, as one sentence that names the device, the place and the remedy."""
+    """Why a device cannot be used: a text of one sentence that names the device, the place and the remedy."""
 
 
 @dataclass(slots=True)
@@ -81,7 +82,7 @@ class MovableBody(Protocol):
     """A body whose joints are moved from outside."""
 
     def move(self, joints: Mapping[str, float]) -> None:
-        """Set the targets of joints, 0 (rest) to 1 (full movement); ValueError, in one sentence, for what cannot be."""
+        """Set the targets of joints, 0 (rest) to 1 (full movement); ValueError, with a text, for what cannot be."""
         ...
 
 
@@ -124,7 +125,7 @@ class Shirt(Protocol):
         """Return whether another frame seems to have arrived already."""
         ...
 
-    def description(self) -> str:
+    def description(self) -> Text:
         """Return the shirt's state in words."""
         ...
 
@@ -146,8 +147,8 @@ class NetworkShirt(Protocol):
         """Accept another sender as the shirt; False when none of this name sent good frames."""
         ...
 
-    def lost_key(self) -> str:
-        """Return in words why the shirt's key counts no longer, empty while it does or there is none."""
+    def lost_key(self) -> Text | None:
+        """Return why the shirt's key counts no longer, None while it does or there is no key."""
         ...
 
 
@@ -172,7 +173,7 @@ class HeadTracker(Protocol):
         """
         ...
 
-    def description(self) -> str:
+    def description(self) -> Text:
         """Return the tracker's state in words."""
         ...
 
@@ -243,12 +244,12 @@ class LinkedChair(Chair, Protocol):
         """Release the chair; closing twice does no harm."""
         ...
 
-    def description(self) -> str:
+    def description(self) -> Text:
         """Return the chair's state in words."""
         ...
 
-    def lost_key(self) -> str:
-        """Return in words why the chair's key counts no longer, empty while it does."""
+    def lost_key(self) -> Text | None:
+        """Return why the chair's key counts no longer, None while it does."""
         ...
 
     def use_parameters(self, digest: bytes) -> None:

@@ -6,7 +6,7 @@ here, from kind to (module, class), and are imported when they are used.
 
 from collections.abc import Callable, Mapping
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 from pydantic import TypeAdapter, ValidationError
 
@@ -15,12 +15,14 @@ from app.hardware.base import Body, HardwareError, HeadTracker, Shirt
 from app.hardware.configs import SHIRTS, BodyConfig, ChairConfig, HeadConfig, RealChairConfig
 from app.hardware.shirt.kind import ShirtConfig
 from app.sentences import one_sentence
+from app.texts import Text
 
 if TYPE_CHECKING:
     from app.hardware.chair.link import ChairLink
 
 
 Table = Mapping[str, tuple[str, str]]
+Role = Literal["shirt", "body", "chair", "head"]
 
 BODIES: Table = {
     "person": ("app.hardware.body.person", "SimulatedPerson"),
@@ -41,62 +43,56 @@ HEADS: Table = {
 }
 
 
-def driver_class(what: str, word: str, table: Table) -> Callable[..., object]:
-    """Return the class of the kind `word` in `table`; `what` ("shirt", "chair" ...) names the device in sentences.
+def driver_class(role: Role, kind: str, table: Table) -> Callable[..., object]:
+    """Return the class of the driver of `kind` in `table`, the table of this role.
 
     Raises
     ------
     HardwareError
         For an unknown kind, a missing module or library, and a missing class, each with its own sentence.
     """
-    if word not in table:
-        raise HardwareError(f"there is no {what} of the kind '{word}': use one of {', '.join(table)}")
-    module, name = table[word]
+    if kind not in table:
+        raise HardwareError(_unknown_kind(role, kind, table))
+    module, name = table[kind]
     try:
         driver = import_module(module)
     except ModuleNotFoundError as error:
         if error.name and error.name.partition(".")[0] != "app":
-            raise HardwareError(
-                f"the {what} '{word}' needs the library '{error.name}', which is not installed: install it"
-            ) from error
-        raise HardwareError(
-            f"the driver {module} of the {what} '{word}' is missing from this installation: install bodydrive again"
-        ) from error
+            raise HardwareError(Text("device-no-library", device=role, kind=kind, library=error.name)) from error
+        raise HardwareError(Text("device-no-driver", device=role, kind=kind, driver=module)) from error
     try:
         return cast(Callable[..., object], getattr(driver, name))
     except AttributeError as error:
-        raise HardwareError(
-            f"the driver {module} of the {what} '{word}' has no class {name}: correct its table in app/hardware"
-        ) from error
+        raise HardwareError(f"the driver {module} has no class {name}: correct its table in app/hardware") from error
 
 
 def parse_shirt(document: object) -> ShirtConfig:
     """Return the shirt configuration in `document` (JSON values), or raise HardwareError with one sentence."""
     kind = SHIRTS[_kind_of("shirt", document, SHIRTS)]
-    return cast(ShirtConfig, _parse("shirt", document, TypeAdapter(kind.config)))
+    return cast(ShirtConfig, _parse("shirt configuration", document, TypeAdapter(kind.config)))
 
 
 def parse_body(document: object) -> BodyConfig:
     """Return the body configuration in `document` (JSON values), or raise HardwareError with one sentence."""
     _kind_of("body", document, BODIES)
-    return cast(BodyConfig, _parse("body", document, TypeAdapter(BodyConfig)))
+    return cast(BodyConfig, _parse("body configuration", document, TypeAdapter(BodyConfig)))
 
 
 def parse_chair(document: object) -> ChairConfig:
     """Return the chair configuration in `document` (JSON values), or raise HardwareError with one sentence."""
     _kind_of("chair", document, CHAIRS)
-    return cast(ChairConfig, _parse("chair", document, TypeAdapter(ChairConfig)))
+    return cast(ChairConfig, _parse("chair configuration", document, TypeAdapter(ChairConfig)))
 
 
 def parse_head(document: object) -> HeadConfig:
     """Return the head tracker's configuration in `document` (JSON values), or raise HardwareError with one sentence."""
-    _kind_of("head tracker", document, HEADS)
-    return cast(HeadConfig, _parse("head tracker", document, TypeAdapter(HeadConfig)))
+    _kind_of("head", document, HEADS)
+    return cast(HeadConfig, _parse("head tracker configuration", document, TypeAdapter(HeadConfig)))
 
 
 def make_head(config: HeadConfig, clock: Clock) -> HeadTracker:
     """Return the head tracker that `config` describes, not yet open; raise HardwareError without its driver."""
-    return cast(HeadTracker, driver_class("head tracker", config.kind, HEADS)(config, clock))
+    return cast(HeadTracker, driver_class("head", config.kind, HEADS)(config, clock))
 
 
 def make_shirt(config: ShirtConfig, clock: Clock) -> Shirt:
@@ -121,18 +117,22 @@ def make_real_chair(config: RealChairConfig) -> "ChairLink":
     return cast("ChairLink", driver_class("chair", config.kind, CHAIRS)(config))
 
 
-def _kind_of(what: str, document: object, table: Mapping[str, object]) -> str:
+def _kind_of(role: Role, document: object, table: Mapping[str, object]) -> str:
     """Return the kind that `document` names, or raise HardwareError when `table` has no such kind."""
     kind = document.get("kind") if isinstance(document, Mapping) else None
     if not isinstance(kind, str):
-        raise HardwareError(f'a {what} configuration needs a "kind": give one of {", ".join(table)}')
+        raise HardwareError(Text("device-needs-kind", device=role, kinds=", ".join(table)))
     if kind not in table:
-        raise HardwareError(f"there is no {what} of the kind '{kind}': use one of {', '.join(table)}")
+        raise HardwareError(_unknown_kind(role, kind, table))
     return kind
 
 
-def _parse(what: str, document: object, adapter: TypeAdapter[Any]) -> object:
+def _unknown_kind(role: Role, kind: str, table: Mapping[str, object]) -> Text:
+    return Text("device-unknown-kind", device=role, kind=kind, kinds=", ".join(table))
+
+
+def _parse(name: str, document: object, adapter: TypeAdapter[Any]) -> object:
     try:
         return adapter.validate_python(document)
     except ValidationError as error:
-        raise HardwareError(one_sentence(error, f"{what} configuration")) from error
+        raise HardwareError(one_sentence(error, name)) from error

@@ -306,10 +306,10 @@ def device_refusal(loop: ControlLoop) -> str:
     """Return in a sentence which device is no longer paired, or what a real chair still needs before it is armed."""
     setup = loop.setup
     chair, parameters = setup.link, setup.parameters
-    lost = setup.network_shirt.lost_key() if setup.network_shirt else ""
+    lost = setup.network_shirt.lost_key() if setup.network_shirt else None
     if lost:
         return f"The shirt is no longer paired: {lost}."
-    lost = chair.lost_key() if chair else ""
+    lost = chair.lost_key() if chair else None
     if lost:
         return f"The chair is no longer paired: {lost}."
     if chair is None or parameters is None:
@@ -322,7 +322,7 @@ def device_refusal(loop: ControlLoop) -> str:
     if loop.run is None:
         return "A real chair drives only while it is recorded: begin a drive first."
     if chair.silent:
-        return chair.description()
+        return str(chair.description())
     if chair.inhibited:
         return f"{chair.description()} Look around, release the switch, then arm again."
     if parameters.keeps_speed and not chair.switch_reported:

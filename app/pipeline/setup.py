@@ -41,7 +41,7 @@ class HeadTracking:
     @property
     def description(self) -> str:
         """The tracker's state in words."""
-        return self._failed or (self._tracker.description() if self._tracker else NO_TRACKER)
+        return self._failed or (str(self._tracker.description()) if self._tracker else NO_TRACKER)
 
     def change(self, config: HeadConfig | None) -> DeviceChange:
         """Release the head tracker in use, and return the change that opens another one."""
@@ -158,7 +158,7 @@ class Setup:
     @property
     def shirt_description(self) -> str:
         """The shirt's state in words."""
-        return self.shirt.description() if self.shirt else self._shirt_failed or NO_SHIRT
+        return str(self.shirt.description()) if self.shirt else self._shirt_failed or NO_SHIRT
 
     @property
     def source(self) -> Source:
@@ -179,7 +179,7 @@ class Setup:
     @property
     def chair_description(self) -> str:
         """The chair's state in words."""
-        return f"The virtual chair, moving as a {self._dynamics}." if self.link is None else self.link.description()
+        return str(self.link.description()) if self.link else f"The virtual chair, moving as a {self._dynamics}."
 
     @property
     def dynamics(self) -> Dynamics | None:
@@ -207,7 +207,7 @@ class Setup:
 
         def use(shirt: Shirt) -> None:
             self.shirt, self.shirt_kind = shirt, config.kind
-            self.mistrust = SHIRTS[config.kind].mistrust(config)
+            self.mistrust = str(SHIRTS[config.kind].mistrust(config) or "")
             self.simulated_shirt = cast(ShirtWithBody, shirt) if config.kind == "simulator" else None
             if self.parameters is not None and self._misfit(self.parameters):
                 self.parameters = self.hash = None

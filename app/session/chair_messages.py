@@ -6,7 +6,8 @@ from typing import Literal, get_args
 import numpy as np
 from pydantic import BaseModel, ConfigDict
 
-from app.hardware.chair.reasons import DESCRIPTIONS, Reason
+from app.hardware.chair.link_texts import reason_text
+from app.hardware.chair.reasons import Reason
 from app.pipeline.safety_gate import CHAIR_SILENT
 
 StateName = Literal["disarmed", "checking", "armed", "fault"]
@@ -17,9 +18,7 @@ CHAIR_FAULT = 3  # index of "fault" in STATE_NAMES
 
 def fault_sentence(fault: int) -> str:
     """Return the sentence for the fault number of a chair whose state is "fault"."""
-    if fault == Reason.NONE or fault not in DESCRIPTIONS:
-        return "The chair reports a fault that this program does not know."
-    return DESCRIPTIONS[Reason(fault)]
+    return str(reason_text(fault) or "The chair reports a fault that this program does not know.")
 
 
 def is_silent(tick: np.void) -> bool:

@@ -49,7 +49,8 @@ MAY_IMPORT = {
     "store": (LEAVES, "world", "calibration", "scoring", REGISTRATION),
     "session": (
         *(LEAVES, "process", "recording", "signals", "world", "calibration", *PURE_CHAIN, "scoring", "store"),
-        *("hardware.chair.key", "hardware.chair.reasons", "hardware.shirt.newest_frame", "hardware.configs"),
+        *("hardware.chair.key", "hardware.chair.reasons", "hardware.chair.link_texts"),
+        *("hardware.shirt.newest_frame", "hardware.configs"),
     ),
     "study": (
         *(LEAVES, "signals", "recording", "world", "calibration", *PURE_CHAIN, "scoring", "hardware.base"),

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from app.hardware.base import BodyView, HardwareError
 from app.hardware.body.joints import ARM_DEGREES_OF_FREEDOM, ARM_JOINTS, second_way
 from app.hardware.body.minimum_jerk import minimum_jerk
+from app.texts import Text, text_of
 
 AXES = ("x", "y", "z")
 BLEND = 1.0  # s over which the end of the recording is blended into its beginning
@@ -90,28 +91,25 @@ def _postures(file: Path, joints: tuple[str, ...]) -> tuple[float, NDArray[np.fl
         t = require_column(table, file, "t")
         named = [joint for joint in joints if any(f"{joint}_{axis}" in table for axis in AXES)]
         if not named:
-            raise ValueError(
-                f"{file}: there is no joint of the simulated body in this file, name columns like "
-                f"{ARM_JOINTS[0]}_x, {ARM_JOINTS[0]}_y, {ARM_JOINTS[0]}_z"
-            )
+            columns = ", ".join(f"{ARM_JOINTS[0]}_{axis}" for axis in AXES)
+            raise ValueError(Text("bodydev-file-no-joint", file=str(file), columns=columns))
         rotations = {
             joint: np.stack([require_column(table, file, f"{joint}_{axis}") for axis in AXES], axis=1)
             for joint in named
         }
     except ValueError as error:
-        raise HardwareError(str(error)) from error
+        raise HardwareError(text_of(error)) from error
     steps = np.diff(t)
     if len(t) < 2 or not (steps > 0).all():
-        raise HardwareError(f"{file}: the times in column 't' do not rise from row to row, correct them")
+        raise HardwareError(Text("bodydev-file-times", file=str(file)))
     if t[-1] - t[0] < SHORTEST:
-        raise HardwareError(
-            f"{file}: {t[-1] - t[0]:g} s of movement are too short to go round, give at least {SHORTEST:g} s"
-        )
+        length = round(float(t[-1] - t[0]), 2)
+        raise HardwareError(Text("bodydev-file-short", file=str(file), length=length, least=SHORTEST))
     dt = float(np.median(steps))
     if dt > 1.0 / SLOWEST:
-        raise HardwareError(f"{file}: a movement needs at least {SLOWEST:g} rows a second, record it again")
+        raise HardwareError(Text("bodydev-file-slow", file=str(file), least=SLOWEST))
     if t[-1] - t[0] > MOST_FILLED * len(t) * dt:
-        raise HardwareError(f"{file}: the times in column 't' are too uneven, record it again without long gaps")
+        raise HardwareError(Text("bodydev-file-uneven", file=str(file)))
     even = t[0] + dt * np.arange(round((t[-1] - t[0]) / dt) + 1)
     postures = np.zeros((len(even), len(joints)))
     for joint, vectors in rotations.items():

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from app.hardware.base import BodyView
 from app.hardware.body.joints import ARM_DEGREES_OF_FREEDOM, second_way
+from app.texts import Text
 
 THERE_RATE = 11.0  # 1/s: 90 % of the movement in 0.35 s, all in about 0.5 s
 BACK_RATE = 6.0  # 1/s: the return to rest is slower
@@ -45,9 +46,9 @@ class Visitor:
         """
         for name, place in joints.items():
             if name not in self.joints:
-                raise ValueError(f"this body has no joint '{name}': use {', '.join(self.joints)}")
+                raise ValueError(Text("bodydev-no-joint", joint=name, joints=", ".join(self.joints)))
             if not 0.0 <= place <= 1.0:  # also refuses NaN
-                raise ValueError(f"joint '{name}' cannot go to {place}: give a place between 0 and 1")
+                raise ValueError(Text("bodydev-no-place", joint=name, place=place))
         for name, place in joints.items():
             self._target[self.joints.index(name)] = float(place)
 

@@ -5,15 +5,38 @@ import re
 import secrets
 import stat
 from pathlib import Path
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 SECRET_BYTES = 32
 LARGEST_ID = 65_535
 _LINE = re.compile(r"(\d{1,5}) ([0-9a-fA-F]{64})")
 
 
+Problem = Literal["unreadable", "no-text", "not-private", "no-key"]
+# For programs without a catalogue, on small boards; the pages have the messages device-key-PROBLEM.
+SENTENCES: dict[Problem, str] = {
+    "unreadable": "the key file {file} cannot be read ({why}): give the file that pairing made",
+    "no-text": "the key file {file} cannot be read (it is no text): give the file that pairing made",
+    "not-private": "the key file {file} can be read by others: say `chmod 600 {file}`, or pair anew",
+    "no-key": ("the key file {file} holds no key: it must be one line, a number up to 65535, a space, 64 hex digits"),
+}
+
+
 class KeyRefused(Exception):  # noqa: N818
-    """Why a key file is refused, in one sentence that never contains the key."""
+    """Why a key file is refused; its message is one English sentence, which never contains the key.
+
+    Attributes
+    ----------
+    problem : str
+        One of SENTENCES.
+    file : str
+    why : str
+        The system's reason why the file is unreadable.
+    """
+
+    def __init__(self, problem: Problem, file: Path, why: str = "") -> None:
+        super().__init__(SENTENCES[problem].format(file=file, why=why))
+        self.problem, self.file, self.why = problem, str(file), why
 
 
 class Key(NamedTuple):
@@ -43,26 +66,16 @@ def read_key(file: Path) -> Key:
         with open(os.open(file, os.O_RDONLY | os.O_NONBLOCK), encoding="ascii") as opened:  # does not wait for a pipe
             mode = os.fstat(opened.fileno()).st_mode
             text = opened.read(200) if stat.S_ISREG(mode) else ""
-    except (OSError, ValueError) as error:
-        why = error.strerror if isinstance(error, OSError) else "it is no text"
-        raise KeyRefused(f"the key file {file} cannot be read ({why}): give the file that pairing made") from error
+    except OSError as error:
+        raise KeyRefused("unreadable", file, error.strerror or "") from error
+    except ValueError as error:
+        raise KeyRefused("no-text", file) from error
     if stat.S_IMODE(mode) & (stat.S_IRWXG | stat.S_IRWXO):
-        raise KeyRefused(f"the key file {file} can be read by others: say `chmod 600 {file}`, or pair anew")
+        raise KeyRefused("not-private", file)
     match = _LINE.fullmatch(text.strip())
     if match is None or int(match[1]) > LARGEST_ID:
-        raise KeyRefused(
-            f"the key file {file} holds no key: it must be one line, a number up to {LARGEST_ID}, a space, "
-            f"{2 * SECRET_BYTES} hex digits"
-        )
+        raise KeyRefused("no-key", file)
     return Key(int(match[1]), bytes.fromhex(match[2]))
-
-
-def lost_key(file: Path, key: Key) -> str:
-    """Return in words why `key`, which was read from `file` earlier, counts no longer; empty while it does."""
-    try:
-        return "" if read_key(file) == key else f"the key file {file} holds another key than it did: choose it again"
-    except KeyRefused as error:
-        return str(error)
 
 
 def write_key(file: Path, key: Key) -> None:

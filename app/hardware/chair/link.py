@@ -13,7 +13,8 @@ from pathlib import Path
 from app.faults import State
 from app.geometry import STANDSTILL, Pose, Twist
 from app.hardware.base import ORIGIN, HardwareError
-from app.hardware.chair.key import Key, KeyRefused, lost_key, read_key
+from app.hardware.chair.key import Key, KeyRefused, read_key
+from app.hardware.chair.link_texts import lost_key, refusal_text
 from app.hardware.chair.odometry import arc
 from app.hardware.chair.packet import (
     DIGEST_BYTES,
@@ -31,6 +32,7 @@ from app.hardware.chair.telemetry import SILENT, ChairTelemetry, telemetry_descr
 from app.hardware.configs import RealChairConfig
 from app.messages import ChairState, Tick
 from app.speed_limits import Speeds
+from app.texts import Text
 
 PERIOD = 0.02  # s between two commands
 LEAST_GAP = 0.005  # s between two commands: after a hold-up the next deadline may be very near
@@ -82,8 +84,9 @@ class ChairLink:
         host, port = self.config.host, self.config.port
         try:
             self._key = read_key(Path(self.config.key_file))
-        except KeyRefused as error:
-            raise HardwareError(f"the chair {self.config.name} is not opened: {error}") from error
+        except KeyRefused as refused:
+            problem = refusal_text(refused)
+            raise HardwareError(Text("chairdev-not-opened", name=self.config.name, problem=problem)) from refused
         opened = None
         try:
             family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
@@ -93,9 +96,9 @@ class ChairLink:
         except (OSError, UnicodeError) as error:
             if opened is not None:
                 opened.close()
+            why = getattr(error, "strerror", None) or "no-address"
             raise HardwareError(
-                f"the chair {self.config.name} cannot be reached at {host}:{port} "
-                f"({getattr(error, 'strerror', None) or 'no host name'}): correct its address"
+                Text("chairdev-not-reached", name=self.config.name, place=f"{host}:{port}", why=why)
             ) from error
         self._socket = opened
 
@@ -196,19 +199,19 @@ class ChairLink:
             return False
         return self._driven() == STANDSTILL or self._now - self._ended > SETTLE
 
-    def lost_key(self) -> str:
-        """Return in words why the chair's key counts no longer, empty while it does; reads the key file."""
+    def lost_key(self) -> Text | None:
+        """Return why the chair's key counts no longer, None while it does; reads the key file."""
         return lost_key(Path(self.config.key_file), self._key)
 
-    def description(self) -> str:
+    def description(self) -> Text:
         """Return the chair's state in words."""
-        chair = f"{self.config.name} at {self.config.host}:{self.config.port}"
+        name, place = self.config.name, f"{self.config.host}:{self.config.port}"
         newest = self.telemetry.newest
         if newest is None or self.silent:
-            return f"{chair} does not answer: check its power and the network."
+            return Text("chairdev-silent", name=name, place=place)
         if self.telemetry.switch_refuted:
-            return f"{chair}: the report of its stop switch was an old one, press and release the switch again."
-        return f"{chair}, {telemetry_description(newest)}"
+            return Text("chairdev-switch-refuted", name=name, place=place)
+        return telemetry_description(name, place, newest)
 
     def report(self, tick: Tick, t: float) -> None:
         """Write into a tick what the chair has reported of itself up to `t` (monotonic s)."""

@@ -1,4 +1,4 @@
-"""Why a chair stands, by its telemetry: numbers for the protocol, words for people. Standard library only."""
+"""Why a chair stands, by its telemetry: numbers for the protocol, English for a receiver. Standard library only."""
 
 from enum import IntEnum
 
@@ -17,6 +17,7 @@ class Reason(IntEnum):
     ENDING = 8  # the receiver was ended
 
 
+# For the output of a receiver, which has no catalogue; the pages have the message chairdev-reason.
 DESCRIPTIONS = {
     Reason.NONE: "Nothing is wrong.",
     Reason.SILENT: "No new command reached the chair for too long.",

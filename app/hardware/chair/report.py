@@ -6,6 +6,7 @@ from struct import Struct
 
 from app.hardware.base import HardwareError
 from app.messages import Tick
+from app.texts import Text
 
 MAGIC, VERSION = b"BMIP", 1
 
@@ -40,9 +41,8 @@ class ChairReport:
             family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
             self._socket = socket.socket(family, kind, protocol)
         except OSError as error:
-            raise HardwareError(
-                f"reports cannot be sent to {host}:{port} ({error.strerror}): give a host and port"
-            ) from error
+            why = error.strerror or "no-address"
+            raise HardwareError(Text("chairdev-no-report", place=f"{host}:{port}", why=why)) from error
         self._socket.setblocking(False)
         self._address = address
 

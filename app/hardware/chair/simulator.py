@@ -8,6 +8,7 @@ from typing import Final, Literal, get_args
 from app.geometry import STANDSTILL, Pose, Twist
 from app.messages import ChairState
 from app.speed_limits import HIGHEST_SPEEDS
+from app.texts import Figure, Text
 from app.world import dynamics, kinematics
 from app.world.collision import Collision
 from app.world.dynamics import Motion, Wheelchair
@@ -54,9 +55,7 @@ class VirtualChair:
         if not all(map(math.isfinite, pose)):
             raise ValueError("the chair's place is not a number: give x and y in m and the heading in rad")
         if not self._collision.is_free(pose.x, pose.y):
-            raise ValueError(
-                f"the chair cannot stand at ({pose.x:.2f}, {pose.y:.2f}): something is in the way, choose a free place"
-            )
+            raise ValueError(Text("chairdev-no-room", x=Figure(pose.x, 2), y=Figure(pose.y, 2)))
         self._motion = Motion(pose)
         self._contacts = 0
         self._free_for = FREE_AGAIN

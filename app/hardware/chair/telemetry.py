@@ -3,15 +3,15 @@
 import math
 from typing import NamedTuple
 
+from app.hardware.chair.link_texts import reason_text
 from app.hardware.chair.packet import Telemetry
-from app.hardware.chair.reasons import DESCRIPTIONS, Reason
-from app.number_format import percent
+from app.texts import Figure, Text
 
 SILENT = 0.3  # s without telemetry, which comes every 0.1 s
 DRIFT = 1e-3  # s per s by which the chair's clock may differ from ours
 MOST_NONCES = 1000  # number of nonces kept: a chair makes a new one at each disarming
 ARMED, FAULT = 2, 3  # values of Telemetry.state
-STATE_NAMES = ("disarmed", "waits for rest", "armed", "not ready")
+STATE_NAMES = ("disarmed", "checking", "armed", "fault")
 
 
 class PressedSwitch(NamedTuple):
@@ -124,10 +124,14 @@ def _shows_now(pressed: PressedSwitch, telemetry: Telemetry, t: float) -> bool:
     return pressed.nonce == telemetry.nonce and by_chair <= passed + SILENT + DRIFT * passed
 
 
-def telemetry_description(telemetry: Telemetry) -> str:
-    """Return the state, the battery and the fault of a telemetry in words."""
-    description = "stop switch pressed" if telemetry.stop_input else STATE_NAMES[min(telemetry.state, FAULT)]
-    if 0.0 <= telemetry.battery <= 1.0:
-        description += f", battery {percent(telemetry.battery)}"
-    reason = Reason(telemetry.fault) if telemetry.fault in DESCRIPTIONS else Reason.NONE
-    return f"{description}." if reason is Reason.NONE else f"{description}. {DESCRIPTIONS[reason]}"
+def telemetry_description(name: str, place: str, telemetry: Telemetry) -> Text:
+    """Return the state, the battery and the fault in a telemetry of the chair `name` at `place` (HOST:PORT)."""
+    known = 0.0 <= telemetry.battery <= 1.0
+    return Text(
+        "chairdev-telemetry",
+        name=name,
+        place=place,
+        state="stop-switch" if telemetry.stop_input else STATE_NAMES[min(telemetry.state, FAULT)],
+        battery=Figure(100 * telemetry.battery) if known else "unknown",
+        reason=reason_text(telemetry.fault) or "none",
+    )

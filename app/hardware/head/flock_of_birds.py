@@ -14,6 +14,7 @@ from app.clock import Clock
 from app.hardware.base import HardwareError
 from app.hardware.configs import FlockOfBirdsConfig
 from app.messages import ALIVE, HeadPose
+from app.texts import Text
 
 AUTO_CONFIGURE, GROUP_MODE = b"P\x32", b"P\x23\x01"
 TO_UNIT = 0xF0  # plus an address: the next command goes to that unit
@@ -99,9 +100,7 @@ class FlockOfBirds:
             self._port.write(STREAM)
         except (OSError, ValueError) as error:  # a SerialException is an OSError
             self.close()
-            raise HardwareError(
-                f"the Flock of Birds on {device} cannot be opened ({error}): check cable, power and the device's name"
-            ) from error
+            raise HardwareError(Text("headdev-flock-failed", device=device, why=error)) from error
 
     def newest(self) -> HeadPose | None:
         """Take in the bytes that have come and return the newest pose, None before the first."""
@@ -110,7 +109,7 @@ class FlockOfBirds:
         try:
             content = self._port.read(self._port.in_waiting)
         except OSError as error:
-            self._loss = str(error) or "it went away"
+            self._loss = str(error) or "unknown"
             self._close_port()
             return self._pose
         now = self._clock.now()
@@ -119,16 +118,16 @@ class FlockOfBirds:
                 self._pose = decode(record, now)
         return self._pose
 
-    def description(self) -> str:
+    def description(self) -> Text:
         """Return the tracker's state in words."""
         device = self._config.device
         if self._loss:
-            return f"The Flock of Birds on {device} was lost ({self._loss}): check its cable, then choose it again."
+            return Text("headdev-flock-lost", device=device, why=self._loss)
         if self._port is None:
-            return f"The Flock of Birds on {device} is not open."
+            return Text("headdev-flock-closed", device=device)
         if self._pose is None or self._clock.now() - self._pose.t > ALIVE:
-            return f"The Flock of Birds on {device} sends nothing: switch it to FLY, and check its baud rate."
-        return f"Flock of Birds on {device}."
+            return Text("headdev-flock-silent", device=device)
+        return Text("headdev-flock", device=device)
 
     def close(self) -> None:
         """Stop the stream and close the line; closing twice does no harm."""

@@ -11,6 +11,7 @@ from app.hardware.base import HardwareError
 from app.hardware.configs import RecordedHeadConfig
 from app.messages import HeadPose
 from app.signals.columns import read_columns, require_column
+from app.texts import Text, text_of
 
 COLUMNS = ("yaw_deg", "pitch_deg", "roll_deg")  # left, up and right positive
 BLEND = 1.0  # s from the end of a looped recording to its beginning
@@ -46,10 +47,14 @@ class RecordedHead:
             played %= duration
         return HeadPose(now, *(float(np.interp(played, self._t, self._angles[:, axis])) for axis in range(3)))
 
-    def description(self) -> str:
+    def description(self) -> Text:
         """Return the tracker's state in words."""
         name = Path(self._config.file).name
-        return f"The recorded head {name} is not played." if self._began is None else f"Recorded head {name} is played."
+        return (
+            Text("headdev-recorded-rests", file=name)
+            if self._began is None
+            else Text("headdev-recorded-plays", file=name)
+        )
 
     def close(self) -> None:
         """End the playback."""
@@ -63,9 +68,9 @@ def _read(file: Path) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         t = require_column(table, file, "t")
         angles = np.radians(np.column_stack([require_column(table, file, name) for name in COLUMNS]))
     except ValueError as error:
-        raise HardwareError(str(error)) from error
+        raise HardwareError(text_of(error)) from error
     if len(t) < 2 or np.any(np.diff(t) <= 0) or t[-1] - t[0] < SHORTEST:
-        raise HardwareError(f"{file}: a recorded head needs {SHORTEST:g} s and times that grow, record it again")
+        raise HardwareError(Text("headdev-recorded-short", file=str(file), least=SHORTEST))
     angles = np.unwrap(angles, axis=0)
     return t - t[0], angles
 

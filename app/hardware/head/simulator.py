@@ -6,6 +6,7 @@ import random
 from app.clock import Clock
 from app.hardware.configs import SimulatedHeadConfig
 from app.messages import HeadPose
+from app.texts import Text
 
 WAVES = {
     "yaw": (0.5, 0.3),
@@ -37,9 +38,9 @@ class SimulatedHead:
         now = self._clock.now()
         return HeadPose(now, *(self._angle(name, now - self._began) for name in WAVES))
 
-    def description(self) -> str:
+    def description(self) -> Text:
         """Return the tracker's state in words."""
-        return "The simulated head rests." if self._began is None else "The simulated head looks around."
+        return Text("headdev-simulated-rests") if self._began is None else Text("headdev-simulated-looks")
 
     def close(self) -> None:
         """End the movement."""

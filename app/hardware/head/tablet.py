@@ -5,6 +5,7 @@ import math
 from app.clock import Clock
 from app.hardware.configs import TabletHeadConfig
 from app.messages import ALIVE, HeadPose
+from app.texts import Text
 
 
 class TabletHead:
@@ -28,13 +29,13 @@ class TabletHead:
         """Return the newest pose, None before the first."""
         return self._pose
 
-    def description(self) -> str:
+    def description(self) -> Text:
         """Return the tracker's state in words."""
         if not self._is_open:
-            return "The tablet's orientation is not used."
+            return Text("headdev-tablet-unused")
         if self._pose is None or self._clock.now() - self._pose.t > ALIVE:
-            return "No orientation comes from a tablet: open its page and let it use the sensor."
-        return "The tablet tells where it looks."
+            return Text("headdev-tablet-silent")
+        return Text("headdev-tablet")
 
     def close(self) -> None:
         """Accept no more reports."""

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from app.clock import Clock
 from app.hardware.base import HardwareError
 from app.messages import ALIVE, HeadPose
+from app.texts import Text
 
 SILENCE = 2.0  # s without a pose after which another sender is accepted
 MOST = 64  # datagrams of one reading, so that a flood does not hold up the loop
@@ -45,9 +46,9 @@ class UdpHead:
         except OSError as error:
             if listening is not None:
                 listening.close()
+            why = error.strerror or "no-address"
             raise HardwareError(
-                f"the head tracker {self._name} cannot be received on {host}:{port} "
-                f"({error.strerror or 'no such address'}): use an address of this machine and a port that is free"
+                Text("headdev-udp-failed", tracker=self._name, place=f"{host}:{port}", why=why)
             ) from error
         self._socket = listening
         self.address = (host, listening.getsockname()[1])
@@ -72,15 +73,15 @@ class UdpHead:
                 self._sender, self._pose = sender, pose
         return self._pose
 
-    def description(self) -> str:
+    def description(self) -> Text:
         """Return the tracker's state in words."""
         if self._socket is None:
-            return f"Nothing listens for the head tracker {self._name}."
+            return Text("headdev-udp-closed", tracker=self._name)
         host, port = self.address
-        refused = f", {self.junk} datagrams refused" if self.junk else ""
+        place = f"{host}:{port}"
         if self._pose is None or self._clock.now() - self._pose.t > ALIVE:
-            return f"No poses from {self._name} on {host}:{port}{refused}."
-        return f"Head tracker {self._name} on {host}:{port}{refused}."
+            return Text("headdev-udp-silent", tracker=self._name, place=place, refused=self.junk)
+        return Text("headdev-udp", tracker=self._name, place=place, refused=self.junk)
 
     def close(self) -> None:
         """Close the socket; closing twice does no harm."""

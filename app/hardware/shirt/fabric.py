@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from app.hardware.body.joints import degrees_of_freedom, second_way
 from app.layout import ShirtLayout
+from app.texts import Text
 
 FULL_SCALE = 3.3  # V, of the converter
 STEPS = 4096  # of the converter: 12 bits
@@ -99,9 +100,7 @@ class Fabric:
         """
         for name in dead_channels:
             if name not in layout.channel_names:
-                raise ValueError(
-                    f"the shirt '{layout.name}' has no channel '{name}' that could be dead: correct its name"
-                )
+                raise ValueError(Text("shirtdev-no-channel", shirt=layout.name, channel=name))
         self.layout = layout
         self.joints = degrees_of_freedom(layout.joint_names)
         self._properties = properties

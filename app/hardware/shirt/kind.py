@@ -3,26 +3,22 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
-from typing import Annotated, Generic, TypeVar, get_args
+from typing import Annotated, Any, Generic, TypeVar, get_args
 
-from pydantic import ConfigDict, Field
+from pydantic import ConfigDict, Field, GetJsonSchemaHandler
+from pydantic.config import JsonDict
+from pydantic_core import CoreSchema
 
 from app.clock import Clock
 from app.hardware.addresses import FilePlace
 from app.hardware.base import Shirt
 from app.layout import ShirtLayout
 from app.quantities import Document, Hertz
+from app.texts import Text
 
-NOBODY_WEARS_IT = (
-    "A simulated or played shirt arms no real chair, for nobody wears it: choose the shirt on the Shirt page."
-)
-NOBODY_PROVES_IT = (
-    "This source arms no real chair, for nothing proves whose movements it shows: choose the shirt on the Shirt page."
-)
-NO_KEY = (
-    "A shirt without a key arms no real chair, for anybody on the network could send its frames: pair it "
-    "(bodydrive shirt pair), then choose its key on the Shirt page."
-)
+NOBODY_WEARS_IT = Text("shirtdev-nobody-wears")
+NOBODY_PROVES_IT = Text("shirtdev-nobody-proves")
+NO_KEY = Text("shirtdev-no-key")
 
 
 class Trust(Enum):
@@ -36,47 +32,60 @@ class Trust(Enum):
 class ShirtConfig(Document):
     """The configuration of a shirt, without the fields that each kind adds.
 
-    The form on the Shirt page is made of the JSON schema (docs/drivers.md): the class's docstring stands below its
-    title, and each field has its title, its description as a hint, and its bounds.
+    The form on the Shirt page is made of the JSON schema (docs/drivers.md): what the kind is stands below its title,
+    and each field has its title, its description as a hint, and its bounds.
     """
 
     kind: str
 
 
-def page_texts(title: str, in_use: str) -> ConfigDict:
-    """Return the part of a `model_config` with the texts of the Shirt page.
+def page_texts(title: Text | str, *, in_use: Text | str, about: Text | None = None) -> ConfigDict:
+    """Return the part of a `model_config` with the texts of the Shirt page, in the language of its reader.
 
     Parameters
     ----------
-    title : str
-        The name of the kind, where shirts are chosen.
-    in_use : str
+    title : Text or str
+        The name of the kind, where shirts are chosen. A driver outside of the catalogue gives strings.
+    in_use : Text or str
         The shirt in use in one line; `{NAME}` stands for the value of a field.
+    about : Text or None
+        What the kind is, in one line; None: the class's docstring.
     """
-    return ConfigDict(title=title, json_schema_extra={"in_use": in_use})
+
+    def add(schema: JsonDict) -> None:
+        schema |= {"title": str(title), "in_use": str(in_use)}
+        if about is not None:
+            schema["description"] = str(about)
+
+    return ConfigDict(json_schema_extra=add)
 
 
-ShirtRate = Annotated[Hertz, Field(ge=10, le=2000, title="Frames a second")]
-SignalFile = Annotated[FilePlace, Field(title="File", json_schema_extra={"format": "signal-file"})]
+@dataclass(frozen=True, slots=True)
+class FieldTexts:
+    """Marks the type of a field with its title and its hint on the Shirt page, in the language of its reader."""
+
+    title: Text
+    hint: Text | None = None
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        """Return the JSON schema of the field."""
+        texts = {"title": str(self.title)} | ({} if self.hint is None else {"description": str(self.hint)})
+        return handler(schema) | texts
+
+
+ShirtRate = Annotated[Hertz, Field(ge=10, le=2000), FieldTexts(Text("shirtdev-rate"))]
+SignalFile = Annotated[FilePlace, Field(json_schema_extra={"format": "signal-file"}), FieldTexts(Text("shirtdev-file"))]
 """The name of a file of signals, or of a recording, that lies on this machine."""
 ShirtKey = Annotated[
     FilePlace | None,
-    Field(
-        title="Key",
-        description=(
-            "Only a shirt with a key may drive a real chair. “bodydrive shirt pair” on this machine makes one."
-        ),
-        json_schema_extra={"format": "shirt-key"},
-    ),
+    Field(json_schema_extra={"format": "shirt-key"}),
+    FieldTexts(Text("shirtdev-key"), Text("shirtdev-key-hint")),
 ]
 """The key file of a paired shirt; None: frames are not signed."""
 LayoutFile = Annotated[
     ShirtLayout,
-    Field(
-        title="Layout",
-        description="A JSON file that names the sensors. Without one, the layout in use now is kept.",
-        json_schema_extra={"format": "layout"},
-    ),
+    Field(json_schema_extra={"format": "layout"}),
+    FieldTexts(Text("shirtdev-layout"), Text("shirtdev-layout-hint")),
 ]
 """A layout that people bring as a JSON file."""
 
@@ -107,11 +116,11 @@ class ShirtKind(Generic[Config]):
         extras = {name: field.json_schema_extra for name, field in self.config.model_fields.items()}
         return [name for name, extra in extras.items() if isinstance(extra, dict) and extra.get("format") == form]
 
-    def mistrust(self, config: Config) -> str:
-        """Return in a sentence why a shirt of this configuration arms no real chair; empty when it may."""
+    def mistrust(self, config: Config) -> Text | None:
+        """Return why a shirt of this configuration arms no real chair; None when it may."""
         if self.trust is Trust.WIRED:
-            return ""
+            return None
         if self.trust is Trust.WITH_KEY:
             is_paired = any(getattr(config, name) is not None for name in self.fields_of("shirt-key"))
-            return "" if is_paired else NO_KEY
+            return None if is_paired else NO_KEY
         return NOBODY_WEARS_IT if self.simulated else NOBODY_PROVES_IT

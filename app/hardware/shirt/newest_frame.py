@@ -6,6 +6,7 @@ from pathlib import Path
 
 from app.files import write_atomically
 from app.hardware.base import HardwareError
+from app.texts import Text
 
 LARGEST_SEQ = 0xFFFFFFFF  # u32
 FrameNumber = tuple[int, int]
@@ -31,10 +32,7 @@ def read_newest(file: Path) -> FrameNumber:
     except (OSError, ValueError):
         match = None
     if match is None:
-        raise HardwareError(
-            f"{file}: nothing says which frame of this shirt was the newest, and an old one must not drive: pair the "
-            f"shirt anew"
-        )
+        raise HardwareError(Text("shirtdev-newest-unknown", file=str(file)))
     return int(match[1]), int(match[2])
 
 
@@ -55,7 +53,7 @@ class NewestFrame:
         self._wake = threading.Event()
         self._ended = False
         self._thread: threading.Thread | None = None
-        self.trouble = ""  # why the file cannot be written, empty while it can
+        self.trouble: Text | None = None  # why the file cannot be written, None while it can
 
     def open(self) -> None:
         """Read the file and start the thread; HardwareError when the file cannot be read."""
@@ -102,9 +100,7 @@ class NewestFrame:
         try:
             write_newest(self._file, number)
         except OSError as error:
-            self.trouble = (
-                f"the number of the newest frame cannot be stored ({error.strerror or error}): free some disk space"
-            )
+            self.trouble = Text("shirtdev-newest-not-stored", why=error.strerror or error)
             return False
-        self.trouble = ""
+        self.trouble = None
         return True

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from app.hardware.chair.key import Key
 from app.layout import MAX_CHANNELS
+from app.texts import Text
 
 MAGIC = b"SHRT"
 VERSION = 1
@@ -116,24 +117,24 @@ def _values(buffer: bytes | bytearray | memoryview, flags: int, count: int, star
     return values
 
 
-def refusal(buffer: bytes | bytearray | memoryview, size: int, channels: int, key: Key | None = None) -> str:
-    """Return in words why these bytes are no frame of `channels` channels, signed with `key` where there is one."""
+def refusal(buffer: bytes | bytearray | memoryview, size: int, channels: int, key: Key | None = None) -> Text:
+    """Return why these bytes are no frame of `channels` channels, signed with `key` where there is one."""
     if size < HEADER.size + CHECKSUM.size:
-        return f"a datagram of {size} bytes is too short to be a frame"
+        return Text("shirtdev-frame-short", size=size)
     magic, version, flags, count, _, _ = HEADER.unpack_from(buffer)
     if magic != MAGIC:
-        return "what arrives does not come from a shirt"
+        return Text("shirtdev-frame-foreign")
     if version != VERSION:
-        return f"the shirt speaks version {version} of the protocol, version {VERSION} is understood"
+        return Text("shirtdev-frame-version", version=version, understood=VERSION)
     if flags & ~(INT16 | SIGNED):
-        return f"the shirt uses flags {flags:#04x} that are not understood"
+        return Text("shirtdev-frame-flags", flags=f"{flags:#04x}")
     if count != channels:
-        return f"the shirt sends {count} sensors, its layout has {channels}: use the layout of this shirt"
+        return Text("shirtdev-frame-sensors", sent=count, expected=channels)
     if key is None and flags & SIGNED:
-        return "the shirt signs its frames: choose its key"
+        return Text("shirtdev-frame-needs-key")
     if key is not None:
-        return "a frame was not signed with this shirt's key, or arrived damaged"
-    return "a frame arrived damaged"
+        return Text("shirtdev-frame-not-signed")
+    return Text("shirtdev-frame-damaged")
 
 
 def _as_int16(values: NDArray[np.float32]) -> bytes:

@@ -14,6 +14,7 @@ from app.hardware.base import HardwareError
 from app.hardware.body.minimum_jerk import minimum_jerk
 from app.layout import Channel, Joint, ShirtLayout
 from app.sentences import one_sentence
+from app.texts import Text, text_of
 
 BLEND = 0.5  # s over which the end of a looped recording is blended into its beginning
 LONGEST_LOSS = 1 << 20  # frames: a larger step of the counter means that the device was restarted
@@ -42,13 +43,13 @@ def read_frames(path: str | Path) -> FrameFile:
     Raises
     ------
     HardwareError
-        One sentence that says what, where and what to do.
+        A text of one sentence that says what, where and what to do.
     """
     path = Path(path)
     try:
         return _read_recording(path) if path.is_dir() else _read_file(path)
     except ValueError as error:
-        raise HardwareError(str(error)) from error
+        raise HardwareError(text_of(error)) from error
 
 
 def layout_from_names(path: Path, names: Sequence[str]) -> ShirtLayout:
@@ -63,10 +64,8 @@ def layout_from_names(path: Path, names: Sequence[str]) -> ShirtLayout:
     for name in names:
         match = CHANNEL_OF_JOINT.fullmatch(name)
         if match is None:
-            raise ValueError(
-                f"{path}: nothing says which joint the column '{name}' belongs to, put the shirt's layout beside "
-                f"the file as {path.stem}.layout.json or name the columns like right_elbow_1"
-            )
+            layout = f"{path.stem}.layout.json"
+            raise ValueError(Text("shirtdev-file-no-joint", file=str(path), column=name, layout=layout))
         channels.append(Channel(name=name, joint=match["joint"]))
     joints = tuple(dict.fromkeys(channel.joint for channel in channels))
     return ShirtLayout(
@@ -140,22 +139,20 @@ def _read_recording(folder: Path) -> FrameFile:
     run = read_run(folder)
     frames = run.frames()
     if len(frames["t"]) < FEWEST:
-        raise ValueError(f"{folder}: this recording holds {len(frames['t'])} frames of a shirt, name a longer one")
+        raise ValueError(Text("shirtdev-recording-short", folder=str(folder), frames=len(frames["t"])))
     layout, sample_rate = _described(folder, run.meta)
     t = frames["t_device"]
     if not (np.isfinite(t).all() and (np.diff(t) > 0).all()):  # the device was restarted: use the times of arrival
         t = frames["t"]
     if not (np.diff(t) > 0).all():
-        raise ValueError(f"{folder}: the times of this recording do not rise, name another one")
+        raise ValueError(Text("shirtdev-recording-times", folder=str(folder)))
     ahead = np.mod(np.diff(frames["frame_seq"].astype(np.int64)), 1 << 32)
     ahead[(ahead == 0) | (ahead > LONGEST_LOSS)] = 1
     seq = np.concatenate(([0], np.cumsum(ahead)))
     values = frames["values"].astype(np.float32)
     if values.shape[1] != len(layout.channels):
-        raise ValueError(
-            f"{folder}: this recording has {values.shape[1]} channels and its layout {len(layout.channels)}, "
-            f"name another one"
-        )
+        named = len(layout.channels)
+        raise ValueError(Text("shirtdev-recording-channels", folder=str(folder), channels=values.shape[1], named=named))
     return FrameFile(folder.name, layout, sample_rate, t - t[0], seq, values)
 
 
@@ -167,7 +164,7 @@ def _described(folder: Path, meta: Mapping[str, object]) -> tuple[ShirtLayout, f
         raise ValueError(one_sentence(error, f"{folder}: the shirt's layout in this recording")) from error
     rate = meta.get("sample_rate")
     if not isinstance(rate, int | float) or isinstance(rate, bool) or not 0 < rate < math.inf:
-        raise ValueError(f"{folder}: this recording does not say its sample rate, name another one")
+        raise ValueError(Text("shirtdev-recording-rate", folder=str(folder)))
     return layout, float(rate)
 
 

@@ -1,16 +1,15 @@
 """A file as a shirt: its frames come at their recorded times."""
 
 import math
-from typing import Literal
-
-from pydantic import Field
+from typing import Annotated, Literal
 
 from app.clock import Clock
 from app.hardware.base import HardwareError
-from app.hardware.shirt.kind import ShirtConfig, ShirtKind, SignalFile, Trust, page_texts
+from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtKind, SignalFile, Trust, page_texts
 from app.hardware.shirt.playback import FrameFile, FramePlayer, read_frames
 from app.layout import ShirtLayout
 from app.messages import SensorFrame
+from app.texts import Figure, Text
 
 LONGEST_LAG = 1.0  # s: after a longer hold-up the replay resumes where it stopped; a device would have gone on
 
@@ -18,11 +17,15 @@ LONGEST_LAG = 1.0  # s: after a longer hold-up the replay resumes where it stopp
 class ReplayConfig(ShirtConfig):
     """Signals that were recorded before, played as if they came now."""
 
-    model_config = page_texts("Replay of a file", in_use="Replay of {file}")
+    model_config = page_texts(
+        Text("shirtdev-replay-title"),
+        about=Text("shirtdev-replay-about"),
+        in_use=Text("shirtdev-replay-in-use", file="{file}"),
+    )
 
     kind: Literal["replay"]
     file: SignalFile
-    loop: bool = Field(default=True, title="Begin again at the end")
+    loop: Annotated[bool, FieldTexts(Text("shirtdev-replay-loop"))] = True
 
 
 class ReplayedShirt:
@@ -83,16 +86,22 @@ class ReplayedShirt:
         """Return whether the next frame is due already."""
         return self._player is not None and self._start + self._player.due <= self._clock.now()
 
-    def description(self) -> str:
+    def description(self) -> Text:
         """Return the shirt's state in words."""
         if self._player is None or self._file is None:
-            return "The replay is closed."
+            return Text("shirtdev-replay-closed")
         if math.isinf(self._player.due):
-            return f"The replay of {self._file.name} has ended: start it again, or let it loop."
-        channels, length = len(self._file.layout.channels), float(self._file.t[-1])
-        where = f"{self._t % length if length else 0.0:.0f} s of {length:.0f} s"
-        source = f"Replay of {self._file.name}, {channels} sensors at {self._file.sample_rate:g} Hz"
-        return f"{source}, {where}. {self._file.note}".rstrip()
+            return Text("shirtdev-replay-ended", file=self._file.name)
+        length = float(self._file.t[-1])
+        return Text(
+            "shirtdev-replay",
+            file=self._file.name,
+            sensors=len(self._file.layout.channels),
+            rate=round(self._file.sample_rate, 2),
+            played=Figure(self._t % length if length else 0.0),
+            length=Figure(length),
+            note=self._file.note or "none",
+        )
 
     def close(self) -> None:
         """End the replay."""
@@ -103,7 +112,9 @@ class ReplayedShirt:
             try:
                 self._file = read_frames(self._config.file)
             except OSError as error:
-                raise HardwareError(f"{self._config.file}: this cannot be read ({error.strerror}), check it") from error
+                raise HardwareError(
+                    Text("shirtdev-replay-failed", file=self._config.file, why=error.strerror or "")
+                ) from error
         return self._file
 
 

@@ -5,44 +5,52 @@ from typing import Annotated, Literal
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
+from pydantic.config import JsonDict
 
 from app.clock import Clock
 from app.hardware.base import Body, BodyView, HardwareError
 from app.hardware.body.minimum_jerk import minimum_jerk
 from app.hardware.shirt.fabric import Fabric
-from app.hardware.shirt.kind import ShirtConfig, ShirtKind, ShirtRate, Trust, page_texts
+from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtKind, ShirtRate, Trust, page_texts
 from app.hardware.shirt.standard import standard_layout
 from app.layout import ShirtLayout
 from app.messages import SensorFrame
 from app.quantities import Count, Name
+from app.texts import Text, text_of
 
 LONGEST_LAG = 1.0  # s: frames that are later than this count as lost, as of a device that went on
 TRANSITION_TIME = 1.0  # s for the transition from one body's posture to the next body's
 
 
+def _add_choices(schema: JsonDict) -> None:
+    """Add which channels can be dead to the JSON schema of a field."""
+    # Two sensors of different joints, so that the demonstration shows what left-out sensors do without spoiling a
+    # joint.
+    all_work, two_dead = str(Text("shirtdev-simulator-all-work")), str(Text("shirtdev-simulator-two-dead"))
+    schema["format"] = "channels"
+    schema["choices"] = [{"title": all_work, "at": []}, {"title": two_dead, "at": [1 / 3, 3 / 4]}]
+
+
 class SimulatorConfig(ShirtConfig):
     """A fabric with 52 sensors, calculated from the body inside it."""
 
-    model_config = page_texts("Simulated shirt", in_use="Simulated shirt, {sample_rate} frames a second")
+    model_config = page_texts(
+        Text("shirtdev-simulator-title"),
+        about=Text("shirtdev-simulator-about"),
+        in_use=Text("shirtdev-simulator-in-use", rate="{sample_rate}"),
+    )
 
     kind: Literal["simulator"]
     sample_rate: ShirtRate = Field(
         default=100.0, json_schema_extra={"unit": "Hz", "examples": [50, 100, 200, 500, 1000]}
     )
-    seed: Annotated[Count, Field(ge=1, le=999)] = Field(  # of the fabric: each seed is a different shirt
-        default=1, title="Which simulated shirt", json_schema_extra={"format": "stepper"}
-    )
+    seed: Annotated[Count, Field(ge=1, le=999), FieldTexts(Text("shirtdev-simulator-seed"))] = Field(
+        default=1, json_schema_extra={"format": "stepper"}
+    )  # of the fabric: each seed is a different shirt
     layout: ShirtLayout | None = Field(default=None, json_schema_extra={"format": "hidden"})  # None: the standard shirt
-    dead_channels: tuple[Name, ...] = Field(  # names of channels with a broken line
-        default=(),
-        title="Its sensors",
-        json_schema_extra={
-            "format": "channels",
-            # Two sensors of different joints, so that the demonstration shows what left-out sensors do without
-            # spoiling a joint.
-            "choices": [{"title": "All work", "at": []}, {"title": "Two are dead", "at": [1 / 3, 3 / 4]}],
-        },
-    )
+    dead_channels: Annotated[tuple[Name, ...], FieldTexts(Text("shirtdev-simulator-sensors"))] = Field(
+        default=(), json_schema_extra=_add_choices
+    )  # names of channels with a broken line
 
 
 class Pace:
@@ -169,12 +177,14 @@ class SimulatedShirt:
         """Return whether the next frame is due already."""
         return self._pace is not None and self._pace.is_due()
 
-    def description(self) -> str:
+    def description(self) -> Text:
         """Return the shirt's state in words."""
         if self._pace is None:
-            return "The simulated shirt is closed."
-        inside = "with nobody in it" if self._body is None else "with a simulated body in it"
-        return f"Simulated shirt, {len(self.layout.channels)} sensors at {self.sample_rate:g} Hz, {inside}."
+            return Text("shirtdev-simulator-closed")
+        sensors, rate = len(self.layout.channels), round(self.sample_rate, 2)
+        if self._body is None:
+            return Text("shirtdev-simulator-empty", sensors=sensors, rate=rate)
+        return Text("shirtdev-simulator", sensors=sensors, rate=rate)
 
     def close(self) -> None:
         """End the frames."""
@@ -192,7 +202,7 @@ class SimulatedShirt:
             try:
                 self._fabric = Fabric(self.layout, self._config.seed, self._config.dead_channels)
             except ValueError as error:
-                raise HardwareError(str(error)) from error
+                raise HardwareError(text_of(error)) from error
         return self._fabric
 
 

@@ -6,6 +6,7 @@ from app.hardware.base import HardwareError
 from app.layout import ShirtLayout
 from app.sentences import one_sentence
 from app.settings import data_folder
+from app.texts import Text
 
 STANDARD_SHIRT = "bodydrive-52.json"
 
@@ -22,6 +23,6 @@ def standard_layout() -> ShirtLayout:
     try:
         return ShirtLayout.model_validate_json(file.read_bytes())
     except OSError as error:
-        raise HardwareError(f"{file}: the standard shirt cannot be read ({error.strerror}), install again") from error
+        raise HardwareError(Text("shirtdev-no-standard", file=str(file), why=error.strerror or "")) from error
     except ValidationError as error:
         raise HardwareError(one_sentence(error, str(file))) from error

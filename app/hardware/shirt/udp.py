@@ -5,22 +5,33 @@ import select
 import socket
 import struct
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
 from app.clock import Clock
 from app.hardware.addresses import Host
 from app.hardware.base import HardwareError
-from app.hardware.chair.key import Key, KeyRefused, lost_key, read_key
+from app.hardware.chair.key import Key, KeyRefused, read_key
+from app.hardware.chair.link_texts import lost_key, refusal_text
 from app.hardware.shirt.frame_order import Lateness, Sequence
-from app.hardware.shirt.kind import LayoutFile, ShirtConfig, ShirtKey, ShirtKind, ShirtRate, Trust, page_texts
+from app.hardware.shirt.kind import (
+    FieldTexts,
+    LayoutFile,
+    ShirtConfig,
+    ShirtKey,
+    ShirtKind,
+    ShirtRate,
+    Trust,
+    page_texts,
+)
 from app.hardware.shirt.newest_frame import NewestFrame, newest_file
 from app.hardware.shirt.packet import LONGEST, Packet, decode, decode_signed, refusal
 from app.hardware.shirt.sender_choice import Address, SenderChoice
 from app.hardware.shirt.standard import standard_layout
 from app.messages import ALIVE, SensorFrame
 from app.quantities import Port
+from app.texts import Figure, Text, Value
 
 BUFFER = 2 * LONGEST  # bytes: room to notice a datagram that is too long
 KERNEL_BUFFER = 1 << 20  # bytes: one second of frames at 1 kHz, for a hold-up of the loop
@@ -32,11 +43,16 @@ _TIME = struct.Struct("@ll")  # struct timeval
 class UdpConfig(ShirtConfig):
     """Frames that arrive by UDP on this machine."""
 
-    model_config = page_texts("A shirt over the network", in_use="Network shirt on port {port}")
+    model_config = page_texts(
+        Text("shirtdev-udp-title"),
+        about=Text("shirtdev-udp-about"),
+        in_use=Text("shirtdev-udp-in-use", port="{port}"),
+    )
 
     kind: Literal["udp"]
-    host: Host = Field(default="127.0.0.1", title="Listen on")  # the address of this machine that the shirt sends to
-    port: Port = Field(default=5252, title="Port")  # 0: any free port
+    # The address of this machine that the shirt sends to.
+    host: Annotated[Host, FieldTexts(Text("shirtdev-udp-host"))] = "127.0.0.1"
+    port: Annotated[Port, FieldTexts(Text("shirtdev-udp-port"))] = 5252  # 0: any free port
     sample_rate: ShirtRate = 100.0
     layout: LayoutFile = Field(default_factory=standard_layout)
     key_file: ShirtKey = None  # None: unsigned frames are accepted, and no real chair is armed
@@ -73,7 +89,7 @@ class UdpShirt:
         self._wait = -1.0  # s, the timeout of the last call of `read`
         self._sender: Address = ("", 0)  # of the datagram in the buffer
         self._frame_t = -math.inf  # monotonic s
-        self._refusal = ""
+        self._refusal: Text | None = None
 
     @property
     def lost(self) -> int:
@@ -94,7 +110,7 @@ class UdpShirt:
         self._lateness = Lateness()
         self.junk = self.repeated = self.late = self._boot = 0
         self._late_by = 0.0
-        self._refusal = ""
+        self._refusal = None
         self._frame_t = -math.inf
         if self._key_file is not None:
             self._open_key(self._key_file)
@@ -166,9 +182,9 @@ class UdpShirt:
         self._forget_device()
         return True
 
-    def lost_key(self) -> str:
-        """Return in words why the shirt's key counts no longer, empty while it does; reads the key file."""
-        return "" if self._key is None or self._key_file is None else lost_key(self._key_file, self._key)
+    def lost_key(self) -> Text | None:
+        """Return why the shirt's key counts no longer, None while it does; reads the key file."""
+        return None if self._key is None or self._key_file is None else lost_key(self._key_file, self._key)
 
     def pending(self) -> bool:
         """Return whether a datagram has arrived already."""
@@ -180,41 +196,29 @@ class UdpShirt:
             return False
         return True
 
-    def description(self) -> str:
+    def description(self) -> Text:
         """Return the shirt's state in words."""
-        trouble = (self._newest.trouble if self._newest else "") or self._late_text() or self._refusal
-        why = f" ({trouble})" if trouble else ""
+        trouble = (self._newest.trouble if self._newest else None) or self._late_text() or self._refusal or "none"
         if self._socket is None:
-            return f"Nothing listens for the shirt{why}."
+            return Text("shirtdev-udp-closed", trouble=trouble)
+        choice = self.sender_choice
         host, port = self.address
+        common: dict[str, Value] = {
+            "place": f"{host}:{port}",
+            "sender": choice.name or "unknown",
+            "trouble": trouble,
+            "other": choice.other_frames,
+            "stranger": choice.other,
+            "repeated": self.repeated,
+            "late": self.late,
+        }
         if self._clock.now() - self._frame_t > ALIVE:
-            return f"No frames from {self.sender_choice.name or 'a shirt'} on {host}:{port}{why}{self._others()}."
-        text = f"Shirt on {host}:{port} from {self.sender_choice.name}, {self._channels} sensors"
-        if self._sequence.lost:
-            text += f", {self._sequence.lost} frames lost"
-        if self.junk:
-            text += f", {self.junk} datagrams refused{why}"
-        return f"{text}{self._others()}."
+            return Text("shirtdev-udp-silent", **common)
+        return Text("shirtdev-udp", sensors=self._channels, lost=self._sequence.lost, refused=self.junk, **common)
 
-    def _others(self) -> str:
-        """Return the words about ignored frames, empty when there are none."""
-        text, choice = "", self.sender_choice
-        if choice.other_frames:
-            text += f", {choice.other_frames} frames of another sender ({choice.other}) left out"
-        if self.repeated:
-            text += f", {self.repeated} repeated frames left out"
-        if self.late:
-            text += f", {self.late} late frames left out"
-        return text
-
-    def _late_text(self) -> str:
-        """Return why the newest frame is left out when it came late, empty when it did not."""
-        if not self._late_by:
-            return ""
-        return (
-            f"its frames arrive {self._late_by:.1f} s late, and a late one counts as none: bring the shirt nearer to "
-            f"its receiver, and check what else uses the network"
-        )
+    def _late_text(self) -> Text | None:
+        """Return why the newest frame is left out when it came late, None when it did not."""
+        return Text("shirtdev-frame-late", delay=Figure(self._late_by, 1)) if self._late_by else None
 
     def close(self) -> None:
         """Close the socket; closing twice does no harm."""
@@ -260,8 +264,8 @@ class UdpShirt:
     def _open_key(self, file: Path) -> None:
         try:
             self._key = read_key(file)
-        except KeyRefused as error:
-            raise HardwareError(f"the shirt is not opened: {error}") from error
+        except KeyRefused as refused:
+            raise HardwareError(Text("shirtdev-not-opened", problem=refusal_text(refused))) from refused
         newest = NewestFrame(newest_file(file), math.ceil(WRITE_AHEAD * self.sample_rate))
         newest.open()
         self._newest = newest
@@ -271,7 +275,7 @@ class UdpShirt:
         try:
             family, kind, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
         except (OSError, UnicodeError) as error:
-            raise HardwareError(f"the shirt cannot be received on {host}: this is no address, correct it") from error
+            raise HardwareError(Text("shirtdev-udp-no-address", host=host)) from error
         listening = socket.socket(family, kind)
         try:
             listening.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, KERNEL_BUFFER)
@@ -279,8 +283,7 @@ class UdpShirt:
         except OSError as error:
             listening.close()
             raise HardwareError(
-                f"the shirt cannot be received on {host}:{port} ({error.strerror}): "
-                f"use an address of this machine and a port that is free"
+                Text("shirtdev-udp-failed", place=f"{host}:{port}", why=error.strerror or "")
             ) from error
         return listening
 

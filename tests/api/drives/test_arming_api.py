@@ -108,10 +108,10 @@ def test_acceleration_mode_needs_the_stop_switch(calibrated: Any) -> None:
 
 def test_a_shirt_that_cannot_be_trusted_arms_no_real_chair_and_the_page_says_why(ready: Any) -> None:
     """Safety S29: in a demonstration, too."""
-    ready.parts[Equipment].mistrust = NO_KEY
-    assert ready.good("GET", "/drives/summary")["refusals"] == [NO_KEY]
+    ready.parts[Equipment].mistrust = str(NO_KEY)
+    assert ready.good("GET", "/drives/summary")["refusals"] == [str(NO_KEY)]
     with ready.screen():
-        assert sentence_of(arm(ready), 409) == NO_KEY
+        assert sentence_of(arm(ready), 409) == str(NO_KEY)
     ready.process.mistrust = ""
     ready.good("PUT", "/equipment/shirt", json={"kind": "simulator"})
     assert ready.good("GET", "/drives/summary")["refusals"] == []

@@ -101,7 +101,7 @@ def test_a_recording_of_the_switch_arms_nothing_and_the_words_ask_for_it_anew(pa
     pair.hear(ARMED, first.epoch, first.sequence)
     assert not pair.link.ready
     assert not pair.link.switch_reported
-    assert pair.link.description().endswith("press and release the switch again.")
+    assert str(pair.link.description()).endswith("press and release the switch again.")
     pair.chair.send(pressed)
     pair.link.listen(pair.t)
     assert not pair.link.switch_reported
@@ -163,6 +163,6 @@ def test_it_stands_when_the_chair_says_so_or_after_a_while(pair):
 def test_its_words_tell_what_the_chair_says(pair):
     pair.meet()
     pair.hear(FAULT, stop_input=1, fault=Reason.STOP_INPUT, battery=math.nan)
-    assert pair.link.description().endswith(f"stop switch pressed. {DESCRIPTIONS[Reason.STOP_INPUT]}")
+    assert str(pair.link.description()).endswith(f"stop switch pressed. {DESCRIPTIONS[Reason.STOP_INPUT]}")
     pair.hear(CHECKING, fault=200)
-    assert pair.link.description().endswith("waits for rest, battery 50 %.")
+    assert str(pair.link.description()).endswith("waits for rest, battery 50 %.")

@@ -6,12 +6,14 @@ import math
 import os
 import stat
 import struct
+from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.hardware.chair.key import Key, KeyRefused, new_key, read_key, write_key
+from app.hardware.chair.key import SENTENCES, Key, KeyRefused, new_key, read_key, write_key
+from app.hardware.chair.link_texts import refusal_text
 from app.hardware.chair.packet import (
     ChairCommand,
     Telemetry,
@@ -223,6 +225,12 @@ def test_what_is_no_key_is_refused(key_file, content):
 def test_a_file_that_is_not_there_or_no_file_is_refused(tmp_path):
     assert str(tmp_path / "none.key") in refusal(tmp_path / "none.key")
     refusal(tmp_path)
+
+
+@pytest.mark.parametrize("problem", SENTENCES)
+def test_a_refusal_is_the_same_sentence_with_and_without_the_catalogue(problem):
+    refused = KeyRefused(problem, Path("chair.key"), "No such file or directory")
+    assert str(refusal_text(refused)) == str(refused)
 
 
 def test_a_key_is_never_written_over(tmp_path):

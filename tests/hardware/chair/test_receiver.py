@@ -5,6 +5,7 @@ import math
 import pytest
 from hardware.chair.commanded_receiver import PERIOD, CommandedReceiver
 
+from app.hardware.chair.link_texts import reason_text
 from app.hardware.chair.packet import DRIVE, STOP, VIRTUAL
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.hardware.chair.receiver import Receiver, ReceiverState
@@ -259,3 +260,4 @@ def test_every_nonce_is_another():
 def test_every_reason_has_words():
     assert set(DESCRIPTIONS) == set(Reason)
     assert all(words.endswith(".") for words in DESCRIPTIONS.values())
+    assert [str(reason_text(reason)) for reason in Reason if reason] == list(DESCRIPTIONS.values())[1:]

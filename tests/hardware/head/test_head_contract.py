@@ -62,11 +62,11 @@ def test_closed_it_knows_nothing_it_can_be_closed_again_and_opened_again(source)
 
 
 def test_words_are_a_sentence_and_tell_open_from_closed(source):
-    closed = source.head.description()
+    closed = str(source.head.description())
     source.head.open()
     source.let_come(*ANGLES)
     wait_for(source.head, lambda _: True)
-    running = source.head.description()
+    running = str(source.head.description())
     assert closed != running
     assert closed.endswith(".")
     assert running.endswith(".")

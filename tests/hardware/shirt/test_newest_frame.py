@@ -85,11 +85,11 @@ def test_a_disk_that_cannot_be_written_lets_nothing_through_and_is_said(opened, 
     pause = threading.Event()
     while not newest.trouble:
         pause.wait(0.005)
-    assert "No space left" in newest.trouble
+    assert "No space left" in str(newest.trouble)
     assert not newest.accept(2, 0)
     monkeypatch.setattr(newest_module, "write_newest", write)
     assert taken(newest, 2, 0)
-    assert newest.trouble == ""
+    assert newest.trouble is None
 
 
 def test_the_last_seq_of_a_start_is_taken(opened):

@@ -30,7 +30,7 @@ def test_every_sample_comes_at_its_own_time_and_then_the_words_say_that_it_is_ov
     np.testing.assert_allclose([frame.t for frame in frames], 3.0 + np.arange(30) / RATE, atol=1e-9)
     assert shirt.read(0.5) is None
     assert not shirt.pending()
-    assert "has ended" in shirt.description()
+    assert "has ended" in str(shirt.description())
 
 
 def test_a_gap_in_the_file_is_a_gap_in_the_replay(tmp_path):

@@ -80,11 +80,11 @@ def test_a_closed_shirt_gives_nothing_and_can_be_closed_again_and_opened_again(s
 
 
 def test_words_are_a_sentence_and_tell_open_from_closed(source):
-    closed = source.shirt.description()
+    closed = str(source.shirt.description())
     source.shirt.open()
     source.let_come(1)
     source.shirt.read(LONG_ENOUGH)
-    running = source.shirt.description()
+    running = str(source.shirt.description())
     assert closed != running
     assert closed.endswith(".")
     assert running.endswith(".")

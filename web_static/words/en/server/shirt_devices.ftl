@@ -1,0 +1,139 @@
+### The kinds of shirts on the Shirt page; what shirts say of themselves, and why one cannot be used.
+
+## The form of each kind of shirt: its title, what it is, how it is named when it is in use, its fields.
+
+shirtdev-rate = Frames a second
+shirtdev-file = File
+shirtdev-key = Key
+# In “ ” stands a command, which is not translated.
+shirtdev-key-hint = Only a shirt with a key may drive a real chair. “bodydrive shirt pair” on this machine makes one.
+# The document that names the shirt's sensors.
+shirtdev-layout = Layout
+shirtdev-layout-hint = A JSON file that names the sensors. Without one, the layout in use now is kept.
+shirtdev-simulator-title = Simulated shirt
+shirtdev-simulator-about = A fabric with 52 sensors, calculated from the body inside it.
+shirtdev-simulator-in-use = Simulated shirt, { $rate } frames a second
+# A number from 1 to 999; each is a shirt with other sensors.
+shirtdev-simulator-seed = Which simulated shirt
+shirtdev-simulator-sensors = Its sensors
+shirtdev-simulator-all-work = All work
+shirtdev-simulator-two-dead = Two are dead
+shirtdev-replay-title = Replay of a file
+shirtdev-replay-about = Signals that were recorded before, played as if they came now.
+shirtdev-replay-in-use = Replay of { $file }
+shirtdev-replay-loop = Begin again at the end
+shirtdev-udp-title = A shirt over the network
+shirtdev-udp-about = Frames that arrive by UDP on this machine.
+shirtdev-udp-in-use = Network shirt on port { $port }
+# An address of this machine.
+shirtdev-udp-host = Listen on
+shirtdev-udp-port = Port
+
+## Why a shirt may not drive a real chair.
+
+shirtdev-nobody-wears = A simulated or played shirt arms no real chair, for nobody wears it: choose the shirt on the Shirt page.
+shirtdev-nobody-proves = This source arms no real chair, for nothing proves whose movements it shows: choose the shirt on the Shirt page.
+shirtdev-no-key = A shirt without a key arms no real chair, for anybody on the network could send its frames: pair it (bodydrive shirt pair), then choose its key on the Shirt page.
+
+## What shirts say of themselves, and why one cannot be opened.
+
+shirtdev-no-standard = { $file }: the standard shirt cannot be read ({ $why }), install again
+shirtdev-no-channel = the shirt '{ $shirt }' has no channel '{ $channel }' that could be dead: correct its name
+
+shirtdev-simulator-closed = The simulated shirt is closed.
+# $rate is the count of frames a second.
+shirtdev-simulator-empty = Simulated shirt, { $sensors } sensors at { $rate } Hz, with nobody in it.
+shirtdev-simulator = Simulated shirt, { $sensors } sensors at { $rate } Hz, with a simulated body in it.
+
+shirtdev-replay-closed = The replay is closed.
+shirtdev-replay-ended = The replay of { $file } has ended: start it again, or let it loop.
+# $note is a further sentence: what was mended, or is missing, in the times of the file.
+shirtdev-replay =
+    Replay of { $file }, { $sensors } sensors at { $rate } Hz, { $played } s of { $length } s.{ $note ->
+        [none] {""}
+       *[other] {" "}{ $note }
+    }
+shirtdev-replay-failed = { $file }: this cannot be read ({ $why }), check it
+# $layout is the name of a file.
+shirtdev-file-no-joint = { $file }: nothing says which joint the column '{ $column }' belongs to, put the shirt's layout beside the file as { $layout } or name the columns like right_elbow_1
+shirtdev-recording-short = { $folder }: this recording holds { $frames } frames of a shirt, name a longer one
+shirtdev-recording-times = { $folder }: the times of this recording do not rise, name another one
+shirtdev-recording-channels = { $folder }: this recording has { $channels } channels and its layout { $named }, name another one
+shirtdev-recording-rate = { $folder }: this recording does not say its sample rate, name another one
+
+# $problem is a message device-key-...
+shirtdev-not-opened = the shirt is not opened: { $problem }
+shirtdev-udp-no-address = the shirt cannot be received on { $host }: this is no address, correct it
+shirtdev-udp-failed = the shirt cannot be received on { $place } ({ $why }): use an address of this machine and a port that is free
+# $trouble is a message shirtdev-newest-not-stored or shirtdev-frame-...
+shirtdev-udp-closed =
+    Nothing listens for the shirt{ $trouble ->
+        [none] {""}
+       *[other] {" "}({ $trouble })
+    }.
+# $sender and $stranger are addresses. Left out are frames that do not count.
+shirtdev-udp-silent =
+    No frames from { $sender ->
+        [unknown] a shirt
+       *[other] { $sender }
+    } on { $place }{ $trouble ->
+        [none] {""}
+       *[other] {" "}({ $trouble })
+    }{ $other ->
+        [0] {""}
+        [one] , { $other } frame of another sender ({ $stranger }) left out
+       *[other] , { $other } frames of another sender ({ $stranger }) left out
+    }{ $repeated ->
+        [0] {""}
+        [one] , { $repeated } repeated frame left out
+       *[other] , { $repeated } repeated frames left out
+    }{ $late ->
+        [0] {""}
+        [one] , { $late } late frame left out
+       *[other] , { $late } late frames left out
+    }.
+# $refused counts datagrams (packets of the network) that hold no good frame of this shirt.
+shirtdev-udp =
+    Shirt on { $place } from { $sender }, { $sensors } sensors{ $lost ->
+        [0] {""}
+        [one] , { $lost } frame lost
+       *[other] , { $lost } frames lost
+    }{ $refused ->
+        [0] {""}
+        [one] , { $refused } datagram refused{ $trouble ->
+            [none] {""}
+           *[other] {" "}({ $trouble })
+        }
+       *[other] , { $refused } datagrams refused{ $trouble ->
+            [none] {""}
+           *[other] {" "}({ $trouble })
+        }
+    }{ $other ->
+        [0] {""}
+        [one] , { $other } frame of another sender ({ $stranger }) left out
+       *[other] , { $other } frames of another sender ({ $stranger }) left out
+    }{ $repeated ->
+        [0] {""}
+        [one] , { $repeated } repeated frame left out
+       *[other] , { $repeated } repeated frames left out
+    }{ $late ->
+        [0] {""}
+        [one] , { $late } late frame left out
+       *[other] , { $late } late frames left out
+    }.
+
+# So that no old frame drives, the number of the newest one is stored in a file.
+shirtdev-newest-unknown = { $file }: nothing says which frame of this shirt was the newest, and an old one must not drive: pair the shirt anew
+
+## Why frames are not used: each stands in brackets, behind what is left out.
+
+shirtdev-newest-not-stored = the number of the newest frame cannot be stored ({ $why }): free some disk space
+shirtdev-frame-late = its frames arrive { $delay } s late, and a late one counts as none: bring the shirt nearer to its receiver, and check what else uses the network
+shirtdev-frame-short = a datagram of { $size } bytes is too short to be a frame
+shirtdev-frame-foreign = what arrives does not come from a shirt
+shirtdev-frame-version = the shirt speaks version { $version } of the protocol, version { $understood } is understood
+shirtdev-frame-flags = the shirt uses flags { $flags } that are not understood
+shirtdev-frame-sensors = the shirt sends { $sent } sensors, its layout has { $expected }: use the layout of this shirt
+shirtdev-frame-needs-key = the shirt signs its frames: choose its key
+shirtdev-frame-not-signed = a frame was not signed with this shirt's key, or arrived damaged
+shirtdev-frame-damaged = a frame arrived damaged
