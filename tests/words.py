@@ -22,8 +22,8 @@ def messages_of(file: Path) -> dict[str, set[str]]:
         return {}
     text, found = file.read_text(encoding="utf-8"), dict[str, set[str]]()
     for entry in FluentParser().parse(text).body:
-        if isinstance(entry, ast.Message) and entry.span is not None:
-            found[entry.id.name] = set(VALUE.findall(text[entry.span.start : entry.span.end]))
+        if isinstance(entry, ast.Message) and entry.value is not None and entry.value.span is not None:
+            found[entry.id.name] = set(VALUE.findall(text[entry.value.span.start : entry.value.span.end]))
         elif isinstance(entry, ast.Junk):
             found[(entry.content or "").partition("\n")[0]] = set()
     return found
